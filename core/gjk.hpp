@@ -1,0 +1,147 @@
+/// The Gilbert-Johnson-Keerthi collision test after ARL-TR-7474 (Breech 2015), Algorithm 1: do two convex sets have a
+/// point in common?
+///
+///     const auto result = gjk::collision<double>(shape_a, shape_b);                  // plain: no events, no heap
+///     gjk::Trace<double> trace;
+///     const auto again = gjk::collision<double>(shape_a, shape_b, options, trace);   // the same run, told
+///
+/// What the algorithm rests on (Section 3.4), as numbered properties; the tests quote them:
+///  P1. The support function returns a point farthest in the direction given, and is never given the zero vector.
+///  P2. Every vertex of the simplex lies on the hull of the Minkowski difference: no point of the difference lies
+///      farther in the direction in which it was found.
+///  P3. A is the vertex added last. The others stay in the order in which they were added, except where Algorithm 4
+///      moves below a triangle and where Algorithm 5 keeps a face.
+///  P4. Normals point away from the simplex: no vertex of the triangle or tetrahedron lies on their side of A.
+///  P5. Of four vertices, A lies in the direction of BC×BD.
+///
+/// Sets are closed: touching is intersecting.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/events.hpp"
+#include "core/rules.hpp"
+
+namespace gjk {
+
+/// Returns: whether a support function may be asked about `d` (P1): finite in every component and not zero.
+template <class S>
+bool is_usable_direction(const Vec3<S>& d) {
+  // x - x is 0 except for infinities and NaN, for every scalar, the exact ones included.
+  const bool finite = d.x() - d.x() == S(0) && d.y() - d.y() == S(0) && d.z() - d.z() == S(0);
+  return finite && !is_zero(d);
+}
+
+/// Chooses among Algorithms 2-5 by the size of the simplex. Requires: 1 <= size <= 4.
+template <class Rules, class S, class Obs>
+Step<S> process(const Simplex<S>& simplex, Teller<Obs>& tell) {
+  switch (simplex.size()) {
+    case 1: return Rules::process_0simplex(simplex, tell);
+    case 2: return Rules::process_1simplex(simplex, tell);
+    case 3: return Rules::process_2simplex(simplex, tell);
+    default: return Rules::process_3simplex(simplex, tell);
+  }
+}
+
+/// One run of Algorithm 1.
+template <class S, class Rules, class A, class B, class Obs>
+class Search {
+ public:
+  Search(const A& a, const B& b, const Options<S>& options, Obs& observer)
+      : difference_(a, b),
+        options_(options),
+        tell_(observer, options.crossing_test),
+        direction_(options.first_direction) {}
+
+  Result<S> run() {
+    tell_([&] { return SearchStarted<S>{.direction = direction_, .why = why_first_direction()}; });
+    while (result_.iterations < options_.iteration_limit) {
+      if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
+      tell_.enter_iteration(++result_.iterations);
+      const Vertex<S> vertex = difference_.vertex(direction_);
+      if (const std::optional<Reason> reason = reason_to_stop_at(vertex)) return finish_outside(vertex.w, *reason);
+      result_.simplex.add(vertex);
+      tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
+      const Step<S> step = process<Rules>(result_.simplex, tell_);
+      if (!step.direction) return finish(Status::intersecting, Reason::simplex_contains_origin);
+      result_.simplex = step.simplex;
+      direction_ = *step.direction;
+    }
+    return finish(Status::undecided, Reason::iteration_limit);
+  }
+
+ private:
+  /// Section 3.1.3. Algorithm 1 as printed adds the vertex first and goes on to process the simplex even after it has
+  /// found P·dir < 0, which may overwrite the answer. Here we differ: the search ends at once, as the text says.
+  std::optional<Reason> reason_to_stop_at(const Vertex<S>& vertex) {
+    const bool is_new = !remembers() || remember(vertex.w);
+    tell_([&] { return SupportFound<S>{.direction = direction_, .vertex = vertex, .is_new = is_new}; });
+    if (options_.crossing_test == CrossingTest::off) {
+      tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::switched_off}; });
+      return is_new ? std::nullopt : std::optional(Reason::no_new_vertex);
+    }
+    if (result_.simplex.size() == 0) {  // nothing to cross from yet
+      tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::first_point}; });
+      return std::nullopt;
+    }
+    const S value = vertex.w.dot(direction_);
+    const bool crossed = !(value < S(0));  // Eq. 9: touching the origin proves nothing, so it counts as crossed
+    tell_([&] {
+      return CrossingTested<S>{.value = value, .verdict = crossed ? Crossing::crossed : Crossing::not_crossed};
+    });
+    return crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
+  }
+
+  /// The search stops at a vertex that is not added. Only w·d < 0 proves that the sets are apart; a vertex that comes
+  /// back without it means that the search goes round in circles.
+  Result<S> finish_outside(const Vec3<S>& w, Reason reason) {
+    const S support_value = w.dot(direction_);
+    if (!(support_value < S(0))) return finish(Status::undecided, reason);
+    result_.separation = Separation<S>{direction_, support_value};
+    return finish(Status::separated, reason);
+  }
+
+  Result<S> finish(Status status, Reason reason) {
+    result_.status = status;
+    result_.reason = reason;
+    tell_([&] { return Finished<S>{.result = result_}; });
+    return result_;
+  }
+
+  /// Earlier vertices are kept only where somebody needs to know of them.
+  bool remembers() const { return Teller<Obs>::somebody_listens || options_.crossing_test == CrossingTest::off; }
+
+  /// Returns: whether no earlier vertex of this run lies at `w`.
+  bool remember(const Vec3<S>& w) {
+    for (const Vec3<S>& earlier : seen_)
+      if (earlier == w) return false;
+    seen_.push_back(w);
+    return true;
+  }
+
+  const char* why_first_direction() const {
+    return direction_ == Options<S>{}.first_direction ? "any first direction will do; +x is the usual one"
+                                                      : "the caller asked for this first direction";
+  }
+
+  const MinkowskiDifference<S, A, B> difference_;
+  const Options<S>& options_;
+  Teller<Obs> tell_;
+  Vec3<S> direction_;
+  std::vector<Vec3<S>> seen_;
+  Result<S> result_;
+};
+
+/// Algorithm 1: do the convex sets `a` and `b` have a point in common?
+///
+/// Requires: finite shapes. S is float, double, long double or an exact number type.
+/// Returns: the answer with its evidence. With the crossing test on and nobody listening it allocates nothing.
+/// Observer: called with every event, see events.hpp; the run is the same with and without one.
+template <class S = double, class Rules = AsIntended, Shape<S> A, Shape<S> B, class Obs = const NobodyListens>
+  requires Observer<Obs, S>
+Result<S> collision(const A& a, const B& b, const Options<S>& options = {}, Obs&& observer = NobodyListens{}) {
+  return Search<S, Rules, A, B, std::remove_reference_t<Obs>>(a, b, options, observer).run();
+}
+
+}  // namespace gjk

@@ -1,0 +1,70 @@
+/// The answer of a query, and the options it was asked with.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/simplex.hpp"
+
+namespace gjk {
+
+/// Three values, because running out of iterations proves nothing (the report answers "no collision" there).
+enum class Status { intersecting, separated, undecided };
+
+enum class Reason {
+  simplex_contains_origin,  ///< intersecting: Algorithms 2-5 found the origin in the simplex
+  origin_not_crossed,       ///< separated: w·d < 0 (Eq. 9)
+  no_new_vertex,            ///< crossing test off: the support function returned a vertex that the simplex had before
+  iteration_limit,          ///< undecided
+  unusable_direction,       ///< undecided: the search direction is zero, infinite or not a number (under- or overflow)
+};
+
+enum class CrossingTest {
+  on,   ///< stop as soon as the origin was not crossed (Section 3.1.3)
+  off,  ///< go on until the support function has no new vertex to offer (Section 3.1.2)
+};
+
+template <class S>
+struct Options {
+  Vec3<S> first_direction = Vec3<S>(S(1), S(0), S(0));  ///< any length but zero
+  int iteration_limit = 20;                             ///< Algorithm 1; below 1 nothing is tried
+  CrossingTest crossing_test = CrossingTest::on;
+};
+
+/// Proof of separation: every point w of the difference has w·direction <= support_value < 0.
+template <class S>
+struct Separation {
+  Vec3<S> direction;
+  S support_value;
+};
+
+template <class S>
+struct Result {
+  Status status = Status::undecided;
+  Reason reason = Reason::iteration_limit;
+  int iterations = 0;      ///< how many times each of the two support functions was called
+  Simplex<S> simplex;      ///< the last simplex; it contains the origin exactly when intersecting
+  std::optional<Separation<S>> separation;  ///< present exactly when separated
+};
+
+constexpr std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::intersecting: return "intersecting";
+    case Status::separated: return "separated";
+    case Status::undecided: return "undecided";
+  }
+  return "";
+}
+
+constexpr std::string_view to_string(Reason reason) {
+  switch (reason) {
+    case Reason::simplex_contains_origin: return "simplex-contains-origin";
+    case Reason::origin_not_crossed: return "origin-not-crossed";
+    case Reason::no_new_vertex: return "no-new-vertex";
+    case Reason::iteration_limit: return "iteration-limit";
+    case Reason::unusable_direction: return "unusable-direction";
+  }
+  return "";
+}
+
+}  // namespace gjk

@@ -1,0 +1,136 @@
+/// Convex sets, each known only by its support function (ARL-TR-7474, Section 2.4).
+///
+/// All points are in one common frame and one unit of length. `d` is a direction of any length except zero.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace gjk {
+
+template <class S>
+using Vec3 = Eigen::Matrix<S, 3, 1>;
+
+/// The answer of a support function: a point of the set that no other exceeds in the direction asked for.
+template <class S>
+struct SupportPoint {
+  SupportPoint() = default;
+  SupportPoint(Vec3<S> p, std::optional<int> i = std::nullopt) : point(std::move(p)), index(i) {}
+
+  Vec3<S> point = Vec3<S>::Zero();
+  std::optional<int> index;  ///< position in the list of vertices; empty for sets that have no such list
+};
+
+/// Anything with a support function is a shape; it may return a plain Vec3<S> where it has no vertices to number.
+///
+/// Requires of support(d): a point of the set with the largest dot product with d, for every finite d that is not zero.
+template <class T, class S>
+concept Shape = requires(const T& shape, const Vec3<S>& d) {
+  { shape.support(d) } -> std::convertible_to<SupportPoint<S>>;
+};
+
+/// The convex hull of finitely many points. The hull itself is never computed.
+template <class S>
+class PointSet {
+ public:
+  /// Errors: std::invalid_argument where `points` is empty.
+  explicit PointSet(std::vector<Vec3<S>> points) : points_(std::move(points)) {
+    if (points_.empty()) throw std::invalid_argument("a point set needs at least one point");
+  }
+
+  /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
+  SupportPoint<S> support(const Vec3<S>& d) const {
+    std::size_t farthest = 0;
+    S most = points_[0].dot(d);
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const S reach = points_[i].dot(d);
+      if (reach > most) {
+        most = reach;
+        farthest = i;
+      }
+    }
+    return {points_[farthest], static_cast<int>(farthest)};
+  }
+
+  const std::vector<Vec3<S>>& points() const { return points_; }
+
+ private:
+  std::vector<Vec3<S>> points_;
+};
+
+/// A solid ball.
+template <std::floating_point S>
+class Sphere {
+ public:
+  /// Errors: std::invalid_argument unless the radius is positive and finite.
+  Sphere(Vec3<S> center, S radius) : center_(std::move(center)), radius_(radius) {
+    if (!(radius > 0 && std::isfinite(radius))) throw std::invalid_argument("a sphere needs a positive, finite radius");
+  }
+
+  /// Eq. 6: C + R d/|d|. Here we differ: d is first divided by its largest component, because |d|² of a direction
+  /// such as (1e-200, 0, 0) is zero in floating point.
+  SupportPoint<S> support(const Vec3<S>& d) const {
+    const Vec3<S> scaled = d / d.cwiseAbs().maxCoeff();
+    return {Vec3<S>(center_ + scaled * (radius_ / scaled.norm()))};
+  }
+
+  const Vec3<S>& center() const { return center_; }
+  S radius() const { return radius_; }
+
+ private:
+  Vec3<S> center_;
+  S radius_;
+};
+
+/// Eq. 3: { X + Y }. Holds copies of its two sets.
+template <class S, Shape<S> A, Shape<S> B>
+class MinkowskiSum {
+ public:
+  MinkowskiSum(A a, B b) : a_(std::move(a)), b_(std::move(b)) {}
+
+  /// Eq. 7: support(A, d) + support(B, d).
+  SupportPoint<S> support(const Vec3<S>& d) const {
+    const SupportPoint<S> a = a_.support(d), b = b_.support(d);
+    return {Vec3<S>(a.point + b.point)};
+  }
+
+ private:
+  A a_;
+  B b_;
+};
+
+/// A point w of the Minkowski difference, with the two points it comes from: w = a - b.
+template <class S>
+struct Vertex {
+  SupportPoint<S> a, b;
+  Vec3<S> w = Vec3<S>::Zero();
+};
+
+/// Eq. 4: { X - Y }. Refers to its two sets, which must outlive it. It contains the origin exactly when the sets have
+/// a point in common (Section 2.3).
+template <class S, Shape<S> A, Shape<S> B>
+class MinkowskiDifference {
+ public:
+  MinkowskiDifference(const A& a, const B& b) : a_(a), b_(b) {}
+
+  /// Eq. 8: support(A, d) - support(B, -d).
+  Vertex<S> vertex(const Vec3<S>& d) const {
+    Vertex<S> v{a_.support(d), b_.support(-d), {}};
+    v.w = v.a.point - v.b.point;
+    return v;
+  }
+  SupportPoint<S> support(const Vec3<S>& d) const { return {vertex(d).w}; }
+
+ private:
+  const A& a_;
+  const B& b_;
+};
+
+}  // namespace gjk

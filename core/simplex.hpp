@@ -1,0 +1,43 @@
+/// The simplex of GJK: one to four vertices of the Minkowski difference, in the report's order.
+#pragma once
+
+#include <array>
+#include <cassert>
+
+#include "core/shapes.hpp"
+
+namespace gjk {
+
+/// The report's letters. `A` is always the newest vertex, then `B`, `C` and `D` (Section 3.2).
+enum class Role { A, B, C, D };
+
+constexpr char letter(Role role) { return "ABCD"[static_cast<int>(role)]; }
+
+/// Vertices in the report's order, oldest first: Simplex([C, B, A]) of the report is {C, B, A} here, A being newest.
+template <class S>
+class Simplex {
+ public:
+  int size() const { return size_; }
+
+  /// Requires: 0 <= i < size(). Counted from the oldest.
+  const Vertex<S>& operator[](int i) const {
+    assert(0 <= i && i < size_);
+    return vertices_[static_cast<std::size_t>(i)];
+  }
+  /// Requires: the simplex has a vertex of that role.
+  const Vertex<S>& operator[](Role role) const { return (*this)[size_ - 1 - static_cast<int>(role)]; }
+  /// Returns: the place of that vertex in the difference, the point that the report calls A, B, C or D.
+  const Vec3<S>& point(Role role) const { return (*this)[role].w; }
+
+  /// Makes `vertex` the newest. Requires: size() < 4.
+  void add(const Vertex<S>& vertex) {
+    assert(size_ < 4);
+    vertices_[static_cast<std::size_t>(size_++)] = vertex;
+  }
+
+ private:
+  std::array<Vertex<S>, 4> vertices_;
+  int size_ = 0;
+};
+
+}  // namespace gjk
