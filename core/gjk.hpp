@@ -74,12 +74,16 @@ class Search {
  private:
   /// Section 3.1.3. Algorithm 1 as printed adds the vertex first and goes on to process the simplex even after it has
   /// found P·dir < 0, which may overwrite the answer. Here we differ: the search ends at once, as the text says.
+  ///
+  /// Without the crossing test a vertex seen before ends the search, but for one exception: a vertex dropped earlier
+  /// that comes back from across the origin is progress. Ending there would leave intersecting sets undecided.
   std::optional<Reason> reason_to_stop_at(const Vertex<S>& vertex) {
     const bool is_new = !remembers() || remember(vertex.w);
     tell_([&] { return SupportFound<S>{.direction = direction_, .vertex = vertex, .is_new = is_new}; });
     if (options_.crossing_test == CrossingTest::off) {
       tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::switched_off}; });
-      return is_new ? std::nullopt : std::optional(Reason::no_new_vertex);
+      const bool ran_out = !is_new && (has(vertex.w) || vertex.w.dot(direction_) < S(0));
+      return ran_out ? std::optional(Reason::no_new_vertex) : std::nullopt;
     }
     if (result_.simplex.size() == 0) {  // nothing to cross from yet
       tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::first_point}; });
@@ -93,8 +97,7 @@ class Search {
     return crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
   }
 
-  /// The search stops at a vertex that is not added. Only w·d < 0 proves that the sets are apart; a vertex that comes
-  /// back without it means that the search goes round in circles.
+  /// The search stops at a vertex that is not added. Only w·d < 0 proves that the sets are apart.
   Result<S> finish_outside(const Vec3<S>& w, Reason reason) {
     const S support_value = w.dot(direction_);
     if (!(support_value < S(0))) return finish(Status::undecided, reason);
@@ -118,6 +121,12 @@ class Search {
       if (earlier == w) return false;
     seen_.push_back(w);
     return true;
+  }
+
+  bool has(const Vec3<S>& w) const {
+    for (int i = 0; i < result_.simplex.size(); ++i)
+      if (result_.simplex[i].w == w) return true;
+    return false;
   }
 
   const char* why_first_direction() const {
