@@ -87,8 +87,8 @@ template <class S, class Obs>
 void skip_beyond_A(const Simplex<S>& simplex, std::string_view label, Teller<Obs>& tell) {
   skip(simplex, "A", label,
        tell.crossing_test() == CrossingTest::on
-           ? "beyond A: the move to A would not have crossed the origin, and the search would have ended"
-           : "beyond A: only the crossing test rules this out, and this run does without it",
+           ? "the move to A crossed the origin, so the origin is not beyond A"
+           : "only the crossing test rules this out, and this run does without it",
        tell);
 }
 
@@ -195,7 +195,7 @@ struct AsIntended {
   static Step<S> process_1simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
     const Vec3<S> AO = -simplex.point(Role::A);
     const Vec3<S> AB = simplex.point(Role::B) - simplex.point(Role::A);
-    skip(simplex, "B", "R1", "beyond B: the search has just moved away from B, toward the origin", tell);
+    skip(simplex, "B", "R1", "the search has just moved away from B, toward the origin", tell);
     skip_beyond_A(simplex, "R2", tell);
     const Vec3<S> direction = triple(AB, AO);
     const bool on_segment = is_zero(direction);
@@ -235,9 +235,9 @@ struct AsIntended {
     const Vec3<S> AB = B - A, AC = C - A;
     const Vec3<S> ABCn = AB.cross(AC);                              // Eq. 10
     const Vec3<S> ABn = AB.cross(ABCn), ACn = ABCn.cross(AC);       // Eq. 11
-    skip(simplex, "B", "R4", "beyond B: the search has just moved away from BC, toward the origin", tell);
-    skip(simplex, "BC", "R5", "beyond BC: the search has just moved away from BC, toward the origin", tell);
-    skip(simplex, "C", "R6", "beyond C: the search has just moved away from BC, toward the origin", tell);
+    skip(simplex, "B", "R4", "the search has just moved away from BC, toward the origin", tell);
+    skip(simplex, "BC", "R5", "the search has just moved away from BC, toward the origin", tell);
+    skip(simplex, "C", "R6", "the search has just moved away from BC, toward the origin", tell);
     skip_beyond_A(simplex, "R2", tell);
     if (sees_origin(ABn, simplex, {"AB", "R3", "ABn", "AB×ABCn"}, tell)) return keep_edge(simplex, Role::B, tell);
     if (sees_origin(ACn, simplex, {"AC", "R7", "ACn", "ABCn×AC"}, tell)) return keep_edge(simplex, Role::C, tell);
@@ -262,7 +262,7 @@ struct AsIntended {
     const Vec3<S>& A = simplex.point(Role::A);
     const Vec3<S> AB = simplex.point(Role::B) - A, AC = simplex.point(Role::C) - A, AD = simplex.point(Role::D) - A;
     for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB", "BCD"})
-      skip(simplex, feature, "", "on the side of BCD that the search has just left, toward the origin", tell);
+      skip(simplex, feature, "", "the search has just moved away from BCD, toward the origin", tell);
     skip_beyond_A(simplex, "", tell);
     const Vec3<S> ABCn = AB.cross(AC);  // Eq. 14, as are ACDn and ADBn
     if (sees_origin(ABCn, simplex, face_ABC.words, tell)) return process_face(simplex, face_ABC, ABCn, AB, AC, tell);

@@ -1,0 +1,15 @@
+/// What is said under the picture of one event.
+#pragma once
+
+#include <optional>
+
+#include "walkthroughs/storyboard.hpp"
+
+namespace walkthroughs {
+
+/// Returns: a frame with caption and facts but without moments; nothing where the event does not change the picture
+/// or is told together with the next one. `now` is the moment after the event.
+std::optional<Frame> caption(const gjk::Event<double>& event, const Walkthrough& walkthrough, const LabelledHull& hull,
+                             const Moment& now);
+
+}  // namespace walkthroughs

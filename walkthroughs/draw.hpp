@@ -1,0 +1,17 @@
+/// Frames to pictures. Reads the story; computes nothing that the trace or the hull already states.
+#pragma once
+
+#include <cstddef>
+
+#include "render/canvas.hpp"
+#include "walkthroughs/storyboard.hpp"
+
+namespace walkthroughs {
+
+/// The page that every frame is laid out on; smaller and larger pictures are this page, scaled.
+inline constexpr render::Size frame_page{1280, 720};
+
+/// Draws frame `index` of `story`. Requires: a canvas with the page `frame_page`; index < story.frames.size().
+void draw_frame(render::Canvas& canvas, const Story& story, std::size_t index);
+
+}  // namespace walkthroughs

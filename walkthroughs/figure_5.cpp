@@ -1,0 +1,15 @@
+#include "walkthroughs/figure_4_objects.hpp"
+#include "walkthroughs/walkthrough.hpp"
+
+namespace walkthroughs {
+
+Walkthrough figure_5() {
+  return {.name = "figure-5",
+          .title = "Figure 5: was the origin crossed?",
+          .source = "ARL-TR-7474, Section 3.1.3",
+          .summary = "the move from A to E in both sets of Figure 4, close up: crossed and not crossed",
+          .layout = Layout::close_ups,
+          .scenes = {figure_4_left_scene(), figure_4_right_scene()}};
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,145 @@
+// gjkstep: watch GJK decide. Reads the command line, calls the rest, turns failures into exit codes.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "render/font.hpp"
+#include "render/image.hpp"
+#include "render/rasterizer.hpp"
+#include "walkthroughs/render_frames.hpp"
+#include "walkthroughs/trace_json.hpp"
+
+namespace {
+
+using walkthroughs::Walkthrough;
+
+enum ExitCode { ok = 0, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
+
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+constexpr const char* footer =
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (also: a missing font), 4 no OpenGL context, 5 cannot write.\n"
+    "The folder of the fonts can be named by the environment variable GJKSTEP_FONT_DIR.";
+
+const Walkthrough& walkthrough_named(const std::string& name) {
+  if (const Walkthrough* found = walkthroughs::find_walkthrough(name)) return *found;
+  throw UsageError("there is no walkthrough '" + name + "'; did you mean '" +
+                   std::string(walkthroughs::nearest_name(name)) + "'? 'gjkstep list' shows all");
+}
+
+/// Reads "1280x720".
+render::Size parse_size(const std::string& text) {
+  render::Size size;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  const bool has_x = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = has_x ? std::from_chars(width.ptr + 1, end, size.height) : width;
+  const auto fits = [](int pixels) { return render::min_pixels <= pixels && pixels <= render::max_pixels; };
+  if (!has_x || height.ec != std::errc() || height.ptr != end || !fits(size.width) || !fits(size.height))
+    throw UsageError("--size '" + text + "': expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
+                     std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
+  return size;
+}
+
+void list() {
+  std::size_t widest = 0;
+  for (const Walkthrough& w : walkthroughs::catalogue()) widest = std::max(widest, w.name.size());
+  for (const Walkthrough& w : walkthroughs::catalogue())
+    std::cout << w.name << std::string(widest + 2 - w.name.size(), ' ') << w.summary << '\n';
+}
+
+struct RenderCommand {
+  std::vector<std::string> names;
+  bool all = false;
+  std::string out = "out";
+  std::string size = "1280x720";
+
+  /// Everything that can be wrong with the words of the command is found before the first file is written.
+  void run() const {
+    std::vector<const Walkthrough*> chosen;
+    for (const std::string& name : names) chosen.push_back(&walkthrough_named(name));
+    if (all)
+      for (const Walkthrough& w : walkthroughs::catalogue()) chosen.push_back(&w);
+    if (chosen.empty()) throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
+    const render::Size pixels = parse_size(size);
+
+    render::Font font(render::Font::default_directory());
+    render::OffscreenContext context;
+    render::Rasterizer rasterizer(context);
+    for (const Walkthrough* w : chosen) walkthroughs::render_frames(*w, out, pixels, rasterizer, font, report(w->name));
+  }
+
+ private:
+  static walkthroughs::FrameWritten report(const std::string& name) {
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    return [=](const std::filesystem::path& file, const std::string& caption, std::size_t index, std::size_t count) {
+      if (terminal) std::cerr << "\r\033[K";
+      std::cout << file.string() << "  " << caption << std::endl;
+      if (terminal && index + 1 < count) std::cerr << name << ": frame " << index + 1 << " of " << count << std::flush;
+    };
+  }
+};
+
+void print_version() {
+  std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
+  std::cout << render::OffscreenContext().description() << '\n';
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Draws, step by step, how the Gilbert-Johnson-Keerthi algorithm decides whether two convex objects collide.");
+  app.footer(footer);
+  app.require_subcommand(0, 1);
+  bool version = false;
+  app.add_flag("--version", version, "print the version and the OpenGL renderer");
+  CLI::App* const list_command = app.add_subcommand("list", "the walkthroughs, one line each");
+
+  RenderCommand render;
+  CLI::App* const render_command = app.add_subcommand("render", "write the frames OUT/NAME/000.png, 001.png, ...");
+  render_command->add_option("NAME", render.names, "walkthroughs to render");
+  render_command->add_flag("--all", render.all, "render every walkthrough");
+  render_command->add_option("--out", render.out, "folder to write to")->capture_default_str();
+  render_command->add_option("--size", render.size, "width and height in pixels")->capture_default_str();
+
+  std::string traced;
+  CLI::App* const trace_command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
+  trace_command->add_option("NAME", traced, "walkthrough to trace")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? ok : wrong_usage;
+  }
+  if (version) print_version();
+  else if (*list_command) list();
+  else if (*render_command) render.run();
+  else if (*trace_command) walkthroughs::write_traces(std::cout, walkthrough_named(traced));
+  else throw UsageError("what to do? 'gjkstep --help' shows the commands");
+  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
+  return ok;
+}
+
+int fail(ExitCode code, const std::exception& error) {
+  std::cerr << "gjkstep: " << error.what() << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(wrong_usage, error);
+  } catch (const render::FontError& error) {
+    return fail(bad_input, error);
+  } catch (const render::ContextError& error) {
+    return fail(no_context, error);
+  } catch (const render::FileError& error) {
+    return fail(cannot_write, error);
+  }
+}

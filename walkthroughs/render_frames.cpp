@@ -1,0 +1,56 @@
+#include "walkthroughs/render_frames.hpp"
+
+#include <cstdio>
+#include <system_error>
+
+#include "render/image.hpp"
+#include "walkthroughs/draw.hpp"
+#include "walkthroughs/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string file_name(std::size_t index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%03zu.png", index);
+  return name;
+}
+
+fs::path make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw render::FileError("cannot create the folder " + folder.string() + ": " + error.message() +
+                            "; choose another with --out");
+  return folder;
+}
+
+/// What a reader without the picture needs: the caption and every fact.
+std::string description(const Frame& frame) {
+  std::string text = plain(frame.caption);
+  for (const Fact& fact : frame.facts) text += "\n" + plain(fact.text);
+  return text;
+}
+
+}  // namespace
+
+void render_frames(const Walkthrough& walkthrough, const fs::path& out, render::Size size, render::Rasterizer& rasterizer,
+                   render::Font& font, const FrameWritten& written) {
+  const Story story = tell(walkthrough);
+  const fs::path folder = make_folder(out / walkthrough.name);
+  const std::size_t count = story.frames.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    render::Canvas canvas(size, frame_page, render::palette::white, font);
+    draw_frame(canvas, story, i);
+    const fs::path file = folder / file_name(i);
+    const std::string title = walkthrough.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count);
+    render::write_png(file, rasterizer.draw(canvas), {title, description(story.frames[i])});
+    written(file, plain(story.frames[i].caption), i, count);
+  }
+  std::error_code ignored;
+  for (std::size_t stale = count; fs::remove(folder / file_name(stale), ignored);) ++stale;
+}
+
+}  // namespace walkthroughs

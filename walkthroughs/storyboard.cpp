@@ -1,0 +1,66 @@
+#include "walkthroughs/storyboard.hpp"
+
+#include <variant>
+
+#include "walkthroughs/captions.hpp"
+
+namespace walkthroughs {
+namespace {
+
+/// One scene, told from the first event to the last.
+void tell_whole_search(Story& story) {
+  const Trace& trace = story.traces[0];
+  for (std::size_t i = 0; i < trace.events.size(); ++i) {
+    Moment now = replay(trace, i + 1);
+    std::optional<Frame> frame = caption(trace.events[i], story.walkthrough, story.hulls[0], now);
+    if (!frame) continue;
+    frame->moments = {std::move(now)};
+    story.frames.push_back(std::move(*frame));
+  }
+}
+
+/// Returns: the place of the first event of type `E` in that iteration.
+template <class E>
+std::size_t find_event(const Trace& trace, int iteration) {
+  for (std::size_t i = 0; i < trace.events.size(); ++i)
+    if (const E* event = std::get_if<E>(&trace.events[i]); event && event->iteration == iteration) return i;
+  throw std::logic_error("the scene of this walkthrough ends before the move that it is meant to show");
+}
+
+/// One frame about the same event in every scene.
+template <class E>
+void tell_side_by_side(Story& story, int iteration, const std::string& sentence) {
+  Frame all{Focus::support, sentence, {}, {}};
+  for (std::size_t s = 0; s < story.traces.size(); ++s) {
+    const std::size_t at = find_event<E>(story.traces[s], iteration);
+    Moment now = replay(story.traces[s], at + 1);
+    const Frame one = caption(story.traces[s].events[at], story.walkthrough, story.hulls[s], now).value();
+    all.focus = one.focus;
+    for (const Fact& fact : one.facts)
+      all.facts.push_back({fact.mark, story.walkthrough.scenes[s].name + ": " + fact.text});
+    all.moments.push_back(std::move(now));
+  }
+  story.frames.push_back(std::move(all));
+}
+
+/// The move from A to E, which decides by Eq. 9.
+void tell_first_move(Story& story) {
+  tell_side_by_side<gjk::DirectionChosen<double>>(story, 1, "In both sets the search goes from A along d, toward the origin.");
+  tell_side_by_side<gjk::SupportFound<double>>(story, 2, "In both sets the farthest point along d is E.");
+  tell_side_by_side<gjk::CrossingTested<double>>(
+      story, 2, "On the left E lies across the origin; on the right it does not, so the origin is not in the difference.");
+}
+
+}  // namespace
+
+Story tell(const Walkthrough& walkthrough) {
+  Story story{walkthrough, {}, {}, {}};
+  for (const Scene& scene : walkthrough.scenes) {
+    story.traces.push_back(run(scene));
+    story.hulls.push_back(difference_hull(scene));
+  }
+  walkthrough.layout == Layout::close_ups ? tell_first_move(story) : tell_whole_search(story);
+  return story;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,146 @@
+#include "walkthroughs/trace_json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <variant>
+
+namespace walkthroughs {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order in which a reader wants them
+
+Json json(const Point& p) { return {p.x(), p.y(), p.z()}; }
+
+Json json(const gjk::SupportPoint<double>& support) {
+  Json j{{"point", json(support.point)}};
+  if (support.index) j["index"] = *support.index;
+  return j;
+}
+
+Json json(const gjk::Vertex<double>& vertex) {
+  return {{"w", json(vertex.w)}, {"a", json(vertex.a)}, {"b", json(vertex.b)}};
+}
+
+/// Oldest first, newest (A) last.
+Json json(const gjk::Simplex<double>& simplex) {
+  Json list = Json::array();
+  for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
+  return list;
+}
+
+Json json(const Object& object) {
+  Json points = Json::array();
+  for (const Point& p : object.vertices) points.push_back(json(p));
+  return {{"name", object.name}, {"points", points}};
+}
+
+Json json(const Scene& scene) {
+  return {{"name", scene.name},
+          {"a", json(scene.a)},
+          {"b", json(scene.b)},
+          {"first_direction", json(scene.options.first_direction)},
+          {"iteration_limit", scene.options.iteration_limit},
+          {"crossing_test", scene.options.crossing_test == gjk::CrossingTest::on ? "on" : "off"}};
+}
+
+const char* text(gjk::Crossing verdict) {
+  switch (verdict) {
+    case gjk::Crossing::crossed: return "crossed";
+    case gjk::Crossing::not_crossed: return "not-crossed";
+    case gjk::Crossing::first_point: return "not-applied-first-point";
+    case gjk::Crossing::switched_off: return "not-applied-switched-off";
+  }
+  return "";
+}
+
+const char* text(gjk::Relation relation) {
+  switch (relation) {
+    case gjk::Relation::positive: return "> 0";
+    case gjk::Relation::negative: return "< 0";
+    case gjk::Relation::zero: return "= 0";
+    case gjk::Relation::not_zero: return "!= 0";
+  }
+  return "";
+}
+
+const char* text(gjk::Verdict verdict) {
+  switch (verdict) {
+    case gjk::Verdict::chosen: return "chosen";
+    case gjk::Verdict::rejected: return "rejected";
+    case gjk::Verdict::skipped: return "skipped";
+  }
+  return "";
+}
+
+/// One overload for each event: its name and what it carries. What an event does not have is left out.
+struct EventJson {
+  Json operator()(const gjk::SearchStarted<double>& e) const {
+    return {{"event", "search-started"}, {"direction", json(e.direction)}, {"why", e.why}};
+  }
+  Json operator()(const gjk::SupportFound<double>& e) const {
+    Json j{{"event", "support-found"}, {"direction", json(e.direction)}};
+    j.update(json(e.vertex));
+    j["new"] = e.is_new;
+    return j;
+  }
+  Json operator()(const gjk::CrossingTested<double>& e) const {
+    Json j{{"event", "crossing-tested"}};
+    if (e.value) j["value"] = *e.value;
+    j["verdict"] = text(e.verdict);
+    return j;
+  }
+  Json operator()(const gjk::VertexAdded<double>& e) const {
+    return {{"event", "vertex-added"}, {"simplex", json(e.simplex)}};
+  }
+  Json operator()(const gjk::RegionTested<double>& e) const {
+    Json j{{"event", "region-tested"}, {"simplex_size", e.simplex_size}, {"feature", e.feature}};
+    if (!e.label.empty()) j["region"] = e.label;
+    if (!e.face.empty()) j["face"] = e.face;
+    if (!e.expression.empty()) j["expression"] = e.expression;
+    if (!e.formula.empty()) j["formula"] = e.formula;
+    if (e.normal) j["normal"] = json(*e.normal);
+    if (const double* value = std::get_if<double>(&e.value)) j["value"] = *value;
+    if (const Point* value = std::get_if<Point>(&e.value)) j["value"] = json(*value);
+    if (j.contains("value")) j["relation"] = text(e.relation);
+    j["verdict"] = text(e.verdict);
+    j["reason"] = e.reason;
+    return j;
+  }
+  Json operator()(const gjk::SimplexReduced<double>& e) const {
+    return {{"event", "simplex-reduced"}, {"before", json(e.before)}, {"after", json(e.after)},
+            {"kept", e.kept},             {"dropped", e.dropped},     {"why", e.why}};
+  }
+  Json operator()(const gjk::DirectionChosen<double>& e) const {
+    return {{"event", "direction-chosen"}, {"expression", e.expression}, {"direction", json(e.direction)}};
+  }
+  Json operator()(const gjk::Finished<double>& e) const {
+    Json j{{"event", "finished"},
+           {"status", gjk::to_string(e.result.status)},
+           {"reason", gjk::to_string(e.result.reason)},
+           {"iterations", e.result.iterations},
+           {"simplex", json(e.result.simplex)}};
+    if (const auto& proof = e.result.separation)
+      j["separation"] = {{"direction", json(proof->direction)}, {"support_value", proof->support_value}};
+    return j;
+  }
+};
+
+}  // namespace
+
+void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
+  Json header{{"schema", "gjkstep-trace"},
+              {"version", trace_version},
+              {"walkthrough", walkthrough.name},
+              {"scalar", "double"},
+              {"scenes", Json::array()}};
+  for (const Scene& scene : walkthrough.scenes) header["scenes"].push_back(json(scene));
+  out << header.dump() << '\n';
+  for (const Scene& scene : walkthrough.scenes) {
+    for (const gjk::Event<double>& event : run(scene).events) {
+      Json line{{"scene", scene.name}, {"iteration", std::visit([](const auto& e) { return e.iteration; }, event)}};
+      line.update(std::visit(EventJson{}, event));
+      out << line.dump() << '\n';
+    }
+  }
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,50 @@
+/// A walkthrough: scenes, and which panels their frames have. One file each; `catalogue()` lists them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "walkthroughs/scene.hpp"
+
+namespace walkthroughs {
+
+/// What a frame shows of its scenes. A panel that is not asked for is not computed.
+enum class Layout {
+  objects_and_difference,  ///< one scene: its objects on the left, the labelled hull of their difference on the right
+  close_ups,               ///< two scenes: the first move of each, seen close up in its difference
+};
+
+/// A sentence that only this walkthrough can say, joined to the caption of one event.
+struct Remark {
+  enum class At { support_found, end };
+  At at;
+  int iteration;
+  std::string text;
+};
+
+struct Walkthrough {
+  std::string name;     ///< as on the command line
+  std::string title;    ///< heads every frame
+  std::string source;   ///< where the report tells it
+  std::string summary;  ///< one line for `gjkstep list`
+  Layout layout = Layout::objects_and_difference;
+  std::vector<Scene> scenes;
+  std::vector<Remark> remarks = {};
+};
+
+/// Returns: all walkthroughs, in the order of the report.
+const std::vector<Walkthrough>& catalogue();
+
+/// Returns: the walkthrough of that name, or null.
+const Walkthrough* find_walkthrough(std::string_view name);
+
+/// Returns: the known name that takes the fewest letters to reach from `name` (Levenshtein distance).
+std::string_view nearest_name(std::string_view name);
+
+Walkthrough figure_4_left();
+Walkthrough figure_4_right();
+Walkthrough figure_4_right_no_crossing_test();
+Walkthrough figure_5();
+
+}  // namespace walkthroughs
