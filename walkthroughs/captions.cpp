@@ -33,13 +33,6 @@ std::string with_kind(const std::string& feature) {
 
 std::string all_roles(const Simplex& simplex) { return std::string("ABCD").substr(0, static_cast<std::size_t>(simplex.size())); }
 
-/// Returns: "[A, E]", oldest first as the report lists a simplex.
-std::string listed(const Simplex& simplex, const LabelledHull& hull) {
-  std::string list;
-  for (int i = 0; i < simplex.size(); ++i) list += (i ? ", " : "") + hull.name(simplex[i].w);
-  return "[" + list + "]";
-}
-
 /// Writes caption and facts for one event; `now` is the moment after it. Events that do not change the picture, or that
 /// are told together with the next one, give nothing.
 class Captions {
@@ -72,7 +65,7 @@ class Captions {
     const std::string value = name + "·d = " + number(*event.value);
     if (event.verdict == Crossing::not_crossed)
       return Frame{Focus::crossing,
-                   "The move to " + name + " did not cross the origin: all of the difference lies on one side of it.",
+                   "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d.",
                    {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}},
                    {}};
     return Frame{Focus::crossing,
@@ -85,6 +78,7 @@ class Captions {
     if (event.verdict == Verdict::skipped) return std::nullopt;
     const Letters letters(now_.simplex, hull_);
     Frame frame{Focus::region, region_caption(event, letters), {decision(event, letters)}, {}};
+    finish_sentence(frame.caption, Remark::At::region_tested, event.iteration);
     if (event.normal)
       frame.facts.push_back({Mark::none, letters.translate(event.expression.substr(0, event.expression.find("·")) + " = " +
                                                            event.formula) + " = " + vector_in_space(*event.normal)});
@@ -99,7 +93,7 @@ class Captions {
       frame.caption = "The simplex stays, but its order changes.";
     else
       frame.caption = letters.feature(event.dropped) + " is no longer needed and leaves the simplex.";
-    frame.facts = {{Mark::none, listed(event.before, hull_) + " becomes " + listed(event.after, hull_) + " (oldest first)"},
+    frame.facts = {{Mark::none, list_of_names(event.before, hull_) + " becomes " + list_of_names(event.after, hull_) + " (oldest first)"},
                    {Mark::none, letters.translate(event.why)}};
     return frame;
   }
@@ -147,22 +141,19 @@ class Captions {
     return with_kind(Letters(simplex, hull_).feature(all_roles(simplex)));
   }
 
+  /// Without the full stop.
   std::string region_caption(const gjk::RegionTested<double>& event, const Letters& letters) const {
     const std::string feature = letters.feature(event.feature);
-    switch (event.simplex_size) {
-      case 1: return event.relation == Relation::zero ? feature + " is the origin." : feature + " is not the origin.";
-      case 2:
-        return event.relation == Relation::zero ? "The origin lies on segment " + feature + "."
-                                                : "The origin lies to one side of segment " + feature + ".";
-      default: break;
-    }
+    const bool at_origin = event.relation == Relation::zero;
+    if (event.simplex_size == 1) return feature + (at_origin ? " is the origin" : " is not the origin");
+    if (event.simplex_size == 2)
+      return std::string("The origin lies ") + (at_origin ? "on" : "to one side of") + " segment " + feature;
     if (event.label == "R1") {
-      if (event.relation == Relation::zero) return "The origin lies in triangle " + feature + ".";
-      return "The origin lies " + std::string(event.relation == Relation::positive ? "above" : "below") + " triangle " + feature + ".";
+      const char* const where = at_origin ? "in" : event.relation == Relation::positive ? "above" : "below";
+      return std::string("The origin lies ") + where + " triangle " + feature;
     }
-    const bool beyond = event.verdict == Verdict::chosen;
-    return "The origin " + std::string(beyond ? "lies" : "does not lie") + " beyond " +
-           (feature.size() == 2 ? "edge " : "face ") + feature + ".";
+    return std::string("The origin ") + (event.verdict == Verdict::chosen ? "lies" : "does not lie") + " beyond " +
+           (feature.size() == 2 ? "edge " : "face ") + feature;
   }
 
   /// The inequality that decides, with the region's name: "R3: GE_n·GO = 5.2 > 0".

@@ -20,36 +20,16 @@ namespace palette = render::palette;
 // The page, in page units.
 constexpr double left_margin = 40, right_margin = 1240;
 constexpr double panels_top = 76, panels_bottom = 536;
-constexpr double text_left = 232, mark_width = 34;
-constexpr double first_line = 578, line_pitch = 32;
-constexpr double panel_title_height = 30, panel_margin = 52;
+constexpr double text_left = 250, mark_width = 34;
+constexpr double first_line = 576, line_pitch = 32;
+constexpr double max_scale = 1e9;  // for a scene that is a single point
+constexpr double objects_margin = 70, difference_margin = 60;  // around a scene: room for arrows, for labels
 
 const TextStyle caption_style{.size = 26};
 const TextStyle fact_style{.size = 23};
 const TextStyle small_style{.size = 20, .color = palette::grey};
 
 Box panel_box(double left, double right) { return {{left, panels_top}, {right, panels_bottom}}; }
-
-/// Returns: the part of a panel that the scene may fill, leaving room for the title and for labels outside the hull.
-Box inside(const Box& frame) {
-  return Box{frame.min + Vec2(0, panel_title_height), frame.max}.grown(-panel_margin);
-}
-
-/// Breaks `text` at spaces into lines no wider than `width`.
-std::vector<std::string> wrap(const Canvas& canvas, const std::string& text, const TextStyle& style, double width) {
-  std::vector<std::string> lines = {""};
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
-    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (lines.back().empty() || canvas.text_box({0, 0}, longer, style).width() <= width)
-      lines.back() = longer;
-    else
-      lines.push_back(word);
-    at = end + 1;
-  }
-  return lines;
-}
 
 void draw_header(Canvas& canvas, const Walkthrough& walkthrough) {
   canvas.text({left_margin, 52}, walkthrough.title, {.size = 30, .weight = render::Weight::bold});
@@ -72,8 +52,10 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
               "step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()),
               {.size = 24, .weight = render::Weight::bold});
   canvas.text({left_margin, first_line + line_pitch}, "iteration " + std::to_string(frame.moments[0].iteration), small_style);
+  canvas.text({left_margin, first_line + 2 * line_pitch},
+              "simplex " + list_of_names(frame.moments[0].simplex, story.hulls[0]), small_style);
   double y = first_line;
-  for (const std::string& line : wrap(canvas, frame.caption, caption_style, right_margin - text_left)) {
+  for (const std::string& line : render::wrap(canvas, frame.caption, caption_style, right_margin - text_left)) {
     canvas.text({text_left, y}, line, caption_style);
     y += line_pitch;
   }
@@ -89,22 +71,67 @@ void draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame
   const Scene& scene = story.walkthrough.scenes[0];
   const Box left = panel_box(left_margin, 470), right = panel_box(490, right_margin);
   const Bounds objects = bounds_of_objects(scene), difference = bounds_of_difference(story.hulls[0]);
+  const Box room_left = below_title(left).grown(-objects_margin), room_right = below_title(right).grown(-difference_margin);
   // One scale for both, so that a length in one panel is the same length in the other.
-  const double scale = std::min(View::fit(objects.low, objects.high, inside(left), 1e9).scale(),
-                                View::fit(difference.low, difference.high, inside(right), 1e9).scale());
-  draw_objects(canvas, {left, "the objects", View::fit(objects.low, objects.high, inside(left), scale)}, scene,
-               frame.moments[0]);
-  draw_difference(canvas, {right, "their difference, a − b", View::fit(difference.low, difference.high, inside(right), scale)},
+  const double scale = std::min(View::fit(objects.low, objects.high, room_left, max_scale).scale(),
+                                View::fit(difference.low, difference.high, room_right, max_scale).scale());
+  draw_objects(canvas, {left, "objects", View::fit(objects.low, objects.high, room_left, scale)}, scene, frame.moments[0],
+               frame.focus);
+  draw_difference(canvas, {right, "difference a − b", View::fit(difference.low, difference.high, room_right, scale)},
                   story.hulls[0], frame.moments[0], frame.focus);
 }
 
 void draw_close_ups(Canvas& canvas, const Story& story, const Frame& frame) {
   const double middle = (left_margin + right_margin) / 2;
   const Box boxes[] = {panel_box(left_margin, middle - 10), panel_box(middle + 10, right_margin)};
+  const Frame& whole_move = story.frames.back();  // so that nothing jumps from frame to frame
   for (std::size_t s = 0; s < 2; ++s) {
-    const Bounds box = bounds_of_difference(story.hulls[s]);
-    draw_move(canvas, {boxes[s], story.walkthrough.scenes[s].name, View::fit(box.low, box.high, inside(boxes[s]), 1e9)},
+    const Bounds box = bounds_of_move(whole_move.moments[s]);
+    const Box room = below_title(boxes[s]).grown(-difference_margin);
+    draw_move(canvas, {boxes[s], story.walkthrough.scenes[s].name + " set", View::fit(box.low, box.high, room, max_scale)},
               story.hulls[s], frame.moments[s], frame.focus);
+  }
+}
+
+// The strip, in page units.
+constexpr int cell_width = 420, cell_height = 480;
+constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
+
+/// One panel of the strip: its picture fills the box and `caption` stands below.
+struct Cell {
+  const Frame& frame;
+  std::size_t scene;
+  std::string title, caption;
+};
+
+std::vector<Cell> cells(const Story& story) {
+  std::vector<Cell> list;
+  if (story.walkthrough.layout == Layout::close_ups) {
+    for (std::size_t s = 0; s < story.hulls.size(); ++s)
+      list.push_back({story.frames.back(), s, story.walkthrough.scenes[s].name + " set", story.frames.back().facts[s].text});
+    return list;
+  }
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    const auto iteration = [&](std::size_t at) { return story.frames[at].moments[0].iteration; };
+    if (i + 1 < story.frames.size() && iteration(i + 1) == iteration(i)) continue;
+    list.push_back({story.frames[i], 0, "iteration " + std::to_string(iteration(i)), story.frames[i].caption});
+  }
+  return list;
+}
+
+void draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left) {
+  const Box frame{{left + cell_gap, cell_gap}, {left + cell_width - cell_gap, cell_panel_bottom}};
+  const Box room = below_title(frame).grown(-cell_margin);
+  const Moment& now = cell.frame.moments[cell.scene];
+  const LabelledHull& hull = story.hulls[cell.scene];
+  const bool close_up = story.walkthrough.layout == Layout::close_ups;
+  const Bounds box = close_up ? bounds_of_move(now) : bounds_of_difference(hull);
+  const Place place{frame, cell.title, View::fit(box.low, box.high, room, max_scale)};
+  close_up ? draw_move(canvas, place, hull, now, cell.frame.focus) : draw_difference(canvas, place, hull, now, cell.frame.focus);
+  double y = cell_panel_bottom + line_pitch;
+  for (const std::string& line : render::wrap(canvas, cell.caption, fact_style, frame.width())) {
+    canvas.text({frame.min.x(), y}, line, fact_style);
+    y += line_pitch * 0.9;
   }
 }
 
@@ -118,6 +145,16 @@ void draw_frame(Canvas& canvas, const Story& story, std::size_t index) {
     case Layout::close_ups: draw_close_ups(canvas, story, frame); break;
   }
   draw_footer(canvas, story, index);
+}
+
+render::Size strip_page(const Story& story) { return {cell_width * static_cast<int>(cells(story).size()), cell_height}; }
+
+void draw_strip(Canvas& canvas, const Story& story) {
+  double left = 0;
+  for (const Cell& cell : cells(story)) {
+    draw_cell(canvas, story, cell, left);
+    left += cell_width;
+  }
 }
 
 }  // namespace walkthroughs

@@ -14,4 +14,11 @@ inline constexpr render::Size frame_page{1280, 720};
 /// Draws frame `index` of `story`. Requires: a canvas with the page `frame_page`; index < story.frames.size().
 void draw_frame(render::Canvas& canvas, const Story& story, std::size_t index);
 
+/// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
+/// picture of each.
+render::Size strip_page(const Story& story);
+
+/// Requires: a canvas with the page strip_page(story).
+void draw_strip(render::Canvas& canvas, const Story& story);
+
 }  // namespace walkthroughs

@@ -6,9 +6,7 @@
 #include <charconv>
 #include <iostream>
 
-#include "render/font.hpp"
 #include "render/image.hpp"
-#include "render/rasterizer.hpp"
 #include "walkthroughs/render_frames.hpp"
 #include "walkthroughs/trace_json.hpp"
 
@@ -56,6 +54,7 @@ void list() {
 struct RenderCommand {
   std::vector<std::string> names;
   bool all = false;
+  bool strip = false;
   std::string out = "out";
   std::string size = "1280x720";
 
@@ -66,12 +65,13 @@ struct RenderCommand {
     if (all)
       for (const Walkthrough& w : walkthroughs::catalogue()) chosen.push_back(&w);
     if (chosen.empty()) throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
-    const render::Size pixels = parse_size(size);
-
-    render::Font font(render::Font::default_directory());
-    render::OffscreenContext context;
-    render::Rasterizer rasterizer(context);
-    for (const Walkthrough* w : chosen) walkthroughs::render_frames(*w, out, pixels, rasterizer, font, report(w->name));
+    const walkthroughs::Output output{out, parse_size(size)};
+    walkthroughs::Studio studio;
+    for (const Walkthrough* w : chosen) {
+      const walkthroughs::Story story = walkthroughs::tell(*w);
+      walkthroughs::render_frames(story, output, studio, report(w->name));
+      if (strip) std::cout << walkthroughs::render_strip(story, output, studio).string() << "  " << w->title << '\n';
+    }
   }
 
  private:
@@ -102,6 +102,7 @@ int run(int argc, char** argv) {
   CLI::App* const render_command = app.add_subcommand("render", "write the frames OUT/NAME/000.png, 001.png, ...");
   render_command->add_option("NAME", render.names, "walkthroughs to render");
   render_command->add_flag("--all", render.all, "render every walkthrough");
+  render_command->add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
   render_command->add_option("--out", render.out, "folder to write to")->capture_default_str();
   render_command->add_option("--size", render.size, "width and height in pixels")->capture_default_str();
 

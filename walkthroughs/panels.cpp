@@ -1,6 +1,7 @@
 #include "walkthroughs/panels.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "walkthroughs/words.hpp"
@@ -16,8 +17,12 @@ using render::TextStyle;
 using render::Vec2;
 namespace palette = render::palette;
 
-constexpr double arrow_length = 84;  // page units; directions have no length of their own
+// Page units.
+constexpr double title_height = 36;
+constexpr double arrow_length = 60;  // directions have no length of their own
 constexpr double point_radius = 7;
+constexpr double key_pitch = 64;  // a sign with the space around it
+constexpr double page_diagonal = 1500;
 
 const Stroke grid_line{palette::faint, 1};
 const Stroke hull_line{palette::grey, 2.5};
@@ -26,6 +31,7 @@ const Stroke former_line{palette::grey, 2, {4, 7}};
 const Stroke direction_line{palette::vermillion, 4.5};
 const Stroke support_line{palette::vermillion, 2, {14, 5}};
 const Stroke normal_line{palette::blue, 4};
+const Stroke thin_line{palette::grey, 1.5, {2, 5}};
 
 TextStyle label_style(render::Color color, render::Weight weight = render::Weight::regular) {
   return {.size = 26, .weight = weight, .color = color, .halo = palette::white};
@@ -86,17 +92,61 @@ void draw_arrow(Panel& panel, const Vec2& from, const Vec2& d, const Stroke& str
   panel.label(from + (to - from) * 0.8, Vec2(-unit.y(), unit.x()), name, label_style(stroke.color, render::Weight::bold));
 }
 
-/// The line through `on` at right angles to `d`: nothing of the set lies beyond it.
-void draw_supporting_line(Panel& panel, const Vec2& on, const Vec2& d) {
-  const Vec2 along = Vec2(-d.y(), d.x()).normalized() * 4000 / panel.view().scale();
-  panel.line(on - along, on + along, support_line);
+/// A line across the whole panel through `on`, at right angles to `normal`.
+void draw_line_across(Panel& panel, const Vec2& on, const Vec2& normal, const Stroke& stroke) {
+  const Vec2 along = Vec2(-normal.y(), normal.x()).normalized() * (page_diagonal / panel.view().scale());
+  panel.line(on - along, on + along, stroke);
 }
 
-void draw_frame_and_title(render::Canvas& canvas, const Place& place) {
+// -- Title and key ----------------------------------------------------------------------------------------------------
+
+const TextStyle title_style{.size = 20, .color = palette::grey};
+
+/// A sign and what it stands for; `draw` gets the middle of the sign.
+struct KeyEntry {
+  std::string text;
+  std::function<void(render::Canvas&, const Vec2&)> draw;
+};
+
+KeyEntry swatch(const std::string& text, render::Color fill, render::Color outline) {
+  return {text, [=](render::Canvas& canvas, const Vec2& at) {
+            const render::Box box{at - Vec2(9, 7), at + Vec2(9, 7)};
+            const Vec2 corners[] = {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+            canvas.polygon(corners, fill);
+            canvas.outline(corners, {outline, 2.5});
+          }};
+}
+
+KeyEntry dashes(const std::string& text, const Stroke& stroke) {
+  return {text, [=](render::Canvas& canvas, const Vec2& at) { canvas.line(at - Vec2(15, 0), at + Vec2(15, 0), stroke); }};
+}
+
+KeyEntry ringed_point(const std::string& text, render::Color color) {
+  return {text, [=](render::Canvas& canvas, const Vec2& at) {
+            canvas.disc(at, point_radius - 1, color);
+            canvas.circle(at, point_radius + 3, {color, 2});
+          }};
+}
+
+/// Draws the frame of a panel, its title at the left and its key at the right, if there is room for it.
+void draw_title(render::Canvas& canvas, const Place& place, const std::vector<KeyEntry>& key) {
   const render::Box& f = place.frame;
   const Vec2 corners[] = {f.min, {f.max.x(), f.min.y()}, f.max, {f.min.x(), f.max.y()}};
   canvas.outline(corners, {palette::faint, 1.5});
-  canvas.text(f.min + Vec2(14, 28), place.title, {.size = 20, .color = palette::grey, .halo = palette::white});
+  canvas.line(below_title(f).min, {f.max.x(), below_title(f).min.y()}, {palette::faint, 1.5});
+  const double baseline = f.min.y() + 26;
+  canvas.text({f.min.x() + 14, baseline}, place.title, title_style);
+  const auto width = [&](const std::string& text) { return canvas.text_box({0, 0}, text, title_style).width(); };
+  double needed = width(place.title);
+  for (const KeyEntry& entry : key) needed += key_pitch + width(entry.text);
+  if (needed > f.width() - 28) return;
+  double x = f.max.x() - 14;
+  for (auto entry = key.rbegin(); entry != key.rend(); ++entry) {
+    x -= width(entry->text);
+    canvas.text({x, baseline}, entry->text, title_style);
+    entry->draw(canvas, {x - 25, baseline - 7});
+    x -= key_pitch;
+  }
 }
 
 /// What both pictures of a difference set share.
@@ -126,7 +176,7 @@ class DifferencePicture {
     panel_.label(Vec2::Zero(), center_, "O", label_style(palette::ink));
   }
 
-  /// The half plane that the tested normal points to, or the triangle where the origin lies inside.
+  /// Where the origin would have to lie for the tested region to be chosen, and whether it does.
   void tested_region() {
     const auto& region = now_.regions.back();
     const bool chosen = region.verdict == Verdict::chosen;
@@ -134,15 +184,18 @@ class DifferencePicture {
     const std::string label = region.label + (chosen ? " ✓" : " ✗");
     if (region.feature == "ABC") {
       panel_.polygon(points_of(now_.simplex), shade);
-      panel_.label(middle(points_of(now_.simplex)), {0, 1}, label, label_style(palette::ink));
-    } else if (region.normal) {
+      panel_.name_area(points_of(now_.simplex), label, label_style(palette::ink));
+    } else if (region.feature.size() == 2) {
       const Vec2 from = plane(now_.simplex.point(Role::A));
       const Vec2 to = plane(now_.simplex.point(region.feature == "AB" ? Role::B : Role::C));
-      const std::vector<Vec2> beyond = half_plane(panel_, from, plane(*region.normal));
+      const Vec2 outward = plane(region.normal ? *region.normal : std::get<Point>(region.value));
+      const std::vector<Vec2> beyond = half_plane(panel_, from, outward);
       panel_.polygon(beyond, shade);
-      draw_arrow(panel_, (from + to) / 2, plane(*region.normal), normal_line,
-                 Letters(now_.simplex, hull_).translate(region.feature + "n"));
-      panel_.label(middle(beyond), plane(*region.normal), label, label_style(palette::ink));
+      if (region.normal)
+        draw_arrow(panel_, (from + to) / 2, outward, normal_line, Letters(now_.simplex, hull_).translate(region.feature + "n"));
+      else
+        ends_of_segment(from, to);
+      panel_.name_area(beyond, label, label_style(palette::ink));
     }
   }
 
@@ -150,12 +203,24 @@ class DifferencePicture {
   void beyond_found() {
     const Vec2 w = plane(now_.found->w), d = plane(now_.direction->value);
     panel_.polygon(half_plane(panel_, w, d), palette::orange.with_alpha(50));
-    draw_supporting_line(panel_, w, d);
+    draw_line_across(panel_, w, d, support_line);
+  }
+
+  /// Eq. 9: the vector from the origin to the point found, and d, drawn from the origin. The origin was crossed where
+  /// the supporting line meets the dotted one ahead of it.
+  void crossing() {
+    const Vec2 w = plane(now_.found->w), d = plane(now_.direction->value);
+    draw_line_across(panel_, Vec2::Zero(), {-d.y(), d.x()}, thin_line);
+    panel_.arrow(Vec2::Zero(), w - w.normalized() * ((point_radius + 6) / panel_.view().scale()), normal_line);
+    panel_.label(w / 2, {-w.y(), w.x()}, "O" + hull_.name(now_.found->w), label_style(palette::blue, render::Weight::bold));
+    draw_arrow(panel_, Vec2::Zero(), d, direction_line, "d");
   }
 
   void segments() {
-    for (const auto& [from, to] : now_.segments) panel_.line(plane(from), plane(to), former_line);
     const std::vector<Vec2> corners = points_of(now_.simplex);
+    const auto in_simplex = [&](const Point& p) { return std::ranges::count(corners, plane(p)) > 0; };
+    for (const auto& [from, to] : now_.segments)
+      if (!in_simplex(from) || !in_simplex(to)) panel_.line(plane(from), plane(to), former_line);
     if (corners.size() == 3) panel_.polygon(corners, palette::green.with_alpha(40));
     for (std::size_t i = 0; i < corners.size(); ++i)
       for (std::size_t j = i + 1; j < corners.size(); ++j) panel_.line(corners[i], corners[j], added_line);
@@ -163,11 +228,10 @@ class DifferencePicture {
 
   void vertices() {
     for (const Vec2& corner : points_of(now_.simplex)) draw_point(panel_, corner, palette::green);
-    if (now_.simplex.size() > 0) ring(plane(now_.simplex.point(Role::A)), palette::green);
-    if (now_.found) {
-      draw_point(panel_, plane(now_.found->w), palette::vermillion);
-      ring(plane(now_.found->w), palette::vermillion);
-    }
+    if (now_.found)
+      newest(plane(now_.found->w));
+    else if (now_.simplex.size() > 0)
+      newest(plane(now_.simplex.point(Role::A)));
   }
 
   void dropped() {
@@ -186,7 +250,19 @@ class DifferencePicture {
   }
 
  private:
-  void ring(const Vec2& at, render::Color color) { panel_.circle(at, point_radius + 5, {color, 2.5}); }
+  /// R1 and R2 of a segment lie beyond the lines across its ends.
+  void ends_of_segment(const Vec2& a, const Vec2& b) {
+    draw_line_across(panel_, a, a - b, thin_line);
+    draw_line_across(panel_, b, a - b, thin_line);
+    const Vec2 step = (a - b).normalized() * (60 / panel_.view().scale());
+    panel_.label(a + step, a - b, "R2", label_style(palette::grey));
+    panel_.label(b - step, b - a, "R1", label_style(palette::grey));
+  }
+
+  void newest(const Vec2& at) {
+    draw_point(panel_, at, palette::vermillion);
+    panel_.circle(at, point_radius + 5, {palette::vermillion, 2.5});
+  }
 
   Panel& panel_;
   const LabelledHull& hull_;
@@ -208,9 +284,21 @@ Bounds bounds_of_difference(const LabelledHull& hull) {
   return bounds(points);
 }
 
-void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now) {
-  draw_frame_and_title(canvas, place);
-  Panel panel(canvas, place.frame, place.view);
+Bounds bounds_of_move(const Moment& now) {
+  std::vector<Vec2> points = points_of(now.simplex);
+  if (now.found) points.push_back(plane(now.found->w));
+  points.push_back(Vec2::Zero());
+  points.push_back(plane(now.direction->value).normalized());
+  return bounds(points);
+}
+
+render::Box below_title(const render::Box& frame) { return {frame.min + Vec2(0, title_height), frame.max}; }
+
+void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now, Focus focus) {
+  draw_title(canvas, place,
+             {swatch(scene.a.name, palette::sky.with_alpha(110), palette::blue),
+              swatch(scene.b.name, palette::orange.with_alpha(110), palette::ink)});
+  Panel panel(canvas, below_title(place.frame), place.view);
   panel.grid(1, grid_line);
   const std::vector<Vec2> a = plane(scene.a.vertices), b = plane(scene.b.vertices);
   panel.polygon(a, palette::sky.with_alpha(110));
@@ -220,30 +308,34 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene
   const Vec2 d = plane(now.direction->value);
   if (now.found) {
     const Vec2 at_a = plane(now.found->a.point), at_b = plane(now.found->b.point);
-    draw_supporting_line(panel, at_a, d);
-    draw_supporting_line(panel, at_b, d);
+    if (focus == Focus::support || focus == Focus::crossing) {
+      draw_line_across(panel, at_a, d, support_line);
+      draw_line_across(panel, at_b, d, support_line);
+    }
     draw_arrow(panel, at_a, d, direction_line, "d");
     draw_arrow(panel, at_b, -d, direction_line, "−d");
     draw_point(panel, at_a, palette::blue);
     draw_point(panel, at_b, palette::ink);
     panel.label(at_a, -d, "a", label_style(palette::blue, render::Weight::bold));
     panel.label(at_b, d, "b", label_style(palette::ink, render::Weight::bold));
+  } else {
+    draw_arrow(panel, middle(a), d, direction_line, "d");
+    draw_arrow(panel, middle(b), -d, direction_line, "−d");
   }
-  panel.label(middle(a), {0, 1}, scene.a.name, label_style(palette::blue));
-  panel.label(middle(b), {0, -1}, scene.b.name, label_style(palette::ink));
   panel.place_labels();
 }
 
 void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus) {
-  draw_frame_and_title(canvas, place);
-  Panel panel(canvas, place.frame, place.view);
+  draw_title(canvas, place, {ringed_point("newest", palette::vermillion), dashes("simplex", added_line), dashes("earlier", former_line)});
+  Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, hull, now);
   picture.set();
   if (focus == Focus::region) picture.tested_region();
   if (now.found && (focus == Focus::support || focus == Focus::crossing || (now.result && now.result->separation)))
     picture.beyond_found();
   picture.segments();
-  if (focus == Focus::support || focus == Focus::crossing || focus == Focus::direction) picture.direction();
+  if (focus == Focus::support || focus == Focus::direction) picture.direction();
+  if (focus == Focus::crossing) picture.crossing();
   picture.vertices();
   if (focus == Focus::reduction) picture.dropped();
   picture.origin();
@@ -252,19 +344,14 @@ void draw_difference(render::Canvas& canvas, const Place& place, const LabelledH
 }
 
 void draw_move(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus) {
-  draw_frame_and_title(canvas, place);
-  Panel panel(canvas, place.frame, place.view);
+  draw_title(canvas, place, {});
+  Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, hull, now);
   picture.set();
   if (now.found) picture.beyond_found();
   picture.segments();
   picture.direction();
-  if (focus == Focus::crossing) {
-    const Vec2 e = plane(now.found->w);
-    panel.arrow(Vec2::Zero(), e, normal_line);
-    panel.label(e / 2, {-e.y(), e.x()}, "O" + hull.name(now.found->w), label_style(palette::blue, render::Weight::bold));
-    draw_arrow(panel, Vec2::Zero(), plane(now.direction->value), direction_line, "d");
-  }
+  if (focus == Focus::crossing) picture.crossing();
   picture.vertices();
   picture.origin();
   for (const Vec2& corner : points_of(now.simplex)) picture.name(corner);

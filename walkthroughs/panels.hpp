@@ -16,16 +16,21 @@ struct Bounds {
 Bounds bounds_of_objects(const Scene& scene);
 /// Of the whole difference and the origin.
 Bounds bounds_of_difference(const LabelledHull& hull);
+/// Of the move that `now` has found, the origin, and the search direction drawn from there.
+Bounds bounds_of_move(const Moment& now);
 
-/// Where a panel stands on the page, and what it is called.
+/// Where a panel stands on the page: its title and its key on top, the scene below.
 struct Place {
   render::Box frame;
   std::string title;
   render::View view;
 };
 
+/// Returns: the part of `frame` below the title.
+render::Box below_title(const render::Box& frame);
+
 /// The two objects, the support points and the directions in which they are farthest.
-void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now);
+void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now, Focus focus);
 
 /// The labelled hull, the origin, the simplex with the segments that GJK added, and what `focus` asks for.
 void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus);

@@ -1,5 +1,6 @@
 #include "walkthroughs/render_frames.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <system_error>
 
@@ -36,21 +37,32 @@ std::string description(const Frame& frame) {
 
 }  // namespace
 
-void render_frames(const Walkthrough& walkthrough, const fs::path& out, render::Size size, render::Rasterizer& rasterizer,
-                   render::Font& font, const FrameWritten& written) {
-  const Story story = tell(walkthrough);
-  const fs::path folder = make_folder(out / walkthrough.name);
+void render_frames(const Story& story, const Output& output, Studio& studio, const FrameWritten& written) {
+  const Walkthrough& walkthrough = story.walkthrough;
+  const fs::path folder = make_folder(output.folder / walkthrough.name);
   const std::size_t count = story.frames.size();
   for (std::size_t i = 0; i < count; ++i) {
-    render::Canvas canvas(size, frame_page, render::palette::white, font);
+    render::Canvas canvas(output.size, frame_page, render::palette::white, studio.font);
     draw_frame(canvas, story, i);
     const fs::path file = folder / file_name(i);
     const std::string title = walkthrough.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count);
-    render::write_png(file, rasterizer.draw(canvas), {title, description(story.frames[i])});
+    render::write_png(file, studio.rasterizer.draw(canvas), {title, description(story.frames[i])});
     written(file, plain(story.frames[i].caption), i, count);
   }
   std::error_code ignored;
   for (std::size_t stale = count; fs::remove(folder / file_name(stale), ignored);) ++stale;
+}
+
+fs::path render_strip(const Story& story, const Output& output, Studio& studio) {
+  const render::Size page = strip_page(story);
+  const double scale = std::min({1.0 * output.size.width / frame_page.width, 1.0 * output.size.height / frame_page.height,
+                                 1.0 * render::max_pixels / page.width});
+  const auto pixels = [&](int units) { return std::max(render::min_pixels, static_cast<int>(units * scale)); };
+  render::Canvas canvas({pixels(page.width), pixels(page.height)}, page, render::palette::white, studio.font);
+  draw_strip(canvas, story);
+  const fs::path file = make_folder(output.folder / story.walkthrough.name) / "strip.png";
+  render::write_png(file, studio.rasterizer.draw(canvas), {story.walkthrough.title, story.walkthrough.summary});
+  return file;
 }
 
 }  // namespace walkthroughs

@@ -7,7 +7,7 @@
 
 #include "render/font.hpp"
 #include "render/rasterizer.hpp"
-#include "walkthroughs/walkthrough.hpp"
+#include "walkthroughs/storyboard.hpp"
 
 namespace walkthroughs {
 
@@ -15,9 +15,24 @@ namespace walkthroughs {
 using FrameWritten =
     std::function<void(const std::filesystem::path& file, const std::string& caption, std::size_t index, std::size_t count)>;
 
-/// Writes `out`/NAME/000.png, 001.png, … and removes frames with higher numbers that an earlier, longer run has left.
+/// Where and how large; a strip is as high as it needs to be at the same scale.
+struct Output {
+  std::filesystem::path folder;
+  render::Size size;
+};
+
+/// The tools of drawing, made once for all pictures.
+struct Studio {
+  render::Font font{render::Font::default_directory()};
+  render::OffscreenContext context;
+  render::Rasterizer rasterizer{context};
+};
+
+/// Writes FOLDER/NAME/000.png, 001.png, … and removes frames with higher numbers that an earlier, longer run has left.
 /// Errors: render::FileError, render::ContextError.
-void render_frames(const Walkthrough& walkthrough, const std::filesystem::path& out, render::Size size,
-                   render::Rasterizer& rasterizer, render::Font& font, const FrameWritten& written);
+void render_frames(const Story& story, const Output& output, Studio& studio, const FrameWritten& written);
+
+/// Writes FOLDER/NAME/strip.png and returns its path. Errors: as render_frames.
+std::filesystem::path render_strip(const Story& story, const Output& output, Studio& studio);
 
 }  // namespace walkthroughs

@@ -17,7 +17,7 @@ enum class Layout {
 
 /// A sentence that only this walkthrough can say, joined to the caption of one event.
 struct Remark {
-  enum class At { support_found, end };
+  enum class At { support_found, region_tested, end };
   At at;
   int iteration;
   std::string text;

@@ -19,7 +19,7 @@ bool is_role_word(std::string_view word) {
 
 std::string list(std::initializer_list<double> values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "(" : ", ") + number(value);
+  for (const double value : values) text.append(text.empty() ? "(" : ", ").append(number(value));
   return text += ")";
 }
 
@@ -66,6 +66,12 @@ std::string Letters::feature(std::string_view feature_roles) const {
   std::string out;
   for (const std::string& name : sorted) out += name;
   return out;
+}
+
+std::string list_of_names(const Simplex& simplex, const LabelledHull& hull) {
+  std::string names;
+  for (int i = 0; i < simplex.size(); ++i) names += (i ? ", " : "") + hull.name(simplex[i].w);
+  return std::string("[").append(names).append("]");
 }
 
 std::string plain(std::string_view text) {

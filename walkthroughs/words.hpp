@@ -36,6 +36,9 @@ class Letters {
   std::string names_[4];  // by role
 };
 
+/// Returns: "[A, E]", oldest first as the report lists a simplex.
+std::string list_of_names(const Simplex& simplex, const LabelledHull& hull);
+
 /// Returns: `text` without markup, for files and terminals.
 std::string plain(std::string_view text);
 
