@@ -59,12 +59,12 @@ template <class S>
 struct RegionTested {
   int iteration = 0;
   int simplex_size = 0;
-  std::string feature;     ///< "A", "AB", "ABC", "ABCD", ...
-  std::string label;       ///< the report's "R1" ... "R7", "R3 or R4"; empty where the report gives none
-  std::string face;        ///< the face whose edge is tested (Algorithm 5); else empty
-  std::string expression;  ///< "ABn·AO"; empty where nothing had to be computed
-  std::string formula;     ///< how the normal in `expression` was made: "AB×ABCn"; else empty
-  std::optional<Vec3<S>> normal;                    ///< the value of `formula`
+  std::string feature;            ///< "A", "AB", "ABC", "ABCD", ...
+  std::string label;              ///< the report's "R1" ... "R7", "R3 or R4"; empty where the report gives none
+  std::string face;               ///< the face whose edge is tested (Algorithm 5); else empty
+  std::string expression;         ///< "ABn·AO"; empty where nothing had to be computed
+  std::string formula;            ///< how the normal in `expression` was made: "AB×ABCn"; else empty
+  std::optional<Vec3<S>> normal;  ///< the value of `formula`
   std::variant<std::monostate, S, Vec3<S>> value;  ///< the value of `expression`
   Relation relation = Relation::positive;
   Verdict verdict = Verdict::skipped;
@@ -100,9 +100,9 @@ using Event = std::variant<SearchStarted<S>, SupportFound<S>, CrossingTested<S>,
 /// An observer is called with each event as it happens. Anything that takes an Event will do.
 template <class T, class S>
 concept Observer = std::invocable<T&, SearchStarted<S>> && std::invocable<T&, SupportFound<S>> &&
-                   std::invocable<T&, CrossingTested<S>> && std::invocable<T&, VertexAdded<S>> &&
-                   std::invocable<T&, RegionTested<S>> && std::invocable<T&, SimplexReduced<S>> &&
-                   std::invocable<T&, DirectionChosen<S>> && std::invocable<T&, Finished<S>>;
+    std::invocable<T&, CrossingTested<S>> && std::invocable<T&, VertexAdded<S>> &&
+    std::invocable<T&, RegionTested<S>> && std::invocable<T&, SimplexReduced<S>> &&
+    std::invocable<T&, DirectionChosen<S>> && std::invocable<T&, Finished<S>>;
 
 /// The default observer. Events meant for it are never made.
 struct NobodyListens {

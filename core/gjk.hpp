@@ -148,8 +148,8 @@ class Search {
 /// Returns: the answer with its evidence. With the crossing test on and nobody listening it allocates nothing.
 /// Observer: called with every event, see events.hpp; the run is the same with and without one.
 template <class S = double, class Rules = AsIntended, Shape<S> A, Shape<S> B, class Obs = const NobodyListens>
-  requires Observer<Obs, S>
-Result<S> collision(const A& a, const B& b, const Options<S>& options = {}, Obs&& observer = NobodyListens{}) {
+requires Observer<Obs, S> Result<S> collision(const A& a, const B& b, const Options<S>& options = {},
+                                              Obs&& observer = NobodyListens{}) {
   return Search<S, Rules, A, B, std::remove_reference_t<Obs>>(a, b, options, observer).run();
 }
 

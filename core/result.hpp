@@ -42,8 +42,8 @@ template <class S>
 struct Result {
   Status status = Status::undecided;
   Reason reason = Reason::iteration_limit;
-  int iterations = 0;      ///< how many times each of the two support functions was called
-  Simplex<S> simplex;      ///< the last simplex; it contains the origin exactly when intersecting
+  int iterations = 0;                       ///< how many times each of the two support functions was called
+  Simplex<S> simplex;                       ///< the last simplex; it contains the origin exactly when intersecting
   std::optional<Separation<S>> separation;  ///< present exactly when separated
 };
 

@@ -48,7 +48,8 @@ bool sees_origin(const Vec3<S>& normal, const Simplex<S>& simplex, const RegionW
   const S value = -normal.dot(simplex.point(Role::A));
   const bool chosen = value > S(0);
   tell([&] {
-    const std::string where = std::string(words.normal) + (chosen ? " points" : " does not point") + " toward the origin";
+    const std::string where =
+        std::string(words.normal) + (chosen ? " points" : " does not point") + " toward the origin";
     return RegionTested<S>{.simplex_size = simplex.size(),
                            .feature = std::string(words.feature),
                            .label = std::string(words.label),
@@ -86,9 +87,8 @@ void skip(const Simplex<S>& simplex, std::string_view feature, std::string_view 
 template <class S, class Obs>
 void skip_beyond_A(const Simplex<S>& simplex, std::string_view label, Teller<Obs>& tell) {
   skip(simplex, "A", label,
-       tell.crossing_test() == CrossingTest::on
-           ? "the move to A crossed the origin, so the origin is not beyond A"
-           : "only the crossing test rules this out, and this run does without it",
+       tell.crossing_test() == CrossingTest::on ? "the move to A crossed the origin, so the origin is not beyond A"
+                                                : "only the crossing test rules this out, and this run does without it",
        tell);
 }
 
@@ -233,8 +233,8 @@ struct AsIntended {
   static Step<S> process_2simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
     const Vec3<S>&A = simplex.point(Role::A), &B = simplex.point(Role::B), &C = simplex.point(Role::C);
     const Vec3<S> AB = B - A, AC = C - A;
-    const Vec3<S> ABCn = AB.cross(AC);                              // Eq. 10
-    const Vec3<S> ABn = AB.cross(ABCn), ACn = ABCn.cross(AC);       // Eq. 11
+    const Vec3<S> ABCn = AB.cross(AC);                         // Eq. 10
+    const Vec3<S> ABn = AB.cross(ABCn), ACn = ABCn.cross(AC);  // Eq. 11
     skip(simplex, "B", "R4", "the search has just moved away from BC, toward the origin", tell);
     skip(simplex, "BC", "R5", "the search has just moved away from BC, toward the origin", tell);
     skip(simplex, "C", "R6", "the search has just moved away from BC, toward the origin", tell);
@@ -291,25 +291,26 @@ struct AsIntended {
   static Step<S> process_inside_triangle(const Simplex<S>& simplex, const Vec3<S>& ABCn, Teller<Obs>& tell) {
     const S v = -ABCn.dot(simplex.point(Role::A));
     tell([&] {
-      return RegionTested<S>{
-          .simplex_size = 3,
-          .feature = "ABC",
-          .label = "R1",
-          .face = {},
-          .expression = "ABCn·AO",
-          .formula = "AB×AC",
-          .normal = ABCn,
-          .value = v,
-          .relation = v == S(0) ? Relation::zero : v > S(0) ? Relation::positive : Relation::negative,
-          .verdict = Verdict::chosen,
-          .reason = v == S(0)  ? "the origin lies in the triangle"
-                    : v > S(0) ? "the origin lies above the triangle, on the side of ABCn"
-                               : "the origin lies below the triangle, on the side of −ABCn"};
+      return RegionTested<S>{.simplex_size = 3,
+                             .feature = "ABC",
+                             .label = "R1",
+                             .face = {},
+                             .expression = "ABCn·AO",
+                             .formula = "AB×AC",
+                             .normal = ABCn,
+                             .value = v,
+                             .relation = v == S(0)  ? Relation::zero
+                                         : v > S(0) ? Relation::positive
+                                                    : Relation::negative,
+                             .verdict = Verdict::chosen,
+                             .reason = v == S(0)  ? "the origin lies in the triangle"
+                                       : v > S(0) ? "the origin lies above the triangle, on the side of ABCn"
+                                                  : "the origin lies below the triangle, on the side of −ABCn"};
     });
     if (v == S(0)) return {simplex, std::nullopt};
     if (v > S(0)) return keep_all(simplex, ABCn, "ABCn", tell);
-    return keep(simplex, {Role::C, Role::A, Role::B}, "A and B change places, so that BC×BD will point to the next vertex",
-                Vec3<S>(-ABCn), "−ABCn", tell);
+    return keep(simplex, {Role::C, Role::A, Role::B},
+                "A and B change places, so that BC×BD will point to the next vertex", Vec3<S>(-ABCn), "−ABCn", tell);
   }
 
   /// The origin lies above the face APQ, whose outward normal is APQn = AP×AQ. The vertex off the face is dropped.

@@ -31,7 +31,9 @@ std::string with_kind(const std::string& feature) {
   return kinds[std::min<std::size_t>(feature.size(), 4)] + feature;
 }
 
-std::string all_roles(const Simplex& simplex) { return std::string("ABCD").substr(0, static_cast<std::size_t>(simplex.size())); }
+std::string all_roles(const Simplex& simplex) {
+  return std::string("ABCD").substr(0, static_cast<std::size_t>(simplex.size()));
+}
 
 /// Writes caption and facts for one event; `now` is the moment after it. Events that do not change the picture, or that
 /// are told together with the next one, give nothing.
@@ -50,8 +52,8 @@ class Captions {
     if (!event.is_new) frame.caption += " again, so there is no new point";
     finish_sentence(frame.caption, Remark::At::support_found, event.iteration);
     frame.facts = {{Mark::none, "d = " + vector(event.direction)},
-                   {Mark::none, name + " = a − b = " + vector(event.vertex.a.point) + " − " + vector(event.vertex.b.point) +
-                                    " = " + vector(event.vertex.w)}};
+                   {Mark::none, name + " = a − b = " + vector(event.vertex.a.point) + " − " +
+                                    vector(event.vertex.b.point) + " = " + vector(event.vertex.w)}};
     if (walkthrough_.scenes[0].options.crossing_test == gjk::CrossingTest::off)
       frame.facts.push_back({Mark::none, "this run does without the crossing test"});
     else if (event.iteration == 1)
@@ -64,10 +66,11 @@ class Captions {
     const std::string name = hull_.name(now_.found->w);
     const std::string value = name + "·d = " + number(*event.value);
     if (event.verdict == Crossing::not_crossed)
-      return Frame{Focus::crossing,
-                   "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d.",
-                   {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}},
-                   {}};
+      return Frame{
+          Focus::crossing,
+          "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d.",
+          {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}},
+          {}};
     return Frame{Focus::crossing,
                  "The move to " + name + " crossed the origin, so the search goes on.",
                  {{Mark::yes, value + (*event.value > 0 ? " > 0: the origin was crossed" : ": this proves nothing")}},
@@ -80,8 +83,9 @@ class Captions {
     Frame frame{Focus::region, region_caption(event, letters), {decision(event, letters)}, {}};
     finish_sentence(frame.caption, Remark::At::region_tested, event.iteration);
     if (event.normal)
-      frame.facts.push_back({Mark::none, letters.translate(event.expression.substr(0, event.expression.find("·")) + " = " +
-                                                           event.formula) + " = " + vector_in_space(*event.normal)});
+      frame.facts.push_back({Mark::none, letters.translate(event.expression.substr(0, event.expression.find("·")) +
+                                                           " = " + event.formula) +
+                                             " = " + vector_in_space(*event.normal)});
     if (is_first_test_of_iteration()) append_skipped(letters, frame.facts);
     return frame;
   }
@@ -93,7 +97,8 @@ class Captions {
       frame.caption = "The simplex stays, but its order changes.";
     else
       frame.caption = letters.feature(event.dropped) + " is no longer needed and leaves the simplex.";
-    frame.facts = {{Mark::none, list_of_names(event.before, hull_) + " becomes " + list_of_names(event.after, hull_) + " (oldest first)"},
+    frame.facts = {{Mark::none, list_of_names(event.before, hull_) + " becomes " + list_of_names(event.after, hull_) +
+                                    " (oldest first)"},
                    {Mark::none, letters.translate(event.why)}};
     return frame;
   }
@@ -119,7 +124,8 @@ class Captions {
       case gjk::Status::separated:
         frame.caption = "The difference does not contain the origin, so the objects do not intersect";
         frame.facts = {{Mark::no, "separated" + count},
-                       {Mark::none, "w·d ≤ " + number(result.separation->support_value) + " < 0 for every point w of the difference"}};
+                       {Mark::none, "w·d ≤ " + number(result.separation->support_value) +
+                                        " < 0 for every point w of the difference"}};
         break;
       case gjk::Status::undecided:
         frame.caption = "The search ends without an answer";

@@ -36,7 +36,8 @@ const Walkthrough* find_walkthrough(std::string_view name) {
 }
 
 std::string_view nearest_name(std::string_view name) {
-  return std::ranges::min_element(catalogue(), {}, [&](const Walkthrough& w) { return edit_distance(name, w.name); })->name;
+  return std::ranges::min_element(catalogue(), {}, [&](const Walkthrough& w) { return edit_distance(name, w.name); })
+      ->name;
 }
 
 }  // namespace walkthroughs

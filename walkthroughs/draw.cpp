@@ -22,7 +22,7 @@ constexpr double left_margin = 40, right_margin = 1240;
 constexpr double panels_top = 76, panels_bottom = 536;
 constexpr double text_left = 250, mark_width = 34;
 constexpr double first_line = 576, line_pitch = 32;
-constexpr double max_scale = 1e9;  // for a scene that is a single point
+constexpr double max_scale = 1e9;                              // for a scene that is a single point
 constexpr double objects_margin = 70, difference_margin = 60;  // around a scene: room for arrows, for labels
 
 const TextStyle caption_style{.size = 26};
@@ -51,7 +51,8 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
   canvas.text({left_margin, first_line},
               "step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()),
               {.size = 24, .weight = render::Weight::bold});
-  canvas.text({left_margin, first_line + line_pitch}, "iteration " + std::to_string(frame.moments[0].iteration), small_style);
+  canvas.text({left_margin, first_line + line_pitch}, "iteration " + std::to_string(frame.moments[0].iteration),
+              small_style);
   canvas.text({left_margin, first_line + 2 * line_pitch},
               "simplex " + list_of_names(frame.moments[0].simplex, story.hulls[0]), small_style);
   double y = first_line;
@@ -62,7 +63,8 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
   for (const Fact& fact : frame.facts) {
     const bool skipped = fact.mark == Fact::Mark::skipped;
     draw_mark(canvas, {text_left, y}, fact.mark);
-    canvas.text({text_left + mark_width, y}, skipped ? "skipped " + fact.text : fact.text, skipped ? small_style : fact_style);
+    canvas.text({text_left + mark_width, y}, skipped ? "skipped " + fact.text : fact.text,
+                skipped ? small_style : fact_style);
     y += line_pitch;
   }
 }
@@ -71,12 +73,13 @@ void draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame
   const Scene& scene = story.walkthrough.scenes[0];
   const Box left = panel_box(left_margin, 470), right = panel_box(490, right_margin);
   const Bounds objects = bounds_of_objects(scene), difference = bounds_of_difference(story.hulls[0]);
-  const Box room_left = below_title(left).grown(-objects_margin), room_right = below_title(right).grown(-difference_margin);
+  const Box room_left = below_title(left).grown(-objects_margin),
+            room_right = below_title(right).grown(-difference_margin);
   // One scale for both, so that a length in one panel is the same length in the other.
   const double scale = std::min(View::fit(objects.low, objects.high, room_left, max_scale).scale(),
                                 View::fit(difference.low, difference.high, room_right, max_scale).scale());
-  draw_objects(canvas, {left, "objects", View::fit(objects.low, objects.high, room_left, scale)}, scene, frame.moments[0],
-               frame.focus);
+  draw_objects(canvas, {left, "objects", View::fit(objects.low, objects.high, room_left, scale)}, scene,
+               frame.moments[0], frame.focus);
   draw_difference(canvas, {right, "difference a − b", View::fit(difference.low, difference.high, room_right, scale)},
                   story.hulls[0], frame.moments[0], frame.focus);
 }
@@ -88,7 +91,8 @@ void draw_close_ups(Canvas& canvas, const Story& story, const Frame& frame) {
   for (std::size_t s = 0; s < 2; ++s) {
     const Bounds box = bounds_of_move(whole_move.moments[s]);
     const Box room = below_title(boxes[s]).grown(-difference_margin);
-    draw_move(canvas, {boxes[s], story.walkthrough.scenes[s].name + " set", View::fit(box.low, box.high, room, max_scale)},
+    draw_move(canvas,
+              {boxes[s], story.walkthrough.scenes[s].name + " set", View::fit(box.low, box.high, room, max_scale)},
               story.hulls[s], frame.moments[s], frame.focus);
   }
 }
@@ -108,7 +112,8 @@ std::vector<Cell> cells(const Story& story) {
   std::vector<Cell> list;
   if (story.walkthrough.layout == Layout::close_ups) {
     for (std::size_t s = 0; s < story.hulls.size(); ++s)
-      list.push_back({story.frames.back(), s, story.walkthrough.scenes[s].name + " set", story.frames.back().facts[s].text});
+      list.push_back(
+          {story.frames.back(), s, story.walkthrough.scenes[s].name + " set", story.frames.back().facts[s].text});
     return list;
   }
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
@@ -127,7 +132,8 @@ void draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left
   const bool close_up = story.walkthrough.layout == Layout::close_ups;
   const Bounds box = close_up ? bounds_of_move(now) : bounds_of_difference(hull);
   const Place place{frame, cell.title, View::fit(box.low, box.high, room, max_scale)};
-  close_up ? draw_move(canvas, place, hull, now, cell.frame.focus) : draw_difference(canvas, place, hull, now, cell.frame.focus);
+  close_up ? draw_move(canvas, place, hull, now, cell.frame.focus)
+           : draw_difference(canvas, place, hull, now, cell.frame.focus);
   double y = cell_panel_bottom + line_pitch;
   for (const std::string& line : render::wrap(canvas, cell.caption, fact_style, frame.width())) {
     canvas.text({frame.min.x(), y}, line, fact_style);
@@ -147,7 +153,9 @@ void draw_frame(Canvas& canvas, const Story& story, std::size_t index) {
   draw_footer(canvas, story, index);
 }
 
-render::Size strip_page(const Story& story) { return {cell_width * static_cast<int>(cells(story).size()), cell_height}; }
+render::Size strip_page(const Story& story) {
+  return {cell_width * static_cast<int>(cells(story).size()), cell_height};
+}
 
 void draw_strip(Canvas& canvas, const Story& story) {
   double left = 0;

@@ -21,7 +21,8 @@ struct UsageError : std::runtime_error {
 };
 
 constexpr const char* footer =
-    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (also: a missing font), 4 no OpenGL context, 5 cannot write.\n"
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (also: a missing font), 4 no OpenGL context, 5 cannot "
+    "write.\n"
     "The folder of the fonts can be named by the environment variable GJKSTEP_FONT_DIR.";
 
 const Walkthrough& walkthrough_named(const std::string& name) {
@@ -91,7 +92,9 @@ void print_version() {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Draws, step by step, how the Gilbert-Johnson-Keerthi algorithm decides whether two convex objects collide.");
+  CLI::App app(
+      "Draws, step by step, how the Gilbert-Johnson-Keerthi algorithm decides whether two convex objects "
+      "collide.");
   app.footer(footer);
   app.require_subcommand(0, 1);
   bool version = false;
@@ -102,7 +105,8 @@ int run(int argc, char** argv) {
   CLI::App* const render_command = app.add_subcommand("render", "write the frames OUT/NAME/000.png, 001.png, ...");
   render_command->add_option("NAME", render.names, "walkthroughs to render");
   render_command->add_flag("--all", render.all, "render every walkthrough");
-  render_command->add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
+  render_command->add_flag("--strip", render.strip,
+                           "write OUT/NAME/strip.png as well: one wide picture of all iterations");
   render_command->add_option("--out", render.out, "folder to write to")->capture_default_str();
   render_command->add_option("--size", render.size, "width and height in pixels")->capture_default_str();
 
@@ -115,11 +119,16 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ok : wrong_usage;
   }
-  if (version) print_version();
-  else if (*list_command) list();
-  else if (*render_command) render.run();
-  else if (*trace_command) walkthroughs::write_traces(std::cout, walkthrough_named(traced));
-  else throw UsageError("what to do? 'gjkstep --help' shows the commands");
+  if (version)
+    print_version();
+  else if (*list_command)
+    list();
+  else if (*render_command)
+    render.run();
+  else if (*trace_command)
+    walkthroughs::write_traces(std::cout, walkthrough_named(traced));
+  else
+    throw UsageError("what to do? 'gjkstep --help' shows the commands");
   if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
   return ok;
 }

@@ -9,7 +9,9 @@ namespace {
 struct Replay {
   Moment& now;
 
-  void operator()(const gjk::SearchStarted<double>& event) { now.direction = {.expression = "", .value = event.direction, .from = {}}; }
+  void operator()(const gjk::SearchStarted<double>& event) {
+    now.direction = {.expression = "", .value = event.direction, .from = {}};
+  }
   void operator()(const gjk::SupportFound<double>& event) {
     now.iteration = event.iteration;
     now.found = event.vertex;

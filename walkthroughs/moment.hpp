@@ -17,18 +17,18 @@ using Simplex = gjk::Simplex<double>;
 struct Direction {
   std::string expression;  ///< empty for the first direction, which comes from no feature
   Point value;
-  Simplex from;            ///< the simplex that it leads away from; empty for the first direction
+  Simplex from;  ///< the simplex that it leads away from; empty for the first direction
 };
 
 struct Moment {
   int iteration = 0;
   std::optional<Direction> direction;
-  std::optional<Vertex> found;                            ///< what the support function returned for `direction`
-  Simplex simplex;                                        ///< as it stands, `found` included once it was added
-  std::vector<std::pair<Point, Point>> segments;          ///< edges that simplices of this search have had, oldest first
-  std::optional<gjk::CrossingTested<double>> crossing;    ///< of `found`
-  std::vector<gjk::RegionTested<double>> regions;         ///< of this iteration so far, the skipped ones included
-  std::optional<gjk::SimplexReduced<double>> reduction;   ///< of this iteration
+  std::optional<Vertex> found;                           ///< what the support function returned for `direction`
+  Simplex simplex;                                       ///< as it stands, `found` included once it was added
+  std::vector<std::pair<Point, Point>> segments;         ///< edges that simplices of this search have had, oldest first
+  std::optional<gjk::CrossingTested<double>> crossing;   ///< of `found`
+  std::vector<gjk::RegionTested<double>> regions;        ///< of this iteration so far, the skipped ones included
+  std::optional<gjk::SimplexReduced<double>> reduction;  ///< of this iteration
   std::optional<gjk::Result<double>> result;
 };
 

@@ -89,7 +89,8 @@ void draw_arrow(Panel& panel, const Vec2& from, const Vec2& d, const Stroke& str
   const Vec2 unit = d.normalized();
   const Vec2 to = from + unit * (arrow_length / panel.view().scale());
   panel.arrow(from, to, stroke);
-  panel.label(from + (to - from) * 0.8, Vec2(-unit.y(), unit.x()), name, label_style(stroke.color, render::Weight::bold));
+  panel.label(from + (to - from) * 0.8, Vec2(-unit.y(), unit.x()), name,
+              label_style(stroke.color, render::Weight::bold));
 }
 
 /// A line across the whole panel through `on`, at right angles to `normal`.
@@ -118,7 +119,8 @@ KeyEntry swatch(const std::string& text, render::Color fill, render::Color outli
 }
 
 KeyEntry dashes(const std::string& text, const Stroke& stroke) {
-  return {text, [=](render::Canvas& canvas, const Vec2& at) { canvas.line(at - Vec2(15, 0), at + Vec2(15, 0), stroke); }};
+  return {text,
+          [=](render::Canvas& canvas, const Vec2& at) { canvas.line(at - Vec2(15, 0), at + Vec2(15, 0), stroke); }};
 }
 
 KeyEntry ringed_point(const std::string& text, render::Color color) {
@@ -192,7 +194,8 @@ class DifferencePicture {
       const std::vector<Vec2> beyond = half_plane(panel_, from, outward);
       panel_.polygon(beyond, shade);
       if (region.normal)
-        draw_arrow(panel_, (from + to) / 2, outward, normal_line, Letters(now_.simplex, hull_).translate(region.feature + "n"));
+        draw_arrow(panel_, (from + to) / 2, outward, normal_line,
+                   Letters(now_.simplex, hull_).translate(region.feature + "n"));
       else
         ends_of_segment(from, to);
       panel_.name_area(beyond, label, label_style(palette::ink));
@@ -212,7 +215,8 @@ class DifferencePicture {
     const Vec2 w = plane(now_.found->w), d = plane(now_.direction->value);
     draw_line_across(panel_, Vec2::Zero(), {-d.y(), d.x()}, thin_line);
     panel_.arrow(Vec2::Zero(), w - w.normalized() * ((point_radius + 6) / panel_.view().scale()), normal_line);
-    panel_.label(w / 2, {-w.y(), w.x()}, "O" + hull_.name(now_.found->w), label_style(palette::blue, render::Weight::bold));
+    panel_.label(w / 2, {-w.y(), w.x()}, "O" + hull_.name(now_.found->w),
+                 label_style(palette::blue, render::Weight::bold));
     draw_arrow(panel_, Vec2::Zero(), d, direction_line, "d");
   }
 
@@ -246,7 +250,8 @@ class DifferencePicture {
   void direction() {
     if (!now_.direction) return;
     const Simplex& from = now_.direction->from;
-    draw_arrow(panel_, from.size() == 0 ? center_ : middle(points_of(from)), plane(now_.direction->value), direction_line, "d");
+    draw_arrow(panel_, from.size() == 0 ? center_ : middle(points_of(from)), plane(now_.direction->value),
+               direction_line, "d");
   }
 
  private:
@@ -325,8 +330,11 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene
   panel.place_labels();
 }
 
-void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus) {
-  draw_title(canvas, place, {ringed_point("newest", palette::vermillion), dashes("simplex", added_line), dashes("earlier", former_line)});
+void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now,
+                     Focus focus) {
+  draw_title(
+      canvas, place,
+      {ringed_point("newest", palette::vermillion), dashes("simplex", added_line), dashes("earlier", former_line)});
   Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, hull, now);
   picture.set();

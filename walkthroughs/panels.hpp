@@ -33,7 +33,8 @@ render::Box below_title(const render::Box& frame);
 void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now, Focus focus);
 
 /// The labelled hull, the origin, the simplex with the segments that GJK added, and what `focus` asks for.
-void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus);
+void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now,
+                     Focus focus);
 
 /// The same, reduced to one move: where it started, where it ended, d and the vector from the origin (Figure 5).
 void draw_move(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus);

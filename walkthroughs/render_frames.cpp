@@ -55,8 +55,8 @@ void render_frames(const Story& story, const Output& output, Studio& studio, con
 
 fs::path render_strip(const Story& story, const Output& output, Studio& studio) {
   const render::Size page = strip_page(story);
-  const double scale = std::min({1.0 * output.size.width / frame_page.width, 1.0 * output.size.height / frame_page.height,
-                                 1.0 * render::max_pixels / page.width});
+  const double scale = std::min({1.0 * output.size.width / frame_page.width,
+                                 1.0 * output.size.height / frame_page.height, 1.0 * render::max_pixels / page.width});
   const auto pixels = [&](int units) { return std::max(render::min_pixels, static_cast<int>(units * scale)); };
   render::Canvas canvas({pixels(page.width), pixels(page.height)}, page, render::palette::white, studio.font);
   draw_strip(canvas, story);

@@ -12,8 +12,8 @@
 namespace walkthroughs {
 
 /// Told after each file: its path and its caption without markup, and which of how many it was.
-using FrameWritten =
-    std::function<void(const std::filesystem::path& file, const std::string& caption, std::size_t index, std::size_t count)>;
+using FrameWritten = std::function<void(const std::filesystem::path& file, const std::string& caption,
+                                        std::size_t index, std::size_t count)>;
 
 /// Where and how large; a strip is as high as it needs to be at the same scale.
 struct Output {

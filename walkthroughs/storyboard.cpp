@@ -45,10 +45,12 @@ void tell_side_by_side(Story& story, int iteration, const std::string& sentence)
 
 /// The move from A to E, which decides by Eq. 9.
 void tell_first_move(Story& story) {
-  tell_side_by_side<gjk::DirectionChosen<double>>(story, 1, "In both sets the search goes from A along d, toward the origin.");
+  tell_side_by_side<gjk::DirectionChosen<double>>(story, 1,
+                                                  "In both sets the search goes from A along d, toward the origin.");
   tell_side_by_side<gjk::SupportFound<double>>(story, 2, "In both sets the farthest point along d is E.");
-  tell_side_by_side<gjk::CrossingTested<double>>(
-      story, 2, "On the left E lies across the origin; on the right it does not, so the origin is not in the difference.");
+  tell_side_by_side<gjk::CrossingTested<double>>(story, 2,
+                                                 "On the left E lies across the origin; on the right it does "
+                                                 "not, so the origin is not in the difference.");
 }
 
 }  // namespace

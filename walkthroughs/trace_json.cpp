@@ -106,8 +106,9 @@ struct EventJson {
     return j;
   }
   Json operator()(const gjk::SimplexReduced<double>& e) const {
-    return {{"event", "simplex-reduced"}, {"before", json(e.before)}, {"after", json(e.after)},
-            {"kept", e.kept},             {"dropped", e.dropped},     {"why", e.why}};
+    return {{"event", "simplex-reduced"}, {"before", json(e.before)},
+            {"after", json(e.after)},     {"kept", e.kept},
+            {"dropped", e.dropped},       {"why", e.why}};
   }
   Json operator()(const gjk::DirectionChosen<double>& e) const {
     return {{"event", "direction-chosen"}, {"expression", e.expression}, {"direction", json(e.direction)}};

@@ -1,0 +1,254 @@
+#include "render/font.hpp"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <tuple>
+
+namespace render {
+namespace {
+
+// FreeType's fixed-point numbers with 6 fractional bits.
+long to_26_6(double pixels) { return std::lround(pixels * 64); }
+double from_26_6(long value) { return static_cast<double>(value) / 64; }
+int rounded_26_6(long value) { return static_cast<int>((value + 32) >> 6); }
+
+// ---------------------------------------------------------------------------------------------- UTF-8 and markup
+
+constexpr char32_t replacement = 0xFFFD;
+
+/// What the first byte of a UTF-8 sequence says.
+struct Lead {
+  std::size_t length;
+  char32_t bits;      // of the code point that the byte carries
+  char32_t smallest;  // code point that needs this length: anything below is an overlong form
+};
+
+Lead lead_of(unsigned char byte) {
+  if (byte < 0x80) return {1, byte, 0};
+  if (byte >= 0xC0 && byte < 0xE0) return {2, byte & 0x1Fu, 0x80};
+  if (byte >= 0xE0 && byte < 0xF0) return {3, byte & 0x0Fu, 0x800};
+  if (byte >= 0xF0 && byte < 0xF8) return {4, byte & 0x07u, 0x10000};
+  return {0, 0, 0};
+}
+
+/// Takes one code point off the front of `text`; of malformed bytes one, returned as U+FFFD.
+/// Requires: text is not empty.
+char32_t next_code_point(std::string_view& text) {
+  const Lead lead = lead_of(static_cast<unsigned char>(text.front()));
+  const std::string_view sequence = text.substr(0, lead.length);
+  char32_t code = lead.bits;
+  bool valid = lead.length > 0 && sequence.size() == lead.length;
+  for (std::size_t i = 1; i < sequence.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(sequence[i]);
+    valid = valid && (byte & 0xC0) == 0x80;
+    code = code << 6 | (byte & 0x3Fu);
+  }
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  valid = valid && code >= lead.smallest && code <= 0x10FFFF && !surrogate;
+  text.remove_prefix(valid ? lead.length : 1);
+  return valid ? code : replacement;
+}
+
+enum class Level { baseline, subscript };
+
+struct Character {
+  char32_t code;
+  Level level;
+};
+
+/// Takes `prefix` off the front of `text` where it stands there.
+bool skip(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+std::vector<Character> parse_markup(std::string_view text) {
+  std::vector<Character> characters;
+  while (!text.empty()) {
+    if (skip(text, "\\_")) {
+      characters.push_back({U'_', Level::baseline});
+    } else if (skip(text, "_{")) {
+      while (!text.empty() && !skip(text, "}")) characters.push_back({next_code_point(text), Level::subscript});
+    } else if (text.size() > 1 && skip(text, "_")) {
+      characters.push_back({next_code_point(text), Level::subscript});
+    } else {
+      characters.push_back({next_code_point(text), Level::baseline});
+    }
+  }
+  return characters;
+}
+
+constexpr double subscript_size = 0.7;  // ems, as is the next
+constexpr double subscript_drop = 0.2;
+
+// ---------------------------------------------------------------------------------------------- FreeType
+
+struct LibraryDeleter {
+  void operator()(FT_Library library) const { FT_Done_FreeType(library); }
+};
+struct FaceDeleter {
+  void operator()(FT_Face face) const { FT_Done_Face(face); }
+};
+using Library = std::unique_ptr<FT_LibraryRec_, LibraryDeleter>;
+using Face = std::unique_ptr<FT_FaceRec_, FaceDeleter>;
+
+Library open_library() {
+  FT_Library library = nullptr;
+  if (FT_Init_FreeType(&library) != 0) throw FontError("FreeType cannot be started: out of memory?");
+  return Library(library);
+}
+
+Face open_face(FT_Library library, const std::filesystem::path& file) {
+  FT_Face face = nullptr;
+  const FT_Error error = FT_New_Face(library, file.c_str(), 0, &face);
+  if (error == 0) return Face(face);
+  const std::string what = std::filesystem::exists(file)
+                               ? "is not a font that FreeType reads (FreeType error " + std::to_string(error) + ")"
+                               : "does not exist";
+  throw FontError("the font file " + file.string() + " " + what +
+                  "; install it with: apt-get install fonts-dejavu-core, or set GJKSTEP_FONT_DIR to its folder");
+}
+
+/// Returns the height of an H, in font units.
+FT_Pos cap_height_of(FT_Face face) {
+  if (FT_Load_Char(face, 'H', FT_LOAD_NO_SCALE) != 0) return face->ascender;
+  return face->glyph->metrics.horiBearingY;
+}
+
+/// A glyph at one size: where its bitmap is in the atlas, and where it goes relative to the pen.
+struct CachedGlyph {
+  PlacedGlyph bitmap;
+  long advance;  // 26.6
+};
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------- Font
+
+struct Font::Impl {
+  struct LoadedFace {
+    Face face;
+    FT_Pos cap_height;
+  };
+
+  Library library = open_library();
+  std::array<LoadedFace, 2> faces;                                  // indexed by Weight
+  std::map<std::tuple<Weight, FT_UInt, long>, CachedGlyph> glyphs;  // key: face, glyph index, size in 26.6
+  std::vector<std::uint8_t> atlas;
+  int shelf_top = 0, shelf_height = 0, shelf_x = 0;  // the row of the atlas that is being filled
+
+  FT_Face resized(Weight weight, long size);
+  const CachedGlyph& glyph(Weight weight, FT_UInt index, long size);
+  CachedGlyph render(FT_Face face, FT_UInt index);
+  void store(PlacedGlyph& glyph, const FT_Bitmap& bitmap);
+};
+
+FT_Face Font::Impl::resized(Weight weight, long size) {
+  FT_Face face = faces[static_cast<std::size_t>(weight)].face.get();
+  // At 72 dots per inch a point is a pixel.
+  if (FT_Set_Char_Size(face, 0, size, 72, 72) != 0) {
+    throw FontError("FreeType cannot set the text size " + std::to_string(from_26_6(size)) + " pixels");
+  }
+  return face;
+}
+
+const CachedGlyph& Font::Impl::glyph(Weight weight, FT_UInt index, long size) {
+  const auto key = std::tuple(weight, index, size);
+  const auto found = glyphs.find(key);
+  if (found != glyphs.end()) return found->second;
+  return glyphs.emplace(key, render(resized(weight, size), index)).first->second;
+}
+
+CachedGlyph Font::Impl::render(FT_Face face, FT_UInt index) {
+  const FT_Error error = FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP | FT_LOAD_RENDER);
+  if (error != 0) {
+    throw FontError("FreeType cannot draw glyph " + std::to_string(index) + " of " + face->family_name +
+                    " (FreeType error " + std::to_string(error) + ")");
+  }
+  const FT_GlyphSlot slot = face->glyph;
+  CachedGlyph result{{.x = slot->bitmap_left, .y = -slot->bitmap_top}, slot->advance.x};
+  store(result.bitmap, slot->bitmap);
+  return result;
+}
+
+// Shelves: glyphs side by side until a row is full, then a new row below the tallest of them.
+void Font::Impl::store(PlacedGlyph& glyph, const FT_Bitmap& bitmap) {
+  glyph.width = std::min(static_cast<int>(bitmap.width), atlas_width);
+  glyph.height = static_cast<int>(bitmap.rows);
+  if (glyph.width == 0 || glyph.height == 0) return;
+
+  if (shelf_x + glyph.width > atlas_width) {
+    shelf_top += shelf_height;
+    shelf_height = shelf_x = 0;
+  }
+  shelf_height = std::max(shelf_height, glyph.height);
+  atlas.resize(static_cast<std::size_t>(shelf_top + shelf_height) * atlas_width);
+  glyph.atlas_x = shelf_x;
+  glyph.atlas_y = shelf_top;
+  shelf_x += glyph.width;
+  for (int y = 0; y < glyph.height; ++y) {
+    std::copy_n(bitmap.buffer + y * bitmap.pitch, glyph.width,
+                atlas.data() + (glyph.atlas_y + y) * atlas_width + glyph.atlas_x);
+  }
+}
+
+Font::Font(const std::filesystem::path& directory) : impl_(std::make_unique<Impl>()) {
+  const std::array<const char*, 2> files = {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    impl_->faces[i].face = open_face(impl_->library.get(), directory / files[i]);
+    impl_->faces[i].cap_height = cap_height_of(impl_->faces[i].face.get());
+  }
+}
+
+Font::~Font() = default;
+
+std::filesystem::path Font::default_directory() {
+  const char* chosen = std::getenv("GJKSTEP_FONT_DIR");
+  return chosen != nullptr && *chosen != '\0' ? chosen : GJKSTEP_FONT_DIR_DEFAULT;
+}
+
+TextLine Font::set(std::string_view text, double pixels, Weight weight) {
+  const double em = std::clamp(pixels, 1.0, max_pixels);
+  TextLine line;
+  long pen = 0;  // 26.6
+  FT_UInt previous = 0;
+  Level previous_level = Level::baseline;
+  for (const auto& [code, level] : parse_markup(text)) {
+    const long size = to_26_6(level == Level::subscript ? subscript_size * em : em);
+    const FT_Face face = impl_->resized(weight, size);
+    const FT_UInt index = FT_Get_Char_Index(face, code);
+    FT_Vector kerning{};
+    if (level == previous_level) FT_Get_Kerning(face, previous, index, FT_KERNING_UNFITTED, &kerning);
+    pen += kerning.x;
+
+    const CachedGlyph& glyph = impl_->glyph(weight, index, size);
+    PlacedGlyph& placed = line.glyphs.emplace_back(glyph.bitmap);
+    placed.x += rounded_26_6(pen);
+    if (level == Level::subscript) placed.y += static_cast<int>(std::lround(subscript_drop * em));
+    pen += glyph.advance;
+    previous = index;
+    previous_level = level;
+  }
+  line.advance = from_26_6(pen);
+
+  const auto& [face, cap_height] = impl_->faces[static_cast<std::size_t>(weight)];
+  const double pixels_per_unit = em / face->units_per_EM;
+  line.ascent = static_cast<double>(face->ascender) * pixels_per_unit;
+  line.descent = -static_cast<double>(face->descender) * pixels_per_unit;
+  line.cap_height = static_cast<double>(cap_height) * pixels_per_unit;
+  return line;
+}
+
+int Font::atlas_height() const { return static_cast<int>(impl_->atlas.size()) / atlas_width; }
+
+const std::vector<std::uint8_t>& Font::atlas() const { return impl_->atlas; }
+
+}  // namespace render

@@ -1,0 +1,49 @@
+/// Places, sizes and boxes on a page.
+///
+/// Conventions of the whole of render/, stated once:
+///  * A page is `Page::units` wide and high in *page units*: x to the right, y DOWN, (0,0) the top left corner.
+///    One page unit is one pixel when the page is drawn at its own size; `Canvas` scales it to any other size.
+///  * A scene is drawn in *scene units*, x to the right, y UP. `View` is the one place that turns y over.
+///  * Line widths, radii and text sizes are page units, so they do not change when a scene is zoomed.
+///  * Images keep their top row first.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace render {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Width and height in pixels.
+struct Size {
+  int width = 0;
+  int height = 0;
+  friend bool operator==(const Size&, const Size&) = default;
+};
+
+/// A box in page units; `min` is the top left corner.
+struct Box {
+  Vec2 min = Vec2::Zero();
+  Vec2 max = Vec2::Zero();
+
+  double width() const { return max.x() - min.x(); }
+  double height() const { return max.y() - min.y(); }
+  Vec2 center() const { return (min + max) / 2; }
+  /// Returns this box made larger by `margin` on every side (smaller where negative).
+  Box grown(double margin) const { return {min.array() - margin, max.array() + margin}; }
+  bool overlaps(const Box& other) const {
+    return min.x() < other.max.x() && other.min.x() < max.x() && min.y() < other.max.y() && other.min.y() < max.y();
+  }
+};
+
+/// A part of a line segment, as fractions of its length: 0 is its start, 1 its end.
+struct Interval {
+  double from = 0;
+  double to = 1;
+};
+
+/// Returns: the part of the segment that lies in `box` (border included), or nothing where none does.
+std::optional<Interval> clip_segment(const Vec2& from, const Vec2& to, const Box& box);
+
+}  // namespace render

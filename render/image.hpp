@@ -1,0 +1,55 @@
+/// 8-bit RGB pictures in memory and as PNG files.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render/color.hpp"
+#include "render/geometry.hpp"
+
+namespace render {
+
+/// A file could not be read or written; what() says which, why, and what to do.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Rows from top to bottom, three bytes a pixel, no padding.
+class Image {
+ public:
+  /// Requires: width and height >= 1. Black.
+  explicit Image(Size size);
+
+  Size size() const { return size_; }
+  /// Requires: 0 <= x < width, 0 <= y < height; (0,0) is the top left pixel. Alpha is 255.
+  Color pixel(int x, int y) const;
+  /// Returns: the first byte of row `y`, counted from the top.
+  std::uint8_t* row(int y);
+  const std::uint8_t* row(int y) const;
+
+  friend bool operator==(const Image&, const Image&) = default;
+
+ private:
+  Size size_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// Text stored inside a PNG, in UTF-8 (ASCII as tEXt, anything else as iTXt). There is no time stamp: same picture, same file.
+struct PngText {
+  std::string title;
+  std::string description;
+};
+
+/// Writes `image` to `path` under a temporary name beside it and renames it, so that an interrupted run leaves
+/// either the old file or the whole new one. 8-bit RGB, compression level 6, PNG_FILTER_NONE.
+/// Errors: FileError; no temporary file is left behind.
+void write_png(const std::filesystem::path& path, const Image& image, const PngText& text);
+
+/// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white).
+/// Errors: FileError where the file is missing, not a PNG, or damaged.
+Image read_png(const std::filesystem::path& path);
+
+}  // namespace render

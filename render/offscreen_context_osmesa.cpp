@@ -1,0 +1,71 @@
+#include <GL/osmesa.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "render/offscreen_context.hpp"
+
+namespace render {
+namespace {
+
+struct ContextDeleter {
+  void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
+};
+using ContextHandle = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, ContextDeleter>;
+
+/// Mesa picks its driver from these variables; a wrong value is the usual reason why there is no context.
+std::string environment() {
+  std::string set;
+  for (const char* name : {"GALLIUM_DRIVER", "MESA_GL_VERSION_OVERRIDE"}) {
+    if (const char* value = std::getenv(name)) set += std::string("; ") + name + "=" + value + " is set, try without";
+  }
+  return set;
+}
+
+}  // namespace
+
+struct OffscreenContext::Impl {
+  ContextHandle context;
+  // OSMesa wants a buffer of its own, though everything is drawn into a framebuffer object.
+  std::array<unsigned char, 4> pixel{};
+};
+
+OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>()) {
+  if (OSMesaGetCurrentContext() != nullptr) {
+    throw ContextError("this thread has an OpenGL context already: destroy it first, or use another thread");
+  }
+  constexpr std::array attributes = {OSMESA_FORMAT,
+                                     OSMESA_RGBA,
+                                     OSMESA_PROFILE,
+                                     OSMESA_CORE_PROFILE,
+                                     OSMESA_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     OSMESA_CONTEXT_MINOR_VERSION,
+                                     3,
+                                     OSMESA_DEPTH_BITS,
+                                     0,
+                                     0};
+  impl_->context.reset(OSMesaCreateContextAttribs(attributes.data(), nullptr));
+  if (impl_->context == nullptr) {
+    throw ContextError("OSMesa gives no OpenGL 3.3 core context" + environment() +
+                       "; the library comes with: apt-get install libosmesa6");
+  }
+  if (!OSMesaMakeCurrent(impl_->context.get(), impl_->pixel.data(), GL_UNSIGNED_BYTE, 1, 1)) {
+    throw ContextError("OSMesa cannot make its OpenGL context current" + environment());
+  }
+}
+
+OffscreenContext::~OffscreenContext() = default;
+
+OffscreenContext::Function OffscreenContext::function(const char* name) const {
+  if (const Function found = OSMesaGetProcAddress(name)) return found;
+  throw ContextError(std::string("the OpenGL driver has no ") + name + environment());
+}
+
+std::string OffscreenContext::description() const {
+  const auto get_string = reinterpret_cast<const GLubyte* (*)(GLenum)>(function("glGetString"));
+  const auto text = [&](GLenum name) { return std::string(reinterpret_cast<const char*>(get_string(name))); };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION) + ", OSMesa";
+}
+
+}  // namespace render

@@ -1,0 +1,269 @@
+#include "render/panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace render {
+namespace {
+
+// Page units.
+constexpr double frame_margin = 4;              // between a label and the frame
+constexpr double line_clearance = 2;            // between a label and an obstacle
+constexpr double label_clearance = 16;          // between two labels
+constexpr std::array gaps = {9.0, 16.0, 26.0};  // between a label and its anchor, in the order they are tried
+constexpr double area_clearance = 12;           // between the name of an area and everything else
+constexpr double area_pitch = 16;               // between the places tried for it
+constexpr double min_grid_spacing = 3;
+
+constexpr int directions = 16;
+constexpr int circle_sides = 16;
+
+// Costs of a place for a label, least is best. A cut-off label is worse than one across another, that is worse than one
+// across a line; only among equals does it count how far the label strays, in distance and in direction.
+constexpr double cost_outside = 1e6;
+constexpr double cost_label = 1e4;
+constexpr double cost_obstacle = 1e2;
+constexpr double cost_gap = 3;
+constexpr double cost_turn = 1;
+
+/// Returns how many steps of 1/16 turn direction number `attempt` is away from the wanted one: 0, 1, -1, 2, -2, ...
+constexpr int turns_of(int attempt) { return attempt % 2 == 1 ? (attempt + 1) / 2 : -attempt / 2; }
+
+Vec2 rotated(const Vec2& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+/// Returns how far the middle of a box of size 2 * `half` must be from a point, in direction `unit`, to keep `gap` away.
+double distance_clear_of(const Vec2& half, const Vec2& unit, double gap) {
+  const auto along = [&](int axis) {
+    return unit[axis] == 0 ? std::numeric_limits<double>::infinity() : (half[axis] + gap) / std::abs(unit[axis]);
+  };
+  return std::min(along(0), along(1));
+}
+
+std::vector<double> multiples_between(double low, double high, double step) {
+  const double first = std::ceil(low / step);
+  const int count = static_cast<int>(std::floor(high / step) - first) + 1;
+  std::vector<double> multiples;
+  for (int i = 0; i < count; ++i) multiples.push_back((first + i) * step);
+  return multiples;
+}
+
+bool contains(const Box& outer, const Box& inner) {
+  return (inner.min.array() >= outer.min.array()).all() && (inner.max.array() <= outer.max.array()).all();
+}
+
+/// Requires: a convex polygon of either sense.
+bool contains(std::span<const Vec2> corners, const Vec2& point) {
+  int left = 0, right = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 edge = corners[(i + 1) % corners.size()] - corners[i], to = point - corners[i];
+    const double turn = edge.x() * to.y() - edge.y() * to.x();
+    left += turn > 0;
+    right += turn < 0;
+  }
+  return left == 0 || right == 0;
+}
+
+bool contains(std::span<const Vec2> corners, const Box& box) {
+  return contains(corners, box.min) && contains(corners, box.max) && contains(corners, {box.min.x(), box.max.y()}) &&
+         contains(corners, {box.max.x(), box.min.y()});
+}
+
+TextStyle centered(TextStyle style) {
+  style.align = Align::center;
+  return style;
+}
+
+Box moved(const Box& box, const Vec2& by) { return {box.min + by, box.max + by}; }
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------- View
+
+View View::fit(const Vec2& low, const Vec2& high, const Box& frame, double max_scale) {
+  View view;
+  view.center_scene_ = (low + high) / 2;
+  view.center_page_ = frame.center();
+  view.scale_ = max_scale;
+  const Vec2 size = high - low;
+  if (size.x() > 0) view.scale_ = std::min(view.scale_, frame.width() / size.x());
+  if (size.y() > 0) view.scale_ = std::min(view.scale_, frame.height() / size.y());
+  return view;
+}
+
+// ---------------------------------------------------------------------------------------------- shapes
+
+Panel::Panel(Canvas& canvas, const Box& frame, const View& view) : canvas_(canvas), frame_(frame), view_(view) {
+  canvas_.clip(frame_);
+}
+
+Panel::~Panel() { canvas_.unclip(); }
+
+void Panel::polygon(std::span<const Vec2> corners, Color fill) { canvas_.polygon(to_page(corners), fill); }
+
+void Panel::line(const Vec2& from, const Vec2& to, const Stroke& stroke) {
+  canvas_.line(view_.page(from), view_.page(to), stroke);
+  obstacles_.push_back({view_.page(from), view_.page(to), stroke.width / 2});
+}
+
+void Panel::outline(std::span<const Vec2> corners, const Stroke& stroke) {
+  const std::vector<Vec2> page = to_page(corners);
+  canvas_.outline(page, stroke);
+  avoid_outline(page, stroke.width / 2);
+}
+
+void Panel::arrow(const Vec2& from, const Vec2& to, const Stroke& stroke) {
+  const Vec2 tail = view_.page(from), tip = view_.page(to);
+  canvas_.arrow(tail, tip, stroke);
+  obstacles_.push_back({tail, tip, stroke.width / 2});
+  const Vec2 head = (tip - tail).stableNormalized() * (arrow_head::length * stroke.width);
+  obstacles_.push_back({tip - head, tip - head / 2, arrow_head::width / 2 * stroke.width});
+}
+
+void Panel::disc(const Vec2& center, double radius, Color fill) {
+  canvas_.disc(view_.page(center), radius, fill);
+  obstacles_.push_back({view_.page(center), view_.page(center), radius});
+}
+
+void Panel::circle(const Vec2& center, double radius, const Stroke& stroke) {
+  const Vec2 middle = view_.page(center);
+  canvas_.circle(middle, radius, stroke);
+  std::vector<Vec2> sides;
+  for (int i = 0; i < circle_sides; ++i) {
+    sides.push_back(middle + rotated({radius, 0}, 2 * std::numbers::pi * i / circle_sides));
+  }
+  avoid_outline(sides, stroke.width / 2);
+}
+
+void Panel::plus(const Vec2& center, double half, const Stroke& stroke) {
+  const Vec2 middle = view_.page(center);
+  canvas_.plus(middle, half, stroke);
+  for (const Vec2& arm : {Vec2(half, 0), Vec2(0, half)}) {
+    obstacles_.push_back({middle - arm, middle + arm, stroke.width / 2});
+  }
+}
+
+void Panel::grid(double step, const Stroke& stroke) {
+  if (!(step * view_.scale() >= min_grid_spacing)) return;  // it would be a grey area
+  const Vec2 low = view_.scene({frame_.min.x(), frame_.max.y()});
+  const Vec2 high = view_.scene({frame_.max.x(), frame_.min.y()});
+  for (const double x : multiples_between(low.x(), high.x(), step)) {
+    canvas_.line(view_.page({x, low.y()}), view_.page({x, high.y()}), stroke);
+  }
+  for (const double y : multiples_between(low.y(), high.y(), step)) {
+    canvas_.line(view_.page({low.x(), y}), view_.page({high.x(), y}), stroke);
+  }
+}
+
+std::vector<Vec2> Panel::corners() const {
+  const Vec2 a = view_.scene(frame_.min), b = view_.scene(frame_.max);
+  return {{a.x(), b.y()}, {b.x(), b.y()}, {b.x(), a.y()}, {a.x(), a.y()}};
+}
+
+std::vector<Vec2> Panel::to_page(std::span<const Vec2> scene) const {
+  std::vector<Vec2> page;
+  for (const Vec2& point : scene) page.push_back(view_.page(point));
+  return page;
+}
+
+void Panel::avoid_outline(std::span<const Vec2> page, double radius) {
+  for (std::size_t i = 0; i < page.size(); ++i) {
+    obstacles_.push_back({page[i], page[(i + 1) % page.size()], radius});
+  }
+}
+
+// ---------------------------------------------------------------------------------------------- labels
+
+void Panel::label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style) {
+  const Vec2 up_right = Vec2(1, -1).normalized();
+  const Vec2 wanted = Vec2(toward.x(), -toward.y()).stableNormalized();
+  labels_.push_back({view_.page(anchor), wanted.isZero() ? up_right : wanted, std::move(text), centered(style)});
+}
+
+void Panel::name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style) {
+  area_names_.push_back({to_page(corners), std::move(text), centered(style)});
+}
+
+// Points first: their names have the least choice.
+void Panel::place_labels() {
+  std::vector<Box> taken;
+  const auto place_all = [&](const auto& labels) {
+    for (const auto& label : labels) {
+      const Place place = best_place(label, taken);
+      canvas_.text(place.baseline, label.text, label.style);
+      taken.push_back(place.box);
+    }
+  };
+  place_all(labels_);
+  place_all(area_names_);
+  labels_.clear();
+  area_names_.clear();
+}
+
+Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken) const {
+  const Box ink = canvas_.ink_box(Vec2::Zero(), area.text, area.style);
+  Vec2 middle = Vec2::Zero();
+  Box around{area.corners.front(), area.corners.front()};
+  for (const Vec2& corner : area.corners) {
+    middle += corner / static_cast<double>(area.corners.size());
+    around = {around.min.cwiseMin(corner), around.max.cwiseMax(corner)};
+  }
+  Place best{middle, moved(ink, middle)};
+  double least = std::numeric_limits<double>::infinity();
+  const Box tried{around.min.cwiseMax(frame_.min), around.max.cwiseMin(frame_.max)};
+  for (double y = tried.min.y(); y <= tried.max.y(); y += area_pitch) {
+    for (double x = tried.min.x(); x <= tried.max.x(); x += area_pitch) {
+      const Box box = moved(ink, {x, y});
+      if (!contains(area.corners, box)) continue;
+      const double cost = cost_of(box.grown(area_clearance), taken) + (box.center() - middle).norm() / area_pitch;
+      if (cost >= least) continue;
+      least = cost;
+      best = {{x, y}, box};
+    }
+  }
+  return best;
+}
+
+// A label is placed by the middle of its capitals: that keeps "p" and "p_1" on one line beside points of one height.
+Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) const {
+  const double rise = canvas_.cap_height(label.style) / 2;  // of the middle above the baseline
+  const Box ink = canvas_.ink_box(Vec2::Zero(), label.text, label.style);
+  const Vec2 half(std::max(-ink.min.x(), ink.max.x()), std::max(rise, ink.max.y() + rise));
+
+  Place best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+    for (int attempt = 0; attempt < directions; ++attempt) {
+      const int turns = turns_of(attempt);
+      const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
+      const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, gaps[gap]);
+      const Vec2 baseline = middle + Vec2(0, rise);
+      const Place place{baseline, moved(ink, baseline)};
+      const double cost = cost_of(place.box, taken) + cost_gap * static_cast<double>(gap) + cost_turn * std::abs(turns);
+      if (cost >= least) continue;
+      least = cost;
+      best = place;
+    }
+  }
+  return best;
+}
+
+double Panel::cost_of(const Box& box, std::span<const Box> taken) const {
+  double cost = contains(frame_.grown(-frame_margin), box) ? 0 : cost_outside;
+  for (const Box& other : taken) {
+    if (box.grown(label_clearance).overlaps(other)) cost += cost_label;
+  }
+  for (const Obstacle& obstacle : obstacles_) {
+    const Box around = box.grown(obstacle.radius + line_clearance);
+    if (clip_segment(obstacle.from, obstacle.to, around)) cost += cost_obstacle;
+  }
+  return cost;
+}
+
+}  // namespace render

@@ -1,0 +1,98 @@
+/// A part of the page that shows a scene: scene units in, page units out, nothing drawn outside, labels kept clear.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/canvas.hpp"
+
+namespace render {
+
+/// Maps scene units (y up) to page units (y down), with one scale for both axes.
+class View {
+ public:
+  /// Returns: the view that shows the scene's box `low`..`high` centred in `frame`, with at most `max_scale` page units
+  /// per scene unit.
+  /// Requires: low <= high, which may coincide; all finite; 0 < max_scale.
+  static View fit(const Vec2& low, const Vec2& high, const Box& frame, double max_scale);
+
+  Vec2 page(const Vec2& scene) const { return center_page_ + scale_ * turned_over(scene - center_scene_); }
+  Vec2 scene(const Vec2& page) const { return center_scene_ + turned_over(page - center_page_) / scale_; }
+  double scale() const { return scale_; }  ///< page units per scene unit
+
+ private:
+  static Vec2 turned_over(const Vec2& v) { return {v.x(), -v.y()}; }
+
+  Vec2 center_scene_ = Vec2::Zero();
+  Vec2 center_page_ = Vec2::Zero();
+  double scale_ = 1;
+};
+
+/// Draws in scene units. Lines, arrows and discs are remembered as obstacles; labels are placed last, by place_labels(),
+/// where they cover none of them (or as little as possible).
+class Panel {
+ public:
+  /// Clips the canvas to `frame` until the panel is destroyed.
+  Panel(Canvas& canvas, const Box& frame, const View& view);
+  ~Panel();
+  Panel(const Panel&) = delete;
+  Panel& operator=(const Panel&) = delete;
+
+  void polygon(std::span<const Vec2> corners, Color fill);  ///< not an obstacle: labels may stand on fills
+  void line(const Vec2& from, const Vec2& to, const Stroke& stroke);
+  void outline(std::span<const Vec2> corners, const Stroke& stroke);
+  void arrow(const Vec2& from, const Vec2& to, const Stroke& stroke);
+  void disc(const Vec2& center, double radius, Color fill);              ///< radius in page units
+  void circle(const Vec2& center, double radius, const Stroke& stroke);  ///< radius in page units
+  void plus(const Vec2& center, double half, const Stroke& stroke);      ///< half in page units
+  /// Fine lines at whole multiples of `step` scene units; no obstacles.
+  void grid(double step, const Stroke& stroke);
+
+  /// Names the point `anchor`. The label stands near it, if possible on the side of `toward` (scene units, any length;
+  /// of length 0: above and to the right). `style.align` is not used.
+  void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style);
+  /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
+  void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style);
+  /// Draws all labels, first come first served. Deterministic. Call after everything else.
+  void place_labels();
+
+  const View& view() const { return view_; }
+  /// Returns: the four corners of the frame in scene units.
+  std::vector<Vec2> corners() const;
+
+ private:
+  struct Obstacle {
+    Vec2 from, to;  ///< page units
+    double radius;  ///< half the width of the line, or the radius of the disc
+  };
+  struct Label {
+    Vec2 anchor, toward;  ///< page units; `toward` of length 1
+    std::string text;
+    TextStyle style;
+  };
+  struct AreaName {
+    std::vector<Vec2> corners;  ///< page units
+    std::string text;
+    TextStyle style;
+  };
+  struct Place {
+    Vec2 baseline = Vec2::Zero();  ///< its middle
+    Box box;                       ///< of the letters
+  };
+
+  std::vector<Vec2> to_page(std::span<const Vec2> scene) const;
+  void avoid_outline(std::span<const Vec2> page, double radius);
+  Place best_place(const Label& label, std::span<const Box> taken) const;
+  Place best_place(const AreaName& area, std::span<const Box> taken) const;
+  double cost_of(const Box& box, std::span<const Box> taken) const;
+
+  Canvas& canvas_;
+  Box frame_;
+  View view_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<Label> labels_;
+  std::vector<AreaName> area_names_;
+};
+
+}  // namespace render

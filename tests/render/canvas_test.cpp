@@ -1,0 +1,212 @@
+#include "render/canvas.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace render;
+using Kind = CanvasVertex::Kind;
+
+namespace {
+
+struct Page {
+  Font font{Font::default_directory()};
+  Canvas canvas{{200, 100}, {200, 100}, palette::white, font};
+};
+
+/// The two ends of a capsule's middle line, from the first corner of its quad: centre - along * (half + reach) - ...
+struct Ends {
+  Vec2 from, to;
+};
+
+Ends ends_of(const CanvasVertex& a, const CanvasVertex& b, const CanvasVertex& c) {
+  const Vec2 corner(a.x, a.y), along = (Vec2(b.x, b.y) - corner).normalized();
+  const Vec2 center = (corner + Vec2(c.x, c.y)) / 2;
+  return {center - along * a.half_length, center + along * a.half_length};
+}
+
+std::vector<Ends> capsules_of(const Canvas& canvas) {
+  std::vector<Ends> all;
+  const auto list = canvas.vertices();
+  for (std::size_t i = 0; i + 5 < list.size(); i += 6) {
+    if (list[i].kind == Kind::capsule) all.push_back(ends_of(list[i], list[i + 1], list[i + 2]));
+  }
+  return all;
+}
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("a line becomes one capsule with its ends and half its width") {
+  Page page;
+  page.canvas.line({20, 30}, {80, 30}, {.width = 6});
+  const auto capsules = capsules_of(page.canvas);
+  REQUIRE(capsules.size() == 1);
+  REQUIRE((capsules[0].from - Vec2(20, 30)).norm() < 1e-4);
+  REQUIRE((capsules[0].to - Vec2(80, 30)).norm() < 1e-4);
+  REQUIRE(page.canvas.vertices()[0].radius == 3);
+}
+
+TEST_CASE("a page is scaled evenly and centred") {
+  Font font(Font::default_directory());
+  Canvas canvas({400, 100}, {100, 50}, palette::white, font);  // scale 2, 100 pixels left free on both sides
+  canvas.line({0, 0}, {100, 50}, {.width = 3});
+  const auto capsules = capsules_of(canvas);
+  REQUIRE((capsules.at(0).from - Vec2(100, 0)).norm() < 1e-4);
+  REQUIRE((capsules.at(0).to - Vec2(300, 100)).norm() < 1e-4);
+  REQUIRE(canvas.vertices()[0].radius == 3);
+}
+
+TEST_CASE("no line is thinner than a pixel") {
+  Font font(Font::default_directory());
+  Canvas canvas({20, 20}, {200, 200}, palette::white, font);
+  canvas.line({20, 30}, {80, 30}, {.width = 2});
+  REQUIRE(canvas.vertices()[0].radius == 0.5f);
+}
+
+TEST_CASE("dashes have the asked length with their caps, and the asked gaps") {
+  Page page;
+  page.canvas.line({20, 30}, {80, 30}, {.width = 2, .dash = {8, 4}});
+  const auto capsules = capsules_of(page.canvas);
+  REQUIRE(capsules.size() == 5 + 1);  // dashes start every 12 units; the last at 80
+  for (std::size_t i = 0; i < 5; ++i) {
+    REQUIRE(capsules[i].from.x() == Approx(20 + 12 * static_cast<double>(i)));
+    REQUIRE(capsules[i].to.x() == Approx(20 + 12 * static_cast<double>(i) + 6));  // and a cap of 1 at each end
+  }
+}
+
+TEST_CASE("dashes run on around the corners of a polyline") {
+  Page page;
+  const std::array corners = {Vec2(20, 20), Vec2(30, 20), Vec2(30, 90)};
+  page.canvas.polyline(corners, {.width = 2, .dash = {10, 6}});
+  const auto capsules = capsules_of(page.canvas);
+  REQUIRE(capsules.at(1).from.isApprox(Vec2(30, 26), 1e-5));  // 16 units along the way
+}
+
+TEST_CASE("around an outline fits a whole number of dashes") {
+  Page page;
+  const std::array corners = {Vec2(20, 20), Vec2(60, 20), Vec2(60, 60), Vec2(20, 60)};  // 160 around, 10.67 periods
+  page.canvas.outline(corners, {.width = 1, .dash = {10, 5}});
+  const auto capsules = capsules_of(page.canvas);
+  REQUIRE(capsules.back().to.y() == Approx(20 + 160.0 / 11 / 3 + 1));  // a gap and two caps before the start
+}
+
+TEST_CASE("dashes finer than half a pixel are a solid line") {
+  Page page;
+  page.canvas.line({20, 30}, {80, 30}, {.width = 2, .dash = {0.2, 0.2}});
+  REQUIRE(capsules_of(page.canvas).size() == 1);
+}
+
+TEST_CASE("a far-reaching dashed line costs no more than its visible part, and keeps its phase") {
+  Page page;
+  page.canvas.line({-12e8, 30}, {12e8, 30}, {.width = 2, .dash = {8, 4}});
+  const auto capsules = capsules_of(page.canvas);
+  REQUIRE(capsules.size() >= 200 / 12);
+  REQUIRE(capsules.size() <= 200 / 12 + 4);
+  for (const Ends& dash : capsules) {
+    if (dash.from.x() < 0 || dash.to.x() > 200) continue;
+    REQUIRE(std::remainder(dash.from.x(), 12) == Approx(0).margin(1e-3));
+  }
+}
+
+TEST_CASE("what is not finite is not drawn") {
+  Page page;
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    const Vec2 p(bad, 10);
+    page.canvas.line({0, 0}, p, {});
+    page.canvas.line({0, 0}, {9, 9}, {.width = std::abs(bad)});
+    page.canvas.arrow(p, {5, 5}, {});
+    page.canvas.disc(p, 3, palette::ink);
+    page.canvas.disc({5, 5}, infinity, palette::ink);
+    page.canvas.circle(p, 3, {});
+    page.canvas.circle({5, 5}, bad, {});
+    page.canvas.circle({5, 5}, bad, {.dash = {3, 3}});
+    page.canvas.polygon(std::array{p, Vec2(1, 1), Vec2(20, 2)}, palette::ink);
+    page.canvas.text(p, "text", {});
+  }
+  REQUIRE(page.canvas.vertices().empty());
+}
+
+TEST_CASE("what lies outside the clip box adds no triangles") {
+  Page page;
+  page.canvas.clip({{50, 20}, {150, 80}});
+  page.canvas.line({0, 0}, {200, 10}, {});
+  page.canvas.rectangle({{0, 0}, {40, 100}}, palette::ink);
+  REQUIRE(page.canvas.vertices().empty());
+  page.canvas.unclip();
+  page.canvas.line({0, 0}, {200, 10}, {});
+  REQUIRE(page.canvas.vertices().size() == 6);
+}
+
+TEST_CASE("runs hold the clip rectangles in drawing order") {
+  Page page;
+  page.canvas.disc({10, 10}, 3, palette::ink);
+  page.canvas.clip({{50, 20}, {150, 80}});
+  page.canvas.disc({60, 30}, 3, palette::ink);
+  page.canvas.unclip();
+  page.canvas.clip({{-50, -20}, {5000, 10}});  // replaces the empty run before it; cut to the image
+  const auto runs = page.canvas.runs();
+  REQUIRE(runs.size() == 3);
+  REQUIRE(runs[1].first == 6);
+  REQUIRE(std::array{runs[1].left, runs[1].top, runs[1].right, runs[1].bottom} == std::array{50, 20, 150, 80});
+  REQUIRE(runs[2].first == 12);
+  REQUIRE(std::array{runs[2].left, runs[2].top, runs[2].right, runs[2].bottom} == std::array{0, 0, 200, 10});
+}
+
+TEST_CASE("an arrow without length is nothing; a short one shrinks as a whole") {
+  Page page;
+  page.canvas.arrow({10, 10}, {10, 10}, {});
+  REQUIRE(page.canvas.vertices().empty());
+  page.canvas.arrow({10, 10}, {16, 10}, {.width = 2});  // half of the 12 units that a whole one needs
+  const auto capsules = capsules_of(page.canvas);
+  REQUIRE(capsules.size() == 1);
+  REQUIRE(page.canvas.vertices()[0].radius == 0.5f);
+  REQUIRE(capsules[0].to.x() == Approx(16 - 4.5 + 0.5));  // inside the head
+}
+
+TEST_CASE("text boxes: alignment, and letters inside the box of the line") {
+  Page page;
+  TextStyle style{.size = 20};
+  const Box left = page.canvas.text_box({100, 50}, "Hxg", style);
+  style.align = Align::right;
+  const Box right = page.canvas.text_box({100, 50}, "Hxg", style);
+  style.align = Align::center;
+  const Box center = page.canvas.text_box({100, 50}, "Hxg", style);
+  REQUIRE(left.min.x() == 100);
+  REQUIRE(right.max.x() == Approx(100).margin(0.5));
+  REQUIRE(center.center().x() == Approx(100).margin(0.5));
+
+  const Box ink = page.canvas.ink_box({100, 50}, "Hxg", style);
+  REQUIRE(ink.width() > 20);
+  REQUIRE(ink.min.y() > center.min.y());
+  REQUIRE(ink.max.y() < center.max.y() + 1);
+  REQUIRE(50 - ink.min.y() == Approx(page.canvas.cap_height(style)).margin(1));
+  REQUIRE(ink.max.y() > 53);  // the g reaches below the baseline
+  REQUIRE(page.canvas.ink_box({100, 50}, " ", style).width() == 0);
+}
+
+TEST_CASE("all of the halo lies below all of the letters") {
+  Page page;
+  page.canvas.text({20, 50}, "ab", {.color = palette::blue, .halo = palette::white});
+  const auto list = page.canvas.vertices();
+  REQUIRE(list.size() == 17 * 2 * 6);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    REQUIRE(list[i].color == (i < 16 * 2 * 6 ? palette::white : palette::blue));
+  }
+}
+
+TEST_CASE("text wraps at spaces; a word that is too long stands alone") {
+  Font font{Font::default_directory()};
+  const Canvas canvas({400, 300}, {400, 300}, palette::white, font);
+  const TextStyle style{.size = 20};
+  const double width = canvas.text_box(Vec2::Zero(), "one two", style).width();
+  REQUIRE(wrap(canvas, "one two three", style, width) == std::vector<std::string>{"one two", "three"});
+  REQUIRE(wrap(canvas, "one incomprehensibilities two", style, width) ==
+          std::vector<std::string>{"one", "incomprehensibilities", "two"});
+  REQUIRE(wrap(canvas, "", style, width) == std::vector<std::string>{""});
+}

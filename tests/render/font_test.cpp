@@ -1,0 +1,129 @@
+#include "render/font.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace render;
+
+namespace {
+
+struct Fixture {
+  Font font{Font::default_directory()};
+  TextLine set(std::string_view text, double pixels = 40) { return font.set(text, pixels, Weight::regular); }
+};
+
+bool same_bitmap(const PlacedGlyph& a, const PlacedGlyph& b) {
+  return a.atlas_x == b.atlas_x && a.atlas_y == b.atlas_y && a.width == b.width && a.height == b.height;
+}
+
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "subscripts are smaller and lower, one character or several") {
+  const TextLine plain = set("xx"), one = set("x_x"), several = set("x_{xx}y");
+  REQUIRE(plain.glyphs.size() == 2);
+  REQUIRE(one.glyphs.size() == 2);
+  REQUIRE(several.glyphs.size() == 4);
+  REQUIRE(one.glyphs[1].height < plain.glyphs[1].height);
+  REQUIRE(one.glyphs[1].height == Approx(0.7 * plain.glyphs[1].height).margin(1.5));
+  const auto bottom = [](const PlacedGlyph& glyph) { return glyph.y + glyph.height; };
+  REQUIRE(bottom(one.glyphs[1]) - bottom(plain.glyphs[1]) == 8);  // 0.2 em
+  REQUIRE(same_bitmap(several.glyphs[1], several.glyphs[2]));
+  REQUIRE(same_bitmap(several.glyphs[1], one.glyphs[1]));
+  REQUIRE(several.glyphs[3].height > several.glyphs[2].height);
+}
+
+TEST_CASE_METHOD(Fixture, "markup at its limits: escaped, at the end, not closed, empty") {
+  REQUIRE(same_bitmap(set("\\_").glyphs.at(0), set("_").glyphs.at(0)));
+  REQUIRE(set("a\\_b").glyphs.size() == 3);
+  REQUIRE(set("a_").glyphs.size() == 2);
+  REQUIRE(set("a_{bc").glyphs.size() == 3);
+  REQUIRE(set("a_{}").glyphs.size() == 1);
+  REQUIRE(set("").glyphs.empty());
+  REQUIRE(set("").ascent > 30);
+}
+
+TEST_CASE_METHOD(Fixture, "the font has the signs that the pictures use") {
+  const PlacedGlyph box = set("\U0010FFFF").glyphs.at(0);
+  REQUIRE(box.width > 0);
+  for (const char* sign : {"×", "·", "≥", "≤", "≠", "⊥", "−", "°", "→", "∈", "ä"}) {
+    for (const Weight weight : {Weight::regular, Weight::bold}) {
+      INFO(sign);
+      const PlacedGlyph missing = font.set("\U0010FFFF", 40, weight).glyphs.at(0);
+      const TextLine line = font.set(sign, 40, weight);
+      REQUIRE(line.glyphs.size() == 1);
+      REQUIRE_FALSE(same_bitmap(line.glyphs[0], missing));
+    }
+  }
+}
+
+TEST_CASE_METHOD(Fixture, "a byte that is not UTF-8 becomes U+FFFD and the text goes on") {
+  const PlacedGlyph bad = set("\uFFFD").glyphs.at(0);
+  for (const std::string text : {"\xFF", "\xC3", "\x80"}) {
+    const TextLine line = set(text + "x");
+    REQUIRE(line.glyphs.size() == 2);
+    REQUIRE(same_bitmap(line.glyphs[0], bad));
+    REQUIRE(same_bitmap(line.glyphs[1], set("x").glyphs[0]));
+  }
+  REQUIRE(set("\xC0\xAF").glyphs.size() == 2);          // an overlong '/'
+  REQUIRE(set("\xED\xA0\x80").glyphs.size() == 3);      // a surrogate
+  REQUIRE(set("\xF4\x90\x80\x80").glyphs.size() == 4);  // beyond U+10FFFF
+  REQUIRE(set("\xE2\x89").glyphs.size() == 2);          // cut off
+  REQUIRE(set("_\xE2").glyphs.size() == 1);
+}
+
+TEST_CASE_METHOD(Fixture, "the atlas keeps its glyphs while it grows") {
+  const PlacedGlyph first = set("A", 60).glyphs.at(0);
+  const auto byte_of = [&](int x, int y) {
+    return font.atlas().at(static_cast<std::size_t>((first.atlas_y + y) * Font::atlas_width + first.atlas_x + x));
+  };
+  std::vector<std::uint8_t> before;
+  for (int y = 0; y < first.height; ++y) {
+    for (int x = 0; x < first.width; ++x) before.push_back(byte_of(x, y));
+  }
+  REQUIRE(*std::max_element(before.begin(), before.end()) == 255);
+  const int height = font.atlas_height();
+  for (int size = 50; size < 80; ++size) set("ABCDEFGHIJKLMNOPQRSTUVWXYZ", size);
+  REQUIRE(font.atlas_height() > height);
+  REQUIRE(same_bitmap(set("A", 60).glyphs.at(0), first));
+  std::size_t i = 0;
+  for (int y = 0; y < first.height; ++y) {
+    for (int x = 0; x < first.width; ++x) REQUIRE(byte_of(x, y) == before[i++]);
+  }
+}
+
+TEST_CASE_METHOD(Fixture, "size and weight change the letters; sizes outside the range are brought into it") {
+  REQUIRE(set("x", 40).advance == Approx(2 * set("x", 20).advance).epsilon(0.01));
+  REQUIRE(font.set("x", 40, Weight::bold).advance > set("x", 40).advance);
+  REQUIRE(set("x", 1e9).advance == set("x", Font::max_pixels).advance);
+  REQUIRE(set("x", -5).advance == set("x", 1).advance);
+}
+
+TEST_CASE("a missing font is reported with its path and its package") {
+  try {
+    const Font font("/nowhere/at all");
+    FAIL("no error");
+  } catch (const FontError& error) {
+    const std::string what = error.what();
+    REQUIRE(what.find("/nowhere/at all/DejaVuSans.ttf") != std::string::npos);
+    REQUIRE(what.find("does not exist") != std::string::npos);
+    REQUIRE(what.find("apt-get install fonts-dejavu-core") != std::string::npos);
+  }
+}
+
+TEST_CASE("GJKSTEP_FONT_DIR names the folder of the fonts") {
+  const char* set_before = std::getenv("GJKSTEP_FONT_DIR");
+  const std::string before = set_before == nullptr ? "" : set_before;
+  setenv("GJKSTEP_FONT_DIR", "/some/where", 1);
+  REQUIRE(Font::default_directory() == "/some/where");
+  setenv("GJKSTEP_FONT_DIR", "", 1);
+  REQUIRE(Font::default_directory() == GJKSTEP_FONT_DIR_DEFAULT);
+  if (set_before == nullptr) {
+    unsetenv("GJKSTEP_FONT_DIR");
+  } else {
+    setenv("GJKSTEP_FONT_DIR", before.c_str(), 1);
+  }
+}

@@ -1,0 +1,237 @@
+#include "render/image.hpp"
+
+#include <png.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace render;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An empty folder that goes with everything in it.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("gjkstep-image-test-" + std::to_string(getpid()));
+
+  Folder() {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  auto entries() const { return std::distance(fs::directory_iterator(path), fs::directory_iterator()); }
+};
+
+Image gradient(Size size) {
+  Image image(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      std::uint8_t* rgb = image.row(y) + 3 * x;
+      rgb[0] = static_cast<std::uint8_t>(x * 7);
+      rgb[1] = static_cast<std::uint8_t>(y * 11);
+      rgb[2] = static_cast<std::uint8_t>(x * y);
+    }
+  }
+  return image;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void store(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+std::string error_of_reading(const fs::path& path) {
+  try {
+    read_png(path);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Writes a PNG with libpng's simplified API, for formats that write_png never uses.
+void store_as(const fs::path& path, png_uint_32 format, Size size, const void* pixels, const void* colormap = nullptr,
+              png_uint_32 colors = 0) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(size.width);
+  header.height = static_cast<png_uint_32>(size.height);
+  header.format = format;
+  header.colormap_entries = colors;
+  REQUIRE(png_image_write_to_file(&header, path.c_str(), 0, pixels, 0, colormap) != 0);
+}
+
+}  // namespace
+
+TEST_CASE("a new image is black and rows run from the top") {
+  Image image({3, 2});
+  REQUIRE(image.pixel(2, 1) == palette::black);
+  image.row(1)[3] = 200;
+  REQUIRE(image.pixel(1, 1) == Color{200, 0, 0});
+  REQUIRE(image.pixel(1, 0) == palette::black);
+  REQUIRE(image.row(1) - image.row(0) == 9);
+}
+
+TEST_CASE("what is written is read back, whatever the size") {
+  const Folder folder;
+  for (const Size size : {Size{1, 1}, Size{37, 21}, Size{256, 3}}) {
+    const Image image = gradient(size);
+    write_png(folder.path / "a.png", image, {"title", "description"});
+    REQUIRE(read_png(folder.path / "a.png") == image);
+  }
+  REQUIRE(folder.entries() == 1);
+}
+
+TEST_CASE("the same picture gives the same file, without a time stamp and with its texts") {
+  const Folder folder;
+  write_png(folder.path / "a.png", gradient({20, 20}), {"A title", "AB×AO ⊥ AB"});
+  write_png(folder.path / "b.png", gradient({20, 20}), {"A title", "AB×AO ⊥ AB"});
+  const std::string bytes = bytes_of(folder.path / "a.png");
+  REQUIRE(bytes == bytes_of(folder.path / "b.png"));
+  REQUIRE(bytes.find("tIME") == std::string::npos);
+  REQUIRE(bytes.find(std::string("tEXtTitle\0A title", 17)) != std::string::npos);
+  REQUIRE(bytes.find("iTXtDescription") != std::string::npos);
+  REQUIRE(bytes.find("AB×AO ⊥ AB") != std::string::npos);
+}
+
+TEST_CASE("a file that cannot be written is reported and nothing is left behind") {
+  const Folder folder;
+  const Image image({2, 2});
+  REQUIRE_THROWS_AS(write_png(folder.path / "no folder" / "a.png", image, {}), FileError);
+  REQUIRE(folder.entries() == 0);
+
+  fs::create_directories(folder.path / "a.png" / "full");  // cannot be replaced by a file
+  try {
+    write_png(folder.path / "a.png", image, {});
+    FAIL("no error");
+  } catch (const FileError& error) {
+    REQUIRE(std::string(error.what()).find((folder.path / "a.png").string()) != std::string::npos);
+    REQUIRE(std::string(error.what()).find("check that") != std::string::npos);
+  }
+  REQUIRE(folder.entries() == 1);
+  REQUIRE(fs::is_directory(folder.path / "a.png"));
+}
+
+TEST_CASE("a full disk is reported") {
+  if (!fs::exists("/dev/full")) return;
+  const Folder folder;
+  // The temporary file's name is known, so a link can stand in its place and lead to the device that is always full.
+  const fs::path target = folder.path / "a.png";
+  fs::create_symlink("/dev/full", target.string() + "." + std::to_string(getpid()) + ".tmp");
+  store(target, "the old file");
+  REQUIRE_THROWS_AS(write_png(target, gradient({64, 64}), {}), FileError);
+  REQUIRE(bytes_of(target) == "the old file");
+  REQUIRE(folder.entries() == 1);
+}
+
+TEST_CASE("an existing file is replaced") {
+  const Folder folder;
+  store(folder.path / "a.png", "the old file");
+  write_png(folder.path / "a.png", gradient({4, 4}), {});
+  REQUIRE(read_png(folder.path / "a.png") == gradient({4, 4}));
+  REQUIRE(folder.entries() == 1);
+}
+
+TEST_CASE("reading: missing, a folder, empty, not a PNG") {
+  const Folder folder;
+  REQUIRE(error_of_reading(folder.path / "a.png").find("No such file") != std::string::npos);
+  REQUIRE(error_of_reading(folder.path / "a.png").find((folder.path / "a.png").string()) != std::string::npos);
+  REQUIRE_FALSE(error_of_reading(folder.path).empty());
+  store(folder.path / "b.png", "");
+  REQUIRE_FALSE(error_of_reading(folder.path / "b.png").empty());
+  store(folder.path / "c.png", std::string(5000, 'x'));
+  REQUIRE_FALSE(error_of_reading(folder.path / "c.png").empty());
+}
+
+TEST_CASE("a PNG that is cut off anywhere before its last pixels is damaged") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.png";
+  write_png(path, gradient({30, 30}), {"title", ""});
+  const std::string whole = bytes_of(path);
+  for (std::size_t size = 0; size + 20 < whole.size(); size += 7) {
+    INFO(size << " of " << whole.size() << " bytes");
+    store(path, whole.substr(0, size));
+    REQUIRE_FALSE(error_of_reading(path).empty());
+  }
+}
+
+TEST_CASE("a PNG with a flipped bit either fails with FileError or decodes; it never crashes") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.png";
+  write_png(path, gradient({12, 12}), {"title", ""});
+  const std::string whole = bytes_of(path);
+  int damaged = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string changed = whole;
+    changed[i] = static_cast<char>(changed[i] ^ 0x10);
+    store(path, changed);
+    damaged += error_of_reading(path).empty() ? 0 : 1;
+  }
+  REQUIRE(damaged > static_cast<int>(whole.size()) / 2);
+}
+
+TEST_CASE("a header that asks for a huge picture is refused") {
+  const Folder folder;
+  const std::vector<std::uint8_t> row(20000 * 3);
+  store_as(folder.path / "a.png", PNG_FORMAT_RGB, {20000, 1}, row.data());
+  REQUIRE(error_of_reading(folder.path / "a.png").find("16384") != std::string::npos);
+}
+
+TEST_CASE("grey, palette and alpha become RGB, alpha over white") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.png";
+
+  const std::array<std::uint8_t, 2> grey = {0, 200};
+  store_as(path, PNG_FORMAT_GRAY, {2, 1}, grey.data());
+  REQUIRE(read_png(path).pixel(1, 0) == Color{200, 200, 200});
+
+  const std::array<std::uint8_t, 8> rgba = {255, 0, 0, 255, 0, 0, 100, 51};
+  store_as(path, PNG_FORMAT_RGBA, {2, 1}, rgba.data());
+  REQUIRE(read_png(path).pixel(0, 0) == Color{255, 0, 0});
+  REQUIRE(read_png(path).pixel(1, 0) == Color{204, 204, 224});  // 51/255 = 1/5 of it, the rest white
+
+  const std::array<std::uint8_t, 6> colors = {10, 20, 30, 40, 50, 60};
+  const std::array<std::uint8_t, 2> indices = {1, 0};
+  store_as(path, PNG_FORMAT_RGB_COLORMAP, {2, 1}, indices.data(), colors.data(), 2);
+  REQUIRE(read_png(path).pixel(0, 0) == Color{40, 50, 60});
+  REQUIRE(read_png(path).pixel(1, 0) == Color{10, 20, 30});
+}
+
+TEST_CASE("16 bits a channel, interlaced") {
+  // Every sample is 0x8080, and no gamma is stated.
+  const Folder folder;
+  const fs::path path = folder.path / "a.png";
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_init_io(png, file);
+  png_set_IHDR(png, info, 5, 5, 16, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_ADAM7, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  std::array<std::uint8_t, 10> row;
+  row.fill(0x80);
+  std::array<png_bytep, 5> rows;
+  rows.fill(row.data());
+  png_write_image(png, rows.data());
+  png_write_end(png, nullptr);
+  png_destroy_write_struct(&png, &info);
+  std::fclose(file);
+
+  const Image image = read_png(path);
+  REQUIRE(image.size() == Size{5, 5});
+  for (int i = 0; i < 25; ++i) REQUIRE(image.pixel(i % 5, i / 5) == Color{128, 128, 128});
+}

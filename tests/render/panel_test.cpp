@@ -1,0 +1,227 @@
+#include "render/panel.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace render;
+
+namespace {
+
+constexpr Size size{400, 300};
+const Box frame{{50, 20}, {350, 280}};
+const TextStyle style{.size = 20};
+
+/// A panel whose scene units are tenths of page units around the middle of the frame, (200,150).
+struct Desk {
+  Font font{Font::default_directory()};
+  Canvas canvas{size, size, palette::white, font};
+  View view = View::fit({-15, -13}, {15, 13}, frame, 10);
+};
+
+/// The box around the vertices from `first` on: what the labels drew, when nothing came after them.
+Box drawn_since(const Canvas& canvas, std::size_t first) {
+  const auto list = canvas.vertices();
+  REQUIRE(list.size() > first);
+  Box box{Vec2(list[first].x, list[first].y), Vec2(list[first].x, list[first].y)};
+  for (std::size_t i = first; i < list.size(); ++i) {
+    box.min = box.min.cwiseMin(Vec2(list[i].x, list[i].y));
+    box.max = box.max.cwiseMax(Vec2(list[i].x, list[i].y));
+  }
+  return box;
+}
+
+/// Places one label and returns its box.
+Box place_one(Desk& desk, Panel& panel, const Vec2& anchor, const Vec2& toward, const std::string& text) {
+  const std::size_t before = desk.canvas.vertices().size();
+  panel.label(anchor, toward, text, style);
+  panel.place_labels();
+  return drawn_since(desk.canvas, before);
+}
+
+bool inside(const Box& outer, const Box& inner) {
+  return outer.min.x() <= inner.min.x() && outer.min.y() <= inner.min.y() && inner.max.x() <= outer.max.x() &&
+         inner.max.y() <= outer.max.y();
+}
+
+}  // namespace
+
+TEST_CASE("a view turns y over, and back") {
+  const View view = View::fit({-2, -1}, {2, 1}, {{100, 100}, {300, 300}}, 1000);
+  REQUIRE(view.scale() == 50);  // the width decides
+  REQUIRE(view.page({0, 0}) == Vec2(200, 200));
+  REQUIRE(view.page({2, 1}) == Vec2(300, 150));
+  REQUIRE(view.page({0, -1}).y() > view.page({0, 1}).y());
+  for (const Vec2& p : {Vec2(0.3, -0.7), Vec2(-5, 2)}) REQUIRE(view.scene(view.page(p)).isApprox(p));
+}
+
+TEST_CASE("a view's scale: the tighter side decides, up to the limit, also for boxes without size") {
+  const Box page{{0, 0}, {100, 200}};
+  REQUIRE(View::fit({0, 0}, {10, 100}, page, 1000).scale() == 2);
+  REQUIRE(View::fit({0, 0}, {10, 1}, page, 1000).scale() == 10);
+  REQUIRE(View::fit({0, 0}, {10, 1}, page, 4).scale() == 4);
+  REQUIRE(View::fit({3, 3}, {3, 3}, page, 40).scale() == 40);
+  REQUIRE(View::fit({3, 3}, {3, 3}, page, 40).page({3, 3}) == page.center());
+  REQUIRE(View::fit({3, 0}, {3, 100}, page, 40).scale() == 2);
+}
+
+TEST_CASE("a panel clips to its frame while it lives") {
+  Desk desk;
+  {
+    Panel panel(desk.canvas, frame, desk.view);
+    panel.line({-100, 0}, {100, 0}, {});
+  }
+  desk.canvas.disc({5, 5}, 2, palette::ink);
+  const auto runs = desk.canvas.runs();
+  REQUIRE(runs.size() == 2);
+  REQUIRE(runs[0].left == 50);
+  REQUIRE(runs[0].bottom == 280);
+  REQUIRE(runs[1].left == 0);
+  REQUIRE(runs[1].bottom == 300);
+}
+
+TEST_CASE("the corners of a panel are those of its frame") {
+  Desk desk;
+  const Panel panel(desk.canvas, frame, desk.view);
+  const auto corners = panel.corners();
+  REQUIRE(corners.size() == 4);
+  for (const Vec2& corner : corners) {
+    const Vec2 page = desk.view.page(corner);
+    REQUIRE((page.x() == Approx(50) || page.x() == Approx(350)));
+    REQUIRE((page.y() == Approx(20) || page.y() == Approx(280)));
+  }
+}
+
+TEST_CASE("a grid has a line at every multiple of its step, unless they would run together") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  panel.grid(5, {.width = 1});
+  REQUIRE(desk.canvas.vertices().size() == 6 * (7 + 5));  // x: -15..15, y: -10..10
+  panel.grid(0.01, {.width = 1});
+  panel.grid(0, {.width = 1});
+  panel.grid(-1, {.width = 1});
+  REQUIRE(desk.canvas.vertices().size() == 6 * (7 + 5));
+}
+
+TEST_CASE("a label stands where it was asked to, beside its anchor") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  panel.disc({0, 0}, 4, palette::ink);
+  const Vec2 anchor = desk.view.page({0, 0});
+  REQUIRE(place_one(desk, panel, {0, 0}, {3, 0}, "abc").min.x() > anchor.x() + 4);
+  REQUIRE(place_one(desk, panel, {0, 0}, {-3, 0}, "abc").max.x() < anchor.x() - 4);
+  REQUIRE(place_one(desk, panel, {0, 0}, {0, 3}, "abc").max.y() < anchor.y() - 4);   // up in the scene
+  REQUIRE(place_one(desk, panel, {0, 0}, {0, -3}, "abc").min.y() > anchor.y() + 4);  // down
+  const Box anywhere = place_one(desk, panel, {0, 0}, {0, 0}, "abc");
+  REQUIRE(anywhere.center().x() > anchor.x());
+  REQUIRE(anywhere.max.y() < anchor.y() - 4);
+}
+
+TEST_CASE("capitals are centred on the height of their anchor") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  for (const char* text : {"H", "H_1"}) {
+    const std::size_t before = desk.canvas.vertices().size();
+    place_one(desk, panel, {0, 0}, {1, 0}, text);
+    const auto list = desk.canvas.vertices().subspan(before, 6);  // the H
+    REQUIRE((list[0].y + list[2].y) / 2 == Approx(desk.view.page({0, 0}).y()).margin(1));
+  }
+}
+
+TEST_CASE("labels keep off lines, arrows, rings and discs") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  // The whole upper right is crossed: a label that wants to go there has to turn.
+  panel.line({0, 0}, {8, 8}, {.width = 3});
+  panel.arrow({0, 0}, {8, 3}, {.width = 3});
+  panel.circle({1, 3}, 8, {.width = 2});
+  panel.disc({-4, 4}, 20, palette::ink);
+  const Box box = place_one(desk, panel, {0, 0}, {1, 1}, "A_1");
+  const auto crossed = [&](const Vec2& from, const Vec2& to, double radius) {
+    return clip_segment(desk.view.page(from), desk.view.page(to), box.grown(radius)).has_value();
+  };
+  REQUIRE_FALSE(crossed({0, 0}, {8, 8}, 1.5));
+  REQUIRE_FALSE(crossed({0, 0}, {8, 3}, 1.5));
+  REQUIRE_FALSE(crossed({1, 3}, {1, 3}, 9));
+  REQUIRE_FALSE(crossed({-4, 4}, {-4, 4}, 20));
+}
+
+TEST_CASE("labels keep off each other, first come first served") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  std::vector<Box> boxes;
+  const Box alone = place_one(desk, panel, {0, 0}, {1, 0}, "name");
+  for (int i = 0; i < 4; ++i) panel.label({0, 0}, {1, 0}, "name", style);
+  const std::size_t before = desk.canvas.vertices().size();
+  panel.place_labels();
+  const auto list = desk.canvas.vertices().subspan(before);
+  REQUIRE(list.size() == 4 * 4 * 6);
+  for (std::size_t label = 0; label < 4; ++label) {
+    Box box{Vec2(1e9, 1e9), Vec2(-1e9, -1e9)};
+    for (const CanvasVertex& vertex : list.subspan(label * 4 * 6, 4 * 6)) {
+      box.min = box.min.cwiseMin(Vec2(vertex.x, vertex.y));
+      box.max = box.max.cwiseMax(Vec2(vertex.x, vertex.y));
+    }
+    for (const Box& other : boxes) REQUIRE_FALSE(box.overlaps(other));
+    boxes.push_back(box);
+  }
+  REQUIRE(boxes[0].min == alone.min);
+}
+
+TEST_CASE("labels stay inside the frame") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  for (const Vec2& corner : panel.corners()) {
+    const Box box = place_one(desk, panel, 0.99 * corner, corner, "outward");
+    REQUIRE(inside(frame.grown(-3), box));
+  }
+}
+
+TEST_CASE("a label without a free place is drawn all the same") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  for (double y = -13; y <= 13; y += 0.5) panel.line({-15, y}, {15, y}, {.width = 1});
+  REQUIRE(inside(frame, place_one(desk, panel, {0, 0}, {1, 1}, "crowded")));
+}
+
+TEST_CASE("fills and grids are no obstacles") {
+  Desk desk;
+  Panel plain(desk.canvas, frame, desk.view);
+  const Box alone = place_one(desk, plain, {0, 0}, {1, 1}, "A");
+  Panel panel(desk.canvas, frame, desk.view);
+  panel.polygon(std::array{Vec2(-9, -9), Vec2(9, -9), Vec2(0, 9)}, palette::sky);
+  panel.grid(1, {});
+  REQUIRE(place_one(desk, panel, {0, 0}, {1, 1}, "A").min == alone.min);
+}
+
+TEST_CASE("the name of an area stands inside it, clear of lines and of the names of points") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  const std::array<Vec2, 3> triangle = {{{-12, -10}, {12, -10}, {0, 10}}};
+  const Vec2 middle(0, -10.0 / 3);
+  panel.line(middle - Vec2(12, 0), middle + Vec2(12, 0), {});
+  const std::size_t before = desk.canvas.vertices().size();
+  panel.name_area(triangle, "R3", style);
+  panel.place_labels();
+  const Box box = drawn_since(desk.canvas, before);
+  for (const Vec2& corner : {box.min, box.max, Vec2(box.min.x(), box.max.y()), Vec2(box.max.x(), box.min.y())}) {
+    const Vec2 p = desk.view.scene(corner);
+    REQUIRE(p.y() > -10);
+    REQUIRE(std::abs(p.x()) < 12 * (10 - p.y()) / 20);
+  }
+  const double line = desk.view.page(middle).y();
+  REQUIRE((box.max.y() < line - 10 || box.min.y() > line + 10));
+}
+
+TEST_CASE("an area too small for its name is named all the same") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  const std::array<Vec2, 3> speck = {{{0, 0}, {0.1, 0}, {0, 0.1}}};
+  const std::size_t before = desk.canvas.vertices().size();
+  panel.name_area(speck, "R3", style);
+  panel.place_labels();
+  REQUIRE(desk.canvas.vertices().size() > before);
+}

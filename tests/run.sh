@@ -1,0 +1,22 @@
+#!/bin/sh
+# Installs what is missing, builds, and runs all tests: once as users build the program, with warnings as errors, and
+# once with AddressSanitizer and UndefinedBehaviorSanitizer. Ends with the timings of plain and observed calls.
+set -eu
+cd "$(dirname "$0")/.."
+. walkthroughs/setup.sh
+
+run_tests() {
+  ctest --test-dir "$1" --output-on-failure --parallel 2 || stop "tests failed in $1"
+}
+
+require_packages $program_packages catch2 libbenchmark-dev libboost-dev
+
+build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
+printf '\nPlain and observed calls\n'
+build/gjkstep-bench --benchmark_min_time=0.05
+run_tests build
+
+build build/sanitized all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON -DGJKSTEP_SANITIZE=ON
+# Mesa and LLVM keep some memory until the process ends; those leaks are left out by name.
+export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0"
+run_tests build/sanitized

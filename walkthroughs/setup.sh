@@ -1,0 +1,53 @@
+# Sourced by walkthroughs/run.sh and tests/run.sh from the top of the project: installs what is missing, and builds.
+# shellcheck shell=sh
+
+program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libgl-dev libpng-dev libfreetype-dev \
+fonts-dejavu-core nlohmann-json3-dev libcli11-dev"
+
+stop() {
+  printf '%s: %s\n' "$0" "$1" >&2
+  exit 1
+}
+
+# Prints those of the packages named that are not installed.
+missing_packages() {
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || printf ' %s' "$package"
+  done
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+# Installs the packages named, as far as they are missing, or stops and says what to run.
+require_packages() {
+  command -v dpkg-query >/dev/null || stop "this is not a Debian system; install the counterparts of these Debian packages, then build with cmake: $*"
+  missing=$(missing_packages "$@")
+  [ -z "$missing" ] && return
+  by_hand="missing packages:$missing
+install them with:
+  sudo apt-get update && sudo apt-get install --no-install-recommends$missing"
+  [ "$(id -u)" -eq 0 ] || command -v sudo >/dev/null || stop "$by_hand"
+  printf 'installing%s\n' "$missing"
+  as_root apt-get update -qq || stop "apt-get update failed; $by_hand"
+  # shellcheck disable=SC2086  # a list of names
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null ||
+    stop "apt-get install failed; $by_hand"
+  missing=$(missing_packages "$@")
+  [ -z "$missing" ] || stop "$by_hand"
+}
+
+# build FOLDER TARGET [-DOPTION=VALUE ...]: configures what has not been configured so, and builds. Quiet unless it fails.
+build() {
+  folder=$1 target=$2
+  shift 2
+  log=$folder/build.log
+  mkdir -p "$folder"
+  if { cmake -S . -B "$folder" -G Ninja "$@" && cmake --build "$folder" --target "$target"; } >"$log" 2>&1; then
+    grep -q 'ninja: no work to do' "$log" || printf 'built %s\n' "$folder"
+  else
+    tail -n 50 "$log" >&2
+    stop "the build failed; the whole log is in $log"
+  fi
+}
