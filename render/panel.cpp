@@ -12,7 +12,7 @@ namespace {
 
 // Page units.
 constexpr double frame_margin = 4;              // between a label and the frame
-constexpr double line_clearance = 2;            // between a label and an obstacle
+constexpr double line_clearance = 4;            // between a label and an obstacle
 constexpr double label_clearance = 16;          // between two labels
 constexpr std::array gaps = {9.0, 16.0, 26.0};  // between a label and its anchor, in the order they are tried
 constexpr double area_clearance = 12;           // between the name of an area and everything else

@@ -23,7 +23,7 @@ constexpr double panels_top = 76, panels_bottom = 536;
 constexpr double text_left = 250, mark_width = 34;
 constexpr double first_line = 576, line_pitch = 32;
 constexpr double max_scale = 1e9;                              // for a scene that is a single point
-constexpr double objects_margin = 70, difference_margin = 60;  // around a scene: room for arrows, for labels
+constexpr double objects_margin = 70, difference_margin = 64;  // around a scene: room for arrows, for labels
 
 const TextStyle caption_style{.size = 26};
 const TextStyle fact_style{.size = 23};
@@ -53,8 +53,9 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
               {.size = 24, .weight = render::Weight::bold});
   canvas.text({left_margin, first_line + line_pitch}, "iteration " + std::to_string(frame.moments[0].iteration),
               small_style);
-  canvas.text({left_margin, first_line + 2 * line_pitch},
-              "simplex " + list_of_names(frame.moments[0].simplex, story.hulls[0]), small_style);
+  const Simplex& simplex = frame.moments[0].simplex;
+  const std::string now = simplex.size() == 0 ? "no simplex yet" : "simplex " + list_of_names(simplex, story.hulls[0]);
+  canvas.text({left_margin, first_line + 2 * line_pitch}, now, small_style);
   double y = first_line;
   for (const std::string& line : render::wrap(canvas, frame.caption, caption_style, right_margin - text_left)) {
     canvas.text({text_left, y}, line, caption_style);

@@ -12,7 +12,7 @@ Walkthrough figure_4_right_no_crossing_test() {
           .summary = "the search goes A, E, F and ends when it runs out of points",
           .scenes = {scene},
           .remarks = {{Remark::At::region_tested, 2, "it lies beyond E, in R2, which only the crossing test rules out"},
-                      {Remark::At::end, 4, "the test of 3.1.3 ends at the first E"}}};
+                      {Remark::At::end, 4, "the test of Section 3.1.3 ends at the first E"}}};
 }
 
 }  // namespace walkthroughs

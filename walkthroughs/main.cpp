@@ -14,7 +14,7 @@ namespace {
 
 using walkthroughs::Walkthrough;
 
-enum ExitCode { ok = 0, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
+enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
 
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -151,5 +151,7 @@ int main(int argc, char** argv) {
     return fail(no_context, error);
   } catch (const render::FileError& error) {
     return fail(cannot_write, error);
+  } catch (const std::exception& error) {
+    return fail(unexpected, error);
   }
 }

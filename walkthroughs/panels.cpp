@@ -21,12 +21,13 @@ namespace palette = render::palette;
 constexpr double title_height = 36;
 constexpr double arrow_length = 60;  // directions have no length of their own
 constexpr double point_radius = 7;
-constexpr double key_pitch = 64;  // a sign with the space around it
+constexpr double key_pitch = 58;  // a sign with the space around it
 constexpr double page_diagonal = 1500;
 
 const Stroke grid_line{palette::faint, 1};
 const Stroke hull_line{palette::grey, 2.5};
 const Stroke added_line{palette::green, 4, {11, 9}};
+const Stroke move_line{palette::green, 2, {11, 9}};
 const Stroke former_line{palette::grey, 2, {4, 7}};
 const Stroke direction_line{palette::vermillion, 4.5};
 const Stroke support_line{palette::vermillion, 2, {14, 5}};
@@ -146,7 +147,7 @@ void draw_title(render::Canvas& canvas, const Place& place, const std::vector<Ke
   for (auto entry = key.rbegin(); entry != key.rend(); ++entry) {
     x -= width(entry->text);
     canvas.text({x, baseline}, entry->text, title_style);
-    entry->draw(canvas, {x - 25, baseline - 7});
+    entry->draw(canvas, {x - 23, baseline - 7});
     x -= key_pitch;
   }
 }
@@ -228,6 +229,8 @@ class DifferencePicture {
     if (corners.size() == 3) panel_.polygon(corners, palette::green.with_alpha(40));
     for (std::size_t i = 0; i < corners.size(); ++i)
       for (std::size_t j = i + 1; j < corners.size(); ++j) panel_.line(corners[i], corners[j], added_line);
+    if (now_.found && !in_simplex(now_.found->w))
+      for (const Vec2& corner : corners) panel_.line(corner, plane(now_.found->w), move_line);
   }
 
   void vertices() {
