@@ -114,7 +114,10 @@ struct NobodyListens {
 template <class S>
 struct Trace {
   std::vector<Event<S>> events;
-  void operator()(Event<S> event) { events.push_back(std::move(event)); }
+  template <class E>
+  void operator()(E&& event) {
+    events.emplace_back(std::forward<E>(event));
+  }
 };
 
 /// Hands events of one iteration to an observer. An event is described by a function that makes it, so that nothing

@@ -12,7 +12,7 @@
 ///  P3. A is the vertex added last. The others stay in the order in which they were added, except where Algorithm 4
 ///      moves below a triangle and where Algorithm 5 keeps a face.
 ///  P4. Normals point away from the simplex: no vertex of the triangle or tetrahedron lies on their side of A.
-///  P5. Of four vertices, A lies in the direction of BC×BD.
+///  P5. Of four vertices, A lies in the direction of BC×BD. (Without the crossing test it may lie in their plane.)
 ///
 /// Sets are closed: touching is intersecting.
 #pragma once
@@ -64,7 +64,7 @@ class Search {
       result_.simplex.add(vertex);
       tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
       const Step<S> step = process<Rules>(result_.simplex, tell_);
-      if (!step.direction) return finish(Status::intersecting, Reason::simplex_contains_origin);
+      if (!step.direction) return finish_with_origin_in_simplex(vertex.w);
       result_.simplex = step.simplex;
       direction_ = *step.direction;
     }
@@ -97,7 +97,15 @@ class Search {
     return crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
   }
 
-  /// The search stops at a vertex that is not added. Only w·d < 0 proves that the sets are apart.
+  /// The rules find the origin in the simplex. Where a segment points at the origin or a triangle is flat they rely on
+  /// the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
+  Result<S> finish_with_origin_in_simplex(const Vec3<S>& w) {
+    if (options_.crossing_test == CrossingTest::off && w.dot(direction_) < S(0))
+      return finish_outside(w, Reason::origin_not_crossed);
+    return finish(Status::intersecting, Reason::simplex_contains_origin);
+  }
+
+  /// The search stops without having found the origin. Only w·d < 0 proves that the sets are apart.
   Result<S> finish_outside(const Vec3<S>& w, Reason reason) {
     const S support_value = w.dot(direction_);
     if (!(support_value < S(0))) return finish(Status::undecided, reason);

@@ -83,12 +83,18 @@ void skip(const Simplex<S>& simplex, std::string_view feature, std::string_view 
   });
 }
 
+/// Returns: what can be said with the crossing test (Eq. 9) on, or what is left of it when it is off.
+template <class Obs>
+std::string_view by_crossing_test(const Teller<Obs>& tell, std::string_view on, std::string_view off) {
+  return tell.crossing_test() == CrossingTest::on ? on : off;
+}
+
 /// Tells of the region beyond A, which the report skips because of the crossing test, and only because of it.
 template <class S, class Obs>
 void skip_beyond_A(const Simplex<S>& simplex, std::string_view label, Teller<Obs>& tell) {
   skip(simplex, "A", label,
-       tell.crossing_test() == CrossingTest::on ? "the move to A crossed the origin, so the origin is not beyond A"
-                                                : "only the crossing test rules this out, and this run does without it",
+       by_crossing_test(tell, "the move to A crossed the origin, so the origin is not beyond A",
+                        "only the crossing test rules this out, and this run does without it"),
        tell);
 }
 
@@ -210,7 +216,9 @@ struct AsIntended {
                              .value = direction,
                              .relation = on_segment ? Relation::zero : Relation::not_zero,
                              .verdict = Verdict::chosen,
-                             .reason = on_segment ? "the origin lies on AB" : "the origin lies to one side of AB"};
+                             .reason = std::string(on_segment ? by_crossing_test(tell, "the origin lies on AB",
+                                                                                 "the origin lies on the line AB")
+                                                              : "the origin lies to one side of AB")};
     });
     if (on_segment) return {simplex, std::nullopt};
     return keep_all(simplex, direction, "AB×AO×AB", tell);
@@ -222,9 +230,9 @@ struct AsIntended {
   ///
   ///              R2
   ///               A
-  ///         R7  /   \  R3
+  ///         R3  /   \  R7
   ///            / R1  \           seen from the side that ABCn points to,
-  ///       R6  C ───── B  R4      R1 reaching above and below the paper
+  ///       R4  B ───── C  R6      R1 reaching above and below the paper
   ///              R5
   ///
   /// Outcomes: R3 → keep [B, A]. R7 → keep [C, A]. Else R1: in the plane → contained; above → keep all, search along
@@ -291,21 +299,23 @@ struct AsIntended {
   static Step<S> process_inside_triangle(const Simplex<S>& simplex, const Vec3<S>& ABCn, Teller<Obs>& tell) {
     const S v = -ABCn.dot(simplex.point(Role::A));
     tell([&] {
-      return RegionTested<S>{.simplex_size = 3,
-                             .feature = "ABC",
-                             .label = "R1",
-                             .face = {},
-                             .expression = "ABCn·AO",
-                             .formula = "AB×AC",
-                             .normal = ABCn,
-                             .value = v,
-                             .relation = v == S(0)  ? Relation::zero
-                                         : v > S(0) ? Relation::positive
-                                                    : Relation::negative,
-                             .verdict = Verdict::chosen,
-                             .reason = v == S(0)  ? "the origin lies in the triangle"
-                                       : v > S(0) ? "the origin lies above the triangle, on the side of ABCn"
-                                                  : "the origin lies below the triangle, on the side of −ABCn"};
+      return RegionTested<S>{
+          .simplex_size = 3,
+          .feature = "ABC",
+          .label = "R1",
+          .face = {},
+          .expression = "ABCn·AO",
+          .formula = "AB×AC",
+          .normal = ABCn,
+          .value = v,
+          .relation = v == S(0)  ? Relation::zero
+                      : v > S(0) ? Relation::positive
+                                 : Relation::negative,
+          .verdict = Verdict::chosen,
+          .reason = std::string(
+              v == S(0)  ? by_crossing_test(tell, "the origin lies in the triangle", "the origin lies in its plane")
+              : v > S(0) ? "the origin lies above the triangle, on the side of ABCn"
+                         : "the origin lies below the triangle, on the side of −ABCn")};
     });
     if (v == S(0)) return {simplex, std::nullopt};
     if (v > S(0)) return keep_all(simplex, ABCn, "ABCn", tell);

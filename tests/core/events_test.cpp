@@ -1,0 +1,160 @@
+/// What a run tells: complete, consistent, and without influence on the run.
+#include "core/events.hpp"
+
+#include <set>
+
+#include "tests/catch.hpp"
+#include "tests/core/replay.hpp"
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+namespace {
+
+using V = Vec3<double>;
+
+/// Requires that the events are complete, fit together, and end with the result. Returns: their kinds.
+template <class S>
+std::string require_replayable(const Run<S>& run) {
+  std::string kinds;
+  REQUIRE_NOTHROW(kinds = replayed(run.events));
+  REQUIRE(same_result(std::get<Finished<S>>(run.events.back()).result, run.result));
+  return kinds;
+}
+
+template <class S, class A, class B>
+Run<S> require_same_plain_and_observed(const A& a, const B& b, const Options<S>& options = {}) {
+  const Run<S> run = observed<S>(a, b, options);
+  REQUIRE(same_result(run.result, asked<S>(a, b, options)));
+  return run;
+}
+
+TEMPLATE_TEST_CASE("An observed run and a plain run give the same result bit for bit, and the trace replays the run",
+                   "[events]", float, double, long double, Rational) {
+  using S = TestType;
+  const std::uint64_t seed = 10;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 500; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    INFO("pair " << i);
+    for (const CrossingTest test : {CrossingTest::on, CrossingTest::off}) {
+      Options<S> options;
+      options.crossing_test = test;
+      options.first_direction = i % 3 ? Vec3<S>(S(1), S(0), S(0)) : vec<S>(dice.point(2));
+      options.iteration_limit = i % 7 ? 20 : i % 4;
+      require_replayable(require_same_plain_and_observed(point_set<S>(t.a), point_set<S>(t.b), options));
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("Curved sets are observed without influence too", "[events]", float, double, long double) {
+  using S = TestType;
+  const std::uint64_t seed = 11;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 500; ++i) {
+    const auto number = [&] { return static_cast<S>(dice.between(-1., 1.)); };
+    const Sphere<S> a({number(), number(), number()}, S(0.5)), b({number(), number(), number()}, S(0.75));
+    const MinkowskiSum<S, Sphere<S>, PointSet<S>> rounded(a, PointSet<S>({Vec3<S>(0, 0, 1), Vec3<S>(1, 0, 0)}));
+    require_replayable(require_same_plain_and_observed<S>(a, b));
+    require_replayable(require_same_plain_and_observed<S>(rounded, b));
+  }
+}
+
+TEST_CASE("Every exit is told: the trace ends with exactly one Finished, whatever the reason", "[events]") {
+  const auto point = point_set<double>({{0, 0, 0}}), apart = point_set<double>({{2, 1, 0}, {2, -1, 0}});
+  const auto around = point_set<double>({{-1, -1, -1}, {3, 0, 0}, {-1, 3, 0}, {0, 0, 3}});
+  const auto end = [&](const auto& a, Options<double> options) {
+    const auto run = observed<double>(a, point, options);
+    const std::string kinds = require_replayable(run);
+    return std::pair(run.result.reason, kinds);
+  };
+  Options<double> standard, off = without_crossing_test<double>(), none, zero;
+  none.iteration_limit = 0;
+  zero.first_direction = V(0, 0, 0);
+
+  REQUIRE(end(apart, standard) == std::pair(Reason::origin_not_crossed, std::string("SVCARDVCF")));
+  REQUIRE(end(apart, off).first == Reason::no_new_vertex);
+  REQUIRE(end(apart, off).second.ends_with("VCF"));
+  REQUIRE(end(around, standard).first == Reason::simplex_contains_origin);
+  REQUIRE(end(around, standard).second.ends_with("RF"));
+  REQUIRE(end(around, none) == std::pair(Reason::iteration_limit, std::string("SF")));
+  REQUIRE(end(around, zero) == std::pair(Reason::unusable_direction, std::string("SF")));
+  none.iteration_limit = 1;
+  REQUIRE(end(around, none) == std::pair(Reason::iteration_limit, std::string("SVCARDF")));
+}
+
+TEST_CASE("Every event of an iteration comes in the order in which it happens", "[events]") {
+  const auto run = observed<double>(point_set<double>({{-1, -1, -1}, {3, 0, 0}, {-1, 3, 0}, {0, 0, 3}}),
+                                    point_set<double>({{0, 0, 0}}));
+  // One region for a vertex, three for a segment, seven for a triangle, twelve for a tetrahedron: nothing is left out.
+  REQUIRE(require_replayable(run) == "SVCARDVCARRRDVCARRRRRRRDVCARRRRRRRRRRRRF");
+}
+
+TEST_CASE("Indices in events are the places of the points in their lists", "[events]") {
+  const Points a{{5, 0, 0}, {-4, 1, 1}, {-4, -3, 0}, {1, 1, -5}}, b{{0, 0, 1}, {1, 0, 0}};
+  const auto run = observed<double>(point_set<double>(a), point_set<double>(b));
+  for (const auto& found : events_of_kind<SupportFound<double>>(run.events)) {
+    REQUIRE(found.vertex.a.point == vec<double>(a[static_cast<std::size_t>(found.vertex.a.index.value())]));
+    REQUIRE(found.vertex.b.point == vec<double>(b[static_cast<std::size_t>(found.vertex.b.index.value())]));
+  }
+}
+
+TEST_CASE("The reason for the first direction says whether the caller asked for it", "[events]") {
+  const auto point = point_set<double>({{0, 0, 0}});
+  Options<double> options;
+  const auto why = [&] {
+    return std::get<SearchStarted<double>>(observed<double>(point, point, options).events[0]).why;
+  };
+  const std::string usual = why();
+  options.first_direction = V(0, 1, 0);
+  REQUIRE(why() != usual);
+}
+
+TEST_CASE("Beyond A is skipped for another reason where the crossing test is off", "[events]") {
+  const auto a = point_set<double>({{2, 1, 0}, {-2, 1, 0}, {0, -3, 0}}), point = point_set<double>({{0, 0, 0}});
+  const auto reasons = [&](const Options<double>& options) {
+    std::set<std::string> told;
+    for (const auto& region : events_of_kind<RegionTested<double>>(observed<double>(a, point, options).events))
+      if (region.feature == "A" && region.verdict == Verdict::skipped) told.insert(region.reason);
+    return told;
+  };
+  REQUIRE(reasons({}).size() == 1);
+  REQUIRE(reasons(without_crossing_test<double>()).size() == 1);
+  REQUIRE(reasons({}) != reasons(without_crossing_test<double>()));
+}
+
+TEST_CASE("Anything that takes an event observes, also a function that looks at one kind only", "[events]") {
+  const auto a = point_set<double>({{2, 1, 0}, {-2, 1, 0}, {0, -3, 0}}), point = point_set<double>({{0, 0, 0}});
+  int calls = 0;
+  const auto count_supports = [&]<class E>(const E&) { calls += std::is_same_v<E, SupportFound<double>>; };
+  const auto result = collision<double>(a, point, {}, count_supports);
+  REQUIRE(calls == result.iterations);
+  STATIC_REQUIRE(Observer<Trace<Rational>, Rational>);
+  STATIC_REQUIRE(Observer<const NobodyListens, float>);
+  STATIC_REQUIRE_FALSE(Observer<int, double>);
+}
+
+TEST_CASE("A trace that lacks an event, or tells one twice or too early, does not replay", "[events]") {
+  const auto run = observed<double>(point_set<double>({{2, 1, 0}, {-2, 1, 0}, {0, -3, 0}, {0, 0, 9}, {1, 0, -9}}),
+                                    point_set<double>({{0, 1, 1}, {1, 0, 0}}));
+  REQUIRE_NOTHROW(replayed(run.events));
+  for (std::size_t i = 0; i < run.events.size(); ++i) {
+    INFO("event " << i);
+    const bool region = std::holds_alternative<RegionTested<double>>(run.events[i]);
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    auto lacking = run.events, twice = run.events, early = run.events;
+    lacking.erase(lacking.begin() + at);
+    twice.insert(twice.begin() + at, run.events[i]);
+    // A region that says no leaves the run as it is; which regions there are is asserted in the tests of the rules.
+    if (!region) REQUIRE_THROWS_AS(replayed(lacking), std::logic_error);
+    if (!region) REQUIRE_THROWS_AS(replayed(twice), std::logic_error);
+    if (i == 0) continue;
+    std::swap(early[i - 1], early[i]);
+    if (!region || !std::holds_alternative<RegionTested<double>>(run.events[i - 1]))
+      REQUIRE_THROWS_AS(replayed(early), std::logic_error);
+  }
+}
+
+}  // namespace
+}  // namespace gjk::test

@@ -1,0 +1,273 @@
+/// collision(): answers, reasons, evidence and options.
+#include "core/gjk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/catch.hpp"
+#include "tests/core/evidence.hpp"
+
+namespace gjk::test {
+namespace {
+
+using V = Vec3<double>;
+
+const Points origin_only{{0, 0, 0}};
+const Points cube{{-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}, {1, -1, 1}, {1, 1, -1}, {1, 1, 1}};
+
+template <class S>
+Result<S> of(const Points& a, const Points& b, const Options<S>& options = {}) {
+  return asked<S>(point_set<S>(a), point_set<S>(b), options);
+}
+
+// -- Answers and evidence -----------------------------------------------------------------------------------------------
+
+TEMPLATE_TEST_CASE("Sets that overlap are intersecting, and the last simplex contains the origin", "[gjk]", float,
+                   double, long double, Rational) {
+  const Points moved_cube = moved(cube, {1, 0, 1});
+  const auto result = of<TestType>(cube, moved_cube);
+  REQUIRE(result.status == Status::intersecting);
+  REQUIRE(result.reason == Reason::simplex_contains_origin);
+  require_evidence(result, cube, moved_cube);
+}
+
+TEMPLATE_TEST_CASE("Sets that are apart are separated, and the last direction separates every two of their points",
+                   "[gjk]", float, double, long double, Rational) {
+  const Points moved_cube = moved(cube, {3, 1, -2});
+  const auto result = of<TestType>(cube, moved_cube);
+  REQUIRE(result.status == Status::separated);
+  REQUIRE(result.reason == Reason::origin_not_crossed);
+  require_evidence(result, cube, moved_cube);
+}
+
+TEMPLATE_TEST_CASE("Two cubes meet exactly where no coordinate of their distance exceeds the sum of their halves",
+                   "[gjk]", float, double, long double, Rational) {
+  int touching = 0;
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y)
+      for (int z = -3; z <= 3; ++z) {
+        INFO("moved by " << x << " " << y << " " << z);
+        const int farthest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+        touching += farthest == 2;
+        const Points other = moved(cube, {x, y, z});
+        const auto result = of<TestType>(cube, other);
+        REQUIRE(result.status == (farthest <= 2 ? Status::intersecting : Status::separated));
+        require_evidence(result, cube, other);
+        if (farthest > 2) continue;
+        REQUIRE(of<TestType>(cube, other, without_crossing_test<TestType>()).status == Status::intersecting);
+      }
+  REQUIRE(touching == 125 - 27);
+}
+
+TEMPLATE_TEST_CASE("Touching is intersecting", "[gjk]", float, double, long double, Rational) {
+  const Points triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const auto touches = [&](const Points& other) {
+    const auto result = of<TestType>(triangle, other);
+    REQUIRE(result.status == Status::intersecting);
+    require_evidence(result, triangle, other);
+    REQUIRE(of<TestType>(other, triangle).status == Status::intersecting);
+  };
+  SECTION("vertex and vertex") { touches({{4, 0, 0}, {6, 0, 1}, {6, 0, -1}, {6, 2, 0}}); }
+  SECTION("vertex and edge") { touches({{2, 2, 0}, {4, 4, 1}, {4, 4, -1}, {5, 3, 0}}); }
+  SECTION("vertex and face") { touches({{1, 1, 0}, {1, 1, 3}, {2, 1, 3}, {1, 2, 3}}); }
+  SECTION("edge and edge") { touches({{3, 3, -1}, {1, 1, 1}, {3, 3, 1}}); }
+  SECTION("edge along edge") { touches({{1, 3, 0}, {3, 1, 0}, {4, 4, 5}}); }
+  SECTION("face on face") { touches({{1, 1, 0}, {5, 1, 0}, {1, 5, 0}, {2, 2, 9}}); }
+  SECTION("the same set") { touches(triangle); }
+  SECTION("a point at a vertex") { touches({{0, 4, 0}}); }
+}
+
+TEST_CASE("Sets that would touch but for one unit in the last place are separated", "[gjk]") {
+  const PointSet<double> segment({V(0, 0, 0), V(1, 0, 0)});
+  const double beyond = std::nextafter(1.0, 2.0);
+  REQUIRE(asked<double>(segment, PointSet<double>({V(1, 0, 0)})).status == Status::intersecting);
+  REQUIRE(asked<double>(segment, PointSet<double>({V(beyond, 0, 0)})).status == Status::separated);
+}
+
+TEST_CASE("E1. Two unit spheres at (0,0,0) and (10,0,0) are separated: the search ends where the origin is not crossed",
+          "[gjk]") {
+  const auto run = observed<double>(Sphere<double>(V(0, 0, 0), 1), Sphere<double>(V(10, 0, 0), 1));
+  REQUIRE(run.result.status == Status::separated);
+  REQUIRE(run.result.reason == Reason::origin_not_crossed);
+  REQUIRE(run.result.separation->support_value < 0);
+}
+
+TEST_CASE("w·d = 0 proves nothing: the search goes on (Eq. 9 is <, not <=)", "[gjk]") {
+  // The second vertex is the origin itself, found along AO with w·d = 0.
+  const auto run = observed<double>(point_set<double>({{2, 0, 0}, {0, 0, 0}}), point_set<double>(origin_only));
+  const auto tests = events_of_kind<CrossingTested<double>>(run.events);
+  REQUIRE(tests[1].value == 0.0);
+  REQUIRE(tests[1].verdict == Crossing::crossed);
+  REQUIRE(run.result.status == Status::intersecting);
+}
+
+TEST_CASE("The crossing test is not applied to the first point: nothing was crossed from anywhere", "[gjk]") {
+  // The first vertex is (-1,0,0), found along +x, with w·d = -1.
+  const auto run = observed<double>(point_set<double>({{-1, 0, 0}}), point_set<double>(origin_only));
+  const auto tests = events_of_kind<CrossingTested<double>>(run.events);
+  REQUIRE(tests[0].verdict == Crossing::first_point);
+  REQUIRE_FALSE(tests[0].value.has_value());
+  REQUIRE(run.result.iterations == 2);
+}
+
+// -- Undecided --------------------------------------------------------------------------------------------------------
+
+// READING, E4: Algorithm 5 takes the first face that sees the origin, and comes back to the same simplex for ever.
+const Points cycling_apart_a{{-2, 3, 3}, {1, 3, 1}, {3, -2, -1}, {-4, -5, -2}};
+const Points cycling_apart_b{{-1, 3, 2}, {0, 10, 4}, {8, 9, 0}};
+const Points cycling_meeting_a{{274, -351, 0}, {95, -20, 0}, {104, 344, 0}, {346, 81, -2}};
+const Points cycling_meeting_b{{70, 207, -1}, {-168, -26, 0}, {144, -198, -1}, {112, 1, 0}};
+
+TEMPLATE_TEST_CASE("E2, E4. A search that cycles is undecided at the iteration limit, never \"no collision\"", "[gjk]",
+                   double, Rational) {
+  Options<TestType> patient;
+  patient.iteration_limit = 200;
+  for (const auto& options : {Options<TestType>{}, patient}) {
+    const auto require_undecided = [&](const Points& a, const Points& b) {
+      const auto result = of<TestType>(a, b, options);
+      REQUIRE(result.status == Status::undecided);
+      REQUIRE(result.reason == Reason::iteration_limit);
+      REQUIRE(result.iterations == options.iteration_limit);
+      REQUIRE_FALSE(result.separation.has_value());
+    };
+    require_undecided(cycling_apart_a, cycling_apart_b);
+    require_undecided(cycling_meeting_a, cycling_meeting_b);
+  }
+}
+
+TEST_CASE("The iteration limit bounds the calls of the support functions", "[gjk]") {
+  Options<double> options;
+  const auto a = point_set<double>(cube), b = point_set<double>(moved(cube, {1, 0, 1}));
+  const int needed = asked<double>(a, b).iterations;
+  REQUIRE(needed > 2);
+  for (const int limit : {-1, 0, 1, needed - 1}) {
+    INFO("limit " << limit);
+    options.iteration_limit = limit;
+    const auto result = asked<double>(a, b, options);
+    REQUIRE(result.status == Status::undecided);
+    REQUIRE(result.reason == Reason::iteration_limit);
+    REQUIRE(result.iterations == std::max(limit, 0));
+    REQUIRE(result.simplex.size() <= result.iterations);
+  }
+  options.iteration_limit = needed;
+  REQUIRE(asked<double>(a, b, options).status == Status::intersecting);
+}
+
+TEST_CASE("A first direction that is zero, infinite or not a number is unusable, and no support function sees it",
+          "[gjk]") {
+  const double infinite = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  for (const V& d : {V(0, 0, 0), V(nan, 0, 0), V(1, nan, 0), V(1, 0, infinite), V(-infinite, 0, 0)}) {
+    Options<double> options;
+    options.first_direction = d;
+    const auto result = of<double>(cube, cube, options);
+    REQUIRE(result.status == Status::undecided);
+    REQUIRE(result.reason == Reason::unusable_direction);
+    REQUIRE(result.iterations == 0);
+    REQUIRE(result.simplex.size() == 0);
+  }
+}
+
+TEST_CASE("E6. Where products overflow, the search ends undecided: the direction is unusable", "[gjk]") {
+  const auto huge = [](const Points& points) {
+    std::vector<V> placed;
+    for (const Point& p : points) placed.push_back(vec<double>(p) * 1e200);
+    return PointSet<double>(placed);
+  };
+  const auto result = asked<double>(huge({{3, 1, 0}, {-3, 2, 0}, {-1, -4, 1}}), huge(origin_only));
+  REQUIRE(result.status == Status::undecided);
+  REQUIRE(result.reason == Reason::unusable_direction);
+}
+
+// -- Options ------------------------------------------------------------------------------------------------------------
+
+TEST_CASE("The answer does not depend on the first direction", "[gjk]") {
+  for (const V& d : {V(1, 0, 0), V(-1, 0, 0), V(1, -2, 3), V(0, 1e-9, 0), V(-4e9, 1, 1)}) {
+    Options<double> options;
+    options.first_direction = d;
+    REQUIRE(of<double>(cube, moved(cube, {1, 1, 2}), options).status == Status::intersecting);
+    REQUIRE(of<double>(cube, moved(cube, {1, 1, 3}), options).status == Status::separated);
+    const auto run = observed<double>(point_set<double>(cube), point_set<double>(origin_only), options);
+    REQUIRE(std::get<SupportFound<double>>(run.events[1]).direction == d);
+  }
+}
+
+TEST_CASE("Without the crossing test a search that runs out of vertices ends separated, with proof", "[gjk]") {
+  const Points far = moved(cube, {5, 1, 2});
+  const auto run = observed<double>(point_set<double>(cube), point_set<double>(far), without_crossing_test<double>());
+  REQUIRE(run.result.status == Status::separated);
+  REQUIRE(run.result.reason == Reason::no_new_vertex);
+  require_evidence(run.result, cube, far);
+  for (const auto& test : events_of_kind<CrossingTested<double>>(run.events)) {
+    REQUIRE(test.verdict == Crossing::switched_off);
+    REQUIRE_FALSE(test.value.has_value());
+  }
+}
+
+TEST_CASE("Without the crossing test a dropped vertex that returns from across the origin does not end the search",
+          "[gjk]") {
+  const auto a = point_set<double>({{0, 2, 1}, {2, 1, 0}, {-2, -1, -2}});
+  const auto b = point_set<double>({{-2, 4, 1}, {-1, 0, -1}});
+  const auto run = observed<double>(a, b, without_crossing_test<double>());
+  bool returned = false;
+  const auto found = events_of_kind<SupportFound<double>>(run.events);
+  for (std::size_t i = 0; i + 1 < found.size(); ++i)
+    if (!found[i].is_new) {
+      returned = true;
+      REQUIRE(found[i].vertex.w.dot(found[i].direction) >= 0);
+    }
+  REQUIRE(returned);
+  REQUIRE(run.result.status == Status::intersecting);
+  REQUIRE(asked<double>(a, b).status == Status::intersecting);
+}
+
+TEST_CASE("Without the crossing test no pair that meets is lost, and none that is apart is found", "[gjk]") {
+  const std::uint64_t seed = 9;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  int hits = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const bool crowded = i % 2 == 0;
+    const PairOfHulls t = crowded ? random_pair(dice)
+                                  : PairOfHulls{dice.points(dice.between(1, 8), 500),
+                                                moved(dice.points(dice.between(1, 8), 500), dice.point(250))};
+    INFO("pair " << i);
+    const Status on = of<double>(t.a, t.b).status;
+    const Status off = of<double>(t.a, t.b, without_crossing_test<double>()).status;
+    hits += on == Status::intersecting;
+    if (on == Status::intersecting) REQUIRE(off == Status::intersecting);
+    if (on == Status::separated) REQUIRE(off != Status::intersecting);
+  }
+  REQUIRE(hits > 2000);
+}
+
+// Algorithms 3 and 4 take "beyond A" for impossible because of the crossing test. Without it the origin may lie there,
+// on the line of the simplex, where AB×AO×AB (or ABCn) vanishes as if the origin were inside.
+TEST_CASE("Without the crossing test a segment is separated from a point on its line beyond its end", "[gjk]") {
+  const auto result = of<double>({{4, 0, 0}, {2, 0, 0}}, origin_only, without_crossing_test<double>());
+  REQUIRE(result.status == Status::separated);
+}
+
+TEST_CASE("Without the crossing test three vertices on one line do not contain a point beside it", "[gjk]") {
+  const auto result = of<double>({{1, 2, 0}, {-1, 2, 0}, {3, 2, 0}}, origin_only, without_crossing_test<double>());
+  REQUIRE(result.status == Status::separated);
+}
+
+TEST_CASE("Without the crossing test cubes that are apart along a diagonal are not intersecting", "[gjk]") {
+  const auto result = of<double>(cube, moved(cube, {-3, -3, -3}), without_crossing_test<double>());
+  REQUIRE(result.status == Status::separated);
+}
+
+TEST_CASE("Statuses and reasons have names of their own", "[gjk]") {
+  REQUIRE(to_string(Status::intersecting) == "intersecting");
+  REQUIRE(to_string(Status::separated) == "separated");
+  REQUIRE(to_string(Status::undecided) == "undecided");
+  REQUIRE(to_string(Reason::simplex_contains_origin) == "simplex-contains-origin");
+  REQUIRE(to_string(Reason::origin_not_crossed) == "origin-not-crossed");
+  REQUIRE(to_string(Reason::no_new_vertex) == "no-new-vertex");
+  REQUIRE(to_string(Reason::iteration_limit) == "iteration-limit");
+  REQUIRE(to_string(Reason::unusable_direction) == "unusable-direction");
+}
+
+}  // namespace
+}  // namespace gjk::test

@@ -1,0 +1,63 @@
+/// The plain call allocates nothing.
+#include "tests/catch.hpp"
+#include "tests/core/counting_new.hpp"
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+namespace {
+
+using V = Vec3<double>;
+
+struct Counted {
+  Result<double> result;
+  std::size_t allocations;
+};
+
+template <class Call>
+Counted counted(const Call& call) {
+  const std::size_t before = allocations();
+  const Result<double> result = call();
+  return {result, allocations() - before};
+}
+
+template <class A, class B>
+void require_no_heap(const A& a, const B& b, Status expected) {
+  const Counted plain = counted([&] { return collision<double>(a, b); });
+  REQUIRE(plain.allocations == 0);
+  REQUIRE(plain.result.status == expected);
+  // The counter must be able to see an allocation: the same call, observed, makes some.
+  Trace<double> trace;
+  const Counted told = counted([&] { return collision<double>(a, b, {}, trace); });
+  REQUIRE(told.allocations > 0);
+  REQUIRE(same_result(told.result, plain.result));
+}
+
+TEST_CASE("The plain call allocates nothing on the heap; the observed one does", "[heap]") {
+  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
+  const auto t = point_set<double>(tetrahedron);
+  const Sphere<double> ball(V(1, 1, 1), 1.5);
+  SECTION("point sets that meet") {
+    require_no_heap(t, point_set<double>(moved(tetrahedron, {1, 2, -1})), Status::intersecting);
+  }
+  SECTION("point sets that do not") {
+    require_no_heap(t, point_set<double>(moved(tetrahedron, {4, 5, 6})), Status::separated);
+  }
+  SECTION("spheres that meet") { require_no_heap(ball, Sphere<double>(V(2, 0, 2.5), 1), Status::intersecting); }
+  SECTION("spheres that do not") { require_no_heap(ball, Sphere<double>(V(5, -3, 2), 1), Status::separated); }
+  SECTION("a sphere and a point set") { require_no_heap(t, ball, Status::intersecting); }
+}
+
+TEST_CASE("The plain call allocates nothing over thousands of random pairs, decided or not", "[heap]") {
+  const std::uint64_t seed = 12;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 5000; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const auto a = point_set<double>(t.a), b = point_set<double>(t.b);
+    const Counted plain = counted([&] { return collision<double>(a, b); });
+    if (plain.allocations != 0) FAIL("pair " << i << " allocated " << plain.allocations << " times");
+  }
+}
+
+}  // namespace
+}  // namespace gjk::test

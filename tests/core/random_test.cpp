@@ -1,0 +1,153 @@
+/// Random convex pairs against answers found in another way.
+#include "tests/catch.hpp"
+#include "tests/core/evidence.hpp"
+
+namespace gjk::test {
+namespace {
+
+struct Tally {
+  int hits = 0, misses = 0, undecided = 0;
+  int pairs() const { return hits + misses + undecided; }
+};
+
+/// Between 30 and 70 of 100 pairs meet: otherwise one of the two answers would hardly be tested.
+void require_balanced(const Tally& tally) {
+  INFO(tally.hits << " hits, " << tally.misses << " misses, " << tally.undecided << " undecided");
+  REQUIRE(10 * tally.hits > 3 * tally.pairs());
+  REQUIRE(10 * tally.hits < 7 * tally.pairs());
+}
+
+void count(Tally& tally, Status status, bool they_meet) {
+  if (status == Status::undecided) {
+    ++tally.undecided;
+    return;
+  }
+  REQUIRE((status == Status::intersecting) == they_meet);
+  ++(they_meet ? tally.hits : tally.misses);
+}
+
+/// Two tetrahedra that are not flat, the second moved by up to `apart`.
+PairOfHulls tetrahedra(Dice& dice, int reach, int apart) {
+  for (;;) {
+    PairOfHulls pair{dice.points(4, reach), moved(dice.points(4, reach), dice.point(apart))};
+    if (!is_flat(pair.a) && !is_flat(pair.b)) return pair;
+  }
+}
+
+template <class S>
+Tally compare_with_separating_axes(std::uint64_t seed, int pairs, int reach, int apart, bool examine_evidence) {
+  Dice dice(seed);
+  Tally tally;
+  for (int i = 0; i < pairs; ++i) {
+    const PairOfHulls t = tetrahedra(dice, reach, apart);
+    INFO("pair " << i);
+    const Result<S> result = asked<S>(point_set<S>(t.a), point_set<S>(t.b));
+    count(tally, result.status, tetrahedra_meet(t.a, t.b));
+    if (examine_evidence) require_evidence(result, t.a, t.b);
+  }
+  return tally;
+}
+
+TEST_CASE("Tetrahedra in general position: GJK in double agrees with the separating axes on every pair it decides",
+          "[random]") {
+  const std::uint64_t seed = 1;
+  INFO("seed " << seed);
+  // Products of four differences of numbers below 1000 stay far below 2^53: double computes exactly.
+  const Tally tally = compare_with_separating_axes<double>(seed, 30000, 500, 320, false);
+  require_balanced(tally);
+  REQUIRE(tally.undecided <= 5);
+}
+
+TEST_CASE("Tetrahedra on a crowded lattice, where touching is common: GJK in double agrees with the separating axes",
+          "[random]") {
+  const std::uint64_t seed = 2;
+  INFO("seed " << seed);
+  const Tally tally = compare_with_separating_axes<double>(seed, 10000, 3, 1, false);
+  require_balanced(tally);
+  REQUIRE(tally.undecided == 0);
+}
+
+TEST_CASE("Tetrahedra in exact numbers: the answer agrees with the separating axes, and its evidence proves it",
+          "[random]") {
+  const std::uint64_t seed = 3;
+  INFO("seed " << seed);
+  const Tally roomy = compare_with_separating_axes<Rational>(seed, 2000, 100, 65, true);
+  require_balanced(roomy);
+  REQUIRE(roomy.undecided <= 1);
+  const Tally crowded = compare_with_separating_axes<Rational>(seed, 2000, 3, 1, true);
+  require_balanced(crowded);
+  REQUIRE(crowded.undecided == 0);
+}
+
+TEST_CASE("Small integers are exact in double: the run is the exact one, event for event", "[random]") {
+  const std::uint64_t seed = 4;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 1000; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const auto exactly = observed<Rational>(point_set<Rational>(t.a), point_set<Rational>(t.b));
+    const auto in_double = observed<double>(point_set<double>(t.a), point_set<double>(t.b));
+    REQUIRE(in_double.events.size() == exactly.events.size());
+    REQUIRE(in_double.result.status == exactly.result.status);
+    REQUIRE(in_double.result.iterations == exactly.result.iterations);
+    REQUIRE(exact(places(in_double.result.simplex)) == places(exactly.result.simplex));
+  }
+}
+
+TEST_CASE("Spheres: GJK agrees with the distance of the centers", "[random]") {
+  const std::uint64_t seed = 5;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  Tally tally;
+  for (int i = 0; i < 20000; ++i) {
+    const auto center = [&] {
+      return Vec3<double>(dice.between(-1., 1.), dice.between(-1., 1.), dice.between(-1., 1.));
+    };
+    const Vec3<double> c = center(), d = center();
+    const double r = dice.between(0.1, 1.0), q = dice.between(0.1, 1.0);
+    const double gap = (c - d).norm() - (r + q);
+    if (std::abs(gap) < 1e-9) continue;  // too close for rounded support points to tell
+    INFO("pair " << i << ", gap " << gap);
+    const auto result = asked<double>(Sphere<double>(c, r), Sphere<double>(d, q));
+    count(tally, result.status, gap < 0);
+  }
+  require_balanced(tally);
+  REQUIRE(tally.undecided <= 5);
+}
+
+TEST_CASE("A sphere against a point: GJK agrees with the distance, at all scales", "[random]") {
+  const std::uint64_t seed = 6;
+  INFO("seed " << seed);
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    Dice dice(seed);
+    Tally tally;
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3<double> p(dice.between(-1., 1.), dice.between(-1., 1.), dice.between(-1., 1.));
+      const double r = dice.between(0.5, 1.3);
+      const auto result = asked<double>(PointSet<double>({p * scale}), Sphere<double>(Vec3<double>::Zero(), r * scale));
+      count(tally, result.status, p.norm() < r);
+    }
+    require_balanced(tally);
+    REQUIRE(tally.undecided <= 3);
+  }
+}
+
+TEST_CASE("Changing places, or turning and scaling both sets, does not change the answer", "[random]") {
+  const std::uint64_t seed = 8;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 300; ++i) {
+    const PairOfHulls t = tetrahedra(dice, 6, 5);
+    const bool they_meet = tetrahedra_meet(t.a, t.b);
+    const Status expected = they_meet ? Status::intersecting : Status::separated;
+    for (const auto& frame : frames<Rational>()) {
+      const auto placed = [&](const Points& points) { return PointSet<Rational>(seen(points, frame)); };
+      INFO("pair " << i << ", " << frame.name);
+      REQUIRE(asked<Rational>(placed(t.a), placed(t.b)).status == expected);
+      REQUIRE(asked<Rational>(placed(t.b), placed(t.a)).status == expected);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gjk::test

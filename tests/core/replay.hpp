@@ -1,0 +1,177 @@
+/// Follows a run from its events alone, without shapes and without the algorithm, and examines whether they fit together.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+
+/// Works out the texts of events, such as "AB×AO×AB", "−ABCn" and "ABn·AO", by the rules at the top of events.hpp.
+template <class S>
+class Letters {
+ public:
+  explicit Letters(const Simplex<S>& simplex) : simplex_(simplex) {}
+
+  /// A normal of an edge means something only beside its formula.
+  void name(const std::string& normal, const Vec3<S>& value) { normals_[normal] = value; }
+
+  S number(const std::string& text) const {
+    const std::size_t dot = text.find("·");
+    return vector(text.substr(0, dot)).dot(vector(text.substr(dot + std::string("·").size())));
+  }
+
+  Vec3<S> vector(const std::string& text) const {
+    const std::string minus = "−", cross = "×";
+    if (text.starts_with(minus)) return -vector(text.substr(minus.size()));
+    const std::size_t last = text.rfind(cross);
+    if (last == std::string::npos) return factor(text);
+    return vector(text.substr(0, last)).cross(factor(text.substr(last + cross.size())));
+  }
+
+ private:
+  Vec3<S> point(char c) const {
+    return c == 'O' ? Vec3<S>(Vec3<S>::Zero()) : simplex_.point(static_cast<Role>(c - 'A'));
+  }
+  Vec3<S> edge(char from, char to) const { return point(to) - point(from); }
+
+  Vec3<S> factor(const std::string& text) const {
+    if (const auto normal = normals_.find(text); normal != normals_.end()) return normal->second;
+    if (text.size() == 4 && text[3] == 'n') return edge(text[0], text[1]).cross(edge(text[0], text[2]));  // Eqs. 10, 14
+    if (text.size() == 2) return edge(text[0], text[1]);
+    throw std::logic_error("no vector is called " + text);
+  }
+
+  Simplex<S> simplex_;
+  std::map<std::string, Vec3<S>> normals_;
+};
+
+/// One event after the other. Knows nothing but the events; keeps what a reader would have to keep. Throws where an
+/// event does not fit, so that a test can also ask for that.
+template <class S>
+class Replay {
+ public:
+  void operator()(const SearchStarted<S>& e) {
+    follows(e, "", 'S');
+    must(!e.why.empty(), "the first direction has a reason");
+    direction_ = e.direction;
+  }
+
+  void operator()(const SupportFound<S>& e) {
+    ++iteration_;
+    follows(e, "SD", 'V');
+    must(e.direction == direction_, "the support function is asked in the direction chosen");
+    must(e.vertex.w == Vec3<S>(e.vertex.a.point - e.vertex.b.point), "w = a - b");
+    must(e.is_new == (std::find(seen_.begin(), seen_.end(), e.vertex.w) == seen_.end()),
+         "is_new tells of earlier places");
+    seen_.push_back(e.vertex.w);
+    vertex_ = e.vertex;
+  }
+
+  void operator()(const CrossingTested<S>& e) {
+    follows(e, "V", 'C');
+    const bool applied = e.verdict == Crossing::crossed || e.verdict == Crossing::not_crossed;
+    must(e.value.has_value() == applied, "a value exactly where the test was applied");
+    must(!applied || *e.value == vertex_.w.dot(direction_), "the value is w·d");
+    must(!applied || (*e.value < S(0)) == (e.verdict == Crossing::not_crossed), "not crossed exactly where w·d < 0");
+    must((e.verdict == Crossing::first_point) == (iteration_ == 1 && e.verdict != Crossing::switched_off),
+         "the first point, and only it, is not tested");
+    verdict_ = e.verdict;
+  }
+
+  void operator()(const VertexAdded<S>& e) {
+    follows(e, "C", 'A');
+    must(verdict_ != Crossing::not_crossed, "the search ends where the origin was not crossed");
+    simplex_.add(vertex_);
+    must(same_simplex(e.simplex, simplex_), "the vertex found is added as the newest");
+  }
+
+  void operator()(const RegionTested<S>& e) {
+    follows(e, "AR", 'R');
+    must(e.simplex_size == simplex_.size(), "the region belongs to this simplex");
+    must(!e.reason.empty(), "a region has a reason");
+    Letters<S> letters(simplex_);
+    if (e.normal) {
+      must(*e.normal == letters.vector(e.formula), "the normal is its formula's value");
+      letters.name(e.expression.substr(0, e.expression.find("·")), *e.normal);
+    }
+    if (const S* value = std::get_if<S>(&e.value))
+      must(*value == letters.number(e.expression), "the value is its expression's");
+    if (const auto* value = std::get_if<Vec3<S>>(&e.value))
+      must(*value == letters.vector(e.expression), "the value is its expression's");
+    contains_origin_ = e.verdict == Verdict::chosen && (e.relation == Relation::zero || e.feature == "ABCD");
+  }
+
+  void operator()(const SimplexReduced<S>& e) {
+    follows(e, "R", 'X');
+    must(!e.why.empty(), "a reduction has a reason");
+    must(same_simplex(e.before, simplex_), "the simplex before is the one of the last event");
+    kept_from_ = simplex_;
+    simplex_ = {};
+    for (const char c : e.kept) simplex_.add(kept_from_[static_cast<Role>(c - 'A')]);
+    must(same_simplex(e.after, simplex_), "the simplex after has the vertices kept, in their order");
+    must(static_cast<int>(e.kept.size() + e.dropped.size()) == kept_from_.size(), "each vertex is kept or dropped");
+    must(e.kept.find_first_of(e.dropped) == std::string::npos, "no vertex is kept and dropped");
+  }
+
+  void operator()(const DirectionChosen<S>& e) {
+    const Simplex<S>& tested = last() == 'X' ? kept_from_ : simplex_;
+    follows(e, "RX", 'D');
+    must(!contains_origin_, "no direction is chosen where the origin was found");
+    must(e.direction == Letters<S>(tested).vector(e.expression), "the direction is its expression's value");
+    direction_ = e.direction;
+  }
+
+  void operator()(const Finished<S>& e) {
+    const bool not_crossed = last() == 'C' && verdict_ == Crossing::not_crossed;
+    follows(e, "SCDR", 'F');
+    must(e.result.iterations == iteration_, "the iterations are counted");
+    must(same_simplex(e.result.simplex, simplex_), "the last simplex is the result's");
+    must((e.result.status == Status::intersecting) == contains_origin_,
+         "intersecting exactly where the origin was found");
+    must((e.result.reason == Reason::origin_not_crossed) == not_crossed, "Eq. 9 is the reason exactly where it failed");
+    must(e.result.separation.has_value() == (e.result.status == Status::separated), "separated with proof");
+    must(!e.result.separation || (e.result.separation->direction == direction_ &&
+                                  e.result.separation->support_value == vertex_.w.dot(direction_)),
+         "the proof is the last direction and its w·d");
+  }
+
+  /// Returns: the kinds of events so far, one letter each.
+  const std::string& kinds() const { return kinds_; }
+
+ private:
+  char last() const { return kinds_.empty() ? ' ' : kinds_.back(); }
+  void must(bool holds, const std::string& what) const {
+    if (!holds) throw std::logic_error("after the events " + kinds_ + ": " + what);
+  }
+  template <class E>
+  void follows(const E& e, const std::string& predecessors, char kind) {
+    must(predecessors.empty() ? kinds_.empty() : predecessors.find(last()) != std::string::npos,
+         std::string("an event ") + kind + " comes at the wrong place");
+    must(e.iteration == iteration_, "the iteration is counted");
+    kinds_ += kind;
+  }
+
+  std::string kinds_;
+  int iteration_ = 0;
+  Vec3<S> direction_ = Vec3<S>::Zero();
+  Vertex<S> vertex_;
+  Simplex<S> simplex_, kept_from_;
+  std::vector<Vec3<S>> seen_;
+  Crossing verdict_ = Crossing::crossed;
+  bool contains_origin_ = false;
+};
+
+/// Throws where the events of a run are incomplete or do not fit together. Returns: their kinds, one letter each.
+template <class S>
+std::string replayed(const std::vector<Event<S>>& events) {
+  Replay<S> replay;
+  for (const Event<S>& event : events) std::visit(replay, event);
+  if (!replay.kinds().ends_with('F')) throw std::logic_error("the end is not told: " + replay.kinds());
+  return replay.kinds();
+}
+
+}  // namespace gjk::test

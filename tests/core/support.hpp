@@ -1,0 +1,224 @@
+/// What the tests of the core share: the exact number, frames, watched shapes, observed runs, and dice.
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/gjk.hpp"
+
+namespace gjk::test {
+
+/// Exact: no rounding, no overflow, no underflow.
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+
+/// A point with integer coordinates.
+using Point = std::array<int, 3>;
+using Points = std::vector<Point>;
+
+template <class S>
+Vec3<S> vec(const Point& p) {
+  return {S(p[0]), S(p[1]), S(p[2])};
+}
+
+template <class S>
+PointSet<S> point_set(const Points& points) {
+  std::vector<Vec3<S>> converted;
+  for (const Point& p : points) converted.push_back(vec<S>(p));
+  return PointSet<S>(converted);
+}
+
+inline Points moved(Points points, const Point& by) {
+  for (Point& p : points)
+    for (std::size_t i = 0; i < 3; ++i) p[i] += by[i];
+  return points;
+}
+
+// -- Frames -----------------------------------------------------------------------------------------------------------
+
+/// Where the unit vectors go, right-handed and of equal length, and a scale on top.
+template <class S>
+struct Frame {
+  std::string name;
+  Point x, y, z;
+  S scale;
+
+  Vec3<S> operator()(const Point& p) const {
+    Vec3<S> image;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      image[i] = scale * S(p[0] * x[k] + p[1] * y[k] + p[2] * z[k]);
+    }
+    return image;
+  }
+};
+
+template <class S>
+Frame<S> axis_aligned(const std::string& name, S scale) {
+  return {"axis-aligned, " + name, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, scale};
+}
+
+/// A rotation about (1,-2,3) in integers: its columns are 15 long, so that nothing is rounded.
+template <class S>
+Frame<S> skew(const std::string& name, S scale) {
+  return {"turned about (1,-2,3), " + name, {-11, 2, 10}, {-10, -5, -10}, {2, -14, 5}, scale};
+}
+
+template <class S>
+std::vector<Frame<S>> frames() {
+  const S thousand(1000), one(1), thousandth = one / thousand;
+  return {axis_aligned("1e-3", thousandth), axis_aligned("1", one), axis_aligned("1e3", thousand),
+          skew("1e-3", thousandth),         skew("1", one),         skew("1e3", thousand)};
+}
+
+/// Frames in which integers of one digit stay exact through every product of Algorithms 2-5. Floating point recognises
+/// "exactly on" only there (READING, E5).
+template <class S>
+std::vector<Frame<S>> frames_without_rounding() {
+  return {axis_aligned("1/1024", S(1) / S(1024)), axis_aligned("1", S(1)), axis_aligned("1024", S(1024))};
+}
+template <>
+inline std::vector<Frame<Rational>> frames_without_rounding() {
+  return frames<Rational>();
+}
+
+template <class S>
+std::vector<Vec3<S>> seen(const Points& points, const Frame<S>& frame) {
+  std::vector<Vec3<S>> placed;
+  for (const Point& p : points) placed.push_back(frame(p));
+  return placed;
+}
+
+// -- Watched shapes and observed runs ---------------------------------------------------------------------------------
+
+template <class S>
+bool is_direction(const Vec3<S>& d) {
+  if constexpr (std::floating_point<S>)
+    for (int i = 0; i < 3; ++i)
+      if (!std::isfinite(d[i])) return false;
+  return d[0] != S(0) || d[1] != S(0) || d[2] != S(0);
+}
+
+/// A shape that throws where a direction breaks P1. All runs of these tests go through it. Refers to the shape inside.
+template <class S, class Inner>
+class Watched {
+ public:
+  explicit Watched(const Inner& inner) : inner_(inner) {}
+  SupportPoint<S> support(const Vec3<S>& d) const {
+    if (!is_direction(d)) throw std::logic_error("P1: the support function was given no direction");
+    ++times_asked_;
+    return inner_.support(d);
+  }
+  int times_asked() const { return times_asked_; }
+
+ private:
+  const Inner& inner_;
+  mutable int times_asked_ = 0;
+};
+
+template <class S>
+struct Run {
+  Result<S> result;
+  std::vector<Event<S>> events;
+};
+
+template <class S, class A, class B>
+Run<S> observed(const A& a, const B& b, const Options<S>& options = {}) {
+  Trace<S> trace;
+  const Result<S> result = collision<S>(Watched<S, A>(a), Watched<S, B>(b), options, trace);
+  return {result, std::move(trace.events)};
+}
+
+template <class S, class A, class B>
+Result<S> asked(const A& a, const B& b, const Options<S>& options = {}) {
+  return collision<S>(Watched<S, A>(a), Watched<S, B>(b), options);
+}
+
+template <class E, class S>
+std::vector<E> events_of_kind(const std::vector<Event<S>>& events) {
+  std::vector<E> found;
+  for (const Event<S>& event : events)
+    if (const E* e = std::get_if<E>(&event)) found.push_back(*e);
+  return found;
+}
+
+template <class S>
+Options<S> without_crossing_test() {
+  Options<S> options;
+  options.crossing_test = CrossingTest::off;
+  return options;
+}
+
+template <class S>
+std::vector<Vec3<S>> places(const Simplex<S>& simplex) {
+  std::vector<Vec3<S>> points;
+  for (int i = 0; i < simplex.size(); ++i) points.push_back(simplex[i].w);
+  return points;
+}
+
+template <class S>
+bool same_vertex(const Vertex<S>& v, const Vertex<S>& u) {
+  return v.w == u.w && v.a.point == u.a.point && v.b.point == u.b.point && v.a.index == u.a.index &&
+         v.b.index == u.b.index;
+}
+
+template <class S>
+bool same_simplex(const Simplex<S>& s, const Simplex<S>& t) {
+  if (s.size() != t.size()) return false;
+  for (int i = 0; i < s.size(); ++i)
+    if (!same_vertex(s[i], t[i])) return false;
+  return true;
+}
+
+template <class S>
+bool same_result(const Result<S>& r, const Result<S>& q) {
+  if (r.separation.has_value() != q.separation.has_value()) return false;
+  if (r.separation && (r.separation->direction != q.separation->direction ||
+                       r.separation->support_value != q.separation->support_value))
+    return false;
+  return r.status == q.status && r.reason == q.reason && r.iterations == q.iterations &&
+         same_simplex(r.simplex, q.simplex);
+}
+
+// -- Dice -------------------------------------------------------------------------------------------------------------
+
+/// Random numbers that are the same with every standard library: its distributions are not.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : generator_(seed) {}
+  int between(int low, int high) {
+    return low + static_cast<int>(generator_() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
+  }
+  Point point(int reach) { return {between(-reach, reach), between(-reach, reach), between(-reach, reach)}; }
+  Points points(int count, int reach) {
+    Points points;
+    for (int i = 0; i < count; ++i) points.push_back(point(reach));
+    return points;
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+/// Two hulls of one to eight points, from crowded lattices (touching, flat, repeated points) to roomy ones.
+struct PairOfHulls {
+  Points a, b;
+};
+inline PairOfHulls random_pair(Dice& dice) {
+  const int reach = dice.between(1, 3) * dice.between(1, 4);
+  PairOfHulls pair{dice.points(dice.between(1, 8), reach), dice.points(dice.between(1, 8), reach)};
+  pair.b = moved(pair.b, dice.point(reach));
+  return pair;
+}
+
+}  // namespace gjk::test

@@ -1,0 +1,223 @@
+// What is said under the pictures, in the letters of the picture.
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/stories.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+using Mark = Fact::Mark;
+
+const Frame& frame(const Story& story, const std::string& caption) {
+  const auto found = std::ranges::find(story.frames, caption, &Frame::caption);
+  if (found == story.frames.end()) throw std::logic_error("no frame says: " + caption);
+  return *found;
+}
+
+using Facts = std::vector<std::string>;
+
+/// Returns: the facts as they stand in the picture.
+Facts facts(const Frame& frame) {
+  Facts list;
+  for (const Fact& fact : frame.facts) {
+    const char* const marks[] = {"", "✓ ", "✗ ", "skipped "};
+    list.push_back(marks[static_cast<int>(fact.mark)] + fact.text);
+  }
+  return list;
+}
+
+/// Returns: the letters A … G of the corners that `text` names in words such as "EG" or "GE_n", but not in "Eq".
+std::string corners_named(const std::string& text) {
+  std::string letters, word;
+  for (const char c : text + " ") {
+    if ((c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z')) {
+      word += c;
+      continue;
+    }
+    if (word.find_first_not_of("ABCDEFGO") == std::string::npos) letters += word;
+    word.clear();
+  }
+  std::erase(letters, 'O');
+  return letters;
+}
+
+/// Returns: every number after the last "=" of `text`, the "0" of a comparison left out.
+std::vector<double> numbers_at_the_end(std::string text) {
+  for (std::size_t at; (at = text.find("−")) != std::string::npos;) text.replace(at, std::string("−").size(), "-");
+  text.erase(0, text.rfind("= ") + 2);
+  for (const char* sign : {" >", " <", " ≤", " ≠", ":"}) text.erase(std::min(text.find(sign), text.size()));
+  std::ranges::replace_if(
+      text, [](char c) { return c == '(' || c == ',' || c == ')'; }, ' ');
+  std::vector<double> numbers;
+  for (const char* at = text.c_str();;) {
+    char* end = nullptr;
+    const double value = std::strtod(at, &end);
+    if (end == at) return numbers;
+    numbers.push_back(value);
+    at = end;
+  }
+}
+
+void check_numbers(const std::string& fact, const std::vector<double>& expected) {
+  INFO(fact);
+  const std::vector<double> printed = numbers_at_the_end(fact);
+  REQUIRE(printed.size() <= expected.size());
+  REQUIRE(printed.size() >= std::min<std::size_t>(expected.size(), 2));
+  for (std::size_t i = 0; i < printed.size(); ++i)
+    CHECK(printed[i] == Approx(expected[i]).epsilon(5.1e-6).margin(1e-12));
+}
+
+std::vector<double> components(const Point& p) { return {p.x(), p.y(), p.z()}; }
+
+}  // namespace
+
+TEST_CASE("Each caption is one sentence on one line") {
+  for (const Walkthrough& w : catalogue()) {
+    for (const Frame& f : tell(w).frames) {
+      INFO(f.caption);
+      CHECK(f.caption.ends_with('.'));
+      CHECK_FALSE(f.caption.ends_with(".."));
+      CHECK(f.caption.find(". ") == std::string::npos);
+      CHECK(f.caption.find_first_of("\n!?") == std::string::npos);
+      CHECK(f.caption.find("  ") == std::string::npos);
+      CHECK((f.caption.front() >= 'A' && f.caption.front() <= 'Z'));
+      for (const Fact& fact : f.facts) CHECK(fact.text.find('\n') == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("Each remark stands in exactly one caption") {
+  for (const Story& story : whole_searches())
+    for (const Remark& remark : story.walkthrough.remarks)
+      CHECK(std::ranges::count_if(story.frames,
+                                  [&](const Frame& f) { return f.caption.ends_with("; " + remark.text + "."); }) == 1);
+}
+
+TEST_CASE("What a frame says names only corners that the search holds at that moment") {
+  for (const Story& story : whole_searches()) {
+    for (const Frame& f : story.frames) {
+      const Moment& now = f.moments[0];
+      std::string held = now.found ? story.hulls[0].name(now.found->w) : "";
+      for (const Simplex& s : {now.simplex, now.reduction ? now.reduction->before : now.simplex})
+        for (int i = 0; i < s.size(); ++i) held += story.hulls[0].name(s[i].w);
+      std::string said = f.caption.substr(0, f.caption.find(';'));  // a remark may look further
+      for (const Fact& fact : f.facts) said += "\n" + fact.text;
+      INFO(said);
+      CHECK(corners_named(said).find_first_not_of(held) == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("The numbers in the facts are those of the events") {
+  for (const Story& story : whole_searches()) {
+    const auto events = shown(story.traces[0]);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      const std::vector<Fact>& list = story.frames.at(i).facts;
+      if (const auto* e = std::get_if<gjk::SupportFound<double>>(&events[i])) {
+        check_numbers(list.at(0).text, components(e->direction));
+        check_numbers(list.at(1).text, components(e->vertex.w));
+        CHECK(list[1].text.starts_with(story.hulls[0].name(e->vertex.w) + " = a − b = ("));
+      }
+      if (const auto* e = std::get_if<gjk::CrossingTested<double>>(&events[i]))
+        check_numbers(list.at(0).text, {e->value.value()});
+      if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&events[i]))
+        check_numbers(list.at(0).text, components(e->direction));
+      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&events[i])) {
+        if (const double* value = std::get_if<double>(&e->value)) check_numbers(list.at(0).text, {*value});
+        if (const Point* value = std::get_if<Point>(&e->value)) check_numbers(list.at(0).text, components(*value));
+        if (e->normal) check_numbers(list.at(1).text, components(*e->normal));
+        CHECK(list[0].mark == (e->verdict == gjk::Verdict::chosen ? Mark::yes : Mark::no));
+      }
+    }
+  }
+}
+
+TEST_CASE("Every region that is skipped is told with its reason, in the frame of the first test after it") {
+  for (const Story& story : whole_searches()) {
+    std::size_t skipped = 0, told = 0;
+    for (const auto& region : all<gjk::RegionTested>(story.traces[0])) {
+      if (region.verdict != gjk::Verdict::skipped) continue;
+      ++skipped;
+      const auto first = std::ranges::find_if(story.frames, [&](const Frame& f) {
+        return f.focus == Focus::region && f.moments[0].iteration == region.iteration;
+      });
+      REQUIRE(first != story.frames.end());
+      told += static_cast<std::size_t>(std::ranges::count_if(first->facts, [&](const Fact& fact) {
+        return fact.mark == Mark::skipped &&
+               fact.text.substr(0, fact.text.find(": ")).find(region.label) != std::string::npos;
+      }));
+    }
+    CHECK(skipped == told);
+  }
+}
+
+TEST_CASE("Figure 4, left, in the letters of the picture") {
+  const Story story = tell(walkthrough("figure-4-left"));
+  CHECK(facts(story.frames.at(0)) == Facts{"d = (1, 0)", "A = a − b = (2.25, 1.75) − (−1.5, −1.5) = (3.75, 3.25)",
+                                           "the crossing test does not apply to the first point"});
+  CHECK(facts(frame(story, "The move to E crossed the origin, so the search goes on.")) ==
+        Facts{"✓ E·d = 4.375 > 0: the origin was crossed"});
+  CHECK(facts(frame(story, "The origin lies to one side of segment AE.")) ==
+        Facts{"✓ R3 or R4: EA×EO×EA = (24, −72) ≠ 0",
+              "skipped R1: the search has just moved away from A, toward the origin",
+              "skipped R2: the move to E crossed the origin, so the origin is not beyond E"});
+  CHECK(facts(frame(story, "The origin lies beyond edge EG.")) ==
+        Facts{"✓ R3: GE_n·GO = 71.5 > 0", "GE_n = GE×GEA_n = (−38.5, −126.5, 0)",
+              "skipped R4, R5, R6: the search has just moved away from EA, toward the origin",
+              "skipped R2: the move to G crossed the origin, so the origin is not beyond G"});
+  CHECK(facts(frame(story, "A is no longer needed and leaves the simplex.")) ==
+        Facts{"[A, E, G] becomes [E, G] (oldest first)", "the origin lies beyond this edge; G stays the newest"});
+  CHECK(facts(frame(story, "The next search goes from segment EG toward the origin.")) ==
+        Facts{"d = GE×GO×GE = (−5.6875, −18.6875)"});
+  CHECK(facts(frame(story, "The origin does not lie beyond edge EF.")) ==
+        Facts{"✗ R7: FE_n·FO = −20.25 ≤ 0", "FE_n = FGE_n×FE = (−20.25, −20.25, 0)"});
+  CHECK(facts(frame(story, "The origin lies in triangle EFG.")) ==
+        Facts{"✓ R1: FGE_n·FO = 0", "FGE_n = FG×FE = (0, 0, 9)"});
+  CHECK(facts(frame(story, "The origin lies in triangle EFG, so the objects intersect.")) ==
+        Facts{"✓ intersecting after 4 iterations"});
+}
+
+TEST_CASE("Figure 4, right, says where the two tellings part") {
+  const Story with = tell(walkthrough("figure-4-right")),
+              without = tell(walkthrough("figure-4-right-no-crossing-test"));
+  CHECK(with.frames.back().caption ==
+        "The difference does not contain the origin, so the objects do not intersect; Section 3.1.2 goes on to F, as "
+        "it has no test yet.");
+  CHECK(facts(with.frames.back()) ==
+        Facts{"✗ separated after 2 iterations", "w·d ≤ −10.1875 < 0 for every point w of the difference"});
+  CHECK(facts(with.frames.at(4)) == Facts{"✗ E·d = −10.1875 < 0: the origin was not crossed (Eq. 9)"});
+  CHECK(without.frames.at(10).caption ==
+        "Along d the farthest point of the difference is E again, so there is no new point.");
+  for (const Frame& f : without.frames)
+    if (f.focus == Focus::support) CHECK(f.facts.back().text == "this run does without the crossing test");
+}
+
+TEST_CASE("A move that ends at the origin's height proves nothing, and says so") {
+  const Walkthrough touching = walkthrough_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}});
+  const Story story = tell(touching);  // A (2,0), B (0,2), C the origin
+  CHECK(facts(frame(story, "The move to C crossed the origin, so the search goes on.")) ==
+        Facts{"✓ C·d = 0: this proves nothing"});
+  CHECK(frame(story, "The origin lies on segment AC.").facts.at(0).text == "CA×CO×CA = (0, 0)");
+  CHECK(story.frames.back().caption == "The origin lies in segment AC, so the objects intersect.");
+}
+
+TEST_CASE("A search that runs into its limit ends without an answer") {
+  Walkthrough cut_short = walkthrough("figure-4-left");
+  cut_short.scenes[0].options.iteration_limit = 2;
+  const Story story = tell(cut_short);
+  CHECK(story.frames.back().caption == "The search ends without an answer.");
+  CHECK(facts(story.frames.back()) == Facts{"undecided after 2 iterations: iteration-limit"});
+}
+
+TEST_CASE("The origin beyond the other edge of a triangle is told as R7, and the edge keeps its letters") {
+  const Walkthrough across = walkthrough_of({{-5, 5, 0}, {-1, 4, 0}, {0, -1, 0}, {-4, -2, 0}});
+  const Story story = tell(across);  // A, C, B are found, C is dropped
+  CHECK(facts(frame(story, "The origin lies beyond edge AB.")) ==
+        Facts{"✓ R7: BA_n·BO = 19 > 0", "BA_n = BCA_n×BA = (95, 19, 0)"});
+  CHECK(frame(story, "C is no longer needed and leaves the simplex.").facts.at(0).text ==
+        "[A, C, B] becomes [A, B] (oldest first)");
+  CHECK(facts(frame(story, "The next search goes from segment AB toward the origin.")) ==
+        Facts{"d = BA×BO×BA = (5, 1)"});
+}

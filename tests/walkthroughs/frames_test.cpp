@@ -1,0 +1,225 @@
+// The PNG files of all walkthroughs, written once at two sizes and looked at by several tests.
+
+#include <set>
+#include <tuple>
+
+#include "render/image.hpp"
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/render_frames.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+namespace fs = std::filesystem;
+using render::Image;
+using render::Size;
+
+namespace {
+
+constexpr Size usual{1280, 720}, other{640, 480};
+
+std::string number_of(std::size_t index) {
+  const std::string digits = std::to_string(index);
+  return std::string(3 - digits.size(), '0') + digits + ".png";
+}
+
+void nobody(const fs::path&, const std::string&, std::size_t, std::size_t) {}
+
+void render_all(const fs::path& folder, Size size) {
+  Studio studio;
+  for (const Walkthrough& w : catalogue()) {
+    const Story story = tell(w);
+    render_frames(story, {folder, size}, studio, nobody);
+    render_strip(story, {folder, size}, studio);
+  }
+}
+
+const fs::path& rendered(Size size) {
+  static const Folder usual_folder, other_folder;
+  const fs::path& folder = (size == usual ? usual_folder : other_folder).path();
+  if (fs::is_empty(folder)) render_all(folder, size);
+  return folder;
+}
+
+std::vector<Image> frames(const Walkthrough& w, Size size) {
+  std::vector<Image> list;
+  for (std::size_t i = 0; i < tell(w).frames.size(); ++i)
+    list.push_back(render::read_png(rendered(size) / w.name / number_of(i)));
+  return list;
+}
+
+std::size_t pixels_unlike_background(const Image& image) {
+  std::size_t count = 0;
+  for (int y = 0; y < image.size().height; ++y)
+    for (int x = 0; x < image.size().width; ++x) count += image.pixel(x, y) != render::palette::white ? 1 : 0;
+  return count;
+}
+
+/// Returns: whether the picture has more than `count` colours.
+bool has_colors(const Image& image, std::size_t count) {
+  std::set<std::tuple<int, int, int>> seen;
+  for (int y = 0; y < image.size().height && seen.size() <= count; ++y)
+    for (int x = 0; x < image.size().width; ++x) {
+      const render::Color c = image.pixel(x, y);
+      seen.emplace(c.r, c.g, c.b);
+    }
+  return seen.size() > count;
+}
+
+}  // namespace
+
+TEST_CASE("The pictures of all walkthroughs") {
+  SECTION("Each walkthrough has its frames, its strip and nothing else in its folder") {
+    for (const Size size : {usual, other}) {
+      std::vector<std::string> expected;
+      for (const Walkthrough& w : catalogue()) {
+        for (std::size_t i = 0; i < tell(w).frames.size(); ++i) expected.push_back(w.name + "/" + number_of(i));
+        expected.push_back(w.name + "/strip.png");
+      }
+      std::ranges::sort(expected);
+      CHECK(listing(rendered(size)) == expected);
+    }
+  }
+
+  SECTION("Frames decode and have the size that was asked for") {
+    for (const Size size : {usual, other})
+      for (const Walkthrough& w : catalogue())
+        for (const Image& image : frames(w, size)) CHECK(image.size() == size);
+  }
+
+  SECTION("No frame is blank or flooded") {
+    for (const Walkthrough& w : catalogue()) {
+      for (const Image& image : frames(w, usual)) {
+        const auto drawn = static_cast<double>(pixels_unlike_background(image)) / (usual.width * usual.height);
+        CHECK(has_colors(image, 100));
+        CHECK(drawn > 0.08);
+        CHECK(drawn < 0.6);
+      }
+    }
+  }
+
+  SECTION("Nothing is drawn at the very edge of a frame") {
+    for (const Size size : {usual, other})
+      for (const Walkthrough& w : catalogue())
+        for (const Image& image : frames(w, size)) {
+          bool clear = true;
+          for (int x = 0; x < size.width; ++x)
+            for (const int y : {0, 1, size.height - 2, size.height - 1})
+              clear = clear && image.pixel(x, y) == render::palette::white;
+          for (int y = 0; y < size.height; ++y)
+            for (const int x : {0, 1, size.width - 2, size.width - 1})
+              clear = clear && image.pixel(x, y) == render::palette::white;
+          CHECK(clear);
+        }
+  }
+
+  SECTION("Each frame differs from the one before, in its picture and not only in its text") {
+    for (const Walkthrough& w : catalogue()) {
+      const std::vector<Image> images = frames(w, usual);
+      const Story story = tell(w);
+      for (std::size_t i = 1; i < images.size(); ++i) {
+        INFO(w.name << ", frame " << i);
+        std::size_t different = 0;
+        for (int y = 80; y < 530; ++y)  // the panels
+          for (int x = 0; x < usual.width; ++x) different += images[i].pixel(x, y) != images[i - 1].pixel(x, y) ? 1 : 0;
+        CHECK(different > 20);
+      }
+    }
+  }
+
+  SECTION("Two runs write the same bytes") {
+    const Folder again;
+    render_all(again.path(), other);
+    for (const std::string& file : listing(rendered(other))) {
+      INFO(file);
+      CHECK(bytes_of(again.path() / file) == bytes_of(rendered(other) / file));
+    }
+  }
+
+  SECTION("A strip is one wide picture with a panel for each iteration, or for each scene of a comparison") {
+    const std::vector<std::pair<std::string, int>> panels = {
+        {"figure-4-left", 4}, {"figure-4-right", 2}, {"figure-4-right-no-crossing-test", 4}, {"figure-5", 2}};
+    for (const auto& [name, count] : panels) {
+      const Image strip = render::read_png(rendered(usual) / name / "strip.png");
+      const Image half = render::read_png(rendered(other) / name / "strip.png");
+      CHECK(strip.size().width == 420 * count);
+      CHECK(strip.size().width > 3 * strip.size().height / 2);
+      CHECK(half.size().width * 2 == strip.size().width);
+      CHECK(half.size().height * 2 == strip.size().height);
+      CHECK(has_colors(strip, 100));
+      for (int panel = 0; panel < count; ++panel) {  // each has something to show
+        std::set<int> reds;
+        for (int x = 420 * panel; x < 420 * (panel + 1); ++x) reds.insert(strip.pixel(x, 220).r);
+        CHECK(reds.size() > 5);
+      }
+    }
+  }
+
+  SECTION("A frame carries its step and its caption as text, for readers without the picture") {
+    for (const Walkthrough& w : catalogue()) {
+      const Story story = tell(w);
+      for (std::size_t i = 0; i < story.frames.size(); ++i) {
+        const std::string bytes = bytes_of(rendered(usual) / w.name / number_of(i));
+        INFO(w.name << ", frame " << i);
+        CHECK(bytes.find(w.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(story.frames.size())) !=
+              std::string::npos);
+        CHECK(bytes.find(story.frames[i].caption) != std::string::npos);
+      }
+    }
+  }
+}
+
+TEST_CASE("Each file is reported once, in order, with its caption without markup") {
+  const Folder folder;
+  Studio studio;
+  const Story story = tell(walkthrough("figure-4-left"));
+  std::vector<std::string> files, captions;
+  std::vector<std::size_t> indices;
+  render_frames(story, {folder.path(), {64, 36}}, studio,
+                [&](const fs::path& file, const std::string& caption, std::size_t index, std::size_t count) {
+                  CHECK(fs::exists(file));
+                  CHECK(count == 18);
+                  files.push_back(file.lexically_relative(folder.path()).string());
+                  captions.push_back(caption);
+                  indices.push_back(index);
+                });
+  CHECK(files == listing(folder.path()));
+  REQUIRE(indices.size() == 18);
+  for (std::size_t i = 0; i < 18; ++i) {
+    CHECK(indices[i] == i);
+    CHECK(captions[i] == story.frames[i].caption);  // these captions have no markup
+  }
+}
+
+TEST_CASE("Frames that an earlier, longer run has left are removed, other files are left alone") {
+  const Folder folder;
+  Studio studio;
+  const fs::path own = folder.path() / "figure-5";
+  fs::create_directories(own);
+  const std::vector<std::string> foreign = {"002.txt", "04.png", "notes.txt", "strip.png", "x003.png"};
+  for (const std::string& name : foreign) std::ofstream(own / name) << "mine";
+  for (const std::string name : {"000.png", "003.png", "004.png", "005.png"}) std::ofstream(own / name) << "stale";
+  render_frames(tell(walkthrough("figure-5")), {folder.path(), {64, 36}}, studio, nobody);
+  std::vector<std::string> expected = {"000.png", "001.png", "002.png"};
+  for (const std::string& name : foreign) {
+    expected.push_back(name);
+    CHECK(bytes_of(own / name) == "mine");
+  }
+  std::ranges::sort(expected);
+  CHECK(listing(own) == expected);
+  CHECK(render::read_png(own / "000.png").size() == Size{64, 36});
+}
+
+TEST_CASE("Where a frame cannot be written the error names the file, and nothing temporary is left") {
+  const Folder folder;
+  Studio studio;
+  fs::create_directories(folder.path() / "figure-5" / "001.png" / "in the way");
+  std::string error;
+  try {
+    render_frames(tell(walkthrough("figure-5")), {folder.path(), {64, 36}}, studio, nobody);
+  } catch (const render::FileError& e) {
+    error = e.what();
+  }
+  CHECK(error.find("001.png") != std::string::npos);
+  CHECK(listing(folder.path()) == std::vector<std::string>{"figure-5/000.png"});
+}

@@ -1,0 +1,47 @@
+// The frames: one for each event that changes the picture.
+
+#include "walkthroughs/storyboard.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/stories.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+TEST_CASE("A walkthrough has one frame for each event that changes the picture, in order") {
+  for (const Story& story : whole_searches()) {
+    INFO(story.walkthrough.name);
+    std::vector<Focus> expected, told;
+    for (const auto& event : story.traces[0].events)
+      if (const auto focus = focus_of(event)) expected.push_back(*focus);
+    for (const Frame& f : story.frames) told.push_back(f.focus);
+    CHECK(told == expected);
+  }
+}
+
+TEST_CASE("The numbers of frames are those that were looked at") {
+  std::vector<std::size_t> counts;
+  for (const Walkthrough& w : catalogue()) counts.push_back(tell(w).frames.size());
+  CHECK(counts == std::vector<std::size_t>{18, 6, 12, 3});
+}
+
+TEST_CASE("The moment of a frame is the one after its event") {
+  for (const Story& story : whole_searches()) {
+    const auto events = shown(story.traces[0]);
+    REQUIRE(events.size() == story.frames.size());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      REQUIRE(story.frames[i].moments.size() == 1);
+      const Moment& now = story.frames[i].moments[0];
+      CHECK(now.iteration == iteration_of(events[i]));
+      CHECK(now.result.has_value() == (story.frames[i].focus == Focus::end));
+      if (const auto* e = std::get_if<gjk::SupportFound<double>>(&events[i])) CHECK(now.found->w == e->vertex.w);
+      if (const auto* e = std::get_if<gjk::CrossingTested<double>>(&events[i])) CHECK(now.crossing->value == e->value);
+      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&events[i]))
+        CHECK(now.regions.back().feature == e->feature);
+      if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&events[i]))
+        CHECK(now.simplex.size() == e->after.size());
+      if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&events[i]))
+        CHECK(now.direction->value == e->direction);
+    }
+  }
+}

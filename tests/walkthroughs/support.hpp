@@ -1,0 +1,137 @@
+/// What the tests of the walkthroughs share: walkthroughs by name, their events in letters of the picture, a folder.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "walkthroughs/storyboard.hpp"
+
+namespace walkthroughs::test {
+
+using render::Vec2;
+
+inline const Walkthrough& walkthrough(const std::string& name) {
+  if (const Walkthrough* found = find_walkthrough(name)) return *found;
+  throw std::invalid_argument("no walkthrough " + name);
+}
+
+/// A walkthrough of one scene that nobody has drawn. Without further objects the difference is `points` itself.
+inline Walkthrough walkthrough_of(const std::vector<Point>& points, const gjk::Options<double>& options = {},
+                                  const std::vector<Point>& minus = {{0, 0, 0}}) {
+  return {.name = "test",
+          .title = "test",
+          .source = "test",
+          .summary = "test",
+          .scenes = {{.name = "test", .a = {"first", points}, .b = {"second", minus}, .options = options}}};
+}
+
+template <template <class> class E>
+std::vector<E<double>> all(const Trace& trace) {
+  std::vector<E<double>> found;
+  for (const auto& event : trace.events)
+    if (const auto* one = std::get_if<E<double>>(&event)) found.push_back(*one);
+  return found;
+}
+
+inline int iteration_of(const gjk::Event<double>& event) {
+  return std::visit([](const auto& e) { return e.iteration; }, event);
+}
+
+/// One scene as it went, asked about in letters.
+struct Told {
+  Scene scene;
+  Trace trace = run(scene);
+  LabelledHull hull = difference_hull(scene);
+
+  explicit Told(const Scene& s) : scene(s) {}
+  explicit Told(const std::string& name, std::size_t index = 0) : Told(walkthrough(name).scenes.at(index)) {}
+
+  /// Returns: the only event of its kind in that iteration.
+  template <template <class> class E>
+  E<double> at(int iteration) const {
+    std::vector<E<double>> events = all<E>(trace);
+    std::erase_if(events, [=](const auto& e) { return e.iteration != iteration; });
+    if (events.size() != 1) throw std::logic_error(std::to_string(events.size()) + " events of this kind, not one");
+    return events.front();
+  }
+
+  Vec2 corner(char letter) const { return hull.corners.at(static_cast<std::size_t>(letter - 'A')); }
+  /// Returns: the letter found in that iteration.
+  std::string found(int iteration) const { return hull.name(at<gjk::SupportFound>(iteration).vertex.w); }
+  /// Returns: the plane part of the direction searched in that iteration.
+  Vec2 direction(int iteration) const { return at<gjk::SupportFound>(iteration).direction.head<2>(); }
+  gjk::Result<double> result() const { return all<gjk::Finished>(trace).at(0).result; }
+
+  /// Returns: the letters, oldest first: "AEG".
+  std::string names(const Simplex& simplex) const {
+    std::string letters;
+    for (int i = 0; i < simplex.size(); ++i) letters += hull.name(simplex[i].w);
+    return letters;
+  }
+  /// Returns: the letters of a feature told in roles of `simplex`, sorted: "EG".
+  std::string names(const Simplex& simplex, const std::string& roles) const {
+    std::string letters;
+    for (const char role : roles) letters += hull.name(simplex.point(static_cast<gjk::Role>(role - 'A')));
+    std::ranges::sort(letters);
+    return letters;
+  }
+};
+
+inline double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+/// Returns: whether `p` lies on the other side of the line through `from` and `to` than `inside`.
+inline bool beyond(const Vec2& from, const Vec2& to, const Vec2& p, const Vec2& inside) {
+  return cross(to - from, p - from) * cross(to - from, inside - from) < 0;
+}
+
+inline bool triangle_contains(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
+  return !beyond(a, b, p, c) && !beyond(b, c, p, a) && !beyond(c, a, p, b);
+}
+
+/// A new folder that goes with everything in it.
+class Folder {
+ public:
+  Folder() {
+    static int count = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            ("gjkstep-walkthroughs-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Returns: the names of everything in `folder` and below, sorted; empty where there is no such folder.
+inline std::vector<std::string> listing(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  if (std::filesystem::exists(folder))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+      if (!entry.is_directory()) names.push_back(entry.path().lexically_relative(folder).string());
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace walkthroughs::test
