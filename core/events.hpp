@@ -1,7 +1,7 @@
 /// Everything that GJK tells while it runs. A complete list of events replays, draws and checks a run without the shapes.
 ///
-/// Text in events uses the report's letters for the simplex at that moment: A is the newest vertex, O the origin,
-/// X×Y×Z is (X×Y)×Z, and ABn, ABCn are the normals of Eqs. 10, 11 and 14.
+/// Text in events uses the report's letters for the simplex that is being processed, the one of the last VertexAdded:
+/// A is its newest vertex, O the origin, X×Y×Z is (X×Y)×Z, and ABn, ABCn are the normals of Eqs. 10, 11 and 14.
 #pragma once
 
 #include <concepts>

@@ -1,7 +1,10 @@
 #include <GL/osmesa.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <initializer_list>
+#include <string_view>
 
 #include "render/offscreen_context.hpp"
 
@@ -22,6 +25,20 @@ std::string environment() {
   return set;
 }
 
+/// Settings under which OSMesa crashes instead of failing (Mesa 22.3 and 25.0).
+void refuse_settings_that_crash() {
+  const auto require = [](const char* name, std::initializer_list<std::string_view> allowed) {
+    const char* value = std::getenv(name);
+    if (value == nullptr || std::ranges::count(allowed, std::string_view(value)) > 0) return;
+    std::string list;
+    for (const std::string_view each : allowed) list.append(list.empty() ? "" : " or ").append(each);
+    throw ContextError(std::string(name) + "=" + value +
+                       " is set, and OSMesa cannot draw with it; unset it, or choose " + list);
+  };
+  require("GALLIUM_DRIVER", {"llvmpipe", "softpipe"});
+  require("LP_NATIVE_VECTOR_WIDTH", {"128", "256"});
+}
+
 }  // namespace
 
 struct OffscreenContext::Impl {
@@ -34,6 +51,7 @@ OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>()) {
   if (OSMesaGetCurrentContext() != nullptr) {
     throw ContextError("this thread has an OpenGL context already: destroy it first, or use another thread");
   }
+  refuse_settings_that_crash();
   constexpr std::array attributes = {OSMESA_FORMAT,
                                      OSMESA_RGBA,
                                      OSMESA_PROFILE,

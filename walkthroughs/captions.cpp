@@ -47,7 +47,7 @@ class Captions {
 
   std::optional<Frame> operator()(const gjk::SupportFound<double>& event) const {
     const std::string name = hull_.name(event.vertex.w);
-    const std::string along = now_.direction->expression.empty() ? "Along +x" : "Along d";
+    const std::string along = event.direction == Point(1, 0, 0) ? "Along +x" : "Along d";
     Frame frame{Focus::support, along + " the farthest point of the difference is " + name, {}, {}};
     if (!event.is_new) frame.caption += " again, so there is no new point";
     finish_sentence(frame.caption, Remark::At::support_found, event.iteration);
@@ -104,8 +104,8 @@ class Captions {
   }
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
-    const Letters letters(now_.simplex, hull_);
-    const std::string from = with_kind(letters.feature(all_roles(now_.simplex)));
+    const Letters letters(now_.reduction ? now_.reduction->before : now_.simplex, hull_);
+    const std::string from = simplex_name(now_.simplex);
     return Frame{Focus::direction,
                  "The next search goes from " + from + " toward the origin.",
                  {{Mark::none, "d = " + letters.translate(event.expression) + " = " + vector(event.direction)}},
@@ -115,7 +115,8 @@ class Captions {
   std::optional<Frame> operator()(const gjk::Finished<double>& event) const {
     const gjk::Result<double>& result = event.result;
     Frame frame{Focus::end, "", {}, {}};
-    const std::string count = " after " + std::to_string(result.iterations) + " iterations";
+    const std::string count =
+        " after " + std::to_string(result.iterations) + (result.iterations == 1 ? " iteration" : " iterations");
     switch (result.status) {
       case gjk::Status::intersecting:
         frame.caption = "The origin lies in " + simplex_name(result.simplex) + ", so the objects intersect";

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 
@@ -62,9 +63,11 @@ struct RenderCommand {
   /// Everything that can be wrong with the words of the command is found before the first file is written.
   void run() const {
     std::vector<const Walkthrough*> chosen;
-    for (const std::string& name : names) chosen.push_back(&walkthrough_named(name));
-    if (all)
-      for (const Walkthrough& w : walkthroughs::catalogue()) chosen.push_back(&w);
+    const auto choose = [&](const Walkthrough& w) {
+      if (std::ranges::count(chosen, &w) == 0) chosen.push_back(&w);
+    };
+    for (const std::string& name : names) choose(walkthrough_named(name));
+    if (all) std::ranges::for_each(walkthroughs::catalogue(), choose);
     if (chosen.empty()) throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
     const walkthroughs::Output output{out, parse_size(size)};
     walkthroughs::Studio studio;
@@ -89,6 +92,11 @@ struct RenderCommand {
 void print_version() {
   std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
   std::cout << render::OffscreenContext().description() << '\n';
+}
+
+ExitCode flush_output() {
+  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
+  return ok;
 }
 
 int run(int argc, char** argv) {
@@ -117,7 +125,8 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? ok : wrong_usage;
+    if (app.exit(error) != 0) return wrong_usage;
+    return flush_output();
   }
   if (version)
     print_version();
@@ -129,8 +138,7 @@ int run(int argc, char** argv) {
     walkthroughs::write_traces(std::cout, walkthrough_named(traced));
   else
     throw UsageError("what to do? 'gjkstep --help' shows the commands");
-  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
-  return ok;
+  return flush_output();
 }
 
 int fail(ExitCode code, const std::exception& error) {

@@ -36,6 +36,8 @@ struct Story {
 };
 
 /// Runs the scenes and tells them: one frame for each event that changes the picture.
+/// The story refers to the walkthrough, which must outlive it.
 Story tell(const Walkthrough& walkthrough);
+Story tell(Walkthrough&&) = delete;
 
 }  // namespace walkthroughs

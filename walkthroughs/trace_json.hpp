@@ -1,8 +1,8 @@
 /// Traces as JSON Lines.
 ///
 /// The first line says what the rest is: schema name and version, walkthrough, scalar, and the scenes in full. Each further
-/// line is one event of one scene, in order. Vectors are arrays of three numbers in scene units; every number reads
-/// back as the same double.
+/// line is one event of one scene, in order. Vectors are arrays of three numbers in scene units; every finite
+/// number reads back as the same double, and any other is null.
 #pragma once
 
 #include <ostream>

@@ -76,8 +76,12 @@ std::string list_of_names(const Simplex& simplex, const LabelledHull& hull) {
 
 std::string plain(std::string_view text) {
   std::string out;
-  for (const char c : text)
-    if (c != '_' && c != '{' && c != '}') out += c;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.substr(i).starts_with("\\_"))
+      out += text[++i];
+    else if (text[i] != '_' && text[i] != '{' && text[i] != '}')
+      out += text[i];
+  }
   return out;
 }
 

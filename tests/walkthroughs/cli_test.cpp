@@ -256,6 +256,23 @@ TEST_CASE("No OpenGL context is exit code 4 and the message names what stands in
   CHECK(run("--version", old).exit_code == 4);
 }
 
+TEST_CASE("Settings under which Mesa would crash are exit code 4 and the message says what to choose") {
+  for (const std::string setting : {"GALLIUM_DRIVER=bogus", "LP_NATIVE_VECTOR_WIDTH=512"}) {
+    const Untouched out;
+    check_failure("render figure-5" + out.option, 4, {setting, "unset it", "or choose"}, setting);
+  }
+}
+
+TEST_CASE("A walkthrough named twice is rendered once") {
+  const Folder folder;
+  const Outcome outcome = run("render figure-5 --all figure-5 --size 32x18 --out " + quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 0);
+  const std::string file = "figure-5/000.png";
+  const auto first = outcome.out.find(file);
+  REQUIRE(first != std::string::npos);
+  CHECK(outcome.out.find(file, first + 1) == std::string::npos);
+}
+
 TEST_CASE("A folder that cannot be made is exit code 5 and the message names it") {
   const Folder folder;
   const fs::path file = folder.path() / "a file";
@@ -273,7 +290,7 @@ TEST_CASE("A frame that cannot be written is exit code 5, and nothing half-writt
 }
 
 TEST_CASE("Standard output that is full is exit code 5") {
-  for (const char* command : {"trace figure-4-left", "list", "--version"}) {
+  for (const char* command : {"trace figure-4-left", "list", "--version", "--help"}) {
     INFO(command);
     const Outcome outcome = run(command, "", {.out = "/dev/full", .err = ""});
     CHECK(outcome.exit_code == 5);

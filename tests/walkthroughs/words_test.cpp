@@ -96,5 +96,6 @@ TEST_CASE("A simplex is listed oldest first") {
 TEST_CASE("Plain text has no markup and keeps every other character") {
   CHECK(plain("R3: GE_n·GO = −71.5 > 0") == "R3: GEn·GO = −71.5 > 0");
   CHECK(plain("x_{12} ≠ 0") == "x12 ≠ 0");
+  CHECK(plain("a\\_b") == "a_b");
   CHECK(plain("") == "");
 }
