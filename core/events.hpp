@@ -59,13 +59,13 @@ template <class S>
 struct RegionTested {
   int iteration = 0;
   int simplex_size = 0;
-  std::string feature;            ///< "A", "AB", "ABC", "ABCD", ...
-  std::string label;              ///< the report's "R1" ... "R7", "R3 or R4"; empty where the report gives none
-  std::string face;               ///< the face whose edge is tested (Algorithm 5); else empty
-  std::string expression;         ///< "ABn·AO"; empty where nothing had to be computed
-  std::string formula;            ///< how the normal in `expression` was made: "AB×ABCn"; else empty
-  std::optional<Vec3<S>> normal;  ///< the value of `formula`
-  std::variant<std::monostate, S, Vec3<S>> value;  ///< the value of `expression`
+  std::string feature;                 ///< "A", "AB", "ABC", "ABCD", ...
+  std::string label = {};              ///< the report's "R1" ... "R7", "R3 or R4"; empty where the report gives none
+  std::string face = {};               ///< the face whose edge is tested (Algorithm 5); else empty
+  std::string expression = {};         ///< "ABn·AO"; empty where nothing had to be computed
+  std::string formula = {};            ///< how the normal in `expression` was made: "AB×ABCn"; else empty
+  std::optional<Vec3<S>> normal = {};  ///< the value of `formula`
+  std::variant<std::monostate, S, Vec3<S>> value = {};  ///< the value of `expression`
   Relation relation = Relation::positive;
   Verdict verdict = Verdict::skipped;
   std::string reason;  ///< skipped: the report's reason; else what the verdict means

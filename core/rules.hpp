@@ -73,11 +73,6 @@ void skip(const Simplex<S>& simplex, std::string_view feature, std::string_view 
     return RegionTested<S>{.simplex_size = simplex.size(),
                            .feature = std::string(feature),
                            .label = std::string(label),
-                           .face = {},
-                           .expression = {},
-                           .formula = {},
-                           .normal = {},
-                           .value = {},
                            .verdict = Verdict::skipped,
                            .reason = std::string(reason)};
   });
@@ -173,11 +168,7 @@ struct AsIntended {
     tell([&] {
       return RegionTested<S>{.simplex_size = 1,
                              .feature = "A",
-                             .label = {},
-                             .face = {},
                              .expression = "AO",
-                             .formula = {},
-                             .normal = {},
                              .value = AO,
                              .relation = at_origin ? Relation::zero : Relation::not_zero,
                              .verdict = Verdict::chosen,
@@ -209,10 +200,7 @@ struct AsIntended {
       return RegionTested<S>{.simplex_size = 2,
                              .feature = "AB",
                              .label = on_segment ? "" : "R3 or R4",
-                             .face = {},
                              .expression = "AB×AO×AB",
-                             .formula = {},
-                             .normal = {},
                              .value = direction,
                              .relation = on_segment ? Relation::zero : Relation::not_zero,
                              .verdict = Verdict::chosen,
@@ -281,12 +269,6 @@ struct AsIntended {
     tell([&] {
       return RegionTested<S>{.simplex_size = 4,
                              .feature = "ABCD",
-                             .label = {},
-                             .face = {},
-                             .expression = {},
-                             .formula = {},
-                             .normal = {},
-                             .value = {},
                              .verdict = Verdict::chosen,
                              .reason = "no face sees the origin: it lies in the tetrahedron"};
     });
@@ -303,7 +285,6 @@ struct AsIntended {
           .simplex_size = 3,
           .feature = "ABC",
           .label = "R1",
-          .face = {},
           .expression = "ABCn·AO",
           .formula = "AB×AC",
           .normal = ABCn,
