@@ -55,6 +55,7 @@ enum class Relation { positive, negative, zero, not_zero };
 enum class Verdict { chosen, rejected, skipped };
 
 /// One region of Algorithms 2-5. `chosen` means that the value stands in `relation` to zero, `rejected` that it does not.
+/// Regions that the algorithm does not reach, because it has chosen one before, are not told.
 template <class S>
 struct RegionTested {
   int iteration = 0;

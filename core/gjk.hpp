@@ -60,11 +60,11 @@ class Search {
       if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
       tell_.enter_iteration(++result_.iterations);
       const Vertex<S> vertex = difference_.vertex(direction_);
-      if (const std::optional<Reason> reason = reason_to_stop_at(vertex)) return finish_outside(vertex.w, *reason);
+      if (const std::optional<Reason> reason = reason_to_stop_at(vertex)) return finish_outside(vertex, *reason);
       result_.simplex.add(vertex);
       tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
       const Step<S> step = process<Rules>(result_.simplex, tell_);
-      if (!step.direction) return finish_with_origin_in_simplex(vertex.w);
+      if (!step.direction) return finish_with_origin_in_simplex(vertex);
       result_.simplex = step.simplex;
       direction_ = *step.direction;
     }
@@ -99,17 +99,17 @@ class Search {
 
   /// The rules find the origin in the simplex. Where a segment points at the origin or a triangle is flat they rely on
   /// the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
-  Result<S> finish_with_origin_in_simplex(const Vec3<S>& w) {
-    if (options_.crossing_test == CrossingTest::off && w.dot(direction_) < S(0))
-      return finish_outside(w, Reason::origin_not_crossed);
+  Result<S> finish_with_origin_in_simplex(const Vertex<S>& vertex) {
+    if (options_.crossing_test == CrossingTest::off && vertex.w.dot(direction_) < S(0))
+      return finish_outside(vertex, Reason::origin_not_crossed);
     return finish(Status::intersecting, Reason::simplex_contains_origin);
   }
 
   /// The search stops without having found the origin. Only w·d < 0 proves that the sets are apart.
-  Result<S> finish_outside(const Vec3<S>& w, Reason reason) {
-    const S support_value = w.dot(direction_);
+  Result<S> finish_outside(const Vertex<S>& vertex, Reason reason) {
+    const S support_value = vertex.w.dot(direction_);
     if (!(support_value < S(0))) return finish(Status::undecided, reason);
-    result_.separation = Separation<S>{direction_, support_value};
+    result_.separation = Separation<S>{direction_, vertex, support_value};
     return finish(Status::separated, reason);
   }
 
@@ -153,8 +153,14 @@ class Search {
 /// Algorithm 1: do the convex sets `a` and `b` have a point in common?
 ///
 /// Requires: finite shapes. S is float, double, long double or an exact number type.
-/// Returns: the answer with its evidence. With the crossing test on and nobody listening it allocates nothing.
+/// Returns: the answer with its evidence; undecided at the iteration limit (at once, where it is below 1) and where a
+/// search direction is zero, infinite or not a number. With the crossing test on and nobody listening it allocates nothing.
 /// Observer: called with every event, see events.hpp; the run is the same with and without one.
+/// Errors: none of its own; what a support function or the observer throws passes through.
+///
+/// An exact S answers rightly whenever it decides. In floating point the rules compare rounded products with zero, as the
+/// report does: sets that touch, or are coplanar askew, may be found apart or together; and products of up to four
+/// differences overflow or vanish where these are beyond about 1e±75 (double) or 1e±9 (float), with arbitrary answers.
 template <class S = double, class Rules = AsIntended, Shape<S> A, Shape<S> B, class Obs = const NobodyListens>
 requires Observer<Obs, S> Result<S> collision(const A& a, const B& b, const Options<S>& options = {},
                                               Obs&& observer = NobodyListens{}) {

@@ -31,10 +31,12 @@ struct Options {
   CrossingTest crossing_test = CrossingTest::on;
 };
 
-/// Proof of separation: every point w of the difference has w·direction <= support_value < 0.
+/// Proof of separation: every point w of the difference has w·direction <= support_value < 0. In floating point it is a
+/// proof as far as support_value is larger than its rounding error: sets that touch may be found a rounding error apart.
 template <class S>
 struct Separation {
   Vec3<S> direction;
+  Vertex<S> vertex;  ///< the farthest one, not necessarily part of the simplex: vertex.w·direction = support_value
   S support_value;
 };
 
@@ -43,7 +45,7 @@ struct Result {
   Status status = Status::undecided;
   Reason reason = Reason::iteration_limit;
   int iterations = 0;                       ///< how many times each of the two support functions was called
-  Simplex<S> simplex;                       ///< the last simplex; it contains the origin exactly when intersecting
+  Simplex<S> simplex;                       ///< the last one; the claim is that it contains the origin, if intersecting
   std::optional<Separation<S>> separation;  ///< present exactly when separated
 };
 

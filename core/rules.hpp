@@ -156,7 +156,8 @@ inline constexpr Face face_ADB{.P = Role::D,
 
 // -- The rules --------------------------------------------------------------------------------------------------------
 
-/// The report's rules as its text means them. A variant derives from this class and hides one function.
+/// The report's rules as its text means them. A variant derives from this class and hides one of the four functions
+/// process_0simplex … process_3simplex; it may build on the protected parts.
 struct AsIntended {
   /// Algorithm 2. Not a test for regions: a point has none. Called with the first vertex of the search.
   ///
@@ -275,7 +276,7 @@ struct AsIntended {
     return {simplex, std::nullopt};
   }
 
- private:
+ protected:
   /// R1 of Algorithm 4: the origin lies in the prism above and below the triangle.
   template <class S, class Obs>
   static Step<S> process_inside_triangle(const Simplex<S>& simplex, const Vec3<S>& ABCn, Teller<Obs>& tell) {

@@ -84,25 +84,15 @@ std::vector<Ramp> coverage_ramps(const Polygon& polygon) {
   return ramps;
 }
 
-/// Returns the part of a convex polygon where `ramp` >= 0 (Sutherland and Hodgman, 1974).
-Polygon clipped(const Polygon& polygon, const Ramp& ramp) {
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2& from = polygon[i];
-    const Vec2& to = polygon[(i + 1) % polygon.size()];
-    const double at_from = ramp.at(from), at_to = ramp.at(to);
-    if (at_from >= 0) kept.push_back(from);
-    if ((at_from < 0) != (at_to < 0)) kept.push_back(from + (to - from) * (at_from / (at_from - at_to)));
-  }
-  return kept;
-}
-
 /// Returns the part of `bounds` where `ramps[index]` is the least of all ramps and not negative.
 Polygon cell_of(std::size_t index, const std::vector<Ramp>& ramps, const Box& bounds) {
+  const auto clip = [](const Polygon& polygon, const Ramp& ramp) {
+    return clip_polygon(polygon, ramp.gradient, ramp.offset);
+  };
   Polygon cell = {bounds.min, {bounds.max.x(), bounds.min.y()}, bounds.max, {bounds.min.x(), bounds.max.y()}};
-  cell = clipped(cell, ramps[index]);
+  cell = clip(cell, ramps[index]);
   for (std::size_t other = 0; other < ramps.size() && !cell.empty(); ++other) {
-    if (other != index) cell = clipped(cell, ramps[other] - ramps[index]);
+    if (other != index) cell = clip(cell, ramps[other] - ramps[index]);
   }
   return cell;
 }

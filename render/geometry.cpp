@@ -23,4 +23,16 @@ std::optional<Interval> clip_segment(const Vec2& from, const Vec2& to, const Box
   return inside;
 }
 
+// Sutherland and Hodgman (1974), for one edge.
+std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradient, double offset) {
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    const double at_from = gradient.dot(from) + offset, at_to = gradient.dot(to) + offset;
+    if (at_from >= 0) kept.push_back(from);
+    if ((at_from < 0) != (at_to < 0)) kept.push_back(from + (to - from) * (at_from / (at_from - at_to)));
+  }
+  return kept;
+}
+
 }  // namespace render

@@ -1,7 +1,7 @@
 /// Places, sizes and boxes on a page.
 ///
 /// Conventions of the whole of render/, stated once:
-///  * A page is `Page::units` wide and high in *page units*: x to the right, y DOWN, (0,0) the top left corner.
+///  * A page has a size in *page units* (see Canvas): x to the right, y DOWN, (0,0) the top left corner.
 ///    One page unit is one pixel when the page is drawn at its own size; `Canvas` scales it to any other size.
 ///  * A scene is drawn in *scene units*, x to the right, y UP. `View` is the one place that turns y over.
 ///  * Line widths, radii and text sizes are page units, so they do not change when a scene is zoomed.
@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace render {
 
@@ -45,5 +47,8 @@ struct Interval {
 
 /// Returns: the part of the segment that lies in `box` (border included), or nothing where none does.
 std::optional<Interval> clip_segment(const Vec2& from, const Vec2& to, const Box& box);
+
+/// Returns: the part of a convex polygon where `gradient`·p + `offset` >= 0.
+std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradient, double offset);
 
 }  // namespace render

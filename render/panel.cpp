@@ -11,12 +11,13 @@ namespace render {
 namespace {
 
 // Page units.
-constexpr double frame_margin = 4;              // between a label and the frame
-constexpr double line_clearance = 4;            // between a label and an obstacle
-constexpr double label_clearance = 16;          // between two labels
-constexpr std::array gaps = {9.0, 16.0, 26.0};  // between a label and its anchor, in the order they are tried
-constexpr double area_clearance = 12;           // between the name of an area and everything else
-constexpr double area_pitch = 16;               // between the places tried for it
+constexpr double frame_margin = 4;                    // between a label and the frame
+constexpr double line_clearance = 4;                  // between a label and an obstacle
+constexpr double label_clearance = 16;                // between two labels
+constexpr std::array gaps = {9.0, 16.0, 26.0, 40.0};  // between a label and its anchor, in the order they are tried
+constexpr std::array area_clearances = {4.0, 8.0,
+                                        12.0};  // between the name of an area and everything else, if possible
+constexpr double area_pitch = 8;                // between the places tried for it
 constexpr double min_grid_spacing = 3;
 
 constexpr int directions = 16;
@@ -191,19 +192,22 @@ void Panel::name_area(std::span<const Vec2> corners, std::string text, const Tex
 }
 
 // Points first: their names have the least choice.
-void Panel::place_labels() {
+int Panel::place_labels() {
   std::vector<Box> taken;
+  int crowded = 0;
   const auto place_all = [&](const auto& labels) {
     for (const auto& label : labels) {
       const Place place = best_place(label, taken);
       canvas_.text(place.baseline, label.text, label.style);
       taken.push_back(place.box);
+      crowded += place.clear ? 0 : 1;
     }
   };
   place_all(labels_);
   place_all(area_names_);
   labels_.clear();
   area_names_.clear();
+  return crowded;
 }
 
 Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken) const {
@@ -214,17 +218,19 @@ Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken)
     middle += corner / static_cast<double>(area.corners.size());
     around = {around.min.cwiseMin(corner), around.max.cwiseMax(corner)};
   }
-  Place best{middle, moved(ink, middle)};
+  Place best{middle, moved(ink, middle), false};
   double least = std::numeric_limits<double>::infinity();
   const Box tried{around.min.cwiseMax(frame_.min), around.max.cwiseMin(frame_.max)};
   for (double y = tried.min.y(); y <= tried.max.y(); y += area_pitch) {
     for (double x = tried.min.x(); x <= tried.max.x(); x += area_pitch) {
       const Box box = moved(ink, {x, y});
       if (!contains(area.corners, box)) continue;
-      const double cost = cost_of(box.grown(area_clearance), taken) + (box.center() - middle).norm() / area_pitch;
+      const double overlap = cost_of(box, taken);
+      double cost = overlap + (box.center() - middle).norm() / area_pitch;
+      for (const double clearance : area_clearances) cost += cost_of(box.grown(clearance), taken);
       if (cost >= least) continue;
       least = cost;
-      best = {{x, y}, box};
+      best = {{x, y}, box, overlap < cost_obstacle};
     }
   }
   return best;
@@ -244,10 +250,11 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
       const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
       const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, gaps[gap]);
       const Vec2 baseline = middle + Vec2(0, rise);
-      const Place place{baseline, moved(ink, baseline)};
+      Place place{baseline, moved(ink, baseline)};
       const double cost = cost_of(place.box, taken) + cost_gap * static_cast<double>(gap) + cost_turn * std::abs(turns);
       if (cost >= least) continue;
       least = cost;
+      place.clear = cost < cost_obstacle;
       best = place;
     }
   }

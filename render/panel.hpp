@@ -54,8 +54,10 @@ class Panel {
   void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style);
   /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
   void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style);
-  /// Draws all labels, first come first served. Deterministic. Call after everything else.
-  void place_labels();
+  /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
+  /// after everything else.
+  /// Returns: how many of them could not be kept clear of lines, of each other, and of the frame.
+  int place_labels();
 
   const View& view() const { return view_; }
   /// Returns: the four corners of the frame in scene units.
@@ -79,6 +81,7 @@ class Panel {
   struct Place {
     Vec2 baseline = Vec2::Zero();  ///< its middle
     Box box;                       ///< of the letters
+    bool clear = false;            ///< of everything else
   };
 
   std::vector<Vec2> to_page(std::span<const Vec2> scene) const;

@@ -45,6 +45,16 @@ void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark) {
   if (mark == Fact::Mark::no) canvas.text(at, "✗", style);
 }
 
+void draw_fact(Canvas& canvas, const Vec2& at, const Fact& fact) {
+  TextStyle bold = fact_style;
+  bold.weight = render::Weight::bold;
+  switch (fact.mark) {
+    case Fact::Mark::skipped: canvas.text(at, "skipped " + fact.text, small_style); break;
+    case Fact::Mark::answer: canvas.text(at, fact.text, bold); break;
+    default: canvas.text(at, fact.text, fact_style);
+  }
+}
+
 /// "step n of N", the caption, and the numbers that decide.
 void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
   const Frame& frame = story.frames[index];
@@ -62,15 +72,13 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
     y += line_pitch;
   }
   for (const Fact& fact : frame.facts) {
-    const bool skipped = fact.mark == Fact::Mark::skipped;
     draw_mark(canvas, {text_left, y}, fact.mark);
-    canvas.text({text_left + mark_width, y}, skipped ? "skipped " + fact.text : fact.text,
-                skipped ? small_style : fact_style);
+    draw_fact(canvas, {text_left + mark_width, y}, fact);
     y += line_pitch;
   }
 }
 
-void draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame& frame) {
+int draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame& frame) {
   const Scene& scene = story.walkthrough.scenes[0];
   const Box left = panel_box(left_margin, 470), right = panel_box(490, right_margin);
   const Bounds objects = bounds_of_objects(scene), difference = bounds_of_difference(story.hulls[0]);
@@ -79,27 +87,30 @@ void draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame
   // One scale for both, so that a length in one panel is the same length in the other.
   const double scale = std::min(View::fit(objects.low, objects.high, room_left, max_scale).scale(),
                                 View::fit(difference.low, difference.high, room_right, max_scale).scale());
-  draw_objects(canvas, {left, "objects", View::fit(objects.low, objects.high, room_left, scale)}, scene,
-               frame.moments[0], frame.focus);
-  draw_difference(canvas, {right, "difference a − b", View::fit(difference.low, difference.high, room_right, scale)},
-                  story.hulls[0], frame.moments[0], frame.focus);
+  return draw_objects(canvas, {left, "objects", View::fit(objects.low, objects.high, room_left, scale)}, scene,
+                      frame.moments[0], frame.focus) +
+         draw_difference(canvas,
+                         {right, "difference a − b", View::fit(difference.low, difference.high, room_right, scale)},
+                         story.hulls[0], frame.moments[0], frame.focus);
 }
 
-void draw_close_ups(Canvas& canvas, const Story& story, const Frame& frame) {
+int draw_close_ups(Canvas& canvas, const Story& story, const Frame& frame) {
   const double middle = (left_margin + right_margin) / 2;
   const Box boxes[] = {panel_box(left_margin, middle - 10), panel_box(middle + 10, right_margin)};
-  const Frame& whole_move = story.frames.back();  // so that nothing jumps from frame to frame
-  for (std::size_t s = 0; s < 2; ++s) {
-    const Bounds box = bounds_of_move(whole_move.moments[s]);
-    const Box room = below_title(boxes[s]).grown(-difference_margin);
-    draw_move(canvas,
-              {boxes[s], story.walkthrough.scenes[s].name + " set", View::fit(box.low, box.high, room, max_scale)},
-              story.hulls[s], frame.moments[s], frame.focus);
-  }
+  const auto view = [&](std::size_t s, double scale) {
+    const Bounds box = bounds_of_move(story.frames.back().moments[s]);  // of the whole move, so that nothing jumps
+    return View::fit(box.low, box.high, below_title(boxes[s]).grown(-difference_margin), scale);
+  };
+  const double scale = std::min(view(0, max_scale).scale(), view(1, max_scale).scale());
+  int crowded = 0;
+  for (std::size_t s = 0; s < 2; ++s)
+    crowded += draw_move(canvas, {boxes[s], story.walkthrough.scenes[s].name + " set", view(s, scale)}, story.hulls[s],
+                         frame.moments[s], frame.focus);
+  return crowded;
 }
 
 // The strip, in page units.
-constexpr int cell_width = 420, cell_height = 480;
+constexpr int cell_width = 420, cell_height = 490;
 constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
 
 /// One panel of the strip: its picture fills the box and `caption` stands below.
@@ -120,12 +131,12 @@ std::vector<Cell> cells(const Story& story) {
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
     const auto iteration = [&](std::size_t at) { return story.frames[at].moments[0].iteration; };
     if (i + 1 < story.frames.size() && iteration(i + 1) == iteration(i)) continue;
-    list.push_back({story.frames[i], 0, "iteration " + std::to_string(iteration(i)), story.frames[i].caption});
+    list.push_back({story.frames[i], 0, "iteration " + std::to_string(iteration(i)), story.frames[i].headline});
   }
   return list;
 }
 
-void draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left) {
+int draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left) {
   const Box frame{{left + cell_gap, cell_gap}, {left + cell_width - cell_gap, cell_panel_bottom}};
   const Box room = below_title(frame).grown(-cell_margin);
   const Moment& now = cell.frame.moments[cell.scene];
@@ -133,37 +144,41 @@ void draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left
   const bool close_up = story.walkthrough.layout == Layout::close_ups;
   const Bounds box = close_up ? bounds_of_move(now) : bounds_of_difference(hull);
   const Place place{frame, cell.title, View::fit(box.low, box.high, room, max_scale)};
-  close_up ? draw_move(canvas, place, hull, now, cell.frame.focus)
-           : draw_difference(canvas, place, hull, now, cell.frame.focus);
+  const int crowded = close_up ? draw_move(canvas, place, hull, now, cell.frame.focus)
+                               : draw_difference(canvas, place, hull, now, cell.frame.focus);
   double y = cell_panel_bottom + line_pitch;
   for (const std::string& line : render::wrap(canvas, cell.caption, fact_style, frame.width())) {
     canvas.text({frame.min.x(), y}, line, fact_style);
     y += line_pitch * 0.9;
   }
+  return crowded;
 }
 
 }  // namespace
 
-void draw_frame(Canvas& canvas, const Story& story, std::size_t index) {
+int draw_frame(Canvas& canvas, const Story& story, std::size_t index) {
   const Frame& frame = story.frames[index];
   draw_header(canvas, story.walkthrough);
-  switch (story.walkthrough.layout) {
-    case Layout::objects_and_difference: draw_objects_and_difference(canvas, story, frame); break;
-    case Layout::close_ups: draw_close_ups(canvas, story, frame); break;
-  }
   draw_footer(canvas, story, index);
+  switch (story.walkthrough.layout) {
+    case Layout::objects_and_difference: return draw_objects_and_difference(canvas, story, frame);
+    case Layout::close_ups: return draw_close_ups(canvas, story, frame);
+  }
+  return 0;
 }
 
 render::Size strip_page(const Story& story) {
   return {cell_width * static_cast<int>(cells(story).size()), cell_height};
 }
 
-void draw_strip(Canvas& canvas, const Story& story) {
+int draw_strip(Canvas& canvas, const Story& story) {
+  int crowded = 0;
   double left = 0;
   for (const Cell& cell : cells(story)) {
-    draw_cell(canvas, story, cell, left);
+    crowded += draw_cell(canvas, story, cell, left);
     left += cell_width;
   }
+  return crowded;
 }
 
 }  // namespace walkthroughs

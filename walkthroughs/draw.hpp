@@ -1,4 +1,6 @@
 /// Frames to pictures. Reads the story; computes nothing that the trace or the hull already states.
+///
+/// What draws returns how many labels could not be kept clear of lines, of each other and of the panel's frame.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +14,13 @@ namespace walkthroughs {
 inline constexpr render::Size frame_page{1280, 720};
 
 /// Draws frame `index` of `story`. Requires: a canvas with the page `frame_page`; index < story.frames.size().
-void draw_frame(render::Canvas& canvas, const Story& story, std::size_t index);
+int draw_frame(render::Canvas& canvas, const Story& story, std::size_t index);
 
 /// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
 /// picture of each.
 render::Size strip_page(const Story& story);
 
 /// Requires: a canvas with the page strip_page(story).
-void draw_strip(render::Canvas& canvas, const Story& story);
+int draw_strip(render::Canvas& canvas, const Story& story);
 
 }  // namespace walkthroughs

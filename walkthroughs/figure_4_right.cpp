@@ -9,7 +9,7 @@ Walkthrough figure_4_right() {
           .source = "ARL-TR-7474, Section 3.1.3",
           .summary = "the origin is not crossed at E, so the search ends there (Eq. 9)",
           .scenes = {figure_4_right_scene()},
-          .remarks = {{Remark::At::end, 2, "Section 3.1.2 goes on to F, as it has no test yet"}}};
+          .remarks = {{Remark::At::end, 2, "Section 3.1.2 does not use the test yet and goes on to F"}}};
 }
 
 }  // namespace walkthroughs

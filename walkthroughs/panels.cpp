@@ -21,22 +21,25 @@ namespace palette = render::palette;
 constexpr double title_height = 36;
 constexpr double arrow_length = 60;  // directions have no length of their own
 constexpr double point_radius = 7;
-constexpr double key_pitch = 58;  // a sign with the space around it
+constexpr double key_pitch = 54;  // a sign with the space around it
 constexpr double page_diagonal = 1500;
 
 const Stroke grid_line{palette::faint, 1};
 const Stroke hull_line{palette::grey, 2.5};
 const Stroke added_line{palette::green, 4, {11, 9}};
 const Stroke move_line{palette::green, 2, {11, 9}};
-const Stroke former_line{palette::grey, 2, {4, 7}};
+const Stroke former_line{palette::ink, 2.5, {3, 7}};
 const Stroke direction_line{palette::vermillion, 4.5};
 const Stroke support_line{palette::vermillion, 2, {14, 5}};
 const Stroke normal_line{palette::blue, 4};
 const Stroke thin_line{palette::grey, 1.5, {2, 5}};
+const Stroke projection_line{palette::ink.with_alpha(90), 9};
+const render::Color out_of_reach = palette::orange.with_alpha(50);
 
 TextStyle label_style(render::Color color, render::Weight weight = render::Weight::regular) {
   return {.size = 26, .weight = weight, .color = color, .halo = palette::white};
 }
+const TextStyle small_label{.size = 22, .color = palette::ink, .halo = palette::white};
 
 Vec2 plane(const Point& p) { return p.head<2>(); }
 
@@ -67,17 +70,9 @@ std::vector<Vec2> points_of(const Simplex& simplex) {
   return out;
 }
 
-/// Returns: the part of the panel on the side of `on` that `toward` points to (Sutherland and Hodgman 1974, one edge).
-std::vector<Vec2> half_plane(const Panel& panel, const Vec2& on, const Vec2& toward) {
-  const std::vector<Vec2> corners = panel.corners();
-  std::vector<Vec2> kept;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec2 &p = corners[i], &q = corners[(i + 1) % corners.size()];
-    const double at_p = toward.dot(p - on), at_q = toward.dot(q - on);
-    if (at_p >= 0) kept.push_back(p);
-    if ((at_p < 0) != (at_q < 0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
-  }
-  return kept;
+/// Returns: the part of a polygon on the side of `on` that `toward` points to.
+std::vector<Vec2> half(const std::vector<Vec2>& polygon, const Vec2& on, const Vec2& toward) {
+  return render::clip_polygon(polygon, toward, -toward.dot(on));
 }
 
 void draw_point(Panel& panel, const Vec2& at, render::Color color) {
@@ -124,10 +119,18 @@ KeyEntry dashes(const std::string& text, const Stroke& stroke) {
           [=](render::Canvas& canvas, const Vec2& at) { canvas.line(at - Vec2(15, 0), at + Vec2(15, 0), stroke); }};
 }
 
-KeyEntry ringed_point(const std::string& text, render::Color color) {
+KeyEntry ringed_point(const std::string& text) {
   return {text, [=](render::Canvas& canvas, const Vec2& at) {
-            canvas.disc(at, point_radius - 1, color);
-            canvas.circle(at, point_radius + 3, {color, 2});
+            canvas.disc(at, point_radius - 1, palette::green);
+            canvas.circle(at, point_radius + 3, {palette::ink, 2});
+          }};
+}
+
+/// An area with the supporting line as its border.
+KeyEntry far_side(const std::string& text) {
+  return {text, [=](render::Canvas& canvas, const Vec2& at) {
+            canvas.rectangle({at - Vec2(15, 8), at + Vec2(15, 8)}, out_of_reach);
+            canvas.line(at + Vec2(-15, -8), at + Vec2(15, -8), support_line);
           }};
 }
 
@@ -182,48 +185,39 @@ class DifferencePicture {
   /// Where the origin would have to lie for the tested region to be chosen, and whether it does.
   void tested_region() {
     const auto& region = now_.regions.back();
-    const bool chosen = region.verdict == Verdict::chosen;
-    const render::Color shade = chosen ? palette::green.with_alpha(64) : palette::grey.with_alpha(44);
-    const std::string label = region.label + (chosen ? " ✓" : " ✗");
-    if (region.feature == "ABC") {
-      panel_.polygon(points_of(now_.simplex), shade);
-      panel_.name_area(points_of(now_.simplex), label, label_style(palette::ink));
-    } else if (region.feature.size() == 2) {
-      const Vec2 from = plane(now_.simplex.point(Role::A));
-      const Vec2 to = plane(now_.simplex.point(region.feature == "AB" ? Role::B : Role::C));
-      const Vec2 outward = plane(region.normal ? *region.normal : std::get<Point>(region.value));
-      const std::vector<Vec2> beyond = half_plane(panel_, from, outward);
-      panel_.polygon(beyond, shade);
-      if (region.normal)
-        draw_arrow(panel_, (from + to) / 2, outward, normal_line,
-                   Letters(now_.simplex, hull_).translate(region.feature + "n"));
-      else
-        ends_of_segment(from, to);
-      panel_.name_area(beyond, label, label_style(palette::ink));
-    }
+    if (region.feature == "ABC") shade(points_of(now_.simplex), region);
+    if (region.feature.size() != 2) return;
+    const Vec2 from = plane(now_.simplex.point(Role::A));
+    const Vec2 to = plane(now_.simplex.point(region.feature == "AB" ? Role::B : Role::C));
+    if (region.normal)
+      beyond_edge(region, from, to);
+    else
+      beside_segment(region, from, to);
   }
 
   /// The part of the plane where no point of the set can lie, because the support function has looked.
   void beyond_found() {
     const Vec2 w = plane(now_.found->w), d = plane(now_.direction->value);
-    panel_.polygon(half_plane(panel_, w, d), palette::orange.with_alpha(50));
+    panel_.polygon(half(panel_.corners(), w, d), out_of_reach);
     draw_line_across(panel_, w, d, support_line);
   }
 
   /// Eq. 9: the vector from the origin to the point found, and d, drawn from the origin. The origin was crossed where
-  /// the supporting line meets the dotted one ahead of it.
+  /// the foot of that vector on the line of d lies ahead of the origin.
   void crossing() {
     const Vec2 w = plane(now_.found->w), d = plane(now_.direction->value);
     draw_line_across(panel_, Vec2::Zero(), {-d.y(), d.x()}, thin_line);
+    panel_.line(Vec2::Zero(), projection(), projection_line);
     panel_.arrow(Vec2::Zero(), w - w.normalized() * ((point_radius + 6) / panel_.view().scale()), normal_line);
     panel_.label(w / 2, {-w.y(), w.x()}, "O" + hull_.name(now_.found->w),
                  label_style(palette::blue, render::Weight::bold));
     draw_arrow(panel_, Vec2::Zero(), d, direction_line, "d");
   }
 
+  void name_projection() { panel_.label(projection(), projection(), hull_.name(now_.found->w) + "·d", small_label); }
+
   void segments() {
     const std::vector<Vec2> corners = points_of(now_.simplex);
-    const auto in_simplex = [&](const Point& p) { return std::ranges::count(corners, plane(p)) > 0; };
     for (const auto& [from, to] : now_.segments)
       if (!in_simplex(from) || !in_simplex(to)) panel_.line(plane(from), plane(to), former_line);
     if (corners.size() == 3) panel_.polygon(corners, palette::green.with_alpha(40));
@@ -235,6 +229,7 @@ class DifferencePicture {
 
   void vertices() {
     for (const Vec2& corner : points_of(now_.simplex)) draw_point(panel_, corner, palette::green);
+    if (now_.found && !in_simplex(now_.found->w)) draw_point(panel_, plane(now_.found->w), palette::vermillion);
     if (now_.found)
       newest(plane(now_.found->w));
     else if (now_.simplex.size() > 0)
@@ -258,19 +253,42 @@ class DifferencePicture {
   }
 
  private:
-  /// R1 and R2 of a segment lie beyond the lines across its ends.
-  void ends_of_segment(const Vec2& a, const Vec2& b) {
-    draw_line_across(panel_, a, a - b, thin_line);
-    draw_line_across(panel_, b, a - b, thin_line);
-    const Vec2 step = (a - b).normalized() * (60 / panel_.view().scale());
-    panel_.label(a + step, a - b, "R2", label_style(palette::grey));
-    panel_.label(b - step, b - a, "R1", label_style(palette::grey));
+  /// Returns: the foot of w on the line through the origin along d. The sign of w·d tells on which side of the origin.
+  Vec2 projection() const {
+    const Vec2 d = plane(now_.direction->value);
+    return d * (*now_.crossing->value / d.squaredNorm());
   }
 
-  void newest(const Vec2& at) {
-    draw_point(panel_, at, palette::vermillion);
-    panel_.circle(at, point_radius + 5, {palette::vermillion, 2.5});
+  void shade(const std::vector<Vec2>& area, const gjk::RegionTested<double>& region) {
+    const bool chosen = region.verdict == Verdict::chosen;
+    panel_.polygon(area, chosen ? palette::green.with_alpha(64) : palette::grey.with_alpha(44));
+    // Without the crossing test the ends of a segment are not ruled out: nothing is certain yet.
+    const bool uncertain = now_.crossing->verdict == gjk::Crossing::switched_off && region.simplex_size == 2;
+    panel_.name_area(area, region.label + (uncertain ? ", if not R2" : chosen ? " ✓" : " ✗"), small_label);
   }
+
+  /// R3 or R7 of a triangle, on the outer side of an edge.
+  void beyond_edge(const gjk::RegionTested<double>& region, const Vec2& a, const Vec2& b) {
+    const Vec2 outward = plane(*region.normal);
+    shade(half(panel_.corners(), a, outward), region);
+    draw_line_across(panel_, a, outward, thin_line);
+    draw_arrow(panel_, (a + b) / 2, outward, normal_line, Letters(now_.simplex, hull_).translate(region.feature + "n"));
+  }
+
+  /// R3 or R4 of the segment from A to B, between the lines across its ends; beyond them lie R1 and R2.
+  void beside_segment(const gjk::RegionTested<double>& region, const Vec2& a, const Vec2& b) {
+    const std::vector<Vec2> beyond_a = half(panel_.corners(), a, a - b), beyond_b = half(panel_.corners(), b, b - a);
+    const Vec2 toward_origin = plane(std::get<Point>(region.value));
+    shade(half(half(half(panel_.corners(), a, toward_origin), a, b - a), b, a - b), region);
+    draw_line_across(panel_, a, a - b, thin_line);
+    draw_line_across(panel_, b, a - b, thin_line);
+    panel_.name_area(beyond_a, "R2", small_label);
+    panel_.name_area(beyond_b, "R1", small_label);
+  }
+
+  bool in_simplex(const Point& w) const { return std::ranges::count(points_of(now_.simplex), plane(w)) > 0; }
+
+  void newest(const Vec2& at) { panel_.circle(at, point_radius + 5, {palette::ink, 2.5}); }
 
   Panel& panel_;
   const LabelledHull& hull_;
@@ -302,7 +320,7 @@ Bounds bounds_of_move(const Moment& now) {
 
 render::Box below_title(const render::Box& frame) { return {frame.min + Vec2(0, title_height), frame.max}; }
 
-void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now, Focus focus) {
+int draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now, Focus focus) {
   draw_title(canvas, place,
              {swatch(scene.a.name, palette::sky.with_alpha(110), palette::blue),
               swatch(scene.b.name, palette::orange.with_alpha(110), palette::ink)});
@@ -330,44 +348,48 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene
     draw_arrow(panel, middle(a), d, direction_line, "d");
     draw_arrow(panel, middle(b), -d, direction_line, "−d");
   }
-  panel.place_labels();
+  return panel.place_labels();
 }
 
-void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now,
-                     Focus focus) {
-  draw_title(
-      canvas, place,
-      {ringed_point("newest", palette::vermillion), dashes("simplex", added_line), dashes("earlier", former_line)});
+int draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now,
+                    Focus focus) {
+  draw_title(canvas, place,
+             {ringed_point("newest"), dashes("simplex", added_line), dashes("earlier", former_line),
+              far_side("out of reach")});
   Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, hull, now);
   picture.set();
+  const bool separated = now.result && now.result->separation;
+  const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
   if (focus == Focus::region) picture.tested_region();
-  if (now.found && (focus == Focus::support || focus == Focus::crossing || (now.result && now.result->separation)))
-    picture.beyond_found();
+  if (now.found && searching) picture.beyond_found();
   picture.segments();
-  if (focus == Focus::support || focus == Focus::direction) picture.direction();
+  if (focus == Focus::support || focus == Focus::direction || separated) picture.direction();
   if (focus == Focus::crossing) picture.crossing();
   picture.vertices();
   if (focus == Focus::reduction) picture.dropped();
   picture.origin();
   picture.corner_names();
-  panel.place_labels();
+  return panel.place_labels();
 }
 
-void draw_move(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus) {
-  draw_title(canvas, place, {});
+int draw_move(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus) {
+  draw_title(canvas, place, {ringed_point("newest"), far_side("out of reach")});
   Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, hull, now);
   picture.set();
   if (now.found) picture.beyond_found();
   picture.segments();
   picture.direction();
-  if (focus == Focus::crossing) picture.crossing();
+  if (focus == Focus::crossing) {
+    picture.crossing();
+    picture.name_projection();
+  }
   picture.vertices();
   picture.origin();
   for (const Vec2& corner : points_of(now.simplex)) picture.name(corner);
   if (now.found) picture.name(plane(now.found->w));
-  panel.place_labels();
+  return panel.place_labels();
 }
 
 }  // namespace walkthroughs

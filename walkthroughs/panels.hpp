@@ -29,14 +29,16 @@ struct Place {
 /// Returns: the part of `frame` below the title.
 render::Box below_title(const render::Box& frame);
 
+// Each returns how many labels could not be kept clear of lines and of each other.
+
 /// The two objects, the support points and the directions in which they are farthest.
-void draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now, Focus focus);
+int draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene, const Moment& now, Focus focus);
 
 /// The labelled hull, the origin, the simplex with the segments that GJK added, and what `focus` asks for.
-void draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now,
-                     Focus focus);
+int draw_difference(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now,
+                    Focus focus);
 
 /// The same, reduced to one move: where it started, where it ended, d and the vector from the origin (Figure 5).
-void draw_move(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus);
+int draw_move(render::Canvas& canvas, const Place& place, const LabelledHull& hull, const Moment& now, Focus focus);
 
 }  // namespace walkthroughs

@@ -30,7 +30,7 @@ std::size_t find_event(const Trace& trace, int iteration) {
 /// One frame about the same event in every scene.
 template <class E>
 void tell_side_by_side(Story& story, int iteration, const std::string& sentence) {
-  Frame all{Focus::support, sentence, {}, {}};
+  Frame all{Focus::support, sentence, sentence, {}, {}};
   for (std::size_t s = 0; s < story.traces.size(); ++s) {
     const std::size_t at = find_event<E>(story.traces[s], iteration);
     Moment now = replay(story.traces[s], at + 1);
@@ -43,14 +43,11 @@ void tell_side_by_side(Story& story, int iteration, const std::string& sentence)
   story.frames.push_back(std::move(all));
 }
 
-/// The move from A to E, which decides by Eq. 9.
-void tell_first_move(Story& story) {
-  tell_side_by_side<gjk::DirectionChosen<double>>(story, 1,
-                                                  "In both sets the search goes from A along d, toward the origin.");
-  tell_side_by_side<gjk::SupportFound<double>>(story, 2, "In both sets the farthest point along d is E.");
-  tell_side_by_side<gjk::CrossingTested<double>>(story, 2,
-                                                 "On the left E lies across the origin; on the right it does "
-                                                 "not, so the origin is not in the difference.");
+/// A move and whether it crossed the origin (Eq. 9).
+void tell_move(Story& story, const CloseUp& move) {
+  tell_side_by_side<gjk::DirectionChosen<double>>(story, move.iteration - 1, move.direction);
+  tell_side_by_side<gjk::SupportFound<double>>(story, move.iteration, move.support);
+  tell_side_by_side<gjk::CrossingTested<double>>(story, move.iteration, move.crossing);
 }
 
 }  // namespace
@@ -61,7 +58,10 @@ Story tell(const Walkthrough& walkthrough) {
     story.traces.push_back(run(scene));
     story.hulls.push_back(difference_hull(scene));
   }
-  walkthrough.layout == Layout::close_ups ? tell_first_move(story) : tell_whole_search(story);
+  switch (walkthrough.layout) {
+    case Layout::objects_and_difference: tell_whole_search(story); break;
+    case Layout::close_ups: tell_move(story, walkthrough.close_up.value()); break;
+  }
   return story;
 }
 

@@ -15,14 +15,15 @@ enum class Focus { support, crossing, region, reduction, direction, end };
 
 /// A number that decides, or a reason, in one line.
 struct Fact {
-  enum class Mark { none, yes, no, skipped };
+  enum class Mark { none, yes, no, skipped, answer };
   Mark mark = Mark::none;
   std::string text;  ///< with the markup of render/font.hpp
 };
 
 struct Frame {
   Focus focus;
-  std::string caption;  ///< one sentence, with markup
+  std::string caption;   ///< one sentence, with markup
+  std::string headline;  ///< the same without the walkthrough's own remark
   std::vector<Fact> facts;
   std::vector<Moment> moments;  ///< one for each scene
 };

@@ -120,7 +120,9 @@ struct EventJson {
            {"iterations", e.result.iterations},
            {"simplex", json(e.result.simplex)}};
     if (const auto& proof = e.result.separation)
-      j["separation"] = {{"direction", json(proof->direction)}, {"support_value", proof->support_value}};
+      j["separation"] = {{"direction", json(proof->direction)},
+                         {"vertex", json(proof->vertex)},
+                         {"support_value", proof->support_value}};
     return j;
   }
 };

@@ -1,6 +1,7 @@
 /// A walkthrough: scenes, and which panels their frames have. One file each; `catalogue()` lists them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,12 @@ struct Remark {
   std::string text;
 };
 
+/// The move that close-ups show: the one that iteration `iteration` makes, in three sentences.
+struct CloseUp {
+  int iteration;
+  std::string direction, support, crossing;
+};
+
 struct Walkthrough {
   std::string name;     ///< as on the command line
   std::string title;    ///< heads every frame
@@ -31,6 +38,7 @@ struct Walkthrough {
   Layout layout = Layout::objects_and_difference;
   std::vector<Scene> scenes;
   std::vector<Remark> remarks = {};
+  std::optional<CloseUp> close_up = {};  ///< Layout::close_ups only
 };
 
 /// Returns: all walkthroughs, in the order of the report.

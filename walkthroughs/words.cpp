@@ -27,7 +27,7 @@ std::string list(std::initializer_list<double> values) {
 
 std::string number(double value) {
   char digits[32];
-  std::snprintf(digits, sizeof digits, "%.6g", value == 0 ? 0.0 : value);  // == 0 for -0 too
+  std::snprintf(digits, sizeof digits, "%.8g", value == 0 ? 0.0 : value);  // == 0 for -0 too
   std::string text = digits;
   for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) text.replace(at, 1, "−");
   return text;

@@ -12,7 +12,7 @@
 
 namespace walkthroughs {
 
-/// Returns: at most six significant digits, with a true minus sign; never "-0".
+/// Returns: at most eight significant digits, with a true minus sign; never "-0".
 std::string number(double value);
 
 /// Returns: "(x, y)", for vectors of the plane z = 0 in which the scenes lie.

@@ -4,6 +4,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/draw.hpp"
 #include "walkthroughs/render_frames.hpp"
 
 using namespace walkthroughs;
@@ -167,4 +168,19 @@ TEST_CASE("Bounds hold everything that a panel must show") {
   const Bounds of_objects = bounds_of_objects(Told("figure-4-left").scene);
   CHECK(of_objects.low == Vec2(-1.5, -1.75));
   CHECK(of_objects.high == Vec2(2.25, 2.25));
+}
+
+TEST_CASE("No label of any frame or strip stands over a line, over another label, or outside its panel") {
+  render::Font font{render::Font::default_directory()};
+  for (const Walkthrough& walkthrough : catalogue()) {
+    const Story story = tell(walkthrough);
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      INFO(walkthrough.name << ", frame " << i);
+      render::Canvas page(frame_page, frame_page, palette::white, font);
+      CHECK(draw_frame(page, story, i) == 0);
+    }
+    INFO(walkthrough.name << ", strip");
+    render::Canvas strip(strip_page(story), strip_page(story), palette::white, font);
+    CHECK(draw_strip(strip, story) == 0);
+  }
 }
