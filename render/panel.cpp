@@ -15,9 +15,8 @@ constexpr double frame_margin = 4;                    // between a label and the
 constexpr double line_clearance = 4;                  // between a label and an obstacle
 constexpr double label_clearance = 16;                // between two labels
 constexpr std::array gaps = {9.0, 16.0, 26.0, 40.0};  // between a label and its anchor, in the order they are tried
-constexpr std::array area_clearances = {4.0, 8.0,
-                                        12.0};  // between the name of an area and everything else, if possible
-constexpr double area_pitch = 8;                // between the places tried for it
+constexpr std::array area_clearances = {8.0, 12.0};   // between the name of an area and obstacles, if there is room
+constexpr double area_pitch = 8;                      // between the places tried for it
 constexpr double min_grid_spacing = 3;
 
 constexpr int directions = 16;
@@ -28,6 +27,7 @@ constexpr int circle_sides = 16;
 constexpr double cost_outside = 1e6;
 constexpr double cost_label = 1e4;
 constexpr double cost_obstacle = 1e2;
+constexpr double cost_near = 10;  // for the name of an area: less than any overlap
 constexpr double cost_gap = 3;
 constexpr double cost_turn = 1;
 
@@ -227,7 +227,7 @@ Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken)
       if (!contains(area.corners, box)) continue;
       const double overlap = cost_of(box, taken);
       double cost = overlap + (box.center() - middle).norm() / area_pitch;
-      for (const double clearance : area_clearances) cost += cost_of(box.grown(clearance), taken);
+      for (const double clearance : area_clearances) cost += cost_near * obstacles_near(box, clearance);
       if (cost >= least) continue;
       least = cost;
       best = {{x, y}, box, overlap < cost_obstacle};
@@ -266,11 +266,13 @@ double Panel::cost_of(const Box& box, std::span<const Box> taken) const {
   for (const Box& other : taken) {
     if (box.grown(label_clearance).overlaps(other)) cost += cost_label;
   }
-  for (const Obstacle& obstacle : obstacles_) {
-    const Box around = box.grown(obstacle.radius + line_clearance);
-    if (clip_segment(obstacle.from, obstacle.to, around)) cost += cost_obstacle;
-  }
-  return cost;
+  return cost + cost_obstacle * obstacles_near(box, line_clearance);
+}
+
+int Panel::obstacles_near(const Box& box, double clearance) const {
+  return static_cast<int>(std::ranges::count_if(obstacles_, [&](const Obstacle& obstacle) {
+    return clip_segment(obstacle.from, obstacle.to, box.grown(obstacle.radius + clearance)).has_value();
+  }));
 }
 
 }  // namespace render

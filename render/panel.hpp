@@ -89,6 +89,7 @@ class Panel {
   Place best_place(const Label& label, std::span<const Box> taken) const;
   Place best_place(const AreaName& area, std::span<const Box> taken) const;
   double cost_of(const Box& box, std::span<const Box> taken) const;
+  int obstacles_near(const Box& box, double clearance) const;
 
   Canvas& canvas_;
   Box frame_;
