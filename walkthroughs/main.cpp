@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "render/image.hpp"
+#include "walkthroughs/nearest.hpp"
 #include "walkthroughs/render_frames.hpp"
 #include "walkthroughs/trace_json.hpp"
 
@@ -28,8 +29,8 @@ constexpr const char* footer =
 
 const Walkthrough& walkthrough_named(const std::string& name) {
   if (const Walkthrough* found = walkthroughs::find_walkthrough(name)) return *found;
-  throw UsageError("there is no walkthrough '" + name + "'; did you mean '" +
-                   std::string(walkthroughs::nearest_name(name)) + "'? 'gjkstep list' shows all");
+  throw UsageError("there is no walkthrough '" + name + "'; did you mean '" + walkthroughs::nearest_name(name) +
+                   "'? 'gjkstep list' shows all");
 }
 
 /// Reads "1280x720".
@@ -99,6 +100,19 @@ ExitCode flush_output() {
   return ok;
 }
 
+/// Returns: the parser's complaint and what to do about it.
+std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
+  std::string complaint = error.what();
+  if (app.get_subcommands().empty() && !app.remaining().empty()) {
+    const std::string word = app.remaining().front();
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    complaint = "there is no command '" + word + "'; did you mean '" + walkthroughs::nearest(word, commands) + "'?";
+  }
+  return complaint + (complaint.ends_with('?') ? " " : "; ") +
+         "'gjkstep --help' and 'gjkstep COMMAND --help' show what there is";
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Draws, step by step, how the Gilbert-Johnson-Keerthi algorithm decides whether two convex objects "
@@ -124,9 +138,11 @@ int run(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (app.exit(error) != 0) return wrong_usage;
+  } catch (const CLI::Success& help) {
+    app.exit(help);
     return flush_output();
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(what_was_wrong(app, error));
   }
   if (version)
     print_version();

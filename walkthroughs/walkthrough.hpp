@@ -47,8 +47,8 @@ const std::vector<Walkthrough>& catalogue();
 /// Returns: the walkthrough of that name, or null.
 const Walkthrough* find_walkthrough(std::string_view name);
 
-/// Returns: the known name that takes the fewest letters to reach from `name` (Levenshtein distance).
-std::string_view nearest_name(std::string_view name);
+/// Returns: the name of a walkthrough that is spelled most like `name`.
+std::string nearest_name(std::string_view name);
 
 Walkthrough figure_4_left();
 Walkthrough figure_4_right();

@@ -1,4 +1,6 @@
 /// Random convex pairs against answers found in another way.
+#include <random>
+
 #include "tests/catch.hpp"
 #include "tests/core/evidence.hpp"
 
@@ -56,6 +58,37 @@ TEST_CASE("Tetrahedra in general position: GJK in double agrees with the separat
   const Tally tally = compare_with_separating_axes<double>(seed, 30000, 500, 320, false);
   require_balanced(tally);
   REQUIRE(tally.undecided <= 5);
+}
+
+TEST_CASE("Tetrahedra with coordinates that are not whole: GJK in double agrees with exact arithmetic", "[random]") {
+  const std::uint64_t seed = 5;
+  INFO("seed " << seed);
+  std::mt19937_64 generator(seed);
+  const auto number = [&] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; };
+  const auto corners = [&](const Vec3<double>& offset) {
+    std::vector<Vec3<double>> points;
+    for (int i = 0; i < 4; ++i) {
+      const double x = number(), y = number();
+      points.push_back(Vec3<double>(x, y, number()) + offset);
+    }
+    return points;
+  };
+  const auto exactly = [](const std::vector<Vec3<double>>& points) {
+    std::vector<Vec3<Rational>> exact;  // a double is a rational number
+    for (const Vec3<double>& p : points) exact.push_back(p.cast<Rational>());
+    return PointSet<Rational>(exact);
+  };
+  Tally tally;
+  for (int i = 0; i < 1500; ++i) {
+    INFO("pair " << i);
+    const double dx = number(), dy = number();
+    const auto a = corners(Vec3<double>::Zero()), b = corners(0.5 * Vec3<double>(dx, dy, number()));
+    const Status exact = asked<Rational>(exactly(a), exactly(b)).status;
+    REQUIRE(exact != Status::undecided);
+    count(tally, asked<double>(PointSet<double>(a), PointSet<double>(b)).status, exact == Status::intersecting);
+  }
+  require_balanced(tally);
+  REQUIRE(tally.undecided == 0);
 }
 
 TEST_CASE("Tetrahedra on a crowded lattice, where touching is common: GJK in double agrees with the separating axes",

@@ -251,10 +251,11 @@ TEST_CASE("Every remark of the walkthroughs is one that this file proves") {
   CHECK(remarks("figure-4-left") ==  // "Left 2" and "Left 3"
         List{"found 2: F is not returned, because E lies slightly farther",
              "found 3: straight down would have found F, but the slant finds G"});
-  CHECK(remarks("figure-4-right") == List{"end 2: Section 3.1.2 goes on to F, as it has no test yet"});  // "Right 2"
-  CHECK(remarks("figure-4-right-no-crossing-test") ==  // the next two tests
-        List{"region 2: it lies beyond E, in R2, which only the crossing test rules out",
-             "end 4: the test of Section 3.1.3 ends at the first E"});
+  CHECK(remarks("figure-4-right") ==
+        List{"end 2: Section 3.1.2 does not use the test yet and goes on to F"});  // "Right 2"
+  CHECK(remarks("figure-4-right-no-crossing-test") ==                              // the next two tests
+        List{"region 2: it lies beyond E, in R2, which only the crossing test would have noticed",
+             "end 4: with the test of Section 3.1.3 it would have ended at E in iteration 2"});
   CHECK(remarks("figure-5") == List{});
 }
 

@@ -55,7 +55,8 @@ TEST_CASE("Figure 5 has three frames: the direction, the support point, the cros
   CHECK(story.frames.at(0).caption == "In both sets the search goes from A along d, toward the origin.");
   CHECK(story.frames.at(1).caption == "In both sets the farthest point along d is E.");
   CHECK(story.frames.at(2).caption ==
-        "On the left E lies across the origin; on the right it does not, so the origin is not in the difference.");
+        "On the left the move to E passes the origin; on the right it stops short of it, so the origin is not in the "
+        "difference.");
 }
 
 TEST_CASE("The facts of Figure 5 say for each set what was found") {
@@ -64,8 +65,9 @@ TEST_CASE("The facts of Figure 5 say for each set what was found") {
   CHECK(texts(story.frames.at(0)) ==
         std::vector<std::string>{"left: d = AO = (−3.75, −3.25)", "right: d = AO = (−4.25, −4.5)"});
   CHECK(texts(story.frames.at(1)) ==
-        std::vector<std::string>{"left: d = (−3.75, −3.25)", "left: E = a − b = (−1.25, 1.25) − (1, 0) = (−2.25, 1.25)",
-                                 "right: d = (−4.25, −4.5)",
+        std::vector<std::string>{"left: d = (−3.75, −3.25); E·d = 4.375, then F·d = 3.25",
+                                 "left: E = a − b = (−1.25, 1.25) − (1, 0) = (−2.25, 1.25)",
+                                 "right: d = (−4.25, −4.5); E·d = −10.1875, then D·d = −10.4375",
                                  "right: E = a − b = (−1, 2.5) − (−0.75, 0) = (−0.25, 2.5)"});
   CHECK(texts(story.frames.at(2)) ==
         std::vector<std::string>{"left: E·d = 4.375 > 0: the origin was crossed",

@@ -6,6 +6,7 @@
 #include "render/image.hpp"
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/draw.hpp"
 #include "walkthroughs/render_frames.hpp"
 
 using namespace walkthroughs;
@@ -66,6 +67,19 @@ bool has_colors(const Image& image, std::size_t count) {
   return seen.size() > count;
 }
 
+/// Returns: whether the two outermost rows and columns are white.
+bool clear_edge(const Image& image) {
+  const Size size = image.size();
+  bool clear = true;
+  for (int x = 0; x < size.width; ++x)
+    for (const int y : {0, 1, size.height - 2, size.height - 1})
+      clear = clear && image.pixel(x, y) == render::palette::white;
+  for (int y = 0; y < size.height; ++y)
+    for (const int x : {0, 1, size.width - 2, size.width - 1})
+      clear = clear && image.pixel(x, y) == render::palette::white;
+  return clear;
+}
+
 }  // namespace
 
 TEST_CASE("The pictures of all walkthroughs") {
@@ -102,14 +116,7 @@ TEST_CASE("The pictures of all walkthroughs") {
     for (const Size size : {usual, other})
       for (const Walkthrough& w : catalogue())
         for (const Image& image : frames(w, size)) {
-          bool clear = true;
-          for (int x = 0; x < size.width; ++x)
-            for (const int y : {0, 1, size.height - 2, size.height - 1})
-              clear = clear && image.pixel(x, y) == render::palette::white;
-          for (int y = 0; y < size.height; ++y)
-            for (const int x : {0, 1, size.width - 2, size.width - 1})
-              clear = clear && image.pixel(x, y) == render::palette::white;
-          CHECK(clear);
+          CHECK(clear_edge(image));
         }
   }
 
@@ -146,6 +153,7 @@ TEST_CASE("The pictures of all walkthroughs") {
       CHECK(strip.size().width > 3 * strip.size().height / 2);
       CHECK(half.size().width * 2 == strip.size().width);
       CHECK(half.size().height * 2 == strip.size().height);
+      CHECK(clear_edge(strip));  // no caption is cut off
       CHECK(has_colors(strip, 100));
       for (int panel = 0; panel < count; ++panel) {  // each has something to show
         std::set<int> reds;
@@ -222,4 +230,18 @@ TEST_CASE("Where a frame cannot be written the error names the file, and nothing
   }
   CHECK(error.find("001.png") != std::string::npos);
   CHECK(listing(folder.path()) == std::vector<std::string>{"figure-5/000.png"});
+}
+
+TEST_CASE("The picture in the README is the strip that the program draws") {
+  const Image committed = render::read_png(GJKSTEP_README_PICTURE);
+  const Story story = tell(walkthrough("figure-4-left"));
+  Studio studio;
+  render::Canvas canvas(strip_page(story), strip_page(story), render::palette::white, studio.font);
+  draw_strip(canvas, story);
+  const Image drawn = studio.rasterizer.draw(canvas);
+  REQUIRE(committed.size() == drawn.size());
+  int different = 0;  // a few pixels may differ by a shade from processor to processor
+  for (int y = 0; y < drawn.size().height; ++y)
+    for (int x = 0; x < drawn.size().width; ++x) different += committed.pixel(x, y) != drawn.pixel(x, y) ? 1 : 0;
+  CHECK(different < 50);
 }

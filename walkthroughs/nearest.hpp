@@ -1,0 +1,14 @@
+/// Suggestions for words that nobody knows.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace walkthroughs {
+
+/// Returns: the candidate that takes the fewest letters to reach from `word` (Levenshtein distance), the first of several.
+/// Requires: at least one candidate.
+std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace walkthroughs
