@@ -25,12 +25,16 @@
 
 namespace gjk {
 
+/// For every scalar, the exact ones included: x - x is 0 except for infinities and NaN.
+template <class S>
+bool is_finite(const S& x) {
+  return x - x == S(0);
+}
+
 /// Returns: whether a support function may be asked about `d` (P1): finite in every component and not zero.
 template <class S>
 bool is_usable_direction(const Vec3<S>& d) {
-  // x - x is 0 except for infinities and NaN, for every scalar, the exact ones included.
-  const bool finite = d.x() - d.x() == S(0) && d.y() - d.y() == S(0) && d.z() - d.z() == S(0);
-  return finite && !is_zero(d);
+  return is_finite(d.x()) && is_finite(d.y()) && is_finite(d.z()) && !is_zero(d);
 }
 
 /// Chooses among Algorithms 2-5 by the size of the simplex. Requires: 1 <= size <= 4.
@@ -105,9 +109,10 @@ class Search {
     return finish(Status::intersecting, Reason::simplex_contains_origin);
   }
 
-  /// The search stops without having found the origin. Only w·d < 0 proves that the sets are apart.
+  /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart.
   Result<S> finish_outside(const Vertex<S>& vertex, Reason reason) {
     const S support_value = vertex.w.dot(direction_);
+    if (!is_finite(support_value)) return finish(Status::undecided, Reason::unusable_direction);
     if (!(support_value < S(0))) return finish(Status::undecided, reason);
     result_.separation = Separation<S>{direction_, vertex, support_value};
     return finish(Status::separated, reason);
@@ -160,7 +165,7 @@ class Search {
 ///
 /// An exact S answers rightly whenever it decides. In floating point the rules compare rounded products with zero, as the
 /// report does: sets that touch, or are coplanar askew, may be found apart or together; and products of up to four
-/// differences overflow or vanish where these are beyond about 1e±75 (double) or 1e±9 (float), with arbitrary answers.
+/// differences overflow or vanish where these are beyond about 1e±75 (double) or 1e±8 (float), with arbitrary answers.
 template <class S = double, class Rules = AsIntended, Shape<S> A, Shape<S> B, class Obs = const NobodyListens>
 requires Observer<Obs, S> Result<S> collision(const A& a, const B& b, const Options<S>& options = {},
                                               Obs&& observer = NobodyListens{}) {

@@ -16,7 +16,7 @@ enum class Reason {
   origin_not_crossed,       ///< separated: w·d < 0 (Eq. 9)
   no_new_vertex,            ///< crossing test off: the support function returned a vertex that the simplex had before
   iteration_limit,          ///< undecided
-  unusable_direction,       ///< undecided: the search direction is zero, infinite or not a number (under- or overflow)
+  unusable_direction,  ///< undecided: the search direction, or how far it reached, is zero, infinite or not a number
 };
 
 enum class CrossingTest {

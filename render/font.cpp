@@ -108,7 +108,8 @@ Library open_library() {
 
 Face open_face(FT_Library library, const std::filesystem::path& file) {
   FT_Face face = nullptr;
-  const FT_Error error = FT_New_Face(library, file.c_str(), 0, &face);
+  const bool regular = std::filesystem::is_regular_file(file);  // a pipe would block
+  const FT_Error error = regular ? FT_New_Face(library, file.c_str(), 0, &face) : FT_Err_Cannot_Open_Resource;
   if (error == 0) return Face(face);
   const std::string what = std::filesystem::exists(file)
                                ? "is not a font that FreeType reads (FreeType error " + std::to_string(error) + ")"

@@ -30,13 +30,13 @@ void refuse_settings_that_crash() {
   const auto require = [](const char* name, std::initializer_list<std::string_view> allowed) {
     const char* value = std::getenv(name);
     if (value == nullptr || std::ranges::count(allowed, std::string_view(value)) > 0) return;
-    std::string list;
-    for (const std::string_view each : allowed) list.append(list.empty() ? "" : " or ").append(each);
-    throw ContextError(std::string(name) + "=" + value +
-                       " is set, and OSMesa cannot draw with it; unset it, or choose " + list);
+    std::string advice = "unset it";
+    for (const std::string_view each : allowed) advice.append(" or choose ").append(each);
+    throw ContextError(std::string(name) + "=" + value + " is set, and OSMesa cannot draw with it; " + advice);
   };
   require("GALLIUM_DRIVER", {"llvmpipe", "softpipe"});
   require("LP_NATIVE_VECTOR_WIDTH", {"128", "256"});
+  for (const char* name : {"DRAW_USE_LLVM", "MESA_GLSL_VERSION_OVERRIDE", "MESA_EXTENSION_OVERRIDE"}) require(name, {});
 }
 
 }  // namespace

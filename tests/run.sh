@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and runs all tests: once as users build the program, with warnings as errors, and
 # once with AddressSanitizer and UndefinedBehaviorSanitizer. Ends with the timings of plain and observed calls.
 set -eu
-cd "$(dirname "$0")/.."
+cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
 
 run_tests() {

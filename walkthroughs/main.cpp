@@ -23,8 +23,8 @@ struct UsageError : std::runtime_error {
 };
 
 constexpr const char* footer =
-    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (also: a missing font), 4 no OpenGL context, 5 cannot "
-    "write.\n"
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (also: a missing font), 4 no OpenGL context, 5 cannot write,\n"
+    "1 anything else.\n"
     "The folder of the fonts can be named by the environment variable GJKSTEP_FONT_DIR.";
 
 const Walkthrough& walkthrough_named(const std::string& name) {
@@ -70,6 +70,7 @@ struct RenderCommand {
     for (const std::string& name : names) choose(walkthrough_named(name));
     if (all) std::ranges::for_each(walkthroughs::catalogue(), choose);
     if (chosen.empty()) throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
+    if (out.empty()) throw UsageError("--out '': name a folder to write to, for example --out pictures");
     const walkthroughs::Output output{out, parse_size(size)};
     walkthroughs::Studio studio;
     for (const Walkthrough* w : chosen) {
@@ -107,7 +108,9 @@ std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
     const std::string word = app.remaining().front();
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-    complaint = "there is no command '" + word + "'; did you mean '" + walkthroughs::nearest(word, commands) + "'?";
+    const bool is_name = walkthroughs::find_walkthrough(word) != nullptr;
+    complaint = "there is no command '" + word + "'; did you mean '" +
+                (is_name ? "render " + word : walkthroughs::nearest(word, commands)) + "'?";
   }
   return complaint + (complaint.ends_with('?') ? " " : "; ") +
          "'gjkstep --help' and 'gjkstep COMMAND --help' show what there is";
@@ -175,6 +178,8 @@ int main(int argc, char** argv) {
     return fail(no_context, error);
   } catch (const render::FileError& error) {
     return fail(cannot_write, error);
+  } catch (const std::bad_alloc&) {
+    return fail(unexpected, std::runtime_error("out of memory; choose a smaller --size"));
   } catch (const std::exception& error) {
     return fail(unexpected, error);
   }

@@ -26,6 +26,8 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
+  const auto begun = std::ranges::find_if(candidates, [&](const std::string& each) { return each.starts_with(word); });
+  if (begun != candidates.end()) return *begun;
   return *std::ranges::min_element(candidates, {}, [&](const std::string& each) { return edit_distance(word, each); });
 }
 

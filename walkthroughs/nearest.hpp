@@ -7,7 +7,8 @@
 
 namespace walkthroughs {
 
-/// Returns: the candidate that takes the fewest letters to reach from `word` (Levenshtein distance), the first of several.
+/// Returns: a candidate that begins with `word`, else the one that takes the fewest letters to reach from it (Levenshtein
+/// distance); the first of several.
 /// Requires: at least one candidate.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 

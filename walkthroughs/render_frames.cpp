@@ -50,7 +50,8 @@ void render_frames(const Story& story, const Output& output, Studio& studio, con
     written(file, plain(story.frames[i].caption), i, count);
   }
   std::error_code ignored;
-  for (std::size_t stale = count; fs::remove(folder / file_name(stale), ignored);) ++stale;
+  for (std::size_t stale = count; fs::is_regular_file(folder / file_name(stale), ignored); ++stale)
+    fs::remove(folder / file_name(stale), ignored);
 }
 
 fs::path render_strip(const Story& story, const Output& output, Studio& studio) {

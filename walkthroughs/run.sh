@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and writes the frames of all walkthroughs to out/. Options are passed on to
 # `gjkstep render`: ./walkthroughs/run.sh --size 1920x1080
 set -eu
-cd "$(dirname "$0")/.."
+cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
 
 require_packages $program_packages

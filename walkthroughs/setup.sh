@@ -43,11 +43,11 @@ build() {
   folder=$1 target=$2
   shift 2
   log=$folder/build.log
-  mkdir -p "$folder"
+  mkdir -p "$folder" || stop "cannot make the folder $folder; check that the project's folder may be written to"
   if { cmake -S . -B "$folder" -G Ninja "$@" && cmake --build "$folder" --target "$target"; } >"$log" 2>&1; then
     grep -q 'ninja: no work to do' "$log" || printf 'built %s\n' "$folder"
   else
     tail -n 50 "$log" >&2
-    stop "the build failed; the whole log is in $log"
+    stop "the build failed, see $log; a folder $folder that was copied here or made by other tools must be removed first: rm -r $folder"
   fi
 }
