@@ -14,7 +14,7 @@ namespace {
 constexpr double frame_margin = 4;                    // between a label and the frame
 constexpr double line_clearance = 4;                  // between a label and an obstacle
 constexpr double label_clearance = 16;                // between two labels
-constexpr std::array gaps = {9.0, 16.0, 26.0, 40.0};  // between a label and its anchor, in the order they are tried
+constexpr std::array spreads = {1.0, 1.6, 2.6, 4.0};  // multiples of a label's gap, in the order they are tried
 constexpr std::array area_clearances = {8.0, 12.0};   // between the name of an area and obstacles, if there is room
 constexpr double area_pitch = 8;                      // between the places tried for it
 constexpr double min_grid_spacing = 3;
@@ -181,10 +181,10 @@ void Panel::avoid_outline(std::span<const Vec2> page, double radius) {
 
 // ---------------------------------------------------------------------------------------------- labels
 
-void Panel::label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style) {
+void Panel::label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap) {
   const Vec2 up_right = Vec2(1, -1).normalized();
   const Vec2 wanted = Vec2(toward.x(), -toward.y()).stableNormalized();
-  labels_.push_back({view_.page(anchor), wanted.isZero() ? up_right : wanted, std::move(text), centered(style)});
+  labels_.push_back({view_.page(anchor), wanted.isZero() ? up_right : wanted, std::move(text), centered(style), gap});
 }
 
 void Panel::name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style) {
@@ -244,14 +244,15 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
 
   Place best;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+  for (std::size_t spread = 0; spread < spreads.size(); ++spread) {
     for (int attempt = 0; attempt < directions; ++attempt) {
       const int turns = turns_of(attempt);
       const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
-      const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, gaps[gap]);
+      const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
       const Vec2 baseline = middle + Vec2(0, rise);
       Place place{baseline, moved(ink, baseline)};
-      const double cost = cost_of(place.box, taken) + cost_gap * static_cast<double>(gap) + cost_turn * std::abs(turns);
+      const double cost =
+          cost_of(place.box, taken) + cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
       if (cost >= least) continue;
       least = cost;
       place.clear = cost < cost_obstacle;

@@ -51,7 +51,8 @@ class Panel {
 
   /// Names the point `anchor`. The label stands near it, if possible on the side of `toward` (scene units, any length;
   /// of length 0: above and to the right). `style.align` is not used.
-  void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style);
+  /// `gap`: page units between label and anchor, if that place is free; the usual one clears a ring around a point.
+  void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap = 18);
   /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
   void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style);
   /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
@@ -72,6 +73,7 @@ class Panel {
     Vec2 anchor, toward;  ///< page units; `toward` of length 1
     std::string text;
     TextStyle style;
+    double gap;
   };
   struct AreaName {
     std::vector<Vec2> corners;  ///< page units

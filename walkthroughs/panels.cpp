@@ -21,6 +21,7 @@ namespace palette = render::palette;
 constexpr double title_height = 36;
 constexpr double arrow_length = 60;  // directions have no length of their own
 constexpr double point_radius = 7;
+constexpr double line_label_gap = 9;
 constexpr double key_pitch = 54;  // a sign with the space around it
 constexpr double page_diagonal = 1500;
 
@@ -172,9 +173,9 @@ class DifferencePicture {
   }
 
   void name(const Vec2& corner) {
-    const bool in_simplex = std::ranges::count(points_of(now_.simplex), corner) > 0;
-    panel_.label(corner, corner - center_, hull_.name({corner.x(), corner.y(), 0}),
-                 label_style(palette::ink, in_simplex ? render::Weight::bold : render::Weight::regular));
+    const Point w(corner.x(), corner.y(), 0);
+    panel_.label(corner, corner - center_, hull_.name(w),
+                 label_style(palette::ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
   }
 
   void origin() {
@@ -210,11 +211,13 @@ class DifferencePicture {
     panel_.line(Vec2::Zero(), projection(), projection_line);
     panel_.arrow(Vec2::Zero(), w - w.normalized() * ((point_radius + 6) / panel_.view().scale()), normal_line);
     panel_.label(w / 2, {-w.y(), w.x()}, "O" + hull_.name(now_.found->w),
-                 label_style(palette::blue, render::Weight::bold));
+                 label_style(palette::blue, render::Weight::bold), line_label_gap);
     draw_arrow(panel_, Vec2::Zero(), d, direction_line, "d");
   }
 
-  void name_projection() { panel_.label(projection(), projection(), hull_.name(now_.found->w) + "·d", small_label); }
+  void name_projection() {
+    panel_.label(projection(), projection(), hull_.name(now_.found->w) + "·d", small_label, line_label_gap);
+  }
 
   void segments() {
     const std::vector<Vec2> corners = points_of(now_.simplex);
