@@ -5,6 +5,8 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <set>
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -179,6 +181,24 @@ TEST_CASE("gjkstep render --all renders every walkthrough") {
   CHECK(outcome.exit_code == 0);
   CHECK(lines(outcome.out).size() == 18 + 6 + 12 + 3);
   for (const Walkthrough& w : catalogue()) CHECK(fs::exists(folder.path() / w.name / "000.png"));
+}
+
+TEST_CASE("What the README shows is what the program prints") {
+  const Folder folder;
+  std::set<std::string> printed;
+  for (const std::string& line : lines(run("list").out)) printed.insert(line);
+  const std::string out = folder.path().string();
+  for (const std::string& line : lines(run("render --all --strip --size 32x18 --out " + quoted(out)).out))
+    printed.insert("out" + line.substr(out.size()));
+  std::ifstream readme(GJKSTEP_README);
+  int shown = 0;
+  for (std::string line; std::getline(readme, line);) {
+    if (!line.starts_with("out/figure-") && !line.starts_with("figure-")) continue;
+    INFO(line);
+    CHECK(printed.count(line) == 1);
+    ++shown;
+  }
+  CHECK(shown >= 8);
 }
 
 TEST_CASE("gjkstep render shows its progress on a terminal") {
