@@ -17,7 +17,6 @@
 /// Sets are closed: touching is intersecting.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/events.hpp"

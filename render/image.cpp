@@ -1,29 +1,17 @@
 #include "render/image.hpp"
 
 #include <png.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csetjmp>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <new>
-#include <system_error>
 
 namespace render {
 namespace {
 
 constexpr std::size_t channels = 3;
 constexpr png_uint_32 max_side = 16384;  // a damaged header must not ask for all of the memory
-
-std::string reason(int error_number) { return std::generic_category().message(error_number); }
-
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, FileCloser>;
 
 // ---------------------------------------------------------------------------------------------- encoding
 
@@ -104,59 +92,6 @@ std::vector<std::uint8_t> encode(const std::filesystem::path& path, const Image&
   return std::move(encoder.bytes);
 }
 
-// ---------------------------------------------------------------------------------------------- files
-
-/// A file that disappears unless it is renamed to its final name.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::filesystem::path& target) : target_(target), path_(target) {
-    path_ += "." + std::to_string(getpid()) + ".tmp";
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  void write(const std::vector<std::uint8_t>& bytes) const {
-    File file(std::fopen(path_.c_str(), "wb"));
-    if (file == nullptr) fail("create " + path_.string(), errno);
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail("write " + path_.string(), errno);
-    if (std::fclose(file.release()) != 0) fail("write " + path_.string(), errno);
-  }
-
-  void rename_to_target() const {
-    std::error_code error;
-    std::filesystem::rename(path_, target_, error);
-    if (error) fail("rename " + path_.string() + " to it", error.value());
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& step, int error_number) const {
-    throw FileError("cannot write " + target_.string() + ": could not " + step + ": " + reason(error_number) +
-                    "; check that the folder exists, may be written to and has space left");
-  }
-
-  std::filesystem::path target_, path_;
-};
-
-std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
-  const auto fail = [&](int error_number) {
-    throw FileError("cannot read " + path.string() + ": " + reason(error_number) +
-                    "; check that the file exists and may be read");
-  };
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) fail(errno);
-  std::vector<std::uint8_t> bytes;
-  std::vector<std::uint8_t> block(1 << 16);
-  while (const std::size_t size = std::fread(block.data(), 1, block.size(), file.get())) {
-    bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size));
-  }
-  if (std::ferror(file.get()) != 0) fail(errno);
-  return bytes;
-}
-
 // ---------------------------------------------------------------------------------------------- decoding
 
 /// libpng's simplified reader: converts every kind of PNG, and returns errors instead of jumping.
@@ -205,14 +140,11 @@ Color Image::pixel(int x, int y) const {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
-  const std::vector<std::uint8_t> bytes = encode(path, image, text);
-  const TemporaryFile file(path);
-  file.write(bytes);
-  file.rename_to_target();
+  write_file(path, encode(path, image, text));
 }
 
 Image read_png(const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> bytes = read_bytes(path);
+  const std::vector<std::uint8_t> bytes = read_file(path);
   PngReader reader;
   png_image& header = reader.header;
   const auto fail = [&](const std::string& why) {

@@ -3,19 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "render/color.hpp"
+#include "render/file.hpp"
 #include "render/geometry.hpp"
 
 namespace render {
-
-/// A file could not be read or written; what() says which, why, and what to do.
-struct FileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Rows from top to bottom, three bytes a pixel, no padding.
 class Image {
@@ -43,9 +38,8 @@ struct PngText {
   std::string description;
 };
 
-/// Writes `image` to `path` under a temporary name beside it and renames it, so that an interrupted run leaves
-/// either the old file or the whole new one. 8-bit RGB, compression level 6, PNG_FILTER_NONE.
-/// Errors: FileError; no temporary file is left behind.
+/// Writes `image` to `path` as write_file() does. 8-bit RGB, compression level 6, PNG_FILTER_NONE.
+/// Errors: FileError.
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text);
 
 /// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white).

@@ -117,7 +117,7 @@ class Captions {
  private:
   /// `caption`: without the full stop.
   static Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
-    return {focus, caption + ".", caption + ".", std::move(facts), {}};
+    return {focus, caption + ".", caption + ".", std::move(facts), {}, {}};
   }
 
   void add_remark(Frame& frame, Remark::At at, int iteration) const {

@@ -19,7 +19,7 @@ namespace palette = render::palette;
 
 // The page, in page units.
 constexpr double left_margin = 40, right_margin = 1240;
-constexpr double panels_top = 76, panels_bottom = 536;
+constexpr double panels_top = 76, panels_height = 460, margin_without_text = 20;
 constexpr double text_left = 250, mark_width = 34;
 constexpr double first_line = 576, line_pitch = 32;
 constexpr double max_scale = 1e9;                              // for a scene that is a single point
@@ -29,7 +29,7 @@ const TextStyle caption_style{.size = 26};
 const TextStyle fact_style{.size = 23};
 const TextStyle small_style{.size = 20, .color = palette::grey};
 
-Box panel_box(double left, double right) { return {{left, panels_top}, {right, panels_bottom}}; }
+Box panel_box(double left, double right, double top) { return {{left, top}, {right, top + panels_height}}; }
 
 void draw_header(Canvas& canvas, const Walkthrough& walkthrough) {
   canvas.text({left_margin, 52}, walkthrough.title, {.size = 30, .weight = render::Weight::bold});
@@ -78,9 +78,9 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
   }
 }
 
-int draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame& frame) {
+int draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame& frame, double top) {
   const Scene& scene = story.walkthrough.scenes[0];
-  const Box left = panel_box(left_margin, 470), right = panel_box(490, right_margin);
+  const Box left = panel_box(left_margin, 470, top), right = panel_box(490, right_margin, top);
   const Bounds objects = bounds_of_objects(scene), difference = bounds_of_difference(story.hulls[0]);
   const Box room_left = below_title(left).grown(-objects_margin),
             room_right = below_title(right).grown(-difference_margin);
@@ -94,9 +94,9 @@ int draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame&
                          story.hulls[0], frame.moments[0], frame.focus);
 }
 
-int draw_close_ups(Canvas& canvas, const Story& story, const Frame& frame) {
+int draw_close_ups(Canvas& canvas, const Story& story, const Frame& frame, double top) {
   const double middle = (left_margin + right_margin) / 2;
-  const Box boxes[] = {panel_box(left_margin, middle - 10), panel_box(middle + 10, right_margin)};
+  const Box boxes[] = {panel_box(left_margin, middle - 10, top), panel_box(middle + 10, right_margin, top)};
   const auto view = [&](std::size_t s, double scale) {
     const Bounds box = bounds_of_move(story.frames.back().moments[s]);  // of the whole move, so that nothing jumps
     return View::fit(box.low, box.high, below_title(boxes[s]).grown(-difference_margin), scale);
@@ -128,10 +128,9 @@ std::vector<Cell> cells(const Story& story) {
           {story.frames.back(), s, story.walkthrough.scenes[s].name + " set", story.frames.back().facts[s].text});
     return list;
   }
-  for (std::size_t i = 0; i < story.frames.size(); ++i) {
-    const auto iteration = [&](std::size_t at) { return story.frames[at].moments[0].iteration; };
-    if (i + 1 < story.frames.size() && iteration(i + 1) == iteration(i)) continue;
-    list.push_back({story.frames[i], 0, "iteration " + std::to_string(iteration(i)), story.frames[i].headline});
+  for (const std::size_t i : last_of_each_iteration(story.frames)) {
+    const Frame& frame = story.frames[i];
+    list.push_back({frame, 0, "iteration " + std::to_string(frame.moments[0].iteration), frame.headline});
   }
   return list;
 }
@@ -156,13 +155,21 @@ int draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left)
 
 }  // namespace
 
-int draw_frame(Canvas& canvas, const Story& story, std::size_t index) {
+render::Size page_of_frame(Text text) {
+  if (text == Text::around) return frame_page;
+  return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
+}
+
+int draw_frame(Canvas& canvas, const Story& story, std::size_t index, Text text) {
   const Frame& frame = story.frames[index];
-  draw_header(canvas, story.walkthrough);
-  draw_footer(canvas, story, index);
+  const double top = text == Text::around ? panels_top : margin_without_text;
+  if (text == Text::around) {
+    draw_header(canvas, story.walkthrough);
+    draw_footer(canvas, story, index);
+  }
   switch (story.walkthrough.layout) {
-    case Layout::objects_and_difference: return draw_objects_and_difference(canvas, story, frame);
-    case Layout::close_ups: return draw_close_ups(canvas, story, frame);
+    case Layout::objects_and_difference: return draw_objects_and_difference(canvas, story, frame, top);
+    case Layout::close_ups: return draw_close_ups(canvas, story, frame, top);
   }
   return 0;
 }

@@ -10,11 +10,20 @@
 
 namespace walkthroughs {
 
-/// The page that every frame is laid out on; smaller and larger pictures are this page, scaled.
+/// What stands around the panels.
+enum class Text {
+  around,  ///< a title above; step, caption and facts below
+  none,    ///< nothing: a document brings its own
+};
+
+/// The page that a frame with text is laid out on; smaller and larger pictures are this page, scaled.
 inline constexpr render::Size frame_page{1280, 720};
 
-/// Draws frame `index` of `story`. Requires: a canvas with the page `frame_page`; index < story.frames.size().
-int draw_frame(render::Canvas& canvas, const Story& story, std::size_t index);
+/// Returns: the page of a frame; without text it is as wide and less high.
+render::Size page_of_frame(Text text);
+
+/// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(text); index < story.frames.size().
+int draw_frame(render::Canvas& canvas, const Story& story, std::size_t index, Text text = Text::around);
 
 /// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
 /// picture of each.

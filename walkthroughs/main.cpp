@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <optional>
 
 #include "render/image.hpp"
+#include "walkthroughs/alternative_text.hpp"
 #include "walkthroughs/nearest.hpp"
 #include "walkthroughs/render_frames.hpp"
 #include "walkthroughs/trace_json.hpp"
+#include "walkthroughs/words.hpp"
 
 namespace {
 
@@ -58,11 +61,36 @@ struct RenderCommand {
   std::vector<std::string> names;
   bool all = false;
   bool strip = false;
+  bool no_captions = false;
+  std::string detail = "decision";
   std::string out = "out";
   std::string size = "1280x720";
+  std::optional<std::string> captions;
 
   /// Everything that can be wrong with the words of the command is found before the first file is written.
   void run() const {
+    const std::vector<const Walkthrough*> chosen = chosen_walkthroughs();
+    if (out.empty()) throw UsageError("--out '': name a folder to write to, for example --out pictures");
+    const walkthroughs::Output output{out, parse_size(size),
+                                      no_captions ? walkthroughs::Text::none : walkthroughs::Text::around};
+    const walkthroughs::Detail shown = detail == "step" ? walkthroughs::Detail::step : walkthroughs::Detail::decision;
+    walkthroughs::Studio studio;
+    std::vector<walkthroughs::Story> stories;
+    stories.reserve(chosen.size());
+    std::vector<walkthroughs::FrameFile> written;
+    for (const Walkthrough* w : chosen) {
+      const walkthroughs::Story& story = stories.emplace_back(walkthroughs::tell(*w, shown));
+      walkthroughs::render_frames(story, output, studio, [&](const std::filesystem::path& file, std::size_t index) {
+        written.push_back({file, story, index});
+        report(written.back());
+      });
+      if (strip) std::cout << walkthroughs::render_strip(story, output, studio).string() << "  " << w->title << '\n';
+    }
+    if (captions) write_captions(written);
+  }
+
+ private:
+  std::vector<const Walkthrough*> chosen_walkthroughs() const {
     std::vector<const Walkthrough*> chosen;
     const auto choose = [&](const Walkthrough& w) {
       if (std::ranges::count(chosen, &w) == 0) chosen.push_back(&w);
@@ -70,24 +98,24 @@ struct RenderCommand {
     for (const std::string& name : names) choose(walkthrough_named(name));
     if (all) std::ranges::for_each(walkthroughs::catalogue(), choose);
     if (chosen.empty()) throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
-    if (out.empty()) throw UsageError("--out '': name a folder to write to, for example --out pictures");
-    const walkthroughs::Output output{out, parse_size(size)};
-    walkthroughs::Studio studio;
-    for (const Walkthrough* w : chosen) {
-      const walkthroughs::Story story = walkthroughs::tell(*w);
-      walkthroughs::render_frames(story, output, studio, report(w->name));
-      if (strip) std::cout << walkthroughs::render_strip(story, output, studio).string() << "  " << w->title << '\n';
-    }
+    return chosen;
   }
 
- private:
-  static walkthroughs::FrameWritten report(const std::string& name) {
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    return [=](const std::filesystem::path& file, const std::string& caption, std::size_t index, std::size_t count) {
-      if (terminal) std::cerr << "\r\033[K";
-      std::cout << file.string() << "  " << caption << std::endl;
-      if (terminal && index + 1 < count) std::cerr << name << ": frame " << index + 1 << " of " << count << std::flush;
-    };
+  /// One line for each file, and on a terminal how far it is.
+  static void report(const walkthroughs::FrameFile& frame) {
+    static const bool terminal = isatty(STDERR_FILENO) != 0;
+    const std::size_t count = frame.story.frames.size();
+    if (terminal) std::cerr << "\r\033[K";
+    std::cout << frame.file.string() << "  " << walkthroughs::plain(frame.story.frames[frame.index].caption)
+              << std::endl;
+    if (terminal && frame.index + 1 < count)
+      std::cerr << frame.story.walkthrough.name << ": frame " << frame.index + 1 << " of " << count << std::flush;
+  }
+
+  void write_captions(const std::vector<walkthroughs::FrameFile>& written) const {
+    const std::string text = walkthroughs::captions_json(written);
+    render::write_file(*captions, std::vector<std::uint8_t>(text.begin(), text.end()));
+    std::cout << *captions << "  captions and descriptions of the frames\n";
   }
 };
 
@@ -132,6 +160,12 @@ int run(int argc, char** argv) {
   render_command->add_flag("--all", render.all, "render every walkthrough");
   render_command->add_flag("--strip", render.strip,
                            "write OUT/NAME/strip.png as well: one wide picture of all iterations");
+  render_command->add_option("--detail", render.detail, "a frame for each decision, or for each step (iteration)")
+      ->check(CLI::IsMember({"decision", "step"}))
+      ->capture_default_str();
+  render_command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
+  render_command->add_option("--captions", render.captions,
+                             "JSON file to write: caption, description and events of each frame");
   render_command->add_option("--out", render.out, "folder to write to")->capture_default_str();
   render_command->add_option("--size", render.size, "width and height in pixels")->capture_default_str();
 

@@ -5,8 +5,7 @@
 #include <system_error>
 
 #include "render/image.hpp"
-#include "walkthroughs/draw.hpp"
-#include "walkthroughs/words.hpp"
+#include "walkthroughs/alternative_text.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -28,26 +27,29 @@ fs::path make_folder(const fs::path& folder) {
   return folder;
 }
 
-/// What a reader without the picture needs: the caption and every fact.
-std::string description(const Frame& frame) {
-  std::string text = plain(frame.caption);
-  for (const Fact& fact : frame.facts) text += "\n" + plain(fact.text);
-  return text;
+/// Returns: the size of a picture of `page` at the scale of `output`, smaller where it would not fit.
+render::Size pixels_of(render::Size page, const Output& output) {
+  if (page == frame_page) return output.size;
+  const double scale = std::min({1.0 * output.size.width / frame_page.width,
+                                 1.0 * output.size.height / frame_page.height, 1.0 * render::max_pixels / page.width});
+  const auto pixels = [&](int units) { return std::max(render::min_pixels, static_cast<int>(units * scale)); };
+  return {pixels(page.width), pixels(page.height)};
 }
 
 }  // namespace
 
 void render_frames(const Story& story, const Output& output, Studio& studio, const FrameWritten& written) {
-  const Walkthrough& walkthrough = story.walkthrough;
-  const fs::path folder = make_folder(output.folder / walkthrough.name);
+  const fs::path folder = make_folder(output.folder / story.walkthrough.name);
+  const render::Size page = page_of_frame(output.text);
   const std::size_t count = story.frames.size();
   for (std::size_t i = 0; i < count; ++i) {
-    render::Canvas canvas(output.size, frame_page, render::palette::white, studio.font);
-    draw_frame(canvas, story, i);
+    render::Canvas canvas(pixels_of(page, output), page, render::palette::white, studio.font);
+    draw_frame(canvas, story, i, output.text);
     const fs::path file = folder / file_name(i);
-    const std::string title = walkthrough.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count);
-    render::write_png(file, studio.rasterizer.draw(canvas), {title, description(story.frames[i])});
-    written(file, plain(story.frames[i].caption), i, count);
+    const std::string title =
+        story.walkthrough.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count);
+    render::write_png(file, studio.rasterizer.draw(canvas), {title, alternative_text(story, i)});
+    written(file, i);
   }
   std::error_code ignored;
   for (std::size_t stale = count; fs::is_regular_file(folder / file_name(stale), ignored); ++stale)
@@ -56,10 +58,7 @@ void render_frames(const Story& story, const Output& output, Studio& studio, con
 
 fs::path render_strip(const Story& story, const Output& output, Studio& studio) {
   const render::Size page = strip_page(story);
-  const double scale = std::min({1.0 * output.size.width / frame_page.width,
-                                 1.0 * output.size.height / frame_page.height, 1.0 * render::max_pixels / page.width});
-  const auto pixels = [&](int units) { return std::max(render::min_pixels, static_cast<int>(units * scale)); };
-  render::Canvas canvas({pixels(page.width), pixels(page.height)}, page, render::palette::white, studio.font);
+  render::Canvas canvas(pixels_of(page, output), page, render::palette::white, studio.font);
   draw_strip(canvas, story);
   const fs::path file = make_folder(output.folder / story.walkthrough.name) / "strip.png";
   render::write_png(file, studio.rasterizer.draw(canvas), {story.walkthrough.title, story.walkthrough.summary});

@@ -7,18 +7,19 @@
 
 #include "render/font.hpp"
 #include "render/rasterizer.hpp"
-#include "walkthroughs/storyboard.hpp"
+#include "walkthroughs/draw.hpp"
 
 namespace walkthroughs {
 
-/// Told after each file: its path and its caption without markup, and which of how many it was.
-using FrameWritten = std::function<void(const std::filesystem::path& file, const std::string& caption,
-                                        std::size_t index, std::size_t count)>;
+/// Told after each file: its path, and which frame of the story it shows.
+using FrameWritten = std::function<void(const std::filesystem::path& file, std::size_t index)>;
 
-/// Where and how large; a strip is as high as it needs to be at the same scale.
+/// Where, how large, and with what around the panels. The size is that of a frame with text; what has another page, such
+/// as a strip or a frame without text, is as wide and as high as it needs to be at the same scale.
 struct Output {
   std::filesystem::path folder;
   render::Size size;
+  Text text = Text::around;
 };
 
 /// The tools of drawing, made once for all pictures.

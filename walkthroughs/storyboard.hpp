@@ -20,12 +20,18 @@ struct Fact {
   std::string text;  ///< with the markup of render/font.hpp
 };
 
+/// The events that a frame adds to the one before, counted from 0 in the trace of its scene; both ends belong to it.
+struct EventRange {
+  std::size_t first = 0, last = 0;
+};
+
 struct Frame {
   Focus focus;
   std::string caption;   ///< one sentence, with markup
   std::string headline;  ///< the same without the walkthrough's own remark
   std::vector<Fact> facts;
-  std::vector<Moment> moments;  ///< one for each scene
+  std::vector<Moment> moments;     ///< one for each scene
+  std::vector<EventRange> events;  ///< one for each scene
 };
 
 /// A walkthrough with everything its frames need. Made once; frames and pictures only read it.
@@ -36,9 +42,16 @@ struct Story {
   std::vector<Frame> frames;
 };
 
-/// Runs the scenes and tells them: one frame for each event that changes the picture.
-/// The story refers to the walkthrough, which must outlive it.
-Story tell(const Walkthrough& walkthrough);
-Story tell(Walkthrough&&) = delete;
+enum class Detail {
+  decision,  ///< one frame for each event that changes the picture
+  step,      ///< one frame for each iteration: its last
+};
+
+/// Runs the scenes and tells them. The story refers to the walkthrough, which must outlive it.
+Story tell(const Walkthrough& walkthrough, Detail detail = Detail::decision);
+Story tell(Walkthrough&&, Detail = Detail::decision) = delete;
+
+/// Returns: the places of the last frame of each iteration.
+std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames);
 
 }  // namespace walkthroughs

@@ -183,6 +183,27 @@ TEST_CASE("gjkstep render --all renders every walkthrough") {
   for (const Walkthrough& w : catalogue()) CHECK(fs::exists(folder.path() / w.name / "000.png"));
 }
 
+TEST_CASE("gjkstep render --detail step --captions writes a frame for each iteration, and all of them in words") {
+  const Folder folder;
+  const std::string out = quoted(folder.path().string()), json = quoted((folder.path() / "captions.json").string());
+  const Outcome outcome =
+      run("render figure-4-left --detail step --no-captions --size 64x36 --captions " + json + " --out " + out);
+  CHECK(outcome.exit_code == 0);
+  CHECK(listing(folder.path()).size() == 5);  // four frames and the file of captions
+  CHECK(bytes_of(folder.path() / "captions.json").find("\"alternative_text\"") != std::string::npos);
+  const Untouched untouched;
+  check_failure("render figure-5 --detail both" + untouched.option, 2, {"--detail", "decision", "step"});
+}
+
+TEST_CASE("Captions that cannot be written are exit code 5") {
+  const Folder folder;
+  const Outcome outcome =
+      run("render figure-5 --size 32x18 --captions " + quoted((folder.path() / "no" / "where").string()) + " --out " +
+          quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 5);
+  CHECK(has(outcome.err, "where"));
+}
+
 TEST_CASE("What the README shows is what the program prints") {
   const Folder folder;
   std::set<std::string> printed;

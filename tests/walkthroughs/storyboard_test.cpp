@@ -45,3 +45,30 @@ TEST_CASE("The moment of a frame is the one after its event") {
     }
   }
 }
+
+TEST_CASE("A frame for each step is the last one of its iteration") {
+  const Story decisions = tell(walkthrough("figure-4-left")), steps = tell(walkthrough("figure-4-left"), Detail::step);
+  REQUIRE(steps.frames.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Frame& step = steps.frames[i];
+    CHECK(step.moments[0].iteration == static_cast<int>(i) + 1);
+    CHECK(step.caption == decisions.frames.at(last_of_each_iteration(decisions.frames).at(i)).caption);
+  }
+  CHECK(steps.frames.back().focus == Focus::end);
+}
+
+TEST_CASE("The frames of a search cover its events without a gap, whatever the detail") {
+  for (const Walkthrough& w : catalogue()) {
+    if (w.layout != Layout::objects_and_difference) continue;
+    for (const Detail detail : {Detail::decision, Detail::step}) {
+      const Story story = tell(w, detail);
+      std::size_t next = 0;
+      for (const Frame& f : story.frames) {
+        CHECK(f.events.at(0).first == next);
+        CHECK(f.events.at(0).last >= f.events.at(0).first);
+        next = f.events.at(0).last + 1;
+      }
+      CHECK(next == story.traces[0].events.size());
+    }
+  }
+}

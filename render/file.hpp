@@ -1,0 +1,24 @@
+/// Whole files in, whole files out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+namespace render {
+
+/// A file could not be read or written; what() says which, why, and what to do.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes under a temporary name beside `path` and renames, so that an interrupted run leaves either the old file or the
+/// whole new one. Errors: FileError; no temporary file is left behind.
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// Errors: FileError.
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path);
+
+}  // namespace render
