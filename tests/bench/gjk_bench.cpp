@@ -1,9 +1,9 @@
 /// What does it cost to be watched? The plain call beside the same call observed (a) by a function that does nothing
 /// with the events and (b) by a Trace that keeps them, over the same random pairs. In the plain call no event is made.
 ///
-///     gjk_bench                                  all shapes, times per pair in the column "Time"
-///     gjk_bench --benchmark_filter=triangles     one kind of shape
-///     gjk_bench --benchmark_repetitions=5        mean, median and spread
+///     build/gjkstep-bench                                  all shapes, times per pair in the column "Time"
+///     build/gjkstep-bench --benchmark_filter=triangles     one kind of shape
+///     build/gjkstep-bench --benchmark_repetitions=5        mean, median and spread
 #include <benchmark/benchmark.h>
 
 #include <cstdint>

@@ -157,4 +157,31 @@ std::vector<Vec3<S>> seen_from(const Point& origin, const Points& points, const 
   return seen(moved(points, {-origin[0], -origin[1], -origin[2]}), frame);
 }
 
+/// What a rule must tell and do where the origin lies in a region.
+struct Outcome {
+  std::string decided, next, expression;
+};
+
+template <class S>
+Told<S> require_outcome(const Outcome& expected, const std::string& skipped, const std::vector<Vec3<S>>& simplex) {
+  const auto told = ask_rules(simplex);
+  REQUIRE(told.skipped == skipped);
+  REQUIRE(told.decided == expected.decided);
+  REQUIRE(told.next == expected.next);
+  REQUIRE(told.expression == expected.expression);
+  REQUIRE(told.direction.has_value() == !expected.next.empty());
+  if (told.direction) require_search_from_kept_feature_to_origin(told, simplex);
+  return told;
+}
+
+/// `points`: the simplex, oldest first.
+template <class S>
+void require_outcome_at(const Point& origin, const Points& points, const std::string& skipped, const Outcome& expected,
+                        const std::vector<Frame<S>>& frames) {
+  for (const auto& frame : frames) {
+    INFO(frame.name << ", origin at " << origin[0] << " " << origin[1] << " " << origin[2]);
+    require_outcome(expected, skipped, seen_from(origin, points, frame));
+  }
+}
+
 }  // namespace gjk::test
