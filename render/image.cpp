@@ -139,6 +139,20 @@ Color Image::pixel(int x, int y) const {
   return {rgb[0], rgb[1], rgb[2]};
 }
 
+void Image::fill(Color color) {
+  for (std::size_t i = 0; i < bytes_.size(); i += channels) {
+    bytes_[i] = color.r;
+    bytes_[i + 1] = color.g;
+    bytes_[i + 2] = color.b;
+  }
+}
+
+void Image::paste(const Image& other, int x, int y) {
+  const std::size_t length = static_cast<std::size_t>(other.size_.width) * channels;
+  for (int line = 0; line < other.size_.height; ++line)
+    std::copy_n(other.row(line), length, row(y + line) + static_cast<std::size_t>(x) * channels);
+}
+
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
   write_file(path, encode(path, image, text));
 }

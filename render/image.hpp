@@ -25,6 +25,11 @@ class Image {
   std::uint8_t* row(int y);
   const std::uint8_t* row(int y) const;
 
+  /// Makes every pixel `color`; its alpha is not looked at.
+  void fill(Color color);
+  /// Copies `other` into this image, its top left pixel to (x,y). Requires: it fits.
+  void paste(const Image& other, int x, int y);
+
   friend bool operator==(const Image&, const Image&) = default;
 
  private:

@@ -61,6 +61,7 @@ struct RenderCommand {
   std::vector<std::string> names;
   bool all = false;
   bool strip = false;
+  bool sheet = false;
   bool no_captions = false;
   std::string detail = "decision";
   std::string out = "out";
@@ -85,6 +86,7 @@ struct RenderCommand {
         report(written.back());
       });
       if (strip) std::cout << walkthroughs::render_strip(story, output, studio).string() << "  " << w->title << '\n';
+      if (sheet) std::cout << walkthroughs::render_sheet(story, output, studio).string() << "  " << w->title << '\n';
     }
     if (captions) write_captions(written);
   }
@@ -160,6 +162,7 @@ int run(int argc, char** argv) {
   render_command->add_flag("--all", render.all, "render every walkthrough");
   render_command->add_flag("--strip", render.strip,
                            "write OUT/NAME/strip.png as well: one wide picture of all iterations");
+  render_command->add_flag("--sheet", render.sheet, "write OUT/NAME/sheet.png as well: all frames on one page");
   render_command->add_option("--detail", render.detail, "a frame for each decision, or for each step (iteration)")
       ->check(CLI::IsMember({"decision", "step"}))
       ->capture_default_str();

@@ -36,19 +36,23 @@ render::Size pixels_of(render::Size page, const Output& output) {
   return {pixels(page.width), pixels(page.height)};
 }
 
+render::Image draw_one(const Story& story, std::size_t index, const Output& output, Studio& studio) {
+  const render::Size page = page_of_frame(output.text);
+  render::Canvas canvas(pixels_of(page, output), page, render::palette::white, studio.font);
+  draw_frame(canvas, story, index, output.text);
+  return studio.rasterizer.draw(canvas);
+}
+
 }  // namespace
 
 void render_frames(const Story& story, const Output& output, Studio& studio, const FrameWritten& written) {
   const fs::path folder = make_folder(output.folder / story.walkthrough.name);
-  const render::Size page = page_of_frame(output.text);
   const std::size_t count = story.frames.size();
   for (std::size_t i = 0; i < count; ++i) {
-    render::Canvas canvas(pixels_of(page, output), page, render::palette::white, studio.font);
-    draw_frame(canvas, story, i, output.text);
     const fs::path file = folder / file_name(i);
     const std::string title =
         story.walkthrough.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count);
-    render::write_png(file, studio.rasterizer.draw(canvas), {title, alternative_text(story, i)});
+    render::write_png(file, draw_one(story, i, output, studio), {title, alternative_text(story, i)});
     written(file, i);
   }
   std::error_code ignored;
@@ -62,6 +66,24 @@ fs::path render_strip(const Story& story, const Output& output, Studio& studio) 
   draw_strip(canvas, story);
   const fs::path file = make_folder(output.folder / story.walkthrough.name) / "strip.png";
   render::write_png(file, studio.rasterizer.draw(canvas), {story.walkthrough.title, story.walkthrough.summary});
+  return file;
+}
+
+fs::path render_sheet(const Story& story, const Output& output, Studio& studio) {
+  const auto reduced = [](int pixels) { return std::max(render::min_pixels, static_cast<int>(pixels * sheet_scale)); };
+  const Output small{output.folder, {reduced(output.size.width), reduced(output.size.height)}, output.text};
+  const render::Size cell = pixels_of(page_of_frame(output.text), small);
+  const int count = static_cast<int>(story.frames.size());
+  const int columns = std::min(count, sheet_columns), rows = (count + columns - 1) / columns;
+  const auto length = [](int cells, int pixels) { return cells * (pixels + sheet_gap) + sheet_gap; };
+  render::Image sheet({length(columns, cell.width), length(rows, cell.height)});
+  sheet.fill(render::palette::faint);
+  for (int i = 0; i < count; ++i)
+    sheet.paste(draw_one(story, static_cast<std::size_t>(i), small, studio),
+                sheet_gap + (i % columns) * (cell.width + sheet_gap),
+                sheet_gap + (i / columns) * (cell.height + sheet_gap));
+  const fs::path file = make_folder(output.folder / story.walkthrough.name) / "sheet.png";
+  render::write_png(file, sheet, {story.walkthrough.title, story.walkthrough.summary});
   return file;
 }
 

@@ -36,4 +36,11 @@ void render_frames(const Story& story, const Output& output, Studio& studio, con
 /// Writes FOLDER/NAME/strip.png and returns its path. Errors: as render_frames.
 std::filesystem::path render_strip(const Story& story, const Output& output, Studio& studio);
 
+/// Writes FOLDER/NAME/sheet.png, a contact sheet of all frames in reading order, and returns its path. Each frame is drawn
+/// anew at `sheet_scale` of its size. Errors: as render_frames.
+std::filesystem::path render_sheet(const Story& story, const Output& output, Studio& studio);
+
+inline constexpr double sheet_scale = 0.375;
+inline constexpr int sheet_columns = 4, sheet_gap = 8;  // at most so many in a row; pixels around each frame
+
 }  // namespace walkthroughs

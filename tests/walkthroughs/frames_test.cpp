@@ -184,6 +184,27 @@ TEST_CASE("The pictures of all walkthroughs") {
   }
 }
 
+TEST_CASE("A sheet shows every frame, drawn at its reduced size, in reading order") {
+  const Folder folder;
+  const Story story = tell(walkthrough("figure-4-right"));  // six frames: four and two
+  Studio studio;
+  const Size cell{480, 270};
+  render_frames(story, {folder.path(), cell}, studio, nobody);
+  const Image sheet = render::read_png(render_sheet(story, {folder.path(), usual}, studio));
+  REQUIRE(sheet.size() == Size{4 * 488 + 8, 2 * 278 + 8});
+  for (std::size_t i = 0; i < 6; ++i) {
+    INFO("frame " << i);
+    const Image frame = render::read_png(folder.path() / "figure-4-right" / number_of(i));
+    const int left = 8 + static_cast<int>(i % 4) * 488, top = 8 + static_cast<int>(i / 4) * 278;
+    int different = 0;
+    for (int y = 0; y < cell.height; ++y)
+      for (int x = 0; x < cell.width; ++x) different += frame.pixel(x, y) != sheet.pixel(left + x, top + y) ? 1 : 0;
+    CHECK(different == 0);
+  }
+  CHECK(sheet.pixel(0, 0) == render::palette::faint);
+  CHECK(sheet.pixel(3 * 488, 500) == render::palette::faint);  // no seventh frame
+}
+
 TEST_CASE("Each file is reported once, in order") {
   const Folder folder;
   Studio studio;
