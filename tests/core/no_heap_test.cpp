@@ -32,7 +32,7 @@ void require_no_heap(const A& a, const B& b, Status expected) {
   REQUIRE(same_result(told.result, plain.result));
 }
 
-TEST_CASE("The plain call allocates nothing on the heap; the observed one does", "[heap]") {
+TEST_CASE("The plain call allocates nothing on the heap, the observed one does", "[heap]") {
   const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
   const auto t = point_set<double>(tetrahedron);
   const Sphere<double> ball(V(1, 1, 1), 1.5);

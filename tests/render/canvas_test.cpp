@@ -158,7 +158,7 @@ TEST_CASE("runs hold the clip rectangles in drawing order") {
   REQUIRE(std::array{runs[2].left, runs[2].top, runs[2].right, runs[2].bottom} == std::array{0, 0, 200, 10});
 }
 
-TEST_CASE("an arrow without length is nothing; a short one shrinks as a whole") {
+TEST_CASE("an arrow without length is nothing, a short one shrinks as a whole") {
   Page page;
   page.canvas.arrow({10, 10}, {10, 10}, {});
   REQUIRE(page.canvas.vertices().empty());
@@ -200,7 +200,7 @@ TEST_CASE("all of the halo lies below all of the letters") {
   }
 }
 
-TEST_CASE("text wraps at spaces; a word that is too long stands alone") {
+TEST_CASE("text wraps at spaces, a word that is too long stands alone") {
   Font font{Font::default_directory()};
   const Canvas canvas({400, 300}, {400, 300}, palette::white, font);
   const TextStyle style{.size = 20};

@@ -95,7 +95,7 @@ TEST_CASE_METHOD(Fixture, "the atlas keeps its glyphs while it grows") {
   }
 }
 
-TEST_CASE_METHOD(Fixture, "size and weight change the letters; sizes outside the range are brought into it") {
+TEST_CASE_METHOD(Fixture, "size and weight change the letters, sizes outside the range are brought into it") {
   REQUIRE(set("x", 40).advance == Approx(2 * set("x", 20).advance).epsilon(0.01));
   REQUIRE(font.set("x", 40, Weight::bold).advance > set("x", 40).advance);
   REQUIRE(set("x", 1e9).advance == set("x", Font::max_pixels).advance);

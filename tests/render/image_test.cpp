@@ -169,7 +169,7 @@ TEST_CASE("a PNG that is cut off anywhere before its last pixels is damaged") {
   }
 }
 
-TEST_CASE("a PNG with a flipped bit either fails with FileError or decodes; it never crashes") {
+TEST_CASE("a PNG with a flipped bit either fails with FileError or decodes, it never crashes") {
   const Folder folder;
   const fs::path path = folder.path / "a.png";
   write_png(path, gradient({12, 12}), {"title", ""});
