@@ -28,7 +28,6 @@ struct Gl {
 
   // State and errors
   PFNGLGETERRORPROC get_error = load("glGetError");
-  PFNGLGETINTEGERVPROC get_integer = load("glGetIntegerv");
   PFNGLENABLEPROC enable = load("glEnable");
   PFNGLBLENDFUNCSEPARATEPROC blend_func_separate = load("glBlendFuncSeparate");
   PFNGLVIEWPORTPROC viewport = load("glViewport");

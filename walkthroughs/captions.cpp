@@ -11,7 +11,6 @@ namespace {
 using Mark = Fact::Mark;
 using gjk::Crossing;
 using gjk::Relation;
-using gjk::Role;
 using gjk::Verdict;
 
 /// What follows the number that decides. A zero speaks for itself.
@@ -67,9 +66,12 @@ class Captions {
           Focus::crossing,
           "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d",
           {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}});
-    return frame_about(
-        Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
-        {{Mark::yes, value + (*event.value > 0 ? " > 0: the origin was crossed" : ": this proves nothing")}});
+    if (*event.value == 0)
+      return frame_about(Focus::crossing,
+                         "The move to " + name + " just reached the origin's level, so the search goes on",
+                         {{Mark::none, value + ": this proves nothing"}});
+    return frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
+                       {{Mark::yes, value + " > 0: the origin was crossed"}});
   }
 
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
