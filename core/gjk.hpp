@@ -63,11 +63,13 @@ class Search {
       if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
       tell_.enter_iteration(++result_.iterations);
       const Vertex<S> vertex = difference_.vertex(direction_);
-      if (const std::optional<Reason> reason = reason_to_stop_at(vertex)) return finish_outside(vertex, *reason);
+      const std::optional<Reason> reason = reason_to_stop_at(vertex);
+      if (reason && !goes_on_after(*reason)) return finish_outside(vertex, *reason);
       result_.simplex.add(vertex);
       tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
       const Step<S> step = process<Rules>(result_.simplex, tell_);
       if (!step.direction) return finish_with_origin_in_simplex(vertex);
+      if (reason) return finish_outside(vertex, *reason);
       result_.simplex = step.simplex;
       direction_ = *step.direction;
     }
@@ -75,8 +77,11 @@ class Search {
   }
 
  private:
-  /// Section 3.1.3. Algorithm 1 as printed adds the vertex first and goes on to process the simplex even after it has
-  /// found P·dir < 0, which may overwrite the answer. Here we differ: the search ends at once, as the text says.
+  static constexpr bool goes_on_after(Reason reason) {
+    return reason == Reason::origin_not_crossed && Rules::not_crossed() == NotCrossed::process_the_simplex;
+  }
+
+  /// Section 3.1.3. Algorithm 1 prints the addition of the vertex first; here the tests come first, which changes nothing.
   ///
   /// Without the crossing test a vertex seen before ends the search, but for one exception: a vertex dropped earlier
   /// that comes back from across the origin is progress. Ending there would leave intersecting sets undecided.

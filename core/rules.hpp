@@ -156,9 +156,15 @@ inline constexpr Face face_ADB{.P = Role::D,
 
 // -- The rules --------------------------------------------------------------------------------------------------------
 
-/// The report's rules as its text means them. A variant derives from this class and hides one of the four functions
-/// process_0simplex … process_3simplex; it may build on the protected parts.
+/// What Algorithm 1 does when it finds that the origin was not crossed (Eq. 9).
+enum class NotCrossed { answer_at_once, process_the_simplex };
+
+/// The report's rules as its text means them. A variant derives from this class and hides one of its functions; it may
+/// build on the protected parts.
 struct AsIntended {
+  /// Section 3.1.3: "the origin is not located within Mdiff. GJK can report no intersection for this case."
+  static constexpr NotCrossed not_crossed() { return NotCrossed::answer_at_once; }
+
   /// Algorithm 2. Not a test for regions: a point has none. Called with the first vertex of the search.
   ///
   /// Outcomes: A is the origin → contained. Else keep A, search along AO.
@@ -318,6 +324,13 @@ struct AsIntended {
     return keep(simplex, {face.Q, face.P, Role::A}, "in this order BC×BD will point to the next vertex", APQn,
                 face.words.normal, tell);
   }
+};
+
+/// Algorithm 1 read literally: it adds the vertex and processes the simplex after it has found P·dir < 0, and
+/// contains_origin() may overwrite the answer. Wrong: for two balls side by side the same vertex comes back, the segment
+/// AB has no length, and AB×AO×AB = 0 reads as "the origin lies on AB".
+struct AsPrinted : AsIntended {
+  static constexpr NotCrossed not_crossed() { return NotCrossed::process_the_simplex; }
 };
 
 }  // namespace gjk

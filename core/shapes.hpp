@@ -89,6 +89,76 @@ class Sphere {
   S radius_;
 };
 
+/// A solid cylinder with flat caps.
+template <std::floating_point S>
+class Cylinder {
+ public:
+  /// `axis`: any length but zero. `height`: from cap to cap; `center` lies halfway.
+  /// Errors: std::invalid_argument unless radius and height are positive and finite and the axis is finite and not zero.
+  Cylinder(Vec3<S> center, Vec3<S> axis, S radius, S height)
+      : center_(std::move(center)), axis_(std::move(axis)), radius_(radius) {
+    const auto positive = [](S length) { return length > 0 && std::isfinite(length); };
+    if (!positive(radius) || !positive(height))
+      throw std::invalid_argument("a cylinder needs a positive, finite radius and height");
+    const S longest = axis_.cwiseAbs().maxCoeff();
+    if (!positive(longest) || !axis_.allFinite())
+      throw std::invalid_argument("a cylinder needs a finite axis that is not zero");
+    axis_ /= longest;
+    to_cap_ = axis_ * (height / 2 / axis_.norm());
+  }
+
+  /// The cap on the side of d, and on it the rim point on the side of d. The rim is found from (axis×d)×axis, which is
+  /// exactly zero where d is a multiple of the axis: all points of the cap are then equally far, and its middle is
+  /// returned. Where d is perpendicular to the axis both caps are equally far, and the one along the axis is taken.
+  SupportPoint<S> support(const Vec3<S>& d) const {
+    const Vec3<S> scaled = d / d.cwiseAbs().maxCoeff();  // as in Sphere
+    const Vec3<S> cap = scaled.dot(axis_) < S(0) ? Vec3<S>(center_ - to_cap_) : Vec3<S>(center_ + to_cap_);
+    const Vec3<S> outward = axis_.cross(scaled).cross(axis_);
+    const S largest = outward.cwiseAbs().maxCoeff();
+    if (largest == S(0)) return {cap};
+    const Vec3<S> radial = outward / largest;
+    return {Vec3<S>(cap + radial * (radius_ / radial.norm()))};
+  }
+
+  const Vec3<S>& center() const { return center_; }
+  const Vec3<S>& to_cap() const { return to_cap_; }  ///< from the center to the middle of the cap along the axis
+  S radius() const { return radius_; }
+
+ private:
+  Vec3<S> center_, axis_;
+  S radius_;
+  Vec3<S> to_cap_ = Vec3<S>::Zero();
+};
+
+/// A rigid motion: x ↦ rotation·x + translation.
+template <class S>
+struct Pose {
+  Eigen::Matrix<S, 3, 3> rotation = Eigen::Matrix<S, 3, 3>::Identity();  ///< orthogonal, determinant 1
+  Vec3<S> translation = Vec3<S>::Zero();
+
+  Vec3<S> operator()(const Vec3<S>& x) const { return rotation * x + translation; }
+};
+
+/// A shape, moved. Holds a copy of it.
+template <class S, Shape<S> A>
+class Posed {
+ public:
+  Posed(A shape, Pose<S> pose) : shape_(std::move(shape)), pose_(std::move(pose)) {}
+
+  /// The farthest point of the moved shape is the moved farthest point along d turned back.
+  SupportPoint<S> support(const Vec3<S>& d) const {
+    const SupportPoint<S> own = shape_.support(Vec3<S>(pose_.rotation.transpose() * d));
+    return {pose_(own.point), own.index};
+  }
+
+  const A& shape() const { return shape_; }
+  const Pose<S>& pose() const { return pose_; }
+
+ private:
+  A shape_;
+  Pose<S> pose_;
+};
+
 /// Eq. 3: { X + Y }. Holds copies of its two sets.
 template <class S, Shape<S> A, Shape<S> B>
 class MinkowskiSum {
