@@ -28,4 +28,33 @@ inline constexpr Color orange{230, 159, 0};
 inline constexpr Color sky{86, 180, 233};
 }  // namespace palette
 
+/// The colours and weights that pictures are drawn with. Drawing code names what a colour is for, not the colour.
+struct Theme {
+  Color paper = palette::white;
+  Color ink = palette::ink;
+  Color grey = palette::grey;    ///< secondary text and outlines
+  Color faint = palette::faint;  ///< grid lines and frames
+  Color blue = palette::blue, vermillion = palette::vermillion, green = palette::green;  ///< lines, text and fills
+  Color orange = palette::orange, sky = palette::sky;                                    ///< fills with an outline
+  double line = 1;                                                                       ///< factor for line widths
+  double label = 1;  ///< factor for labels in panels
+};
+
+namespace themes {
+inline constexpr Theme report;  ///< on white paper
+/// For a projector: stronger lines, larger labels.
+inline constexpr Theme slides{
+    .ink = palette::black, .grey = {80, 80, 80}, .faint = {205, 205, 205}, .line = 1.4, .label = 1.2};
+/// On a dark ground; the colours are lightened until each has a contrast of at least 4.5 there.
+inline constexpr Theme dark{.paper = {22, 25, 31},
+                            .ink = {240, 240, 240},
+                            .grey = {170, 175, 182},
+                            .faint = {58, 63, 72},
+                            .blue = {98, 182, 240},
+                            .vermillion = {255, 138, 76},
+                            .green = {52, 205, 158},
+                            .orange = {240, 180, 60},
+                            .sky = {86, 180, 233}};
+}  // namespace themes
+
 }  // namespace render

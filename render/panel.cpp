@@ -76,6 +76,14 @@ bool contains(std::span<const Vec2> corners, const Box& box) {
          contains(corners, {box.max.x(), box.min.y()});
 }
 
+/// Returns: the part of a convex polygon that lies in `box`, a rectangle along the axes.
+std::vector<Vec2> convex_part(std::vector<Vec2> polygon, const Box& box) {
+  polygon = clip_polygon(polygon, {1, 0}, -box.min.x());
+  polygon = clip_polygon(polygon, {-1, 0}, box.max.x());
+  polygon = clip_polygon(polygon, {0, 1}, -box.min.y());
+  return clip_polygon(polygon, {0, -1}, box.max.y());
+}
+
 TextStyle centered(TextStyle style) {
   style.align = Align::center;
   return style;
@@ -159,6 +167,24 @@ void Panel::grid(double step, const Stroke& stroke) {
   }
   for (const double y : multiples_between(low.y(), high.y(), step)) {
     canvas_.line(view_.page({low.x(), y}), view_.page({high.x(), y}), stroke);
+  }
+}
+
+// A line at 45 degrees is where x + y is constant; it crosses the border of a convex area twice or not at all.
+void Panel::hatch(std::span<const Vec2> corners, double spacing, const Stroke& stroke) {
+  const std::vector<Vec2> area = convex_part(to_page(corners), frame_);
+  if (area.empty()) return;
+  const auto level = [](const Vec2& p) { return p.x() + p.y(); };
+  const Vec2& lowest = *std::ranges::min_element(area, {}, level);
+  const Vec2& highest = *std::ranges::max_element(area, {}, level);
+  for (const double at : multiples_between(level(lowest), level(highest), spacing)) {
+    std::vector<Vec2> crossings;
+    for (std::size_t i = 0; i < area.size(); ++i) {
+      const Vec2 &from = area[i], &to = area[(i + 1) % area.size()];
+      if ((level(from) < at) != (level(to) < at))
+        crossings.push_back(from + (to - from) * ((at - level(from)) / (level(to) - level(from))));
+    }
+    if (crossings.size() == 2) canvas_.line(crossings[0], crossings[1], stroke);
   }
 }
 
