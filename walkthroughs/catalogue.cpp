@@ -10,6 +10,14 @@ const std::vector<Walkthrough>& catalogue() {
   return all;
 }
 
+std::vector<const Walkthrough*> find_walkthroughs(std::string_view name) {
+  std::vector<const Walkthrough*> found;
+  const std::string folder = std::string(name) + (name.ends_with('/') ? "" : "/");
+  for (const Walkthrough& each : catalogue())
+    if (each.name == name || each.name.starts_with(folder)) found.push_back(&each);
+  return found;
+}
+
 const Walkthrough* find_walkthrough(std::string_view name) {
   const auto& all = catalogue();
   const auto found = std::ranges::find(all, name, &Walkthrough::name);

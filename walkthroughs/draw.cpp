@@ -160,7 +160,8 @@ render::Size page_of_frame(Text text) {
   return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
 }
 
-int draw_frame(Canvas& canvas, const Story& story, std::size_t index, Text text) {
+int draw_frame(Canvas& canvas, const Story& story, std::size_t index, const Look& look) {
+  const Text text = look.text;
   const Frame& frame = story.frames[index];
   const double top = text == Text::around ? panels_top : margin_without_text;
   if (text == Text::around) {
@@ -168,8 +169,9 @@ int draw_frame(Canvas& canvas, const Story& story, std::size_t index, Text text)
     draw_footer(canvas, story, index);
   }
   switch (story.walkthrough.layout) {
-    case Layout::objects_and_difference: return draw_objects_and_difference(canvas, story, frame, top);
+    case Layout::search: return draw_objects_and_difference(canvas, story, frame, top);
     case Layout::close_ups: return draw_close_ups(canvas, story, frame, top);
+    default: return 0;
   }
   return 0;
 }
@@ -178,7 +180,7 @@ render::Size strip_page(const Story& story) {
   return {cell_width * static_cast<int>(cells(story).size()), cell_height};
 }
 
-int draw_strip(Canvas& canvas, const Story& story) {
+int draw_strip(Canvas& canvas, const Story& story, const Look&) {
   int crowded = 0;
   double left = 0;
   for (const Cell& cell : cells(story)) {

@@ -10,15 +10,15 @@ namespace walkthroughs {
 /// Two objects that intersect.
 inline Scene figure_4_left_scene() {
   return {.name = "left",
-          .a = {"triangle", {{-1.25, 1.25, 0}, {0.5, 2.25, 0}, {2.25, 1.75, 0}}},
-          .b = {"quadrilateral", {{-1.5, -1.5, 0}, {-1.25, 2.25, 0}, {1, 0, 0}, {1.25, -1.75, 0}}}};
+          .a = {"triangle", points({{-1.25, 1.25, 0}, {0.5, 2.25, 0}, {2.25, 1.75, 0}})},
+          .b = {"quadrilateral", points({{-1.5, -1.5, 0}, {-1.25, 2.25, 0}, {1, 0, 0}, {1.25, -1.75, 0}})}};
 }
 
 /// Two objects that do not.
 inline Scene figure_4_right_scene() {
   return {.name = "right",
-          .a = {"triangle", {{-1, 2.5, 0}, {2.25, 0.5, 0}, {2.5, 2, 0}}},
-          .b = {"quadrilateral", {{0.25, -1, 0}, {0.5, -2, 0}, {-1.75, -2.5, 0}, {-0.75, 0, 0}}}};
+          .a = {"triangle", points({{-1, 2.5, 0}, {2.25, 0.5, 0}, {2.5, 2, 0}})},
+          .b = {"quadrilateral", points({{0.25, -1, 0}, {0.5, -2, 0}, {-1.75, -2.5, 0}, {-0.75, 0, 0}})}};
 }
 
 }  // namespace walkthroughs

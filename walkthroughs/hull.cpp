@@ -49,8 +49,9 @@ std::string LabelledHull::name(const Point& w) const {
 
 LabelledHull difference_hull(const Scene& scene) {
   std::vector<Vec2> differences;
-  for (const Point& a : scene.a.vertices)
-    for (const Point& b : scene.b.vertices) differences.push_back((a - b).head<2>());
+  const std::vector<Point> of_b = vertices_of(scene.b);
+  for (const Point& a : vertices_of(scene.a))
+    for (const Point& b : of_b) differences.push_back((a - b).head<2>());
   std::vector<Vec2> corners = convex_hull(std::move(differences));
   const auto first = std::ranges::max_element(corners, {}, [](const Vec2& p) { return std::tuple(p.x(), p.y()); });
   std::ranges::rotate(corners, first);

@@ -72,8 +72,8 @@ struct RenderCommand {
   void run() const {
     const std::vector<const Walkthrough*> chosen = chosen_walkthroughs();
     if (out.empty()) throw UsageError("--out '': name a folder to write to, for example --out pictures");
-    const walkthroughs::Output output{out, parse_size(size),
-                                      no_captions ? walkthroughs::Text::none : walkthroughs::Text::around};
+    const walkthroughs::Look look{.text = no_captions ? walkthroughs::Text::none : walkthroughs::Text::around};
+    const walkthroughs::Output output{out, parse_size(size), look};
     const walkthroughs::Detail shown = detail == "step" ? walkthroughs::Detail::step : walkthroughs::Detail::decision;
     walkthroughs::Studio studio;
     std::vector<walkthroughs::Story> stories;

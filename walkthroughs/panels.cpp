@@ -302,8 +302,8 @@ class DifferencePicture {
 }  // namespace
 
 Bounds bounds_of_objects(const Scene& scene) {
-  std::vector<Vec2> points = plane(scene.a.vertices);
-  std::ranges::copy(plane(scene.b.vertices), std::back_inserter(points));
+  std::vector<Vec2> points = plane(vertices_of(scene.a));
+  std::ranges::copy(plane(vertices_of(scene.b)), std::back_inserter(points));
   return bounds(points);
 }
 
@@ -329,7 +329,7 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Scene& scene,
               swatch(scene.b.name, palette::orange.with_alpha(110), palette::ink)});
   Panel panel(canvas, below_title(place.frame), place.view);
   panel.grid(1, grid_line);
-  const std::vector<Vec2> a = plane(scene.a.vertices), b = plane(scene.b.vertices);
+  const std::vector<Vec2> a = plane(vertices_of(scene.a)), b = plane(vertices_of(scene.b));
   panel.polygon(a, palette::sky.with_alpha(110));
   panel.polygon(b, palette::orange.with_alpha(110));
   panel.outline(a, {palette::blue, 3});

@@ -37,9 +37,9 @@ render::Size pixels_of(render::Size page, const Output& output) {
 }
 
 render::Image draw_one(const Story& story, std::size_t index, const Output& output, Studio& studio) {
-  const render::Size page = page_of_frame(output.text);
-  render::Canvas canvas(pixels_of(page, output), page, render::palette::white, studio.font);
-  draw_frame(canvas, story, index, output.text);
+  const render::Size page = page_of_frame(output.look.text);
+  render::Canvas canvas(pixels_of(page, output), page, output.look.style.theme.paper, studio.font);
+  draw_frame(canvas, story, index, output.look);
   return studio.rasterizer.draw(canvas);
 }
 
@@ -62,8 +62,8 @@ void render_frames(const Story& story, const Output& output, Studio& studio, con
 
 fs::path render_strip(const Story& story, const Output& output, Studio& studio) {
   const render::Size page = strip_page(story);
-  render::Canvas canvas(pixels_of(page, output), page, render::palette::white, studio.font);
-  draw_strip(canvas, story);
+  render::Canvas canvas(pixels_of(page, output), page, output.look.style.theme.paper, studio.font);
+  draw_strip(canvas, story, output.look);
   const fs::path file = make_folder(output.folder / story.walkthrough.name) / "strip.png";
   render::write_png(file, studio.rasterizer.draw(canvas), {story.walkthrough.title, story.walkthrough.summary});
   return file;
@@ -71,8 +71,8 @@ fs::path render_strip(const Story& story, const Output& output, Studio& studio) 
 
 fs::path render_sheet(const Story& story, const Output& output, Studio& studio) {
   const auto reduced = [](int pixels) { return std::max(render::min_pixels, static_cast<int>(pixels * sheet_scale)); };
-  const Output small{output.folder, {reduced(output.size.width), reduced(output.size.height)}, output.text};
-  const render::Size cell = pixels_of(page_of_frame(output.text), small);
+  const Output small{output.folder, {reduced(output.size.width), reduced(output.size.height)}, output.look};
+  const render::Size cell = pixels_of(page_of_frame(output.look.text), small);
   const int count = static_cast<int>(story.frames.size());
   const int columns = std::min(count, sheet_columns), rows = (count + columns - 1) / columns;
   const auto length = [](int cells, int pixels) { return cells * (pixels + sheet_gap) + sheet_gap; };

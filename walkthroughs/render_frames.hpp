@@ -19,7 +19,7 @@ using FrameWritten = std::function<void(const std::filesystem::path& file, std::
 struct Output {
   std::filesystem::path folder;
   render::Size size;
-  Text text = Text::around;
+  Look look = {};
 };
 
 /// The tools of drawing, made once for all pictures.

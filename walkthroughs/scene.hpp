@@ -1,7 +1,9 @@
 /// Two real objects and how to ask GJK about them; and what came of it.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/gjk.hpp"
@@ -9,18 +11,41 @@
 namespace walkthroughs {
 
 using Point = gjk::Vec3<double>;
+using Points = gjk::PointSet<double>;
+using Ball = gjk::Sphere<double>;
+using Cylinder = gjk::Cylinder<double>;
+using Pose = gjk::Pose<double>;
 
-/// A convex object: the hull of its vertices, given in any order.
+/// A convex object of a scene; a shape of core/ as it says itself.
 struct Object {
   std::string name;  ///< as a caption calls it: "triangle"
-  std::vector<Point> vertices;
+  std::variant<Points, Ball, Cylinder> form;
+  Pose pose = {};
+
+  /// Counts itself, so that a test can see who asks.
+  gjk::SupportPoint<double> support(const Point& d) const;
+  mutable std::size_t support_calls = 0;
 };
+
+/// Returns: the convex hull of `vertices`, given in any order.
+inline Points points(std::vector<Point> vertices) { return Points(std::move(vertices)); }
+
+/// Returns: the vertices of a point set where the pose puts them; none for other shapes.
+std::vector<Point> vertices_of(const Object& object);
+
+/// Which functions of core/rules.hpp run.
+enum class RuleSet { as_intended, as_printed };
+
+/// Scenes of the plane z = 0 are drawn flat; those of space through a camera.
+enum class Dimension { plane, space };
 
 /// Everything that decides a run. Lengths are in the scene's own unit.
 struct Scene {
   std::string name;  ///< tells the scenes of one walkthrough apart: "left"
   Object a, b;
   gjk::Options<double> options = {};
+  Dimension dimension = Dimension::plane;
+  RuleSet rules = RuleSet::as_intended;
 };
 
 using Trace = gjk::Trace<double>;

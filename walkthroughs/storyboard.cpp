@@ -82,8 +82,9 @@ Story tell(const Walkthrough& walkthrough, Detail detail) {
     story.hulls.push_back(difference_hull(scene));
   }
   switch (walkthrough.layout) {
-    case Layout::objects_and_difference: tell_whole_search(story); break;
+    case Layout::search: tell_whole_search(story); break;
     case Layout::close_ups: tell_move(story, walkthrough.close_up.value()); break;
+    default: break;
   }
   if (detail == Detail::step) keep_last_of_each_iteration(story.frames);
   set_first_events(story.frames);

@@ -27,10 +27,34 @@ Json json(const gjk::Simplex<double>& simplex) {
   return list;
 }
 
+/// The form of an object, as in scene files.
+struct FormJson {
+  Json operator()(const Points& set) const {
+    Json list = Json::array();
+    for (const Point& p : set.points()) list.push_back(json(p));
+    return {{"points", list}};
+  }
+  Json operator()(const Ball& ball) const {
+    return {{"sphere", {{"center", json(ball.center())}, {"radius", ball.radius()}}}};
+  }
+  Json operator()(const Cylinder& cylinder) const {
+    return {{"cylinder",
+             {{"center", json(cylinder.center())},
+              {"axis", json(cylinder.to_cap())},
+              {"radius", cylinder.radius()},
+              {"height", 2 * cylinder.to_cap().norm()}}}};
+  }
+};
+
 Json json(const Object& object) {
-  Json points = Json::array();
-  for (const Point& p : object.vertices) points.push_back(json(p));
-  return {{"name", object.name}, {"points", points}};
+  Json j{{"name", object.name}};
+  j.update(std::visit(FormJson{}, object.form));
+  if (!object.pose.rotation.isIdentity(0) || !object.pose.translation.isZero(0)) {
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
+    j["pose"] = {{"rotation", rows}, {"translation", json(object.pose.translation)}};
+  }
+  return j;
 }
 
 Json json(const Scene& scene) {
@@ -39,7 +63,8 @@ Json json(const Scene& scene) {
           {"b", json(scene.b)},
           {"first_direction", json(scene.options.first_direction)},
           {"iteration_limit", scene.options.iteration_limit},
-          {"crossing_test", scene.options.crossing_test == gjk::CrossingTest::on ? "on" : "off"}};
+          {"crossing_test", scene.options.crossing_test == gjk::CrossingTest::on ? "on" : "off"},
+          {"rules", scene.rules == RuleSet::as_intended ? "as-intended" : "as-printed"}};
 }
 
 const char* text(gjk::Crossing verdict) {

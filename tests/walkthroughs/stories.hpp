@@ -30,7 +30,7 @@ inline std::optional<Focus> focus_of(const gjk::Event<double>& event) {
 inline std::vector<Story> whole_searches() {
   std::vector<Story> stories;
   for (const Walkthrough& w : catalogue())
-    if (w.layout == Layout::objects_and_difference) stories.push_back(tell(w));
+    if (w.layout == Layout::search) stories.push_back(tell(w));
   return stories;
 }
 

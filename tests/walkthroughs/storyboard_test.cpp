@@ -59,7 +59,7 @@ TEST_CASE("A frame for each step is the last one of its iteration") {
 
 TEST_CASE("The frames of a search cover its events without a gap, whatever the detail") {
   for (const Walkthrough& w : catalogue()) {
-    if (w.layout != Layout::objects_and_difference) continue;
+    if (w.layout != Layout::search) continue;
     for (const Detail detail : {Detail::decision, Detail::step}) {
       const Story story = tell(w, detail);
       std::size_t next = 0;

@@ -30,7 +30,10 @@ inline Walkthrough walkthrough_of(const std::vector<Point>& points, const gjk::O
           .title = "test",
           .source = "test",
           .summary = "test",
-          .scenes = {{.name = "test", .a = {"first", points}, .b = {"second", minus}, .options = options}}};
+          .scenes = {{.name = "test",
+                      .a = {"first", walkthroughs::points(points)},
+                      .b = {"second", walkthroughs::points(minus)},
+                      .options = options}}};
 }
 
 template <template <class> class E>

@@ -1,0 +1,40 @@
+/// How things look in the pictures, given a theme: one place for line widths, dashes and text sizes.
+#pragma once
+
+#include <string>
+
+#include "render/canvas.hpp"
+
+namespace walkthroughs {
+
+struct Style {
+  explicit Style(const render::Theme& theme);
+
+  render::Theme theme;
+
+  // Lines. Widths in page units.
+  render::Stroke grid, frame;
+  render::Stroke hull, hidden_edge;        ///< an outline of the difference, and its edges that lie behind
+  render::Stroke object_a, object_b;       ///< outlines of the objects
+  render::Stroke simplex, move, former;    ///< edges of the simplex, the move just made, edges of earlier simplices
+  render::Stroke direction, support_line;  ///< d, and the line or plane across it through the point found
+  render::Stroke normal, tested, thin, projection;
+  render::Stroke hatching;  ///< of what the algorithm skips
+  render::Stroke cross;     ///< through what it has rejected or dropped
+  render::Stroke origin;
+
+  // Fills, translucent.
+  render::Color object_a_fill, object_b_fill, hull_fill, simplex_fill, out_of_reach;
+  render::Color chosen_fill, tested_fill, rejected_fill;
+
+  double point_radius = 7;
+  double arrow_length = 60;  ///< directions have no length of their own
+  double hatch_spacing = 11;
+
+  // Text.
+  render::TextStyle title, panel_title, caption, fact, small;
+  render::TextStyle label(render::Color color, render::Weight weight = render::Weight::regular) const;
+  render::TextStyle small_label() const;
+};
+
+}  // namespace walkthroughs
