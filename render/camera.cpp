@@ -1,5 +1,6 @@
 #include "render/camera.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -214,7 +214,11 @@ void Panel::label(const Vec2& anchor, const Vec2& toward, std::string text, cons
 }
 
 void Panel::name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style) {
-  area_names_.push_back({to_page(corners), std::move(text), centered(style)});
+  area_names_.push_back({to_page(corners), text, text, centered(style)});
+}
+
+void Panel::name_area(std::span<const Vec2> corners, std::string text, std::string shorter, const TextStyle& style) {
+  area_names_.push_back({to_page(corners), std::move(text), std::move(shorter), centered(style)});
 }
 
 // Points first: their names have the least choice.
@@ -230,7 +234,10 @@ int Panel::place_labels() {
     }
   };
   place_all(labels_);
-  place_all(area_names_);
+  for (AreaName& area : area_names_) {
+    if (area.text != area.shorter && !best_place(area, taken).clear) area.text = area.shorter;
+    place_all(std::span(&area, 1));
+  }
   labels_.clear();
   area_names_.clear();
   return crowded;

@@ -19,6 +19,12 @@ class View {
 
   Vec2 page(const Vec2& scene) const { return center_page_ + scale_ * turned_over(scene - center_scene_); }
   Vec2 scene(const Vec2& page) const { return center_scene_ + turned_over(page - center_page_) / scale_; }
+  /// Returns: the same middle at another scale.
+  View with_scale(double scale) const {
+    View other = *this;
+    other.scale_ = scale;
+    return other;
+  }
   double scale() const { return scale_; }  ///< page units per scene unit
 
  private:
@@ -58,6 +64,8 @@ class Panel {
   void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap = 18);
   /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
   void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style);
+  /// The same, with `shorter` where `text` does not fit in.
+  void name_area(std::span<const Vec2> corners, std::string text, std::string shorter, const TextStyle& style);
   /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
   /// after everything else.
   /// Returns: how many of them could not be kept clear of lines, of each other, and of the frame.
@@ -80,7 +88,7 @@ class Panel {
   };
   struct AreaName {
     std::vector<Vec2> corners;  ///< page units
-    std::string text;
+    std::string text, shorter;
     TextStyle style;
   };
   struct Place {

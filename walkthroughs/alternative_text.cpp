@@ -11,18 +11,33 @@ using Json = nlohmann::ordered_json;
 
 constexpr int captions_version = 1;
 
-std::string described(const Scene& scene, const LabelledHull& hull, const Moment& now) {
-  std::string text = "The difference of a " + scene.a.name + " and a " + scene.b.name + " has the corners ";
-  for (std::size_t i = 0; i < hull.corners.size(); ++i) {
-    const Point corner(hull.corners[i].x(), hull.corners[i].y(), 0);
-    text += (i ? ", " : "") + hull.name(corner) + " " + vector(corner);
+/// Returns: the vertices of the difference or the simplex with their places, as far as they have names.
+std::string vertices_in_words(const Telling& telling, const Names& names, const Moment& now) {
+  std::string text;
+  const auto append = [&](const Point& w) {
+    text += (text.empty() ? "" : ", ") + names.of(w) + " " + vector(w, telling.scene.dimension);
+  };
+  if (!telling.hull.corners.empty()) {
+    for (const render::Vec2& corner : telling.hull.corners) append({corner.x(), corner.y(), 0});
+    return "The difference of a " + telling.scene.a.name + " and a " + telling.scene.b.name + " has the corners " +
+           text + ". ";
   }
-  text += now.simplex.size() == 0 ? ". There is no simplex yet."
-                                  : ". The simplex, oldest first, is " + list_of_names(now.simplex, hull) + ".";
-  if (now.direction) text += " The search direction d is " + vector(now.direction->value) + ".";
+  for (int i = 0; i < now.simplex.size(); ++i) append(now.simplex[i].w);
+  const std::string what =
+      "It is about the difference of a " + telling.scene.a.name + " and a " + telling.scene.b.name + ". ";
+  return text.empty() ? what : what + "The vertices of the simplex are " + text + ". ";
+}
+
+std::string described(const Telling& telling, const Names& names, const Moment& now) {
+  const Dimension dimension = telling.scene.dimension;
+  std::string text = vertices_in_words(telling, names, now);
+  text += now.simplex.size() == 0 ? "There is no simplex yet."
+                                  : "The simplex, oldest first, is " + names.list(now.simplex) + ".";
+  if (now.direction) text += " The search direction d is " + vector(now.direction->value, dimension) + ".";
   if (now.found)
-    text += " The support points are a " + vector(now.found->a.point) + " and b " + vector(now.found->b.point) +
-            "; a minus b is " + hull.name(now.found->w) + ".";
+    text += " The support points are a " + vector(now.found->a.point, dimension) + " and b " +
+            vector(now.found->b.point, dimension) + "; a minus b is " + names.of(now.found->w) + " " +
+            vector(now.found->w, dimension) + ".";
   return text;
 }
 
@@ -56,10 +71,11 @@ Json json(const FrameFile& item) {
 std::string alternative_text(const Story& story, std::size_t index) {
   const Frame& frame = story.frames[index];
   std::string text = plain(frame.caption);
+  if (frame.focus == Focus::diagram) text += "\n" + plain(story.diagrams[index].description);
   for (std::size_t s = 0; s < frame.moments.size(); ++s) {
     const bool several = frame.moments.size() > 1;
-    text += (several ? "\nIn the " + story.walkthrough.scenes[s].name + " set: " : "\n") +
-            described(story.walkthrough.scenes[s], story.hulls[s], frame.moments[s]);
+    text += (several ? "\nOf the two, " + story.tellings[s].scene.name + ": " : "\n") +
+            described(story.tellings[s], story.names(index, s), frame.moments[s]);
   }
   for (const Fact& fact : frame.facts) text += "\n" + mark_in_words(fact.mark) + plain(fact.text) + ".";
   return text;

@@ -5,8 +5,16 @@
 
 namespace walkthroughs {
 const std::vector<Walkthrough>& catalogue() {
-  static const std::vector<Walkthrough> all = {figure_4_left(), figure_4_right(), figure_4_right_no_crossing_test(),
-                                               figure_5()};
+  static const std::vector<Walkthrough> all = [] {
+    std::vector<Walkthrough> list = {figure_4(), figure_4_left(), figure_4_right(), figure_4_right_no_crossing_test(),
+                                     figure_5()};
+    const auto append = [&](std::vector<Walkthrough> more) {
+      for (Walkthrough& each : more) list.push_back(std::move(each));
+    };
+    append(vehicle_and_threat());
+    append({cycle_separated(), cycle_intersecting(), as_printed_spheres()});
+    return list;
+  }();
   return all;
 }
 

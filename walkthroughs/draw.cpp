@@ -15,140 +15,262 @@ using render::Canvas;
 using render::TextStyle;
 using render::Vec2;
 using render::View;
-namespace palette = render::palette;
 
 // The page, in page units.
-constexpr double left_margin = 40, right_margin = 1240;
-constexpr double panels_top = 76, panels_height = 460, margin_without_text = 20;
+constexpr double left_margin = 40, right_margin = 1240, panel_gap = 14;
+constexpr double panels_top = 72, panels_height = 448, margin_without_text = 20;
+constexpr double objects_width = 300, algorithm_width = 372;
 constexpr double text_left = 250, mark_width = 34;
-constexpr double first_line = 576, line_pitch = 32;
+constexpr double first_line = 556, line_pitch = 30, small_pitch = 26, last_line = 714;
 constexpr double max_scale = 1e9;                              // for a scene that is a single point
-constexpr double objects_margin = 70, difference_margin = 64;  // around a scene: room for arrows, for labels
-
-const TextStyle caption_style{.size = 26};
-const TextStyle fact_style{.size = 23};
-const TextStyle small_style{.size = 20, .color = palette::grey};
+constexpr double least_magnification = 1.5;                    // below that a close-up tells no more than the whole
+constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
 
 Box panel_box(double left, double right, double top) { return {{left, top}, {right, top + panels_height}}; }
 
-void draw_header(Canvas& canvas, const Walkthrough& walkthrough) {
-  canvas.text({left_margin, 52}, walkthrough.title, {.size = 30, .weight = render::Weight::bold});
-  TextStyle source = small_style;
+/// One scene of one frame.
+Shown shown(const Story& story, const Names& names, std::size_t scene, const Frame& frame, const Lens& lens,
+            const Style& style) {
+  return {story.tellings[scene], frame.moments[scene], names, frame.focus_of(scene), lens, style};
+}
+
+Lens turned(const Lens& lens, double degrees) {
+  return lens.camera && degrees != 0 ? Lens{lens.camera->turned(degrees)} : lens;
+}
+
+// -- Around the panels ------------------------------------------------------------------------------------------------
+
+void draw_header(Canvas& canvas, const Walkthrough& walkthrough, const Style& style) {
+  canvas.text({left_margin, 48}, walkthrough.title, style.title);
+  TextStyle source = style.small;
   source.align = render::Align::right;
-  canvas.text({right_margin, 52}, walkthrough.source, source);
+  const double title_end = canvas.text_box({left_margin, 48}, walkthrough.title, style.title).max.x();
+  if (canvas.text_box({right_margin, 48}, walkthrough.source, source).min.x() > title_end + panel_gap)
+    canvas.text({right_margin, 48}, walkthrough.source, source);
 }
 
-void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark) {
-  TextStyle style{.size = 24, .weight = render::Weight::bold};
-  style.color = mark == Fact::Mark::yes ? palette::green : palette::vermillion;
-  if (mark == Fact::Mark::yes) canvas.text(at, "✓", style);
-  if (mark == Fact::Mark::no) canvas.text(at, "✗", style);
+void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark, const Style& style) {
+  TextStyle text{.size = 24, .weight = render::Weight::bold};
+  text.color = mark == Fact::Mark::yes ? style.theme.green : style.theme.vermillion;
+  if (mark == Fact::Mark::yes) canvas.text(at, "✓", text);
+  if (mark == Fact::Mark::no) canvas.text(at, "✗", text);
 }
 
-void draw_fact(Canvas& canvas, const Vec2& at, const Fact& fact) {
-  TextStyle bold = fact_style;
-  bold.weight = render::Weight::bold;
-  switch (fact.mark) {
-    case Fact::Mark::skipped: canvas.text(at, "skipped " + fact.text, small_style); break;
-    case Fact::Mark::answer: canvas.text(at, fact.text, bold); break;
-    default: canvas.text(at, fact.text, fact_style);
+/// Lines below each other, as far as the page goes.
+class Column {
+ public:
+  Column(Canvas& canvas, double left, double right) : canvas_(canvas), left_(left), right_(right) {}
+
+  void write(const std::string& text, const TextStyle& style, double indent, double pitch) {
+    for (const std::string& line : render::wrap(canvas_, text, style, right_ - left_ - indent)) {
+      if (baseline_ > last_line) return;
+      canvas_.text({left_ + indent, baseline_}, line, style);
+      baseline_ += pitch;
+    }
+  }
+  Vec2 next() const { return {left_, baseline_}; }
+  bool is_full() const { return baseline_ > last_line; }
+
+ private:
+  Canvas& canvas_;
+  double left_, right_, baseline_ = first_line;
+};
+
+void draw_facts(Canvas& canvas, Column& column, const Frame& frame, const Style& style) {
+  for (const Fact& fact : frame.facts) {
+    if (column.is_full()) return;
+    draw_mark(canvas, column.next(), fact.mark, style);
+    TextStyle text = style.fact;
+    if (fact.mark == Fact::Mark::answer) text.weight = render::Weight::bold;
+    if (fact.mark == Fact::Mark::skipped)
+      column.write("skipped " + fact.text, style.skipped, mark_width, small_pitch);
+    else
+      column.write(fact.text, text, mark_width, line_pitch);
   }
 }
 
 /// "step n of N", the caption, and the numbers that decide.
-void draw_footer(Canvas& canvas, const Story& story, std::size_t index) {
+void draw_footer(Canvas& canvas, const Story& story, std::size_t index, const Style& style) {
   const Frame& frame = story.frames[index];
-  canvas.text({left_margin, first_line},
-              "step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()),
-              {.size = 24, .weight = render::Weight::bold});
-  canvas.text({left_margin, first_line + line_pitch}, "iteration " + std::to_string(frame.moments[0].iteration),
-              small_style);
-  const Simplex& simplex = frame.moments[0].simplex;
-  const std::string now = simplex.size() == 0 ? "no simplex yet" : "simplex " + list_of_names(simplex, story.hulls[0]);
-  canvas.text({left_margin, first_line + 2 * line_pitch}, now, small_style);
-  double y = first_line;
-  for (const std::string& line : render::wrap(canvas, frame.caption, caption_style, right_margin - text_left)) {
-    canvas.text({text_left, y}, line, caption_style);
-    y += line_pitch;
+  Column progress(canvas, left_margin, text_left - panel_gap);
+  TextStyle bold{.size = 24, .weight = render::Weight::bold, .color = style.theme.ink};
+  progress.write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold, 0,
+                 line_pitch);
+  if (!frame.moments.empty()) {
+    progress.write("iteration " + std::to_string(frame.moments[0].iteration), style.small, 0, line_pitch);
+    if (frame.moments.size() == 1) {
+      const Simplex& simplex = frame.moments[0].simplex;
+      progress.write(simplex.size() == 0 ? "no simplex yet" : "simplex " + story.names(index, 0).list(simplex),
+                     style.small, 0, line_pitch);
+    }
   }
-  for (const Fact& fact : frame.facts) {
-    draw_mark(canvas, {text_left, y}, fact.mark);
-    draw_fact(canvas, {text_left + mark_width, y}, fact);
-    y += line_pitch;
-  }
+  Column text(canvas, text_left, right_margin);
+  text.write(frame.caption, style.caption, 0, line_pitch);
+  draw_facts(canvas, text, frame, style);
 }
 
-int draw_objects_and_difference(Canvas& canvas, const Story& story, const Frame& frame, double top) {
-  const Scene& scene = story.walkthrough.scenes[0];
-  const Box left = panel_box(left_margin, 470, top), right = panel_box(490, right_margin, top);
-  const Bounds objects = bounds_of_objects(scene), difference = bounds_of_difference(story.hulls[0]);
-  const Box room_left = below_title(left).grown(-objects_margin),
-            room_right = below_title(right).grown(-difference_margin);
-  // One scale for both, so that a length in one panel is the same length in the other.
-  const double scale = std::min(View::fit(objects.low, objects.high, room_left, max_scale).scale(),
-                                View::fit(difference.low, difference.high, room_right, max_scale).scale());
-  return draw_objects(canvas, {left, "objects", View::fit(objects.low, objects.high, room_left, scale)}, scene,
-                      frame.moments[0], frame.focus) +
-         draw_difference(canvas,
-                         {right, "difference a − b", View::fit(difference.low, difference.high, room_right, scale)},
-                         story.hulls[0], frame.moments[0], frame.focus);
+// -- One scene --------------------------------------------------------------------------------------------------------
+
+/// The panels of a search from left to right: objects, difference, algorithm.
+struct Columns {
+  std::optional<Box> objects, algorithm;
+  Box difference;
+};
+
+Columns columns(const Panels& panels, double top) {
+  double left = left_margin, right = right_margin;
+  Columns all;
+  if (panels.objects) {
+    all.objects = panel_box(left, left + objects_width, top);
+    left += objects_width + panel_gap;
+  }
+  if (panels.algorithm) {
+    all.algorithm = panel_box(right - algorithm_width, right, top);
+    right -= algorithm_width + panel_gap;
+  }
+  all.difference = panel_box(left, right, top);
+  return all;
 }
 
-int draw_close_ups(Canvas& canvas, const Story& story, const Frame& frame, double top) {
-  const double middle = (left_margin + right_margin) / 2;
-  const Box boxes[] = {panel_box(left_margin, middle - 10, top), panel_box(middle + 10, right_margin, top)};
-  const auto view = [&](std::size_t s, double scale) {
-    const Bounds box = bounds_of_move(story.frames.back().moments[s]);  // of the whole move, so that nothing jumps
-    return View::fit(box.low, box.high, below_title(boxes[s]).grown(-difference_margin), scale);
-  };
-  const double scale = std::min(view(0, max_scale).scale(), view(1, max_scale).scale());
+View fit(const Bounds& bounds, const Box& room) { return View::fit(bounds.low, bounds.high, room, max_scale); }
+
+/// Where a simplex would be small in the whole set, its regions are shown close up.
+bool is_close_up(const Shown& what, const Box& room) {
+  if (what.focus != Focus::region || what.now.processed.size() < 2) return false;
+  const double whole = fit(bounds_of_difference(what.telling, what.lens), room).scale();
+  return fit(bounds_of_decision(what.now, what.lens), room).scale() > least_magnification * whole;
+}
+
+View view_of_difference(const Shown& what, const Box& room) {
+  return is_close_up(what, room) ? fit(bounds_of_decision(what.now, what.lens), room)
+                                 : fit(bounds_of_difference(what.telling, what.lens), room);
+}
+
+int draw_search(Canvas& canvas, const Story& story, std::size_t index, double top, const Look& look) {
+  const Telling& telling = story.tellings[0];
+  const Lens lens = turned(telling.lens, look.turn);
+  const Names names = story.names(index, 0);
+  const Shown what = shown(story, names, 0, story.frames[index], lens, look.style);
+  const Columns boxes = columns(telling.panels, top);
+  const Box room = below_title(boxes.difference).grown(-difference_margin);
+  View view = view_of_difference(what, room);
   int crowded = 0;
-  for (std::size_t s = 0; s < 2; ++s)
-    crowded += draw_move(canvas, {boxes[s], story.walkthrough.scenes[s].name + " set", view(s, scale)}, story.hulls[s],
-                         frame.moments[s], frame.focus);
+  if (boxes.objects) {
+    const Bounds objects = bounds_of_objects(telling, lens);
+    const Box room_left = below_title(*boxes.objects).grown(-objects_margin);
+    View left = View::fit(objects.low, objects.high, room_left, max_scale);
+    if (!lens.camera &&
+        !is_close_up(what,
+                     room)) {  // One scale for both, so that a length in one panel is the same length in the other.
+      const double scale = std::min(left.scale(), view.scale());
+      left = View::fit(objects.low, objects.high, room_left, scale);
+      view = view.with_scale(scale);
+    }
+    crowded += draw_objects(canvas, {*boxes.objects, "", left}, what);
+  }
+  crowded += draw_difference(
+      canvas, {boxes.difference, is_close_up(what, room) ? "a − b, close up" : "difference a − b", view}, what);
+  if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);
   return crowded;
 }
 
-// The strip, in page units.
+// -- Two scenes -------------------------------------------------------------------------------------------------------
+
+std::string title_of_scene(const Story& story, std::size_t scene) {
+  const std::string& name = story.tellings[scene].scene.name;
+  return story.walkthrough.layout == Layout::until_they_part ? name : name + " set";
+}
+
+bool shows_a_move(const Story& story) { return story.walkthrough.layout == Layout::close_ups; }
+
+Bounds bounds_of_scene(const Story& story, std::size_t scene, const Frame& frame, const Lens& lens) {
+  return shows_a_move(story) ? bounds_of_move(frame.moments[scene], lens)
+                             : bounds_of_difference(story.tellings[scene], lens);
+}
+
+int draw_scene(Canvas& canvas, const Story& story, const Place& place, const Shown& what) {
+  return shows_a_move(story) ? draw_move(canvas, place, what) : draw_difference(canvas, place, what);
+}
+
+int draw_pair(Canvas& canvas, const Story& story, std::size_t index, double top, const Look& look) {
+  const double middle = (left_margin + right_margin) / 2;
+  const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, top),
+                       panel_box(middle + panel_gap / 2, right_margin, top)};
+  const auto view = [&](std::size_t s, const Lens& lens, double scale) {
+    const Bounds box =
+        bounds_of_scene(story, s, story.frames.back(), lens);  // of the last frame, so that nothing jumps
+    return View::fit(box.low, box.high, below_title(boxes[s]).grown(-difference_margin), scale);
+  };
+  const Lens lenses[] = {turned(story.tellings[0].lens, look.turn), turned(story.tellings[1].lens, look.turn)};
+  const double scale = std::min(view(0, lenses[0], max_scale).scale(), view(1, lenses[1], max_scale).scale());
+  int crowded = 0;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const Names names = story.names(index, s);
+    crowded += draw_scene(canvas, story, {boxes[s], title_of_scene(story, s), view(s, lenses[s], scale)},
+                          shown(story, names, s, story.frames[index], lenses[s], look.style));
+  }
+  return crowded;
+}
+
+// -- The strip --------------------------------------------------------------------------------------------------------
+
+// In page units.
 constexpr int cell_width = 420, cell_height = 490;
 constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
 
 /// One panel of the strip: its picture fills the box and `caption` stands below.
 struct Cell {
-  const Frame& frame;
-  std::size_t scene;
+  std::size_t frame, scene;
   std::string title, caption;
 };
 
 std::vector<Cell> cells(const Story& story) {
   std::vector<Cell> list;
-  if (story.walkthrough.layout == Layout::close_ups) {
-    for (std::size_t s = 0; s < story.hulls.size(); ++s)
-      list.push_back(
-          {story.frames.back(), s, story.walkthrough.scenes[s].name + " set", story.frames.back().facts[s].text});
+  if (story.walkthrough.layout == Layout::diagrams) {
+    for (std::size_t i = 0; i < story.frames.size(); ++i) list.push_back({i, 0, "", story.frames[i].caption});
+    return list;
+  }
+  if (story.walkthrough.layout != Layout::search) {
+    const std::size_t last = story.frames.size() - 1;
+    for (std::size_t s = 0; s < story.tellings.size(); ++s) {
+      std::string said;
+      for (const Fact& fact : story.frames[last].facts)
+        if (said.empty() && fact.text.starts_with(story.tellings[s].scene.name)) said = fact.text;
+      list.push_back({last, s, title_of_scene(story, s), said});
+    }
     return list;
   }
   for (const std::size_t i : last_of_each_iteration(story.frames)) {
     const Frame& frame = story.frames[i];
-    list.push_back({frame, 0, "iteration " + std::to_string(frame.moments[0].iteration), frame.headline});
+    list.push_back({i, 0, "iteration " + std::to_string(frame.moments[0].iteration), frame.headline});
   }
   return list;
 }
 
-int draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left) {
-  const Box frame{{left + cell_gap, cell_gap}, {left + cell_width - cell_gap, cell_panel_bottom}};
-  const Box room = below_title(frame).grown(-cell_margin);
-  const Moment& now = cell.frame.moments[cell.scene];
-  const LabelledHull& hull = story.hulls[cell.scene];
-  const bool close_up = story.walkthrough.layout == Layout::close_ups;
-  const Bounds box = close_up ? bounds_of_move(now) : bounds_of_difference(hull);
-  const Place place{frame, cell.title, View::fit(box.low, box.high, room, max_scale)};
-  const int crowded = close_up ? draw_move(canvas, place, hull, now, cell.frame.focus)
-                               : draw_difference(canvas, place, hull, now, cell.frame.focus);
-  double y = cell_panel_bottom + line_pitch;
-  for (const std::string& line : render::wrap(canvas, cell.caption, fact_style, frame.width())) {
-    canvas.text({frame.min.x(), y}, line, fact_style);
-    y += line_pitch * 0.9;
+int draw_cell_picture(Canvas& canvas, const Story& story, const Cell& cell, const Box& frame, const Look& look) {
+  const Frame& shown_frame = story.frames[cell.frame];
+  if (story.walkthrough.layout == Layout::diagrams) return story.diagrams[cell.frame].draw(canvas, frame, look.style);
+  const Lens lens = turned(story.tellings[cell.scene].lens, look.turn);
+  const Names names = story.names(cell.frame, cell.scene);
+  const Bounds box = bounds_of_scene(story, cell.scene, shown_frame, lens);
+  const Place place{frame, cell.title, View::fit(box.low, box.high, below_title(frame).grown(-cell_margin), max_scale)};
+  return draw_scene(canvas, story, place, shown(story, names, cell.scene, shown_frame, lens, look.style));
+}
+
+/// The width of one cell; a diagram keeps the shape that it has in a frame.
+int width_of_cell(const Story& story) { return story.walkthrough.layout == Layout::diagrams ? 1220 : cell_width; }
+
+double bottom_of_panel(const Story& story) {
+  return story.walkthrough.layout == Layout::diagrams ? cell_gap + panels_height : cell_panel_bottom;
+}
+
+int draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left, const Look& look) {
+  const Box frame{{left + cell_gap, cell_gap}, {left + width_of_cell(story) - cell_gap, bottom_of_panel(story)}};
+  const int crowded = draw_cell_picture(canvas, story, cell, frame, look);
+  double y = frame.max.y() + line_pitch;
+  for (const std::string& line : render::wrap(canvas, cell.caption, look.style.fact, frame.width())) {
+    canvas.text({frame.min.x(), y}, line, look.style.fact);
+    y += line_pitch * 0.95;
   }
   return crowded;
 }
@@ -161,31 +283,30 @@ render::Size page_of_frame(Text text) {
 }
 
 int draw_frame(Canvas& canvas, const Story& story, std::size_t index, const Look& look) {
-  const Text text = look.text;
-  const Frame& frame = story.frames[index];
-  const double top = text == Text::around ? panels_top : margin_without_text;
-  if (text == Text::around) {
-    draw_header(canvas, story.walkthrough);
-    draw_footer(canvas, story, index);
+  const double top = look.text == Text::around ? panels_top : margin_without_text;
+  if (look.text == Text::around) {
+    draw_header(canvas, story.walkthrough, look.style);
+    draw_footer(canvas, story, index, look.style);
   }
   switch (story.walkthrough.layout) {
-    case Layout::search: return draw_objects_and_difference(canvas, story, frame, top);
-    case Layout::close_ups: return draw_close_ups(canvas, story, frame, top);
-    default: return 0;
+    case Layout::search: return draw_search(canvas, story, index, top, look);
+    case Layout::diagrams:
+      return story.diagrams[index].draw(canvas, panel_box(left_margin, right_margin, top), look.style);
+    default: return draw_pair(canvas, story, index, top, look);
   }
-  return 0;
 }
 
 render::Size strip_page(const Story& story) {
-  return {cell_width * static_cast<int>(cells(story).size()), cell_height};
+  const int extra = static_cast<int>(bottom_of_panel(story) - cell_panel_bottom);
+  return {width_of_cell(story) * static_cast<int>(cells(story).size()), cell_height + extra};
 }
 
-int draw_strip(Canvas& canvas, const Story& story, const Look&) {
+int draw_strip(Canvas& canvas, const Story& story, const Look& look) {
   int crowded = 0;
   double left = 0;
   for (const Cell& cell : cells(story)) {
-    crowded += draw_cell(canvas, story, cell, left);
-    left += cell_width;
+    crowded += draw_cell(canvas, story, cell, left, look);
+    left += width_of_cell(story);
   }
   return crowded;
 }

@@ -1,12 +1,17 @@
 #include "walkthroughs/hull.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <tuple>
 
 namespace walkthroughs {
 namespace {
 
 using render::Vec2;
+
+constexpr int outline_directions = 180;
+constexpr int rim_points = 72;
+constexpr std::size_t most_differences = 20'000;  // more vertices could not be told apart in a picture
 
 bool turns_left(const Vec2& p, const Vec2& q, const Vec2& r) {
   const Vec2 u = q - p, v = r - q;
@@ -24,7 +29,77 @@ void append_chain(const Points& points, std::vector<Vec2>& hull) {
   if (hull.size() > start + 1) hull.pop_back();
 }
 
-/// Andrew's monotone chain (Inf. Proc. Letters 9, 1979). Counter-clockwise, without collinear points.
+std::vector<Vec2> through(const Lens& lens, const std::vector<Point>& points) {
+  std::vector<Vec2> picture;
+  for (const Point& p : points) picture.push_back(lens(p));
+  return picture;
+}
+
+std::vector<Point> differences(const std::vector<Point>& a, const std::vector<Point>& b) {
+  std::vector<Point> list;
+  for (const Point& p : a)
+    for (const Point& q : b) list.push_back(p - q);
+  return list;
+}
+
+double angle_of(int step, int steps) { return 2 * std::numbers::pi * step / steps; }
+
+/// Returns: the corners of `faces`, each once.
+std::vector<Point> corners_of(const std::vector<render::Face>& faces) {
+  const auto key = [](const Point& p) { return std::tuple(p.x(), p.y(), p.z()); };
+  std::vector<Point> corners;
+  for (const render::Face& face : faces) corners.insert(corners.end(), face.corners.begin(), face.corners.end());
+  std::ranges::sort(corners, {}, key);
+  const auto repeated = std::ranges::unique(corners);
+  corners.erase(repeated.begin(), repeated.end());
+  return corners;
+}
+
+Body polytope(std::vector<Point> vertices, Dimension dimension) {
+  if (dimension == Dimension::plane) {
+    Body flat;
+    for (const Vec2& corner : convex_hull(through(Lens{}, vertices)))
+      flat.vertices.emplace_back(corner.x(), corner.y(), 0);
+    return flat;
+  }
+  std::vector<render::Face> faces = hull_faces(vertices);
+  if (!faces.empty()) vertices = corners_of(faces);
+  return {std::move(vertices), std::move(faces)};
+}
+
+/// Points whose hull is the outline of a round object.
+struct OutlinePoints {
+  const Pose& pose;
+  const Lens& lens;
+
+  std::vector<Point> operator()(const Points&) const { return {}; }
+  std::vector<Point> operator()(const Ball& ball) const {
+    std::vector<Point> list;
+    for (int i = 0; i < outline_directions; ++i)
+      list.push_back(pose(ball.center()) + lens.direction(angle_of(i, outline_directions)) * ball.radius());
+    return list;
+  }
+  std::vector<Point> operator()(const Cylinder& cylinder) const {
+    std::vector<Point> list;
+    for (const double end : {-1.0, 1.0})
+      for (const Point& p : rim_of(cylinder, end)) list.push_back(pose(p));
+    return list;
+  }
+};
+
+}  // namespace
+
+std::vector<Point> rim_of(const Cylinder& cylinder, double end) {
+  const Point axis = cylinder.to_cap().normalized(), across = axis.unitOrthogonal(), other = axis.cross(across);
+  std::vector<Point> rim;
+  for (int i = 0; i < rim_points; ++i) {
+    const double angle = angle_of(i, rim_points);
+    rim.push_back(cylinder.center() + end * cylinder.to_cap() +
+                  cylinder.radius() * (across * std::cos(angle) + other * std::sin(angle)));
+  }
+  return rim;
+}
+
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   const auto key = [](const Vec2& p) { return std::tuple(p.x(), p.y()); };
   std::ranges::sort(points, {}, key);
@@ -37,8 +112,6 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   return hull;
 }
 
-}  // namespace
-
 std::string LabelledHull::name(const Point& w) const {
   const auto corner = std::ranges::find(corners, Vec2(w.head<2>()));
   if (corner == corners.end()) return "";
@@ -48,14 +121,36 @@ std::string LabelledHull::name(const Point& w) const {
 }
 
 LabelledHull difference_hull(const Scene& scene) {
-  std::vector<Vec2> differences;
-  const std::vector<Point> of_b = vertices_of(scene.b);
-  for (const Point& a : vertices_of(scene.a))
-    for (const Point& b : of_b) differences.push_back((a - b).head<2>());
-  std::vector<Vec2> corners = convex_hull(std::move(differences));
+  std::vector<Vec2> corners = convex_hull(through(Lens{}, differences(vertices_of(scene.a), vertices_of(scene.b))));
+  if (corners.empty()) return {};
   const auto first = std::ranges::max_element(corners, {}, [](const Vec2& p) { return std::tuple(p.x(), p.y()); });
   std::ranges::rotate(corners, first);
   return {corners};
+}
+
+Body body_of(const Object& object, Dimension dimension) {
+  std::vector<Point> vertices = vertices_of(object);
+  return vertices.empty() ? Body{} : polytope(std::move(vertices), dimension);
+}
+
+Body body_of_difference(const Scene& scene, const Body& a, const Body& b) {
+  if (a.vertices.size() * b.vertices.size() > most_differences) return {};
+  std::vector<Point> all = differences(a.vertices, b.vertices);
+  return all.empty() ? Body{} : polytope(std::move(all), scene.dimension);
+}
+
+std::vector<Vec2> outline(const Object& object, const Body& body, const Lens& lens) {
+  if (!body.vertices.empty()) return convex_hull(through(lens, body.vertices));
+  return convex_hull(through(lens, std::visit(OutlinePoints{object.pose, lens}, object.form)));
+}
+
+std::vector<Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens) {
+  if (!body.vertices.empty()) return convex_hull(through(lens, body.vertices));
+  const gjk::MinkowskiDifference<double, Object, Object> difference(scene.a, scene.b);
+  std::vector<Vec2> farthest;
+  for (int i = 0; i < outline_directions; ++i)
+    farthest.push_back(lens(difference.vertex(lens.direction(angle_of(i, outline_directions))).w));
+  return convex_hull(std::move(farthest));
 }
 
 }  // namespace walkthroughs

@@ -15,13 +15,15 @@ struct Replay {
   void operator()(const gjk::SupportFound<double>& event) {
     now.iteration = event.iteration;
     now.found = event.vertex;
+    now.added = false;
     now.crossing.reset();
     now.regions.clear();
     now.reduction.reset();
   }
   void operator()(const gjk::CrossingTested<double>& event) { now.crossing = event; }
   void operator()(const gjk::VertexAdded<double>& event) {
-    now.simplex = event.simplex;
+    now.added = true;
+    now.simplex = now.processed = event.simplex;
     const Point& newest = event.simplex.point(gjk::Role::A);
     for (int i = 0; i + 1 < event.simplex.size(); ++i) now.segments.emplace_back(event.simplex[i].w, newest);
   }

@@ -23,8 +23,10 @@ struct Direction {
 struct Moment {
   int iteration = 0;
   std::optional<Direction> direction;
-  std::optional<Vertex> found;                           ///< what the support function returned for `direction`
-  Simplex simplex;                                       ///< as it stands, `found` included once it was added
+  std::optional<Vertex> found;  ///< what the support function returned for `direction`
+  bool added = false;           ///< whether `found` has joined the simplex
+  Simplex simplex;              ///< as it stands, `found` included once it was added
+  Simplex processed;            ///< the one that the letters A, B, C, D speak of: as of the last VertexAdded
   std::vector<std::pair<Point, Point>> segments;         ///< edges that simplices of this search have had, oldest first
   std::optional<gjk::CrossingTested<double>> crossing;   ///< of `found`
   std::vector<gjk::RegionTested<double>> regions;        ///< of this iteration so far, the skipped ones included

@@ -2,7 +2,7 @@
 # shellcheck shell=sh
 
 program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libgl-dev libpng-dev libfreetype-dev \
-fonts-dejavu-core nlohmann-json3-dev libcli11-dev"
+fonts-dejavu-core nlohmann-json3-dev libcli11-dev libqhull-dev"
 
 stop() {
   printf '%s: %s\n' "$0" "$1" >&2

@@ -1,17 +1,19 @@
 /// Events to frames: which moments get a picture, and what is said under it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "walkthroughs/hull.hpp"
 #include "walkthroughs/moment.hpp"
 #include "walkthroughs/walkthrough.hpp"
+#include "walkthroughs/words.hpp"
 
 namespace walkthroughs {
 
 /// What a frame wants the reader to look at first.
-enum class Focus { support, crossing, region, reduction, direction, end };
+enum class Focus { support, crossing, added, region, reduction, direction, repetition, parting, end, diagram };
 
 /// A number that decides, or a reason, in one line.
 struct Fact {
@@ -32,14 +34,31 @@ struct Frame {
   std::vector<Fact> facts;
   std::vector<Moment> moments;     ///< one for each scene
   std::vector<EventRange> events;  ///< one for each scene
+  std::vector<Focus> own_focus;    ///< one for each scene where these differ; else empty
+
+  Focus focus_of(std::size_t scene) const { return own_focus.empty() ? focus : own_focus[scene]; }
+};
+
+/// One scene as it went, with what the panels need to show it. Panels that were not asked for leave their part empty.
+struct Telling {
+  const Scene& scene;
+  Trace trace;
+  LabelledHull hull;      ///< where corners have names
+  Body a, b, difference;  ///< where there is a panel for them
+  Panels panels;
+  Lens lens;
 };
 
 /// A walkthrough with everything its frames need. Made once; frames and pictures only read it.
 struct Story {
   const Walkthrough& walkthrough;
-  std::vector<Trace> traces;        ///< one for each scene
-  std::vector<LabelledHull> hulls;  ///< one for each scene
+  std::vector<Telling> tellings;  ///< one for each scene
+  std::vector<Diagram> diagrams;  ///< Layout::diagrams: one for each frame
   std::vector<Frame> frames;
+
+  Names names(std::size_t frame, std::size_t scene) const {
+    return {walkthrough.naming, tellings[scene].hull, frames[frame].moments[scene]};
+  }
 };
 
 enum class Detail {

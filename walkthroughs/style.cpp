@@ -25,6 +25,7 @@ Style::Style(const render::Theme& t)
       hatching{t.grey.with_alpha(150), 1},
       cross{t.ink, 3.5 * t.line},
       origin{t.ink, 3.5 * t.line},
+      parting{t.vermillion, 5 * t.line},
       object_a_fill(t.sky.with_alpha(110)),
       object_b_fill(t.orange.with_alpha(110)),
       hull_fill(t.faint.with_alpha(110)),
@@ -34,10 +35,11 @@ Style::Style(const render::Theme& t)
       tested_fill(t.sky.with_alpha(80)),
       rejected_fill(t.grey.with_alpha(44)),
       title{.size = 30, .weight = render::Weight::bold, .color = t.ink},
-      panel_title{.size = 20, .color = t.grey},
+      panel_title{.size = 18, .color = t.grey},
       caption{.size = 26, .color = t.ink},
       fact{.size = 23, .color = t.ink},
-      small{.size = 20, .color = t.grey} {}
+      small{.size = 20, .color = t.grey},
+      skipped{.size = 18, .color = t.grey} {}
 
 TextStyle Style::label(render::Color color, render::Weight weight) const {
   return {.size = 26 * theme.label, .weight = weight, .color = color, .halo = theme.paper};

@@ -22,6 +22,7 @@ struct Style {
   render::Stroke hatching;  ///< of what the algorithm skips
   render::Stroke cross;     ///< through what it has rejected or dropped
   render::Stroke origin;
+  render::Stroke parting;  ///< around what differs first
 
   // Fills, translucent.
   render::Color object_a_fill, object_b_fill, hull_fill, simplex_fill, out_of_reach;
@@ -32,7 +33,7 @@ struct Style {
   double hatch_spacing = 11;
 
   // Text.
-  render::TextStyle title, panel_title, caption, fact, small;
+  render::TextStyle title, panel_title, caption, fact, small, skipped;
   render::TextStyle label(render::Color color, render::Weight weight = render::Weight::regular) const;
   render::TextStyle small_label() const;
 };

@@ -152,7 +152,15 @@ struct EventJson {
   }
 };
 
+Json json(const gjk::Event<double>& event) {
+  Json line{{"iteration", std::visit([](const auto& e) { return e.iteration; }, event)}};
+  line.update(std::visit(EventJson{}, event));
+  return line;
+}
+
 }  // namespace
+
+std::string event_json(const gjk::Event<double>& event) { return json(event).dump(); }
 
 void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
   Json header{{"schema", "gjkstep-trace"},
@@ -164,8 +172,8 @@ void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
   out << header.dump() << '\n';
   for (const Scene& scene : walkthrough.scenes) {
     for (const gjk::Event<double>& event : run(scene).events) {
-      Json line{{"scene", scene.name}, {"iteration", std::visit([](const auto& e) { return e.iteration; }, event)}};
-      line.update(std::visit(EventJson{}, event));
+      Json line{{"scene", scene.name}};
+      line.update(json(event));
       out << line.dump() << '\n';
     }
   }

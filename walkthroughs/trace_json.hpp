@@ -6,6 +6,7 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "walkthroughs/walkthrough.hpp"
@@ -13,6 +14,9 @@
 namespace walkthroughs {
 
 inline constexpr int trace_version = 1;
+
+/// Returns: one event as in a trace, but for its scene.
+std::string event_json(const gjk::Event<double>& event);
 
 /// Runs the scenes of `walkthrough` and writes their traces.
 void write_traces(std::ostream& out, const Walkthrough& walkthrough);

@@ -15,10 +15,11 @@ namespace walkthroughs {
 
 /// What a walkthrough tells, and of how many scenes.
 enum class Layout {
-  search,        ///< one scene, from the first event to the last
-  close_ups,     ///< two scenes: the first move of each, seen close up in its difference
-  side_by_side,  ///< two scenes of which each frame shows the same event of both, until they differ
-  diagrams,      ///< no scene: pictures made by `diagrams`
+  search,           ///< one scene, from the first event to the last
+  close_ups,        ///< two scenes: the first move of each, seen close up in its difference
+  in_step,          ///< two scenes, iteration by iteration
+  until_they_part,  ///< two scenes with the same objects, event by event; where their traces part is marked
+  diagrams,         ///< no scene: pictures made by `diagrams`
 };
 
 /// Parts of a frame of Layout::search. The search itself (simplex, origin, directions) is always shown; it comes from
@@ -37,7 +38,7 @@ enum class Naming {
 
 /// A sentence that only this walkthrough can say, joined to the caption of one event.
 struct Remark {
-  enum class At { support_found, region_tested, reduced, direction_chosen, end };
+  enum class At { support_found, crossing_tested, region_tested, reduced, direction_chosen, end };
   At at;
   int iteration;
   std::string text;

@@ -1,7 +1,7 @@
 /// Numbers, vectors and expressions as captions print them, in the letters of the picture.
 ///
-/// The events speak of roles (A is the newest vertex), the pictures of places (A … G, the corners of the hull). `Letters`
-/// translates: in a triangle of E, A and the newest vertex G, the event's "ABn·AO" is the caption's "GE_n·GO".
+/// The events speak of roles (A is the newest vertex). A picture may keep to them, or name the corners of the hull A … G
+/// (Naming). `Letters` translates: in a triangle of E, A and the newest vertex G, the event's "ABn·AO" becomes "GE_n·GO".
 #pragma once
 
 #include <string>
@@ -9,35 +9,53 @@
 
 #include "walkthroughs/hull.hpp"
 #include "walkthroughs/moment.hpp"
+#include "walkthroughs/walkthrough.hpp"
 
 namespace walkthroughs {
 
-/// Returns: at most eight significant digits, with a true minus sign; never "-0".
+/// Returns: whole numbers with up to eight digits, others with six significant ones; a true minus sign, never "-0".
 std::string number(double value);
 
-/// Returns: "(x, y)", for vectors of the plane z = 0 in which the scenes lie.
-std::string vector(const Point& value);
+/// Returns: four significant digits, for where there is little room.
+std::string short_number(double value);
 
-/// Returns: "(x, y, z)".
-std::string vector_in_space(const Point& value);
+/// Returns: "(x, y)" for vectors of the plane, "(x, y, z)" for those of space.
+std::string vector(const Point& value, Dimension dimension = Dimension::plane);
 
-/// The names of the vertices of one simplex.
-class Letters {
+/// What the vertices are called at one moment.
+class Names {
  public:
-  Letters(const Simplex& simplex, const LabelledHull& hull);
+  Names(Naming naming, const LabelledHull& hull, const Moment& now) : naming_(naming), hull_(hull), now_(now) {}
 
-  /// Returns: `text` with every word made of the roles A, B, C, D and of O translated, and the n of a normal set as a subscript.
+  /// Returns: the name of the vertex at `w`, or an empty string where it has none. Where several vertices of the simplex
+  /// lie at one place, that of the newest.
+  std::string of(const Point& w) const;
+  /// Returns: what to write beside that place: all names it has, "A = B".
+  std::string label(const Point& w) const;
+  /// Returns: the name of a vertex of the simplex that is being processed.
+  std::string of(gjk::Role role) const;
+  /// Returns: the letters of roles, "ABCD", in order of the alphabet of the picture.
+  std::string sorted(std::string_view roles) const;
+
+  /// Returns: `text` with every word that is made of the roles A … D, O and a final n for "normal" in the letters of the
+  /// picture, normals as subscripts: "ABn·AO" becomes "AB_n·AO".
   std::string translate(std::string_view text) const;
 
-  /// Returns: the names of a feature such as "AB", in alphabetical order.
-  std::string feature(std::string_view roles) const;
+  /// Returns: "[A, E]", oldest first as the report lists a simplex.
+  std::string list(const Simplex& simplex) const;
+  /// Returns: "segment AE", "triangle AEG", the letters sorted; the bare name of a single vertex.
+  std::string simplex(const Simplex& simplex) const;
 
  private:
-  std::string names_[4];  // by role
+  std::vector<std::string> names_of(const Simplex& simplex) const;
+
+  Naming naming_;
+  const LabelledHull& hull_;
+  const Moment& now_;
 };
 
-/// Returns: "[A, E]", oldest first as the report lists a simplex.
-std::string list_of_names(const Simplex& simplex, const LabelledHull& hull);
+/// Returns: "segment AE", "triangle AEG", or the bare name of a single vertex.
+std::string with_kind(const std::string& feature);
 
 /// Returns: `text` without markup, for files and terminals.
 std::string plain(std::string_view text);
