@@ -11,13 +11,14 @@ namespace render {
 namespace {
 
 // Page units.
-constexpr double frame_margin = 4;                    // between a label and the frame
-constexpr double line_clearance = 4;                  // between a label and an obstacle
-constexpr double label_clearance = 16;                // between two labels
-constexpr std::array spreads = {1.0, 1.6, 2.6, 4.0};  // multiples of a label's gap, in the order they are tried
-constexpr std::array area_clearances = {8.0, 12.0};   // between the name of an area and obstacles, if there is room
-constexpr double area_pitch = 8;                      // between the places tried for it
+constexpr double frame_margin = 4;                         // between a label and the frame
+constexpr double line_clearance = 4;                       // between a label and an obstacle
+constexpr double label_clearance = 16;                     // between two labels
+constexpr std::array spreads = {1.0, 1.6, 2.6, 4.0, 5.5};  // multiples of a label's gap, in the order they are tried
+constexpr std::array area_clearances = {8.0, 12.0};  // between the name of an area and obstacles, if there is room
+constexpr double area_pitch = 8;                     // between the places tried for it
 constexpr double min_grid_spacing = 3;
+constexpr double beside_area_gap = 8;  // between the middle of an area and its name outside
 
 constexpr int directions = 16;
 constexpr int circle_sides = 16;
@@ -82,6 +83,12 @@ std::vector<Vec2> convex_part(std::vector<Vec2> polygon, const Box& box) {
   polygon = clip_polygon(polygon, {-1, 0}, box.max.x());
   polygon = clip_polygon(polygon, {0, 1}, -box.min.y());
   return clip_polygon(polygon, {0, -1}, box.max.y());
+}
+
+Vec2 middle_of(std::span<const Vec2> corners) {
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& corner : corners) middle += corner / static_cast<double>(corners.size());
+  return middle;
 }
 
 TextStyle centered(TextStyle style) {
@@ -235,8 +242,13 @@ int Panel::place_labels() {
   };
   place_all(labels_);
   for (AreaName& area : area_names_) {
-    if (area.text != area.shorter && !best_place(area, taken).clear) area.text = area.shorter;
-    place_all(std::span(&area, 1));
+    const bool has_choice = area.text != area.shorter;
+    if (has_choice && !best_place(area, taken).clear) area.text = area.shorter;
+    if (area.text.empty()) continue;
+    if (has_choice && !best_place(area, taken).clear)
+      place_all(std::vector{Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap}});
+    else
+      place_all(std::span(&area, 1));
   }
   labels_.clear();
   area_names_.clear();
@@ -245,10 +257,9 @@ int Panel::place_labels() {
 
 Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken) const {
   const Box ink = canvas_.ink_box(Vec2::Zero(), area.text, area.style);
-  Vec2 middle = Vec2::Zero();
+  const Vec2 middle = middle_of(area.corners);
   Box around{area.corners.front(), area.corners.front()};
   for (const Vec2& corner : area.corners) {
-    middle += corner / static_cast<double>(area.corners.size());
     around = {around.min.cwiseMin(corner), around.max.cwiseMax(corner)};
   }
   Place best{middle, moved(ink, middle), false};

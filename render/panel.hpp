@@ -64,7 +64,8 @@ class Panel {
   void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap = 18);
   /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
   void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style);
-  /// The same, with `shorter` where `text` does not fit in.
+  /// The same, with `shorter` where `text` does not fit in, beside the middle of the area where that does not fit either.
+  /// An empty `shorter` leaves the name out.
   void name_area(std::span<const Vec2> corners, std::string text, std::string shorter, const TextStyle& style);
   /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
   /// after everything else.

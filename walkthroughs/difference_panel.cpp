@@ -108,8 +108,9 @@ class DifferencePicture {
   }
 
   void segments() {
+    const bool covers_regions = pencil_.in_space() && shown_.focus == Focus::region;
     for (const auto& [from, to] : now_.segments)
-      if (!in_simplex(from) || !in_simplex(to)) pencil_.line(from, to, style_.former);
+      if (!covers_regions && (!in_simplex(from) || !in_simplex(to))) pencil_.line(from, to, style_.former);
     simplex();
     if (now_.found && !in_simplex(now_.found->w))
       for (const Point& corner : points_of(now_.simplex)) pencil_.line(corner, now_.found->w, style_.move);

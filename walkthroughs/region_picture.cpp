@@ -173,7 +173,9 @@ class RegionPicture {
     }
     const std::string inequality = candidate.region ? inequality_of(*candidate.region) : "";
     text.size *= 0.85;
-    pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality, with_mark, text);
+    const bool must_be_named = state != RegionState::pending && state != RegionState::skipped;
+    pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality,
+                              must_be_named ? with_mark : "", text);
   }
 
   bool uncertain(const Region& region) const {
