@@ -6,8 +6,17 @@
 namespace walkthroughs {
 const std::vector<Walkthrough>& catalogue() {
   static const std::vector<Walkthrough> all = [] {
-    std::vector<Walkthrough> list = {figure_4(), figure_4_left(), figure_4_right(), figure_4_right_no_crossing_test(),
-                                     figure_5()};
+    std::vector<Walkthrough> list = {figure_1(),
+                                     figure_2(),
+                                     figure_3(),
+                                     figure_4(),
+                                     figure_4_left(),
+                                     figure_4_right(),
+                                     figure_4_right_no_crossing_test(),
+                                     figure_5(),
+                                     figure_6(),
+                                     figure_7(),
+                                     figure_8()};
     const auto append = [&](std::vector<Walkthrough> more) {
       for (Walkthrough& each : more) list.push_back(std::move(each));
     };
