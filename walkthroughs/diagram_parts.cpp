@@ -11,7 +11,6 @@ constexpr double gap_between_frames = 20;
 constexpr double title_height = 36, title_left = 14, title_baseline = 26;
 constexpr double paper_around_point = 2, ring_width = 2.5;
 constexpr double origin_arm = 10;
-constexpr double any_scale = 1e9;  // View::fit: as large as the frame allows
 
 }  // namespace
 
@@ -34,11 +33,6 @@ Box draw_titled_frame(render::Canvas& canvas, const Box& frame, const std::strin
   canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
   canvas.text(frame.min + Vec2(title_left, title_baseline), title, style.panel_title);
   return room;
-}
-
-Box shaped_like(const Vec2& low, const Vec2& high, const Box& room) {
-  const Vec2 half = (high - low) / 2 * render::View::fit(low, high, room, any_scale).scale();
-  return {room.center() - half, room.center() + half};
 }
 
 void draw_point(render::Panel& panel, const Vec2& at, render::Color color, const Style& style) {

@@ -19,9 +19,6 @@ render::Box draw_titled_frame(render::Canvas& canvas, const render::Box& frame, 
 /// Returns: that room, without drawing.
 render::Box room_below_title(const render::Box& frame);
 
-/// Returns: the largest part of `room`, centred, that is as wide for its height as the scene's box `low`..`high`.
-render::Box shaped_like(const render::Vec2& low, const render::Vec2& high, const render::Box& room);
-
 void draw_point(render::Panel& panel, const render::Vec2& at, render::Color color, const Style& style);
 /// A ring, for a point that is not the one meant.
 void draw_hollow_point(render::Panel& panel, const render::Vec2& at, render::Color color, const Style& style);

@@ -18,16 +18,16 @@ enum class Show { regions, answers };
 struct Sketch {
   Simplex simplex = figure_6_simplex();
   Window window = figure_6_window();
-  std::vector<RegionGrid::Block> blocks = ask_everywhere(simplex, window, cell).blocks();
+  std::vector<RegionGrid::Block> blocks = ask_everywhere(simplex, window.with_margin(), cell).blocks();
 
   Vec2 A() const { return simplex.point(Role::A).head<2>(); }
   Vec2 B() const { return simplex.point(Role::B).head<2>(); }
-  /// Returns: the part of the window beyond a feature; of AB's the part at the left (+1) or right (-1) of the way from B to A.
-  std::vector<Vec2> beyond(const char* feature, double side = 0) const {
+  /// Returns: the part of the panel beyond a feature; of AB's the part at the left (+1) or right (-1) of the way from B to A.
+  std::vector<Vec2> beyond(const Panel& panel, const char* feature, double side = 0) const {
     std::vector<HalfSpace> spaces = region_beyond(simplex, feature);
     const Point BA = simplex.point(Role::A) - simplex.point(Role::B);
     if (side != 0) spaces.push_back({simplex.point(Role::A), side * Point(-BA.y(), BA.x(), 0)});
-    return common_part(window.corners(), spaces, window.height);
+    return common_part(panel.corners(), spaces, window.height);
   }
 };
 
@@ -36,19 +36,18 @@ void draw_answers(Panel& panel, const Sketch& sketch, const Style& style) {
       panel, sketch.blocks,
       [&](const std::string& answer) { return answer == "R3" ? style.object_a_fill : style.object_b_fill; },
       style.theme.paper);
-  for (const char* end : {"B", "A"}) draw_ruled_out(panel, sketch.beyond(end), style);
+  for (const char* end : {"B", "A"}) draw_ruled_out(panel, sketch.beyond(panel, end), style);
   const Vec2 far = (sketch.A() - sketch.B()).normalized() * beyond_the_page;
   panel.line(sketch.A() - far, sketch.A() + far, style.thin);
 }
 
 int draw(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch, Show show) {
   const render::Box room = draw_titled_frame(canvas, box, "the 1-simplex AB and the regions around it", style);
-  const render::Box frame = shaped_like(sketch.window.low, sketch.window.high, room);
-  Panel panel(canvas, frame, render::View::fit(sketch.window.low, sketch.window.high, frame, any_scale));
+  Panel panel(canvas, room, render::View::fit(sketch.window.low, sketch.window.high, room, any_scale));
   if (show == Show::answers) draw_answers(panel, sketch, style);
   const render::Stroke border{style.theme.grey, 2 * style.theme.line};
-  panel.outline(sketch.window.corners(), border);
-  for (const char* end : {"B", "A"}) panel.outline(sketch.beyond(end), border);
+  panel.outline(panel.corners(), border);
+  for (const char* end : {"B", "A"}) panel.outline(sketch.beyond(panel, end), border);
   panel.line(sketch.B(), sketch.A(), {style.theme.ink, 4 * style.theme.line});
   const render::TextStyle bold = style.label(style.theme.ink, render::Weight::bold);
   for (const auto& [name, at, toward] : {std::tuple("A", sketch.A(), Vec2(1, 1)), {"B", sketch.B(), Vec2(-1, -1)}}) {
@@ -56,10 +55,10 @@ int draw(render::Canvas& canvas, const render::Box& box, const Style& style, con
     panel.label(at, toward, name, bold);
   }
   const std::string skipped = show == Show::answers ? ": skipped" : "";
-  panel.name_area(sketch.beyond("B"), "R1" + skipped, style.label(style.theme.ink));
-  panel.name_area(sketch.beyond("A"), "R2" + skipped, style.label(style.theme.ink));
-  panel.name_area(sketch.beyond("AB", 1), "R3", style.label(style.theme.ink));
-  panel.name_area(sketch.beyond("AB", -1), "R4", style.label(style.theme.ink));
+  panel.name_area(sketch.beyond(panel, "B"), "R1" + skipped, style.label(style.theme.ink));
+  panel.name_area(sketch.beyond(panel, "A"), "R2" + skipped, style.label(style.theme.ink));
+  panel.name_area(sketch.beyond(panel, "AB", 1), "R3", style.label(style.theme.ink));
+  panel.name_area(sketch.beyond(panel, "AB", -1), "R4", style.label(style.theme.ink));
   return panel.place_labels();
 }
 

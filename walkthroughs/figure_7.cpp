@@ -35,13 +35,13 @@ struct Normal {
 struct Sketch {
   Simplex simplex = figure_7_simplex();
   Window window = figure_7_window();
-  std::vector<RegionGrid::Block> blocks = ask_everywhere(simplex, window, cell).blocks();
+  std::vector<RegionGrid::Block> blocks = ask_everywhere(simplex, window.with_margin(), cell).blocks();
   Answer inside = ask(simplex, (simplex[0].w + simplex[1].w + simplex[2].w) / 3);  // all of its tests are told
 
   Vec2 at(Role role) const { return simplex.point(role).head<2>(); }
   Vec2 middle() const { return (at(Role::A) + at(Role::B) + at(Role::C)) / 3; }
-  std::vector<Vec2> beyond(const Region& region) const {
-    return common_part(window.corners(), region_beyond(simplex, region.feature), window.height);
+  std::vector<Vec2> beyond(const Panel& panel, const Region& region) const {
+    return common_part(panel.corners(), region_beyond(simplex, region.feature), window.height);
   }
   /// Returns: for each test of Algorithm 4 the line through A where its answer changes, as far as the tests before fail.
   std::vector<std::pair<Vec2, Vec2>> dividing_lines() const {
@@ -74,7 +74,7 @@ void draw_answers(Panel& panel, const Sketch& sketch, const Style& style) {
       },
       style.theme.paper);
   for (const Region& region : regions)
-    if (region.ruled_out) draw_ruled_out(panel, sketch.beyond(region), style);
+    if (region.ruled_out) draw_ruled_out(panel, sketch.beyond(panel, region), style);
   for (const auto& [from, to] : sketch.dividing_lines()) panel.line(from, to, style.thin);
 }
 
@@ -90,14 +90,13 @@ void draw_triangle(Panel& panel, const Sketch& sketch, const Style& style) {
 
 int draw(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch, Show show) {
   const render::Box room = draw_titled_frame(canvas, box, "the 2-simplex ABC and the regions around it", style);
-  const render::Box frame = shaped_like(sketch.window.low, sketch.window.high, room);
-  Panel panel(canvas, frame, render::View::fit(sketch.window.low, sketch.window.high, frame, any_scale));
+  Panel panel(canvas, room, render::View::fit(sketch.window.low, sketch.window.high, room, any_scale));
   if (show == Show::answers) draw_answers(panel, sketch, style);
   for (const Region& region : regions) {
     if (region.feature != std::string("ABC"))
-      panel.outline(sketch.beyond(region), {style.theme.grey, 1.5 * style.theme.line});
+      panel.outline(sketch.beyond(panel, region), {style.theme.grey, 1.5 * style.theme.line});
     const std::string skipped = show == Show::answers && region.ruled_out ? ": skipped" : "";
-    panel.name_area(sketch.beyond(region), region.label + skipped, style.label(style.theme.ink));
+    panel.name_area(sketch.beyond(panel, region), region.label + skipped, style.label(style.theme.ink));
   }
   draw_triangle(panel, sketch, style);
   for (const Normal& normal : sketch.normals()) {

@@ -41,9 +41,9 @@ struct Sketch {
   Simplex simplex = figure_8_simplex();
   render::Camera camera = figure_8_camera();
   Window window = figure_8_slice();
-  RegionGrid grid = ask_everywhere(simplex, window, cell);
+  RegionGrid grid = ask_everywhere(simplex, window.with_margin(), cell);
   std::vector<RegionGrid::Block> blocks = grid.blocks();
-  std::vector<AnsweredArea> areas = answered_areas(simplex, window, grid);
+  std::vector<AnsweredArea> areas = answered_areas(simplex, grid);
   std::vector<render::Face> faces = {face({Role::A, Role::B, Role::C}), face({Role::A, Role::C, Role::D}),
                                      face({Role::A, Role::D, Role::B}), face({Role::B, Role::D, Role::C})};
 
@@ -213,16 +213,16 @@ render::TextStyle edge_label(const Style& style) {
 
 int draw_slice(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch) {
   const render::Box room = draw_titled_frame(canvas, box, "the slice at a third of the height, seen from above", style);
-  const render::Box frame = shaped_like(sketch.window.low, sketch.window.high, room);
-  Panel panel(canvas, frame, render::View::fit(sketch.window.low, sketch.window.high, frame, any_scale));
+  Panel panel(canvas, room, render::View::fit(sketch.window.low, sketch.window.high, room, any_scale));
   draw_blocks(
       panel, sketch.blocks, [&](const std::string& answer) { return fill_of(answer, style); }, style.theme.paper);
   for (const std::vector<HalfSpace>& region : sketch.ruled_out())
-    draw_ruled_out(panel, common_part(sketch.window.corners(), region, sketch.window.height), style);
+    draw_ruled_out(panel, common_part(panel.corners(), region, sketch.window.height), style);
   for (const AnsweredArea& area : sketch.areas) {
-    panel.outline(area.corners, {style.theme.grey, 1.5 * style.theme.line});
+    const std::vector<Vec2> corners = common_part(panel.corners(), area.spaces, sketch.window.height);
+    panel.outline(corners, {style.theme.grey, 1.5 * style.theme.line});
     const std::string name = short_name(area.name);
-    panel.name_area(area.corners, name, name.size() == 2 ? edge_label(style) : style.small_label());
+    panel.name_area(corners, name, name.size() == 2 ? edge_label(style) : style.small_label());
   }
   panel.outline(sketch.cut(), {style.theme.ink, 3 * style.theme.line});
   return panel.place_labels();

@@ -130,6 +130,12 @@ std::vector<HalfSpace> tested_half_spaces(const Answer& answer, const Simplex& s
 
 std::vector<Vec2> Window::corners() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
 
+Window Window::with_margin() const {
+  constexpr double share = 0.1;  // of its size, on each side
+  const Vec2 margin = (high - low) * share;
+  return {low - margin, high + margin, height};
+}
+
 RegionGrid::RegionGrid(const Window& window, int columns, int rows, const std::function<std::string(const Point&)>& ask)
     : window_(window), columns_(columns), rows_(rows) {
   kinds_.reserve(static_cast<std::size_t>(columns * rows));
@@ -190,14 +196,13 @@ RegionGrid ask_everywhere(const Simplex& simplex, const Window& window, double c
           [&](const Point& origin) { return name_of(ask(simplex, origin), simplex); }};
 }
 
-std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const Window& window, const RegionGrid& grid) {
+std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGrid& grid) {
   std::vector<AnsweredArea> areas;
   for (int row = 0; row < grid.rows(); ++row) {
     for (int column = 0; column < grid.columns(); ++column) {
       const std::string& name = grid.at(column, row);
       if (std::ranges::find(areas, name, &AnsweredArea::name) != areas.end()) continue;
-      const Answer answer = ask(simplex, grid.middle(column, row));
-      areas.push_back({name, common_part(window.corners(), tested_half_spaces(answer, simplex), window.height)});
+      areas.push_back({name, tested_half_spaces(ask(simplex, grid.middle(column, row)), simplex)});
     }
   }
   return areas;

@@ -66,6 +66,8 @@ struct Window {
   double height = 0;
 
   std::vector<render::Vec2> corners() const;
+  /// Returns: a larger one with the same middle, for pictures that are wider or higher than this one.
+  Window with_margin() const;
 };
 
 /// A text for each cell of a window: what holds at its middle.
@@ -105,14 +107,14 @@ class RegionGrid {
 /// Returns: the grid of the algorithm's answers. `cell`: about how wide a cell is, in scene units.
 RegionGrid ask_everywhere(const Simplex& simplex, const Window& window, double cell);
 
-/// The part of a window where the tests behind one answer come out as they did; convex.
+/// Where the tests behind one answer come out as they did.
 struct AnsweredArea {
   std::string name;  ///< of the answer, see name_of()
-  std::vector<render::Vec2> corners;
+  std::vector<HalfSpace> spaces;
 };
 
 /// Returns: one for each answer in the grid, in the order of first appearance.
-std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const Window& window, const RegionGrid& grid);
+std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGrid& grid);
 
 /// Returns: the report's reasons for not testing regions, such as "R4, R5, R6: the search has …", in the order told.
 std::vector<std::string> reasons_for_skipping(const Answer& answer);

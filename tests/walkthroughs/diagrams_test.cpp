@@ -14,7 +14,7 @@ namespace {
 using gjk::Role;
 
 /// Where the pictures of a page with text stand, and the widths that its text may have.
-const render::Box panels{{40, 76}, {1240, 536}};
+const render::Box panels{{40, 76}, {1240, 536}}, lower_panels{{40, 72}, {1240, 520}};
 constexpr double caption_width = 990, fact_width = 956;
 
 struct NamedTheme {
@@ -53,6 +53,7 @@ TEST_CASE("Every diagram draws in every theme with all labels clear") {
         render::Canvas canvas(frame_page, frame_page, theme.theme.paper, font);
         INFO(each->name << ", picture " << i << ", " << theme.name);
         CHECK(diagrams[i].draw(canvas, panels, Style(theme.theme)) == 0);
+        CHECK(diagrams[i].draw(canvas, lower_panels, Style(theme.theme)) == 0);
         CHECK(canvas.vertices().size() > 100);
       }
     }
