@@ -69,8 +69,8 @@ class Search {
       tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
       const Step<S> step = process<Rules>(result_.simplex, tell_);
       if (!step.direction) return finish_with_origin_in_simplex(vertex);
-      if (reason) return finish_outside(vertex, *reason);
       result_.simplex = step.simplex;
+      if (reason) return finish_outside(vertex, *reason);
       direction_ = *step.direction;
     }
     return finish(Status::undecided, Reason::iteration_limit);

@@ -107,9 +107,15 @@ class Cylinder {
     to_cap_ = axis_ * (height / 2 / axis_.norm());
   }
 
-  /// The cap on the side of d, and on it the rim point on the side of d. The rim is found from (axis×d)×axis, which is
-  /// exactly zero where d is a multiple of the axis: all points of the cap are then equally far, and its middle is
-  /// returned. Where d is perpendicular to the axis both caps are equally far, and the one along the axis is taken.
+  /// The cap on the side of d, and on it the rim point on the side of d, found from (axis×d)×axis.
+  ///
+  /// Where d is a multiple of the axis that product is exactly zero: all points of the cap are equally far, and its middle
+  /// is returned. Where d is perpendicular to the axis both caps are equally far, and the one along the axis is taken
+  /// (rounding decides where the components of an axis askew are rounded).
+  ///
+  /// Axis and d have a largest component of 1 or -1. So a multiple of the axis is the axis itself or its opposite, however
+  /// its quotients were rounded; and close to the axis, where cross products are little but rounding error, two of the
+  /// three components of axis×d are exact, which keeps the rim point in the plane of its cap.
   SupportPoint<S> support(const Vec3<S>& d) const {
     const Vec3<S> scaled = d / d.cwiseAbs().maxCoeff();  // as in Sphere
     const Vec3<S> cap = scaled.dot(axis_) < S(0) ? Vec3<S>(center_ - to_cap_) : Vec3<S>(center_ + to_cap_);
@@ -125,18 +131,34 @@ class Cylinder {
   S radius() const { return radius_; }
 
  private:
-  Vec3<S> center_, axis_;
+  Vec3<S> center_, axis_;  // the largest component of the axis is 1 or -1
   S radius_;
   Vec3<S> to_cap_ = Vec3<S>::Zero();
 };
 
-/// A rigid motion: x ↦ rotation·x + translation.
+/// A rigid motion: x ↦ rotation·x + translation. Products are written as dot products, because Eigen's matrix product
+/// does not compile for the exact numbers of Boost.
 template <class S>
 struct Pose {
   Eigen::Matrix<S, 3, 3> rotation = Eigen::Matrix<S, 3, 3>::Identity();  ///< orthogonal, determinant 1
   Vec3<S> translation = Vec3<S>::Zero();
 
-  Vec3<S> operator()(const Vec3<S>& x) const { return rotation * x + translation; }
+  Vec3<S> operator()(const Vec3<S>& x) const {
+    return Vec3<S>(rotation.row(0).dot(x), rotation.row(1).dot(x), rotation.row(2).dot(x)) + translation;
+  }
+
+  /// Returns: `d` turned back, as the resting shape sees it; its length changes.
+  ///
+  /// Floating-point directions are first scaled by a power of two, which rounds nothing: otherwise the largest finite ones
+  /// would overflow in the product and the smallest vanish, and the shape would be asked in no direction (P1).
+  Vec3<S> turned_back(const Vec3<S>& d) const {
+    Vec3<S> scaled = d;
+    if constexpr (std::floating_point<S>) {
+      const int exponent = std::ilogb(d.cwiseAbs().maxCoeff());
+      scaled = d.unaryExpr([=](S x) { return std::scalbn(x, -exponent); });
+    }
+    return {rotation.col(0).dot(scaled), rotation.col(1).dot(scaled), rotation.col(2).dot(scaled)};
+  }
 };
 
 /// A shape, moved. Holds a copy of it.
@@ -147,7 +169,7 @@ class Posed {
 
   /// The farthest point of the moved shape is the moved farthest point along d turned back.
   SupportPoint<S> support(const Vec3<S>& d) const {
-    const SupportPoint<S> own = shape_.support(Vec3<S>(pose_.rotation.transpose() * d));
+    const SupportPoint<S> own = shape_.support(pose_.turned_back(d));
     return {pose_(own.point), own.index};
   }
 

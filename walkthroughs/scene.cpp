@@ -4,7 +4,7 @@ namespace walkthroughs {
 
 gjk::SupportPoint<double> Object::support(const Point& d) const {
   ++support_calls;
-  const Point own_d = pose.rotation.transpose() * d;
+  const Point own_d = pose.turned_back(d);
   gjk::SupportPoint<double> found = std::visit([&](const auto& shape) { return shape.support(own_d); }, form);
   found.point = pose(found.point);
   return found;
