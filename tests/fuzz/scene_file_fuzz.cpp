@@ -1,0 +1,45 @@
+/// Whatever a scene file holds: it is read and can be run and told, or it is turned away with a SceneError.
+///
+///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
+///     ninja -C build/fuzz scene-file-fuzz
+///     mkdir -p build/fuzz/found
+///     build/fuzz/scene-file-fuzz -dict=tests/fuzz/scene_file.dict -max_len=4096 -timeout=10 -rss_limit_mb=512
+///         build/fuzz/found tests/fuzz/scenes
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <ostream>
+#include <streambuf>
+#include <string_view>
+
+#include "walkthroughs/scene_file.hpp"
+#include "walkthroughs/trace_json.hpp"
+
+namespace {
+
+/// Takes everything and keeps nothing.
+struct Nowhere : std::streambuf {
+  int overflow(int c) override { return traits_type::not_eof(c); }
+  std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+};
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const walkthroughs::SceneFile file = walkthroughs::parse_scene(text, "fuzz.json");
+    require(file.walkthrough.scenes.size() == 1 && !walkthroughs::summary(file).empty());
+    Nowhere nowhere;
+    std::ostream out(&nowhere);
+    walkthroughs::write_traces(out, file.walkthrough);
+    require(out.good());
+  } catch (const walkthroughs::SceneError& error) {
+    require(std::string_view(error.what()).starts_with("fuzz.json:"));
+  }
+  return 0;
+}

@@ -1,0 +1,103 @@
+/// JSON that knows its lines: the text of a scene file as a tree, within limits that keep it small.
+///
+/// Comments, // to the end of the line and /* */, count as blanks. The parser does not recurse, and it stops at the first
+/// thing that it objects to. Nothing here knows of scenes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace walkthroughs {
+
+/// Something is wrong with a text. what() is a sentence without place.
+struct DocumentError : std::runtime_error {
+  DocumentError(int line, std::string key, const std::string& reason)
+      : std::runtime_error(reason), line(line), key(std::move(key)) {}
+
+  int line;         ///< counted from 1
+  std::string key;  ///< the path to the value, such as "a.points[2]"; empty for the text as a whole
+};
+
+namespace document_limits {
+inline constexpr std::size_t depth = 16;         ///< lists and objects in one another
+inline constexpr std::size_t members = 100;      ///< of one object
+inline constexpr std::size_t elements = 100000;  ///< of one list
+inline constexpr std::size_t values = 1000000;   ///< in all
+}  // namespace document_limits
+
+class Value;
+
+class Document {
+ public:
+  enum class Kind : std::uint8_t { null, boolean, number, string, list, object };
+
+  /// Errors: DocumentError where `text` is not JSON, goes beyond the limits, or names a key twice in one object.
+  explicit Document(std::string_view text);
+
+  Value root() const;
+
+ private:
+  friend class Value;
+  friend class DocumentBuilder;
+  using Index = std::uint32_t;
+  static constexpr Index none = ~Index{0};
+
+  /// Values lie in the order of the text: the first child of a value is the next one, its sibling lies at `end`.
+  struct Node {
+    double number = 0;
+    int line = 1;
+    Index parent = none, end = none;
+    Index key = none, text = none;  // in strings_
+    Kind kind = Kind::null;
+  };
+
+  std::string path(Index index) const;
+
+  std::vector<Node> nodes_;
+  std::vector<std::string> strings_;
+};
+
+/// One value of a document, which must outlive it.
+class Value {
+ public:
+  Document::Kind kind() const { return node().kind; }
+  bool is(Document::Kind kind) const { return node().kind == kind; }
+  double number() const { return node().number; }  ///< Requires: a number.
+  /// Requires: a string. Returns: valid UTF-8.
+  const std::string& text() const { return document_->strings_[node().text]; }
+  /// Requires: the value of a member of an object.
+  const std::string& key() const { return document_->strings_[node().key]; }
+  /// Returns: the elements of a list or the members of an object, in their order; none of other values.
+  std::vector<Value> children() const;
+  std::optional<Value> member(std::string_view key) const;
+
+  /// Returns: what kind of value it is, with an article: "a string".
+  std::string_view description() const;
+  /// Throws a DocumentError that names this value.
+  [[noreturn]] void fail(const std::string& reason) const;
+  /// As fail(), for what an object lacks.
+  [[noreturn]] void fail_without(std::string_view key, const std::string& reason) const;
+
+ private:
+  friend class Document;
+  Value(const Document& document, Document::Index index) : document_(&document), index_(index) {}
+  const Document::Node& node() const { return document_->nodes_[index_]; }
+
+  const Document* document_;
+  Document::Index index_;
+};
+
+/// Returns: the code points of valid UTF-8.
+std::u32string code_points(std::string_view text);
+
+/// Returns: whether a terminal or a picture can show it: no control character, nothing that breaks or turns lines.
+bool is_printable(char32_t code_point);
+
+/// Returns: `text` in quotes for an error message: cut short where it is long, and without what is not printable.
+std::string in_quotes(std::string_view text);
+
+}  // namespace walkthroughs
