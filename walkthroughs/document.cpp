@@ -31,6 +31,15 @@ struct Progress {
     }
     ++next;
   }
+
+  /// Passes over blanks behind a line break or tab, but for the last. The parser keeps what it reads for its messages,
+  /// eight letters for each such character. No string is changed: JSON allows no line breaks and tabs there.
+  void skip_blanks() {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+    if (next == begin || next[-1] == ' ' || !is_blank(next[-1])) return;
+    while (next + 1 < end && is_blank(next[0]) && is_blank(next[1])) advance();
+  }
+
   std::ptrdiff_t column() const { return std::max<std::ptrdiff_t>(next - line_begin, 1); }
 };
 
@@ -46,7 +55,10 @@ class CountingIterator {
   CountingIterator() = default;  ///< the end
   explicit CountingIterator(Progress& progress) : progress_(&progress) {}
 
-  reference operator*() const { return *progress_->next; }
+  reference operator*() const {
+    progress_->skip_blanks();
+    return *progress_->next;
+  }
   CountingIterator& operator++() {
     progress_->advance();
     return *this;
@@ -219,10 +231,11 @@ void require_text(std::string_view text) {
     throw DocumentError(1, "", "the file is empty; 'gjkstep scene --example' prints one to begin with");
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw DocumentError(1, "", "the text is UTF-16; save it as UTF-8");
-  if (const std::size_t at = text.find('\0'); at != std::string_view::npos) {
-    const auto lines = std::ranges::count(text.substr(0, at), '\n');
+  const auto is_control = [](char c) { return '\0' <= c && c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
+  if (const auto at = std::ranges::find_if(text, is_control); at != text.end()) {
+    const auto lines = std::count(text.begin(), at, '\n');
     throw DocumentError(1 + static_cast<int>(lines), "",
-                        "there is a byte 0, so this is not a text; save the scene as UTF-8");
+                        "there is a byte " + std::to_string(*at) + ", which no text has; save the scene as UTF-8");
   }
 }
 

@@ -2,6 +2,10 @@
 #include "walkthroughs/scene_file.hpp"
 
 #include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <sstream>
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -305,6 +309,16 @@ TEST_CASE("A text in another encoding is turned away", "[scene-file]") {
   check_complaint("{\n\"title\": \"\xED\xA0\x80\"}", "2: title", {"ill-formed UTF-8"});
   check_complaint(std::string("\xFF\xFE{\0}\0", 6), "1", {"UTF-16", "save it as UTF-8"});
   check_complaint(scene_text(corner, ball) + std::string("\n\0{", 3), "6", {"byte 0"});
+  check_complaint("{\n// \x07\n}", "2", {"byte 7"});
+}
+
+TEST_CASE("Blank lines are counted, however many, and strings keep their blanks", "[scene-file]") {
+  const std::string many(1000, '\n');
+  check_complaint("{" + many + "\"a\": 1" + many + ",\n\n \n\"b\"\n\n:\n\n 2}", "1001: a", {"expected an object"});
+  check_complaint("{\"a\": " + corner + ", \"b\": " + ball + ",\n\t \n\r\n\"rules\"\n\n:\n\n 2\n\n}", "8: rules",
+                  {"found a number"});
+  check_complaint("{\n\n // one\n\n\n// two\n\n \t x", "8", {"column 4"});
+  CHECK(parsed(scene_text(corner, ball, "\n\t  \"title\":\n \t  \"  a   b  \"")).walkthrough.title == "  a   b  ");
 }
 
 TEST_CASE("Numbers that are not finite are turned away by name", "[scene-file]") {
@@ -518,6 +532,55 @@ TEST_CASE("A file that is too large is turned away unread", "[scene-file]") {
   CHECK(complaint_about_file(file.path).find("larger than 16 MiB") != std::string::npos);
   fs::resize_file(file.path, scene_limits::bytes);
   CHECK(complaint_about_file(file.path).find("byte 0") != std::string::npos);
+}
+
+// -- The program ------------------------------------------------------------------------------------------------------
+
+namespace {
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+/// Runs `gjkstep scene`.
+Outcome run_program(const std::string& arguments) {
+  const Folder folder;
+  const std::string out = (folder.path() / "out").string(), err = (folder.path() / "err").string();
+  const std::string command =
+      "'" + std::string(GJKSTEP_PROGRAM) + "' scene " + arguments + " >'" + out + "' 2>'" + err + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
+}
+
+}  // namespace
+
+TEST_CASE("gjkstep scene --example prints a scene that gjkstep scene --check accepts", "[scene-file]") {
+  const Outcome example = run_program("--example");
+  CHECK(example.exit_code == 0);
+  CHECK(example.out == example_scene());
+  const Written file(example.out);
+  const Outcome checked = run_program("--check '" + file.path.string() + "'");
+  CHECK(checked.exit_code == 0);
+  CHECK(checked.out == file.path.string() + ": ok: " + summary(read_scene(file.path)) + "\n");
+  CHECK(checked.err.empty());
+}
+
+TEST_CASE("gjkstep scene --check answers a bad scene with exit code 3 and the complaint alone", "[scene-file]") {
+  const Written file(scene_text(corner, "{}"));
+  const Outcome checked = run_program("--check '" + file.path.string() + "'");
+  CHECK(checked.exit_code == 3);
+  CHECK(checked.out.empty());
+  CHECK(checked.err == "gjkstep: " + complaint_about_file(file.path) + "\n");
+}
+
+TEST_CASE("gjkstep scene says what it can do", "[scene-file]") {
+  for (const char* arguments : {"", "--example --check x", "--check"}) {
+    const Outcome outcome = run_program(arguments);
+    INFO(arguments << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("--check") != std::string::npos);
+  }
 }
 
 // -- The corpus of the fuzzer -----------------------------------------------------------------------------------------
