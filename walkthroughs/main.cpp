@@ -12,6 +12,7 @@
 #include "walkthroughs/alternative_text.hpp"
 #include "walkthroughs/nearest.hpp"
 #include "walkthroughs/render_frames.hpp"
+#include "walkthroughs/scene_file.hpp"
 #include "walkthroughs/trace_json.hpp"
 #include "walkthroughs/words.hpp"
 
@@ -121,6 +122,22 @@ struct RenderCommand {
   }
 };
 
+struct SceneCommand {
+  bool example = false;
+  std::optional<std::string> check;
+
+  void run() const {
+    if (example) {
+      std::cout << walkthroughs::example_scene();
+    } else if (check) {
+      const walkthroughs::SceneFile scene = walkthroughs::read_scene(*check);
+      std::cout << *check << ": ok: " << walkthroughs::summary(scene) << '\n';
+    } else {
+      throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
+    }
+  }
+};
+
 void print_version() {
   std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
   std::cout << render::OffscreenContext().description() << '\n';
@@ -176,6 +193,12 @@ int run(int argc, char** argv) {
   CLI::App* const trace_command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
   trace_command->add_option("NAME", traced, "walkthrough to trace")->required();
 
+  SceneCommand scene;
+  CLI::App* const scene_command = app.add_subcommand("scene", "files with scenes of your own");
+  CLI::Option* const example =
+      scene_command->add_flag("--example", scene.example, "print a scene file that shows every key");
+  scene_command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -192,6 +215,8 @@ int run(int argc, char** argv) {
     render.run();
   else if (*trace_command)
     walkthroughs::write_traces(std::cout, walkthrough_named(traced));
+  else if (*scene_command)
+    scene.run();
   else
     throw UsageError("what to do? 'gjkstep --help' shows the commands");
   return flush_output();
@@ -210,6 +235,8 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     return fail(wrong_usage, error);
   } catch (const render::FontError& error) {
+    return fail(bad_input, error);
+  } catch (const walkthroughs::SceneError& error) {
     return fail(bad_input, error);
   } catch (const render::ContextError& error) {
     return fail(no_context, error);
