@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "render/geometry.hpp"
@@ -42,13 +43,17 @@ struct Face {
 
   /// Returns: the outward normal, of any length (Newell's sum; zero for a face without area).
   Vec3 outward() const;
+  /// Returns: the mean of the corners. Requires: at least one.
   Vec3 middle() const;
 };
 
-/// Returns: the order in which to draw translucent faces: farthest middle first, equals in the order given.
+/// Returns: the order in which to draw translucent faces: of two that overlap in the picture the farther one first, where
+/// faces do not run through each other and do not overlap in a circle; among faces that may come in any order the
+/// farthest middle first, equals in the order given. The faces of one convex surface are always in order.
+/// Every pair is compared: meant for hundreds of faces, not for millions.
 std::vector<std::size_t> back_to_front(const std::vector<Face>& faces, const Camera& camera);
 
-/// An edge of a closed convex surface, once.
+/// An edge of a closed convex surface, once. The outline of the picture is made of edges that are not hidden.
 struct Edge {
   Vec3 from, to;
   bool hidden;  ///< no face that meets it shows its front

@@ -179,7 +179,10 @@ void Panel::grid(double step, const Stroke& stroke) {
 
 // A line at 45 degrees is where x + y is constant; it crosses the border of a convex area twice or not at all.
 void Panel::hatch(std::span<const Vec2> corners, double spacing, const Stroke& stroke) {
-  const std::vector<Vec2> area = convex_part(to_page(corners), frame_);
+  const std::vector<Vec2> page = to_page(corners);
+  const bool finite = std::ranges::all_of(page, [](const Vec2& corner) { return corner.allFinite(); });
+  if (!finite || !(spacing >= min_grid_spacing)) return;  // closer together they would be a grey area
+  const std::vector<Vec2> area = convex_part(page, frame_);
   if (area.empty()) return;
   const auto level = [](const Vec2& p) { return p.x() + p.y(); };
   const Vec2& lowest = *std::ranges::min_element(area, {}, level);

@@ -53,7 +53,7 @@ class Panel {
   void circle(const Vec2& center, double radius, const Stroke& stroke);  ///< radius in page units
   void plus(const Vec2& center, double half, const Stroke& stroke);      ///< half in page units
   /// Fine parallel lines across a convex area, `spacing` page units apart and fixed to the page, so that areas side by
-  /// side are hatched alike; no obstacles.
+  /// side are hatched alike; no obstacles. Nothing is drawn where `spacing` is below 3.
   void hatch(std::span<const Vec2> corners, double spacing, const Stroke& stroke);
   /// Fine lines at whole multiples of `step` scene units; no obstacles.
   void grid(double step, const Stroke& stroke);

@@ -1,5 +1,6 @@
 #include "render/panel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -224,4 +225,104 @@ TEST_CASE("an area too small for its name is named all the same") {
   panel.name_area(speck, "R3", style);
   panel.place_labels();
   REQUIRE(desk.canvas.vertices().size() > before);
+}
+
+// ---------------------------------------------------------------------------------------------- hatching
+
+namespace {
+
+/// The middle line of a stroke, in page units.
+struct Drawn {
+  Vec2 from, to;
+};
+
+/// Returns: the lines drawn since, all of them at 45 degrees. The first and third vertex of each are opposite corners.
+std::vector<Drawn> lines_since(const Canvas& canvas, std::size_t first) {
+  std::vector<Drawn> lines;
+  const auto list = canvas.vertices();
+  for (std::size_t i = first; i + 5 < list.size(); i += 6) {
+    Vec2 middle = Vec2::Zero();
+    for (const std::size_t corner : {0u, 2u}) middle += Vec2(list[i + corner].x, list[i + corner].y) / 2;
+    const Vec2 along = Vec2(1, -1).normalized() * static_cast<double>(list[i].half_length);
+    lines.push_back({middle - along, middle + along});
+  }
+  return lines;
+}
+
+const Stroke fine{.width = 1};
+
+std::vector<Drawn> hatched(Desk& desk, std::span<const Vec2> corners, double spacing) {
+  const std::size_t before = desk.canvas.vertices().size();
+  Panel panel(desk.canvas, frame, desk.view);
+  panel.hatch(corners, spacing, fine);
+  return lines_since(desk.canvas, before);
+}
+
+const std::array square = {Vec2(-5, -5), Vec2(5, -5), Vec2(5, 5), Vec2(-5, 5)};  // page (150,100)..(250,200)
+
+}  // namespace
+
+TEST_CASE("hatching is made of parallel lines at the asked distance, from border to border") {
+  Desk desk;
+  const std::vector<Drawn> lines = hatched(desk, square, 20);
+  REQUIRE(lines.size() == 10);  // x + y is 260, 280, ..., 440
+  for (const Drawn& line : lines) {
+    REQUIRE(line.from.sum() == Approx(line.to.sum()).margin(1e-3));
+    for (const Vec2& end : {line.from, line.to}) {
+      const double aside = (end - Vec2(200, 150)).cwiseAbs().maxCoeff();
+      REQUIRE(aside == Approx(50).margin(1e-3));
+    }
+  }
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    REQUIRE(lines[i].from.sum() - lines[i - 1].from.sum() == Approx(20).margin(1e-3));
+}
+
+TEST_CASE("hatching runs on from one area into the next, whichever way round their corners are") {
+  Desk desk;
+  const std::array left = {Vec2(-5, -5), Vec2(1, -5), Vec2(1, 5), Vec2(-5, 5)};
+  const std::array right = {Vec2(1, 5), Vec2(5, 5), Vec2(5, -5), Vec2(1, -5)};
+  const auto whole = hatched(desk, square, 20), first = hatched(desk, left, 20), second = hatched(desk, right, 20);
+  const auto levels = [](const std::vector<Drawn>& lines) {
+    std::vector<long> sums;
+    for (const Drawn& line : lines) sums.push_back(std::lround(line.from.sum()));
+    return sums;
+  };
+  const auto all = levels(whole);
+  for (const auto& part : {levels(first), levels(second)})
+    for (const long level : part) REQUIRE(std::ranges::count(all, level) == 1);
+  const auto length = [](const std::vector<Drawn>& lines) {
+    double sum = 0;
+    for (const Drawn& line : lines) sum += (line.to - line.from).norm();
+    return sum;
+  };
+  REQUIRE(length(first) + length(second) == Approx(length(whole)).margin(0.01));
+}
+
+TEST_CASE("hatching stays inside the frame however large the area") {
+  Desk desk;
+  const std::array huge = {Vec2(-1e6, -1e6), Vec2(1e6, -1e6), Vec2(0, 1e6)};
+  const auto lines = hatched(desk, huge, 20);
+  REQUIRE(lines.size() > 20);
+  REQUIRE(lines.size() <= 29);  // 300 + 260 page units, 20 apart
+  for (const Drawn& line : lines) {
+    REQUIRE(inside(frame.grown(0.01), {line.from.cwiseMin(line.to), line.from.cwiseMax(line.to)}));
+  }
+}
+
+TEST_CASE("nothing is hatched where there is no area, no distance, or no number") {
+  Desk desk;
+  const double nan = std::nan("");
+  REQUIRE(hatched(desk, std::array{Vec2(100, 100), Vec2(110, 100), Vec2(100, 110)}, 20).empty());
+  REQUIRE(hatched(desk, std::vector<Vec2>{}, 20).empty());
+  for (const double spacing : {0.0, -4.0, 2.9, nan}) REQUIRE(hatched(desk, square, spacing).empty());
+  REQUIRE(hatched(desk, std::array{Vec2(0, 0), Vec2(nan, 0), Vec2(0, 5)}, 20).empty());
+}
+
+TEST_CASE("hatching is no obstacle for labels") {
+  Desk desk;
+  Panel plain(desk.canvas, frame, desk.view);
+  const Box alone = place_one(desk, plain, {0, 0}, {1, 1}, "A");
+  Panel panel(desk.canvas, frame, desk.view);
+  panel.hatch(square, 5, fine);
+  REQUIRE(place_one(desk, panel, {0, 0}, {1, 1}, "A").min == alone.min);
 }

@@ -1,0 +1,200 @@
+#include "render/camera.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace render;
+
+namespace {
+
+const std::vector<Camera> cameras = {{0, 0}, {90, 0}, {30, 20}, {-125, 35}, {200, -50}, {47, 89}};
+
+/// Faces of a box along the axes, in the order -x +x -y +y -z +z.
+std::vector<Face> box(const Vec3& low, const Vec3& high) {
+  const auto corner = [&](int x, int y, int z) {
+    return Vec3(x ? high.x() : low.x(), y ? high.y() : low.y(), z ? high.z() : low.z());
+  };
+  return {{{corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1), corner(0, 1, 0)}},
+          {{corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1), corner(1, 0, 1)}},
+          {{corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1)}},
+          {{corner(0, 1, 0), corner(0, 1, 1), corner(1, 1, 1), corner(1, 1, 0)}},
+          {{corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0), corner(1, 0, 0)}},
+          {{corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1)}}};
+}
+
+/// A triangle seen by Camera(0, 0), for which a point's place in the picture is (y, z) and -x its depth.
+Face triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return {{a, b, c}}; }
+
+/// Returns: where face `index` stands in `order`.
+std::ptrdiff_t place(const std::vector<std::size_t>& order, std::size_t index) {
+  return std::ranges::find(order, index) - order.begin();
+}
+
+std::size_t count_hidden(const std::vector<Edge>& edges) {
+  return static_cast<std::size_t>(std::ranges::count_if(edges, &Edge::hidden));
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------- Camera
+
+TEST_CASE("a camera's axes have length 1, stand at right angles and are right-handed toward the viewer") {
+  for (const Camera& camera : cameras) {
+    REQUIRE(camera.right().norm() == Approx(1));
+    REQUIRE(camera.up().norm() == Approx(1));
+    REQUIRE(camera.right().cross(camera.up()).isApprox(camera.toward_viewer()));
+  }
+}
+
+TEST_CASE("z points up in the picture and the horizon is level") {
+  for (const Camera& camera : cameras) {
+    const Vec2 z = camera({0, 0, 1});
+    REQUIRE(z.x() == 0);
+    REQUIRE(z.y() > 0);
+  }
+}
+
+TEST_CASE("the azimuth says from where a camera looks, the elevation from how high") {
+  REQUIRE(Camera(0, 0).toward_viewer() == Vec3(1, 0, 0));
+  REQUIRE(Camera(90, 0).toward_viewer() == Vec3(0, 1, 0));
+  REQUIRE(Camera(180, 0).toward_viewer() == Vec3(-1, 0, 0));
+  REQUIRE(Camera(-90, 0).toward_viewer() == Vec3(0, -1, 0));
+  REQUIRE(Camera(0, 0)({5, 2, 3}) == Vec2(2, 3));
+  REQUIRE(Camera(0, 60).toward_viewer().z() == Approx(std::sqrt(0.75)));
+  REQUIRE(Camera(0, -60).toward_viewer().z() == Approx(-std::sqrt(0.75)));
+}
+
+TEST_CASE("lengths at right angles to the line of sight are kept, along it they vanish") {
+  for (const Camera& camera : cameras) {
+    REQUIRE(camera(3 * camera.right() - 4 * camera.up()).norm() == Approx(5));
+    REQUIRE(camera(7 * camera.toward_viewer()).norm() == Approx(0).margin(1e-12));
+  }
+}
+
+TEST_CASE("what lies toward the viewer has the smaller depth") {
+  for (const Camera& camera : cameras) {
+    REQUIRE(camera.depth(camera.toward_viewer()) == Approx(-1));
+    REQUIRE(camera.depth(camera.right()) == Approx(0).margin(1e-12));
+    REQUIRE(camera.sees(camera.toward_viewer()));
+    REQUIRE_FALSE(camera.sees(-camera.toward_viewer()));
+  }
+}
+
+TEST_CASE("a turned camera is the one with the larger azimuth, and keeps its height") {
+  const Camera camera(30, 20);
+  REQUIRE(camera.turned(50).toward_viewer().isApprox(Camera(80, 20).toward_viewer()));
+  REQUIRE(camera.turned(360).toward_viewer().isApprox(camera.toward_viewer()));
+  REQUIRE(camera.turned(123).up().z() == Approx(camera.up().z()));
+}
+
+TEST_CASE("a quarter turn is exact") {
+  for (const double azimuth : {-450.0, -90.0, 0.0, 90.0, 180.0, 270.0, 360.0, 720.0})
+    REQUIRE(Camera(azimuth, 0).toward_viewer().cwiseAbs().sum() == 1);
+}
+
+// ---------------------------------------------------------------------------------------------- Face
+
+TEST_CASE("the outward normal follows the sense of the corners, and is twice the area long") {
+  const Face face{{{0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}}};
+  REQUIRE(face.outward() == Vec3(0, 0, 12));
+  REQUIRE(Face{{face.corners.rbegin(), face.corners.rend()}}.outward() == Vec3(0, 0, -12));
+  REQUIRE(face.middle() == Vec3(1, 1.5, 5));
+}
+
+TEST_CASE("a face without area has no normal") {
+  REQUIRE(triangle({0, 0, 0}, {1, 2, 3}, {2, 4, 6}).outward().isZero());
+  REQUIRE(Face{{{1, 2, 3}, {4, 5, 6}}}.outward().isZero());
+}
+
+TEST_CASE("every face of a box has its normal outside") {
+  const auto faces = box({-1, -2, -3}, {1, 2, 3});
+  for (const Face& face : faces) REQUIRE(face.outward().dot(face.middle()) > 0);
+}
+
+// ---------------------------------------------------------------------------------------------- back_to_front
+
+TEST_CASE("the far faces of a box are drawn before the near ones, in whatever order they are given") {
+  for (const Camera& camera : cameras) {
+    auto faces = box({-1, -2, -3}, {1, 2, 3});
+    for (int rotation = 0; rotation < 6; ++rotation) {
+      const auto order = back_to_front(faces, camera);
+      REQUIRE(order.size() == 6);
+      for (std::size_t back = 0; back < 6; ++back)
+        for (std::size_t front = 0; front < 6; ++front)
+          if (camera.sees(-faces[back].outward()) && camera.sees(faces[front].outward()))
+            REQUIRE(place(order, back) < place(order, front));
+      std::ranges::rotate(faces, faces.begin() + 1);
+    }
+  }
+}
+
+TEST_CASE("a long face that leads away is drawn after the short one behind its near end") {
+  // The middle of the long face lies farther away than that of the short one, and it is in front of it all the same.
+  const std::vector<Face> faces = {triangle({0, 0, 0}, {-10, 10, 0}, {-5, 5, 5}),
+                                   triangle({-1.5, 1, 1}, {-1.5, 1, 0}, {-2.5, 2, 1})};
+  const Camera camera(0, 0);
+  REQUIRE(camera.depth(faces[0].middle()) > camera.depth(faces[1].middle()));
+  REQUIRE(back_to_front(faces, camera) == std::vector<std::size_t>{1, 0});
+  REQUIRE(back_to_front({faces[1], faces[0]}, camera) == std::vector<std::size_t>{0, 1});
+}
+
+TEST_CASE("of two bodies one before the other, all of the far one is drawn first") {
+  const Camera camera(0, 0);
+  std::vector<Face> faces = box({5, -1, -1}, {6, 1, 1});
+  std::ranges::copy(box({0, -2, -2}, {1, 2, 2}), std::back_inserter(faces));
+  const auto order = back_to_front(faces, camera);
+  // Those seen from the side cover nothing and may come anywhere.
+  REQUIRE(place(order, 6) < place(order, 7));
+  REQUIRE(place(order, 7) < place(order, 0));
+  REQUIRE(place(order, 0) < place(order, 1));
+}
+
+TEST_CASE("faces that may come in any order come farthest first, equals in the order given") {
+  const auto at = [](double x, double y) { return triangle({x, y, 0}, {x, y + 1, 0}, {x, y, 1}); };
+  REQUIRE(back_to_front({at(1, 0), at(0, 5), at(2, 10), at(0, 15)}, Camera(0, 0)) ==
+          std::vector<std::size_t>{1, 3, 0, 2});
+}
+
+TEST_CASE("faces that overlap in a circle are all drawn, once") {
+  // Each of three long bars lies over the next one.
+  const std::vector<Face> faces = {triangle({1, -5, 0}, {-1, 5, 0}, {0, 0, 1}),
+                                   triangle({1, 3, -4}, {-1, -2, 5}, {0, 1, 1}),
+                                   triangle({1, 2, 5}, {-1, -3, -4}, {0, 0, 2})};
+  auto order = back_to_front(faces, Camera(0, 0));
+  std::ranges::sort(order);
+  REQUIRE(order == std::vector<std::size_t>{0, 1, 2});
+  REQUIRE(back_to_front({}, Camera(0, 0)).empty());
+}
+
+// ---------------------------------------------------------------------------------------------- edges_of
+
+TEST_CASE("a box has twelve edges, of which three are hidden from where three faces are seen") {
+  const auto edges = edges_of(box({-1, -2, -3}, {1, 2, 3}), Camera(30, 20));
+  REQUIRE(edges.size() == 12);
+  REQUIRE(count_hidden(edges) == 3);
+  for (const Edge& edge : edges) {
+    const bool at_far_corner = edge.from == Vec3(-1, -2, -3) || edge.to == Vec3(-1, -2, -3);
+    REQUIRE(edge.hidden == at_far_corner);
+  }
+}
+
+TEST_CASE("from straight ahead only the four edges of the one face seen are not hidden") {
+  const auto edges = edges_of(box({-1, -2, -3}, {1, 2, 3}), Camera(0, 0));
+  REQUIRE(edges.size() == 12);
+  REQUIRE(count_hidden(edges) == 8);
+  for (const Edge& edge : edges) REQUIRE(edge.hidden == (edge.from.x() < 0 || edge.to.x() < 0));
+}
+
+TEST_CASE("edges come in the order in which the faces name them first") {
+  const std::vector<Face> faces = {triangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+                                   triangle({0, 1, 0}, {0, 0, 0}, {-1, 0, 0})};
+  const auto edges = edges_of(faces, Camera(0, 0));
+  REQUIRE(edges.size() == 5);
+  REQUIRE(edges[0].from == Vec3(0, 0, 0));
+  REQUIRE(edges[0].to == Vec3(0, 1, 0));
+  REQUIRE(edges[3].to == Vec3(-1, 0, 0));
+}

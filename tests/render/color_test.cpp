@@ -1,0 +1,63 @@
+#include "render/color.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/catch.hpp"
+
+using namespace render;
+
+namespace {
+
+/// The contrast ratio of WCAG 2: 1 for equal colours, 21 for black on white.
+double contrast(Color one, Color other) {
+  const auto linear = [](std::uint8_t channel) {
+    const double value = channel / 255.0;
+    return value <= 0.03928 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  };
+  const auto luminance = [&](Color c) { return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b); };
+  const auto [darker, lighter] = std::minmax({luminance(one), luminance(other)});
+  return (lighter + 0.05) / (darker + 0.05);
+}
+
+constexpr double any_text = 4.5, large_text_and_lines = 3;
+
+}  // namespace
+
+TEST_CASE("the contrast of black on white is 21, of a colour on itself 1") {
+  REQUIRE(contrast(palette::black, palette::white) == Approx(21));
+  REQUIRE(contrast(palette::blue, palette::blue) == Approx(1));
+}
+
+TEST_CASE("on the paper of every theme ink, grey and blue can be read at any size") {
+  for (const Theme& theme : {themes::report, themes::slides, themes::dark}) {
+    CHECK(contrast(theme.ink, theme.paper) >= any_text);
+    CHECK(contrast(theme.grey, theme.paper) >= any_text);
+    CHECK(contrast(theme.blue, theme.paper) >= any_text);
+  }
+}
+
+TEST_CASE("vermillion and green can be read at any size on the dark paper, in large letters and as lines on white") {
+  for (const Color color : {themes::dark.vermillion, themes::dark.green})
+    CHECK(contrast(color, themes::dark.paper) >= any_text);
+  for (const Theme& theme : {themes::report, themes::slides})
+    for (const Color color : {theme.vermillion, theme.green})
+      CHECK(contrast(color, theme.paper) >= large_text_and_lines);
+}
+
+TEST_CASE("on the dark paper orange and sky need no outline") {
+  for (const Color color : {themes::dark.orange, themes::dark.sky})
+    CHECK(contrast(color, themes::dark.paper) >= large_text_and_lines);
+}
+
+TEST_CASE("grid lines are to be seen on the paper of every theme, and stand back behind grey") {
+  for (const Theme& theme : {themes::report, themes::slides, themes::dark}) {
+    CHECK(contrast(theme.faint, theme.paper) >= 1.3);
+    CHECK(contrast(theme.faint, theme.paper) < contrast(theme.grey, theme.paper) / 2);
+  }
+}
+
+TEST_CASE("the theme for slides has stronger lines and larger labels than the one for reports") {
+  CHECK(themes::slides.line > themes::report.line);
+  CHECK(themes::slides.label > themes::report.label);
+}
