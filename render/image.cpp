@@ -15,7 +15,7 @@ constexpr png_uint_32 max_side = 16384;  // a damaged header must not ask for al
 
 // ---------------------------------------------------------------------------------------------- encoding
 
-/// Everything that the C callbacks of libpng share with encode().
+/// Everything that the C callbacks of libpng share with encode_png().
 struct Encoder {
   std::vector<std::uint8_t> bytes;
   std::string message;
@@ -75,21 +75,6 @@ bool run_libpng(const PngWriter& writer, const Image& image, const std::vector<p
   for (int y = 0; y < image.size().height; ++y) png_write_row(png, image.row(y));
   png_write_end(png, nullptr);
   return true;
-}
-
-std::vector<std::uint8_t> encode(const std::filesystem::path& path, const Image& image, const PngText& text) {
-  std::vector<png_text> texts;
-  if (!text.title.empty()) texts.push_back(text_chunk("Title", text.title));
-  if (!text.description.empty()) texts.push_back(text_chunk("Description", text.description));
-
-  Encoder encoder;
-  const PngWriter writer(encoder);
-  if (writer.info == nullptr) throw std::bad_alloc();
-  png_set_write_fn(writer.png, &encoder, append_bytes, nullptr);
-  if (!run_libpng(writer, image, texts)) {
-    throw FileError("cannot encode " + path.string() + ": libpng says: " + encoder.message);
-  }
-  return std::move(encoder.bytes);
 }
 
 // ---------------------------------------------------------------------------------------------- decoding
@@ -153,8 +138,23 @@ void Image::paste(const Image& other, int x, int y) {
     std::copy_n(other.row(line), length, row(y + line) + static_cast<std::size_t>(x) * channels);
 }
 
+std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
+  std::vector<png_text> texts;
+  if (!text.title.empty()) texts.push_back(text_chunk("Title", text.title));
+  if (!text.description.empty()) texts.push_back(text_chunk("Description", text.description));
+
+  Encoder encoder;
+  const PngWriter writer(encoder);
+  if (writer.info == nullptr) throw std::bad_alloc();
+  png_set_write_fn(writer.png, &encoder, append_bytes, nullptr);
+  if (!run_libpng(writer, image, texts)) {
+    throw FileError("cannot encode a picture: libpng says: " + encoder.message);
+  }
+  return std::move(encoder.bytes);
+}
+
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
-  write_file(path, encode(path, image, text));
+  write_file(path, encode_png(image, text));
 }
 
 Image read_png(const std::filesystem::path& path) {

@@ -43,8 +43,12 @@ struct PngText {
   std::string description;
 };
 
-/// Writes `image` to `path` as write_file() does. 8-bit RGB, compression level 6, PNG_FILTER_NONE.
+/// Returns: `image` as a PNG file. 8-bit RGB, compression level 6, PNG_FILTER_NONE: of the settings that were tried the
+/// smallest files for pictures of lines and flat areas (tests/bench/render_bench.cpp has the numbers).
 /// Errors: FileError.
+std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text);
+
+/// Writes encode_png() to `path` as write_file() does. Errors: FileError.
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text);
 
 /// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white).

@@ -1,0 +1,124 @@
+#include "render/apng.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace render {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using View = std::span<const std::uint8_t>;
+
+constexpr std::array<std::uint8_t, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::size_t around_chunk = 12;  // length, type and checksum
+constexpr std::size_t end_size = around_chunk;
+
+void put(Bytes& bytes, View more) { bytes.insert(bytes.end(), more.begin(), more.end()); }
+void put(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
+
+/// PNG keeps the most significant byte first.
+void put_32(Bytes& bytes, std::uint32_t value) {
+  for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+void put_16(Bytes& bytes, std::uint32_t value) {
+  for (const int shift : {8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+std::uint32_t get_32(View bytes) {
+  return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 | bytes[3];
+}
+
+/// Returns: a chunk: length, type, data, and the checksum of type and data.
+Bytes chunk(std::string_view type, View data) {
+  Bytes bytes;
+  bytes.reserve(data.size() + around_chunk);
+  put_32(bytes, static_cast<std::uint32_t>(data.size()));
+  put(bytes, type);
+  put(bytes, data);
+  put_32(bytes, static_cast<std::uint32_t>(crc32_z(0, bytes.data() + 4, bytes.size() - 4)));
+  return bytes;
+}
+
+struct Chunk {
+  std::string_view type;
+  View data;
+};
+
+/// Takes the first chunk off the front of a PNG after its signature.
+Chunk next_chunk(View& png) {
+  const std::size_t size = get_32(png);
+  const Chunk first{{reinterpret_cast<const char*>(png.data()) + 4, 4}, png.subspan(8, size)};
+  png = png.subspan(size + around_chunk);
+  return first;
+}
+
+/// International text says its own language: none. Not compressed, no translated keyword.
+Bytes text_chunk(std::string_view keyword, std::string_view text) {
+  Bytes data;
+  put(data, keyword);
+  data.insert(data.end(), 5, 0);
+  put(data, text);
+  return chunk("iTXt", data);
+}
+
+/// How many frames, and how often: 0 is for ever.
+Bytes counts_chunk(std::size_t frames) {
+  Bytes data;
+  put_32(data, static_cast<std::uint32_t>(frames));
+  put_32(data, 0);
+  return chunk("acTL", data);
+}
+
+/// Says of the frame that follows: it fills the whole picture, replaces what was there, and how long it is shown.
+Bytes control_chunk(std::uint32_t sequence, View size, double seconds) {
+  constexpr double largest = 65535;
+  const int parts = seconds * 1000 <= largest ? 1000 : 100;  // of a second
+  Bytes data;
+  put_32(data, sequence);
+  put(data, size);
+  put_32(data, 0);  // x
+  put_32(data, 0);  // y
+  put_16(data, static_cast<std::uint32_t>(std::lround(seconds * parts)));
+  put_16(data, static_cast<std::uint32_t>(parts));
+  data.insert(data.end(), {0, 0});  // dispose: leave it; blend: replace
+  return chunk("fcTL", data);
+}
+
+}  // namespace
+
+void Animation::begin(View header) {
+  put(bytes_, signature);
+  put(bytes_, chunk("IHDR", header));
+  if (!text_.title.empty()) put(bytes_, text_chunk("Title", text_.title));
+  if (!text_.description.empty()) put(bytes_, text_chunk("Description", text_.description));
+  counts_at_ = bytes_.size();
+  put(bytes_, counts_chunk(0));
+  put(bytes_, chunk("IEND", {}));
+}
+
+void Animation::add(View png, double seconds) {
+  View rest = png.subspan(signature.size());
+  const View header = next_chunk(rest).data;
+  if (bytes_.empty()) begin(header);
+  const View first_header = View(bytes_).subspan(signature.size() + 8, header.size());
+  if (!std::ranges::equal(header, first_header))
+    throw std::invalid_argument("the pictures of an animation are all of one size and kind");
+
+  bytes_.resize(bytes_.size() - end_size);
+  put(bytes_, control_chunk(sequence_++, header.first(8), seconds));
+  Bytes data;
+  if (frames_ > 0) put_32(data, sequence_++);  // frames after the first one have their number in each chunk
+  while (!rest.empty())
+    if (const Chunk next = next_chunk(rest); next.type == "IDAT") put(data, next.data);
+  put(bytes_, chunk(frames_ == 0 ? "IDAT" : "fdAT", data));
+  put(bytes_, chunk("IEND", {}));
+  std::ranges::copy(counts_chunk(++frames_), bytes_.begin() + static_cast<std::ptrdiff_t>(counts_at_));
+}
+
+}  // namespace render
