@@ -247,7 +247,7 @@ void Rasterizer::Impl::check_errors(const char* step) {
 Rasterizer::Rasterizer(OffscreenContext& context) : impl_(std::make_unique<Impl>(context)) {}
 Rasterizer::~Rasterizer() = default;
 
-Image Rasterizer::draw(const Canvas& canvas) {
+void Rasterizer::start_drawing(const Canvas& canvas) {
   const Size size = canvas.pixels();
   const auto allowed = [](int side) { return side >= min_pixels && side <= max_pixels; };
   if (!allowed(size.width) || !allowed(size.height)) {
@@ -257,9 +257,22 @@ Image Rasterizer::draw(const Canvas& canvas) {
   impl_->resize(size);
   impl_->upload(canvas);
   impl_->draw_runs(canvas);
+}
+
+void Rasterizer::finish_drawing(const Canvas& canvas) {
+  start_drawing(canvas);
+  impl_->gl.finish();
+}
+
+Image Rasterizer::read_back() {
   Image image = impl_->read_back();
   impl_->check_errors("drawing");
   return image;
+}
+
+Image Rasterizer::draw(const Canvas& canvas) {
+  start_drawing(canvas);
+  return read_back();
 }
 
 }  // namespace render
