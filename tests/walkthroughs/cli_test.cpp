@@ -6,8 +6,11 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <sstream>
 
+#include "render/image.hpp"
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
@@ -46,6 +49,11 @@ std::vector<std::string> lines(const std::string& text) {
   for (std::size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
     list.push_back(text.substr(at, end - at));
   return list;
+}
+
+std::vector<std::string> words(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 /// Checks that the command fails with that code, says each of `expected` on standard error and nothing on standard output.
@@ -108,16 +116,29 @@ class Terminal {
 
 // -- What works -------------------------------------------------------------------------------------------------------
 
-TEST_CASE("gjkstep list prints each walkthrough with its summary, one line each") {
+TEST_CASE("gjkstep list prints each walkthrough with its summary, one line each, folder by folder") {
   const Outcome outcome = run("list");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
-  const std::vector<std::string> printed = lines(outcome.out);
+  std::vector<std::string> printed = lines(outcome.out);
+  std::set<std::string> folders;
+  for (const Walkthrough& w : catalogue()) folders.insert(fs::path(w.name).parent_path().string());
+  CHECK(std::erase(printed, "") == folders.size() - 1);
   REQUIRE(printed.size() == catalogue().size());
-  for (std::size_t i = 0; i < printed.size(); ++i) {
-    CHECK(printed[i].starts_with(catalogue()[i].name + "  "));
-    CHECK(printed[i].ends_with("  " + catalogue()[i].summary));
-  }
+  for (const Walkthrough& w : catalogue())
+    CHECK(std::ranges::count_if(printed, [&](const std::string& line) {
+            return line.starts_with(w.name + "  ") && line.ends_with("  " + w.summary);
+          }) == 1);
+}
+
+TEST_CASE("gjkstep list NAME prints a table: name, case, section, how the search ends, number of frames") {
+  const std::vector<std::string> printed = lines(run("list figure-4-right").out);
+  REQUIRE(printed.size() == 2);
+  CHECK(words(printed[0]) == std::vector<std::string>{"name", "case", "section", "status", "frames"});
+  CHECK(printed[1].starts_with("figure-4-right  the origin is not crossed at E"));
+  CHECK(words(printed[1]).at(words(printed[1]).size() - 2) == "separated");
+  CHECK(words(printed[1]).back() == "6");
+  CHECK(printed[0].size() == printed[1].size());
 }
 
 TEST_CASE("The option --help names every command, the exit codes and the variable for the fonts") {
@@ -128,7 +149,7 @@ TEST_CASE("The option --help names every command, the exit codes and the variabl
     for (const char* word : {"list", "render", "trace", "--version", "Exit codes", "GJKSTEP_FONT_DIR"})
       CHECK(has(outcome.out, word));
   }
-  for (const char* word : {"--all", "--strip", "--out", "--size", "1280x720"})
+  for (const char* word : {"--all", "--strip", "--out", "--size", "1280x720", "--apng", "--movie", "--theme", "--turn"})
     CHECK(has(run("render --help").out, word));
 }
 
@@ -142,6 +163,7 @@ TEST_CASE("The option --version prints the version and the OpenGL renderer") {
 
 TEST_CASE("gjkstep trace prints JSON Lines on standard output") {
   for (const Walkthrough& w : catalogue()) {
+    if (w.layout == Layout::diagrams) continue;
     const Outcome outcome = run("trace " + w.name);
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
@@ -179,7 +201,7 @@ TEST_CASE("gjkstep render --all renders every walkthrough") {
   const Folder folder;
   const Outcome outcome = run("render --all --size 32x18 --out " + quoted(folder.path().string()));
   CHECK(outcome.exit_code == 0);
-  CHECK(lines(outcome.out).size() == 18 + 6 + 12 + 3);
+  CHECK(lines(outcome.out).size() == listing(folder.path()).size());
   for (const Walkthrough& w : catalogue()) CHECK(fs::exists(folder.path() / w.name / "000.png"));
 }
 
@@ -233,6 +255,168 @@ TEST_CASE("gjkstep render shows its progress on a terminal") {
   CHECK(terminal.shows("figure-5: frame 2 of 3"));
 }
 
+// -- Folders ----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Returns: a folder of the catalogue, or nothing where it has none.
+std::string some_folder() {
+  for (const Walkthrough& w : catalogue())
+    if (const std::size_t slash = w.name.find('/'); slash != std::string::npos) return w.name.substr(0, slash);
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("A folder names all of its walkthroughs, which are written into folders of folders") {
+  const std::string name = some_folder();
+  if (name.empty()) return;
+  const Folder folder;
+  const Outcome outcome = run("render " + name + " --detail step --size 32x18 --out " + quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 0);
+  for (const Walkthrough* w : find_walkthroughs(name)) CHECK(fs::exists(folder.path() / w->name / "000.png"));
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("gjkstep list FOLDER prints a row for each walkthrough of the folder, the columns aligned") {
+  const std::string name = some_folder();
+  if (name.empty()) return;
+  const Outcome outcome = run("list " + name);
+  CHECK(outcome.exit_code == 0);
+  const std::vector<std::string> printed = lines(outcome.out);
+  const auto expected = find_walkthroughs(name);
+  REQUIRE(printed.size() == 1 + expected.size());
+  const std::size_t column = printed[0].find("case");
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    INFO(printed[i + 1]);
+    CHECK(printed[i + 1].starts_with(expected[i]->name + " "));
+    CHECK(printed[i + 1].substr(column - 2, 2) == "  ");
+    CHECK(printed[i + 1][column] != ' ');
+    if (expected[i]->region_case) CHECK(has(printed[i + 1], " " + expected[i]->region_case->section + " "));
+  }
+}
+
+TEST_CASE("A folder has no trace, and neither has a diagram") {
+  if (const std::string name = some_folder(); !name.empty())
+    check_failure("trace " + name, 2, {quoted(name), "gjkstep list " + name});
+  for (const Walkthrough& w : catalogue())
+    if (w.layout == Layout::diagrams) check_failure("trace " + w.name, 2, {quoted(w.name), "diagram"});
+}
+
+// -- Animations and movies --------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Returns: how often `part` stands in `text`.
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+bool there_is(const std::string& program) {
+  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// Returns: what a command for the shell prints.
+std::string printed_by(const std::string& command) {
+  const Folder folder;
+  const std::string file = (folder.path() / "stdout").string();
+  CHECK(std::system(("( " + command + " ) >" + quoted(file)).c_str()) == 0);
+  return bytes_of(file);
+}
+
+}  // namespace
+
+TEST_CASE("gjkstep render --apng writes an animation of all frames, the last one shown longer") {
+  const Folder folder;
+  const Outcome outcome =
+      run("render figure-5 --apng --frame-time 0.5 --turn 2 --size 64x36 --out " + quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 0);
+  const fs::path own = folder.path() / "figure-5", animation = own / "animation.png";
+  CHECK(listing(own) ==
+        std::vector<std::string>{"000.png", "001.png", "002.png", "animation.png"});  // no views: planar
+  REQUIRE(lines(outcome.out).size() == 4);
+  CHECK(lines(outcome.out)[3].starts_with(animation.string() + "  "));
+  CHECK(render::read_png(animation) == render::read_png(own / "000.png"));
+  const std::string bytes = bytes_of(animation);
+  CHECK(count(bytes, "fcTL") == 3);
+  CHECK(count(bytes, std::string("\x01\xF4\x03\xE8", 4)) == 2);  // 500/1000 s
+  CHECK(count(bytes, std::string("\x03\xE8\x03\xE8", 4)) == 1);  // 1000/1000 s
+}
+
+TEST_CASE("gjkstep render --movie prints a line for ffmpeg for each walkthrough, after the files") {
+  const Folder folder;
+  const fs::path out = folder.path() / "it's 100% mine";
+  const std::string arguments = "render figure-5 figure-4-right --frame-time 0.4 --size 33x35 --theme dark --out ";
+  const std::string shell_out = "'" + folder.path().string() + "/it'\\''s 100% mine";
+  for (const std::string kind : {"mp4", "gif"}) {
+    const Outcome outcome = run(arguments + shell_out + "' --movie " + kind);
+    CHECK(outcome.exit_code == 0);
+    const std::vector<std::string> printed = lines(outcome.out);
+    REQUIRE(printed.size() == 3 + 6 + 2);
+    for (const std::size_t i : {9u, 10u}) {
+      const std::string name = i == 9 ? "figure-5" : "figure-4-right";
+      CHECK(printed[i].starts_with("ffmpeg -y "));
+      CHECK(has(printed[i], " -framerate 1000/400 "));
+      CHECK(has(printed[i], "/it'\\''s 100%% mine/" + name + "/%03d.png'"));
+      CHECK(printed[i].ends_with("/it'\\''s 100% mine/" + name + "/animation." + kind + "'"));
+      CHECK(has(printed[i], kind == "gif" ? "palettegen" : "color=0x16191f"));
+      if (there_is("ffmpeg")) {
+        CHECK(printed_by(printed[i]).empty());
+        CHECK(fs::file_size(out / name / ("animation." + kind)) > 0);
+      }
+    }
+  }
+  if (!there_is("ffmpeg") || !there_is("ffprobe")) return;
+  const std::string probe = "ffprobe -v error -show_entries stream=width,height,pix_fmt:format=duration -of csv=p=0 ";
+  const std::string mp4 = printed_by(probe + shell_out + "/figure-5/animation.mp4'");
+  CHECK(has(mp4, "34,36,yuv420p"));
+  CHECK(has(mp4, "1.6"));  // three frames, the last one twice as long
+  CHECK(has(printed_by(probe + shell_out + "/figure-5/animation.gif'"), "1.6"));
+}
+
+TEST_CASE(
+    "A movie that there is not, a time that is none, a theme or a number of turns that there is not are refused") {
+  for (const char* option : {"--movie avi", "--frame-time 0", "--frame-time 0.01", "--frame-time -1", "--frame-time 61",
+                             "--frame-time nan", "--frame-time inf", "--frame-time two", "--theme blue", "--turn 73",
+                             "--turn -1", "--turn some", "--turn 1.5"}) {
+    const Untouched untouched;
+    const std::string name = std::string(option).substr(0, std::string(option).find(' '));
+    check_failure("render figure-5 " + std::string(option) + untouched.option, 2, {name});
+  }
+}
+
+TEST_CASE("The theme decides the colour of the paper") {
+  const Folder folder;
+  for (const std::string theme : {"report", "slides", "dark"}) {
+    const fs::path out = folder.path() / theme;
+    CHECK(run("render figure-5 --size 64x36 --theme " + theme + " --out " + quoted(out.string())).exit_code == 0);
+    const render::Color paper = theme == "dark" ? render::themes::dark.paper : render::palette::white;
+    CHECK(render::read_png(out / "figure-5" / "000.png").pixel(0, 0) == paper);
+  }
+}
+
+TEST_CASE("gjkstep render --turn adds views of frames in space, and removes those of an earlier run with more") {
+  const auto& all = catalogue();
+  const auto space = std::ranges::find_if(
+      all, [](const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0].dimension == Dimension::space; });
+  if (space == all.end()) return;
+  const Folder folder;
+  const fs::path own = folder.path() / space->name;
+  const std::string command = "render " + space->name + " --size 160x90 --out " + quoted(folder.path().string());
+  const std::size_t frames = tell(*space).frames.size();
+  for (const int turns : {3, 1, 0}) {
+    CHECK(run(command + " --turn " + std::to_string(turns)).exit_code == 0);
+    CHECK(listing(own).size() == frames * static_cast<std::size_t>(1 + turns));
+    for (int turn = 1; turn <= turns; ++turn) {
+      const fs::path view = own / ("000-turn-" + std::to_string(turn) + ".png");
+      REQUIRE(fs::exists(view));
+      CHECK(render::read_png(view) != render::read_png(own / "000.png"));
+    }
+  }
+}
+
 // -- Wrong usage: exit code 2 -----------------------------------------------------------------------------------------
 
 TEST_CASE("Without a command, or with one that there is not, the program says where to find help") {
@@ -240,7 +424,8 @@ TEST_CASE("Without a command, or with one that there is not, the program says wh
   check_failure("rendr figure-5", 2, {"rendr", "--help"});
   check_failure("--bogus", 2, {"--bogus", "--help"});
   check_failure("render --bogus figure-5", 2, {"--bogus", "--help"});
-  check_failure("list more", 2, {"more"});
+  check_failure("list more", 2, {"more", "gjkstep list"});
+  check_failure("list figure-5 figure-4-left", 2, {"figure-4-left"});
 }
 
 TEST_CASE("gjkstep render needs a name, gjkstep trace exactly one") {
