@@ -1,0 +1,219 @@
+/// What does a picture cost? At 1280x720: the start of the OpenGL context, the first frame, then each frame split into
+/// laying out (captions, labels, triangles), drawing, reading back and PNG; and the whole program beside libpng alone for the
+/// same pictures, in time and in memory. Medians; milliseconds.
+///
+///     build/gjkstep-render-bench        all of it, about a minute
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/image.hpp"
+#include "walkthroughs/render_frames.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using walkthroughs::Story;
+using walkthroughs::Walkthrough;
+using Milliseconds = double;
+
+constexpr render::Size size{1280, 720};
+constexpr int repeats = 7;
+
+[[noreturn]] void stop(const char* why) {
+  std::fprintf(stderr, "gjkstep-render-bench: %s\n", why);
+  std::exit(1);
+}
+
+Milliseconds now() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+double median_of_repeats(const std::function<double()>& measure) {
+  std::vector<double> values;
+  for (int i = 0; i < repeats; ++i) values.push_back(measure());
+  return median(values);
+}
+
+/// A folder that goes with everything in it.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("gjkstep-render-bench-" + std::to_string(getpid()));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+};
+
+// -- One frame --------------------------------------------------------------------------------------------------------
+
+/// Milliseconds for one frame.
+struct Cost {
+  Milliseconds layout = 0, draw = 0, read_back = 0, png = 0;
+};
+
+Cost cost_of(const Story& story, std::size_t index, walkthroughs::Studio& studio) {
+  const walkthroughs::Look look;
+  const Milliseconds start = now();
+  render::Canvas canvas(size, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
+  walkthroughs::draw_frame(canvas, story, index, look);
+  const Milliseconds laid_out = now();
+  studio.rasterizer.finish_drawing(canvas);
+  const Milliseconds drawn = now();
+  const render::Image image = studio.rasterizer.read_back();
+  const Milliseconds read = now();
+  render::encode_png(image, {});
+  return {laid_out - start, drawn - laid_out, read - drawn, now() - read};
+}
+
+void print_frames(const Walkthrough& walkthrough, walkthroughs::Studio& studio) {
+  const Story story = walkthroughs::tell(walkthrough);
+  std::vector<Cost> costs;
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    for (std::size_t i = 0; i < story.frames.size(); ++i) costs.push_back(cost_of(story, i, studio));
+  const auto middle = [&](Milliseconds Cost::*part) {
+    std::vector<double> values;
+    for (const Cost& cost : costs) values.push_back(cost.*part);
+    return median(values);
+  };
+  std::printf("%-28s %8zu %8.2f %8.2f %10.2f %8.2f\n", walkthrough.name.c_str(), story.frames.size(),
+              middle(&Cost::layout), middle(&Cost::draw), middle(&Cost::read_back), middle(&Cost::png));
+}
+
+/// Returns: the first walkthrough in space, or null.
+const Walkthrough* in_space() {
+  for (const Walkthrough& w : walkthroughs::catalogue())
+    for (const walkthroughs::Scene& scene : w.scenes)
+      if (scene.dimension == walkthroughs::Dimension::space) return &w;
+  return nullptr;
+}
+
+// -- The start --------------------------------------------------------------------------------------------------------
+
+/// Prints two numbers: the start of the context, and the first frame. Mesa starts once in a process: so this is one.
+void print_start() {
+  const Milliseconds start = now();
+  walkthroughs::Studio studio;
+  const Milliseconds started = now();
+  const Story story = walkthroughs::tell(*walkthroughs::find_walkthrough("figure-4-left"));
+  const Cost cost = cost_of(story, 0, studio);
+  std::printf("%f %f\n", started - start, cost.layout + cost.draw + cost.read_back);
+}
+
+void print_starts(const std::string& program) {
+  std::vector<double> contexts, frames;
+  for (int i = 0; i < repeats; ++i) {
+    double context = 0, frame = 0;
+    std::FILE* const child = popen(("'" + program + "' --start").c_str(), "r");
+    if (child == nullptr || std::fscanf(child, "%lf %lf", &context, &frame) != 2) stop("cannot run itself");
+    pclose(child);
+    contexts.push_back(context);
+    frames.push_back(frame);
+  }
+  std::printf("context start %.1f ms, first frame %.1f ms\n\n", median(contexts), median(frames));
+}
+
+// -- The whole program ------------------------------------------------------------------------------------------------
+
+struct Run {
+  Milliseconds time, processor_time;
+  double megabytes;  ///< the most memory that it had
+};
+
+/// Runs gjkstep with these arguments, its output thrown away.
+Run run(const std::vector<std::string>& arguments) {
+  std::fflush(stdout);  // or the child would print it again
+  const Milliseconds start = now();
+  const pid_t child = fork();
+  if (child == 0) {
+    std::vector<char*> words = {const_cast<char*>(GJKSTEP_PROGRAM)};
+    for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    if (std::freopen("/dev/null", "w", stdout) != nullptr) execv(GJKSTEP_PROGRAM, words.data());
+    _exit(1);
+  }
+  int status = 0;
+  rusage usage{};
+  if (wait4(child, &status, 0, &usage) != child || status != 0) stop("cannot run " GJKSTEP_PROGRAM);
+  const auto milliseconds = [](timeval time) {
+    return 1e3 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e3;
+  };
+  return {now() - start, milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime),
+          static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+/// Returns: every picture below `folder`.
+std::vector<render::Image> pictures(const fs::path& folder) {
+  std::vector<render::Image> images;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) images.push_back(render::read_png(entry.path()));
+  return images;
+}
+
+Milliseconds libpng_alone(const std::vector<render::Image>& images) {
+  const Milliseconds start = now();
+  for (const render::Image& image : images) render::encode_png(image, {});
+  return now() - start;
+}
+
+void print_program() {
+  const Folder folder;
+  const std::vector<std::string> all = {"render", "--all", "--out", folder.path.string()};
+  run(all);
+  const std::vector<render::Image> images = pictures(folder.path);
+  // One after the other, so that other work on the machine slows both alike.
+  std::vector<double> programs, processor, libpngs, ratios;
+  for (int i = 0; i < repeats; ++i) {
+    libpngs.push_back(libpng_alone(images));
+    const Run whole = run(all);
+    programs.push_back(whole.time);
+    processor.push_back(whole.processor_time);
+    ratios.push_back(whole.time / libpngs.back());
+  }
+  std::printf(
+      "\nrender --all: %zu pictures, %.0f ms (of two processors together %.0f ms); libpng alone %.0f ms; ratio %.2f\n",
+      images.size(), median(programs), median(processor), median(libpngs), median(ratios));
+}
+
+/// Linux counts for a child what its parent had when it was started: so this comes before anything is drawn here.
+void print_memory() {
+  const Folder folder;
+  const auto memory = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--out", folder.path.string()});
+    return median_of_repeats([&] { return run(arguments).megabytes; });
+  };
+  std::printf("peak memory: %.0f MB for 3 pictures, %.0f MB for all\n\n", memory({"render", "figure-5"}),
+              memory({"render", "--all"}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "--start") {
+    print_start();
+    return 0;
+  }
+  print_memory();
+  print_starts(argv[0]);
+  std::printf("%-28s %8s %8s %8s %10s %8s\n", "ms per frame", "frames", "layout", "draw", "read back", "PNG");
+  {
+    walkthroughs::Studio studio;
+    print_frames(*walkthroughs::find_walkthrough("figure-4-left"), studio);
+    if (const Walkthrough* const w = in_space()) print_frames(*w, studio);
+  }
+  std::fflush(stdout);
+  print_program();
+}
