@@ -4,6 +4,18 @@
 #include "walkthroughs/walkthrough.hpp"
 
 namespace walkthroughs {
+namespace {
+
+std::vector<Walkthrough> all_walkthroughs() {
+  std::vector<Walkthrough> all = {figure_4_left(), figure_4_right(), figure_4_right_no_crossing_test(), figure_5()};
+  for (const auto& regions :
+       {regions_of_0_simplex(), regions_of_1_simplex(), regions_of_2_simplex(), regions_of_3_simplex()})
+    all.insert(all.end(), regions.begin(), regions.end());
+  return all;
+}
+
+}  // namespace
+
 const std::vector<Walkthrough>& catalogue() {
   static const std::vector<Walkthrough> all = [] {
     std::vector<Walkthrough> list = {figure_1(),
