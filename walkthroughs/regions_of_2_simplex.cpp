@@ -85,10 +85,10 @@ std::vector<RegionRow> impossible() {
   return {
       {.name = "r2-cannot-happen",
        .title = "the origin cannot lie in R2",
-       .summary = "R2 lies beyond A: the move to A would not have crossed the origin, and the search would have ended",
+       .summary = "R2 lies beyond A: where the origin lies there, the crossing test has ended the search",
        .text = "R2: beyond A; skipped, because the move to A crossed the origin",
-       .scene = in_the_plane(polygon("triangle", {{-2, -1}, {-2, -3}, {1, -3}}),
-                             polygon("triangle", {{-2, 0}, {2, 2}, {-1, 4}})),
+       .scene = in_the_plane(polygon("first triangle", {{-2, -1}, {-2, -3}, {1, -3}}),
+                             polygon("second triangle", {{-2, 0}, {2, 2}, {-1, 4}})),
        .remarks = {{At::end, 3,
                     "were P added as A, the origin would lie in R2: the crossing test has ended the search before"}}},
       {.name = "r4-cannot-happen",

@@ -132,19 +132,18 @@ std::vector<RegionRow> inside_and_boundaries() {
 }
 
 std::vector<RegionRow> impossible() {
-  return {
-      {.name = "skipped-features",
-       .title = "eight features need no test",
-       .summary = "the search has left B, C, D, BC, CD, DB and BCD behind, and has crossed the origin on its way to A",
-       .text = "B, C, D, BC, CD, DB, BCD and A; skipped, because the search left BCD and crossed the origin",
-       .scene = in_space(polyhedron("triangle", {{1, 1, 1}, {-1, -3, 2}, {-1, -2, -2}}),
-                         polyhedron("tetrahedron", {{0, 3, -1}, {0, -2, 0}, {2, 3, 2}, {-2, 2, 2}})),
-       .remarks = {{At::direction_chosen, 3, "it leaves the whole triangle behind, with its corners and edges"},
-                   {At::region_tested, 4, "seven features of BCD and the corner A are not even looked at", "ABC"},
-                   {At::region_tested, 4,
-                    "the same results would come from beyond BCD, but the search left BCD on the "
-                    "other side",
-                    "ABCD"}}}};
+  return {{.name = "skipped-features",
+           .title = "eight features need no test",
+           .summary = "B, C, D, BC, CD, DB and BCD are left behind, A is ruled out by the crossing test",
+           .text = "B, C, D, BC, CD, DB, BCD and A; skipped, because the search left BCD and crossed the origin",
+           .scene = in_space(polyhedron("triangle", {{1, 1, 1}, {-1, -3, 2}, {-1, -2, -2}}),
+                             polyhedron("tetrahedron", {{0, 3, -1}, {0, -2, 0}, {2, 3, 2}, {-2, 2, 2}})),
+           .remarks = {{At::direction_chosen, 3, "it leaves the whole triangle behind, with its corners and edges"},
+                       {At::region_tested, 4, "seven features of BCD and the corner A are not even looked at", "ABC"},
+                       {At::region_tested, 4,
+                        "the same results would come from beyond BCD, but the search left BCD on the "
+                        "other side",
+                        "ABCD"}}}};
 }
 
 }  // namespace
