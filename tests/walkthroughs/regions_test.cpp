@@ -108,12 +108,15 @@ ExactVecs corners(const Iteration& at, const std::string& roles) {
 
 bool is_origin(const ExactVec& v) { return v == ExactVec(ExactVec::Zero()); }
 
-/// Returns: whether the origin lies on the line, plane or space through `points`, with coordinates of these signs.
+/// Returns: whether the origin lies on the line, in the plane or in the space through `points`.
 bool in_span(const ExactVecs& points) { return is_origin(gjk::test::toward_origin(points)); }
+
+/// Returns: whether the origin, seen straight down, lies within the segment, triangle or tetrahedron, off its borders.
 bool all_positive(const ExactVecs& points) {
   const auto coordinates = gjk::test::coordinates_of_origin(points);
   return std::ranges::all_of(coordinates, [](const Rational& c) { return c > 0; });
 }
+
 bool strictly_inside(const ExactVecs& points) { return in_span(points) && all_positive(points); }
 
 /// Returns: the coordinate of `points[i]`: negative where the origin, seen straight down, lies beyond the feature opposite.
@@ -150,7 +153,7 @@ bool sees_origin(const Iteration& at, const std::string& roles, char off) {
 
 // -- The claims -------------------------------------------------------------------------------------------------------
 
-bool only_skips(const Run& run) {
+bool never_looks_at_R2(const Run& run) {
   return std::ranges::none_of(run.iterations, [](const Iteration& i) {
     return std::ranges::any_of(i.regions,
                                [](const auto& r) { return r.label == "R2" && r.verdict != Verdict::skipped; });
@@ -280,7 +283,7 @@ const std::map<std::string, Claim>& claims() {
       {"1-simplex-r2-cannot-happen",
        {2, no,
         [](const Run& r) {
-          return ended_by_crossing_test(r, 2) && only_skips(r) &&
+          return ended_by_crossing_test(r, 2) && never_looks_at_R2(r) &&
                  region_of_figure_6(exact(r.at(2).support.vertex.w), vertex(r.at(1), Role::A)) == "R2";
         }}},
       {"2-simplex-r3", {4, yes, [](const Run& r) { return edge_of_2_simplex(r, "R3", "AB"); }}},
@@ -318,7 +321,7 @@ const std::map<std::string, Claim>& claims() {
        {3, no,
         [](const Run& r) {
           const Iteration& before = r.at(2);
-          return ended_by_crossing_test(r, 3) && only_skips(r) &&
+          return ended_by_crossing_test(r, 3) && never_looks_at_R2(r) &&
                  region_of_figure_7(
                      {exact(r.at(3).support.vertex.w), vertex(before, Role::A), vertex(before, Role::B)}) == "R2";
         }}},
