@@ -546,7 +546,7 @@ TEST_CASE("Walkthroughs of regions have small integers and two names and the def
       for (const Point& p : vertices_of(*object))
         for (const double x : {p.x(), p.y(), p.z()}) {
           CHECK(x == std::round(x));
-          CHECK(std::abs(x) <= 6);
+          CHECK(std::abs(x) <= 5);
         }
     CHECK(scene.options.first_direction == Point(1, 0, 0));
     CHECK(scene.options.crossing_test == gjk::CrossingTest::on);
