@@ -7,35 +7,28 @@ namespace walkthroughs {
 namespace {
 
 std::vector<Walkthrough> all_walkthroughs() {
-  std::vector<Walkthrough> all = {figure_4_left(), figure_4_right(), figure_4_right_no_crossing_test(), figure_5()};
-  for (const auto& regions :
-       {regions_of_0_simplex(), regions_of_1_simplex(), regions_of_2_simplex(), regions_of_3_simplex()})
-    all.insert(all.end(), regions.begin(), regions.end());
+  std::vector<Walkthrough> all = {figure_1(),
+                                  figure_2(),
+                                  figure_3(),
+                                  figure_4(),
+                                  figure_4_left(),
+                                  figure_4_right(),
+                                  figure_4_right_no_crossing_test(),
+                                  figure_5(),
+                                  figure_6(),
+                                  figure_7(),
+                                  figure_8()};
+  for (const auto& folder : {regions_of_0_simplex(), regions_of_1_simplex(), regions_of_2_simplex(),
+                             regions_of_3_simplex(), vehicle_and_threat()})
+    all.insert(all.end(), folder.begin(), folder.end());
+  for (const Walkthrough& each : {cycle_separated(), cycle_intersecting(), as_printed_spheres()}) all.push_back(each);
   return all;
 }
 
 }  // namespace
 
 const std::vector<Walkthrough>& catalogue() {
-  static const std::vector<Walkthrough> all = [] {
-    std::vector<Walkthrough> list = {figure_1(),
-                                     figure_2(),
-                                     figure_3(),
-                                     figure_4(),
-                                     figure_4_left(),
-                                     figure_4_right(),
-                                     figure_4_right_no_crossing_test(),
-                                     figure_5(),
-                                     figure_6(),
-                                     figure_7(),
-                                     figure_8()};
-    const auto append = [&](std::vector<Walkthrough> more) {
-      for (Walkthrough& each : more) list.push_back(std::move(each));
-    };
-    append(vehicle_and_threat());
-    append({cycle_separated(), cycle_intersecting(), as_printed_spheres()});
-    return list;
-  }();
+  static const std::vector<Walkthrough> all = all_walkthroughs();
   return all;
 }
 
