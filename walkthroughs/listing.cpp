@@ -28,8 +28,8 @@ using Row = std::array<std::string, 5>;
 
 std::string how_it_ends(const Story& story) {
   std::string ends;
-  for (const Trace& trace : story.traces)
-    if (const auto* end = std::get_if<gjk::Finished<double>>(&trace.events.back()))
+  for (const Telling& telling : story.tellings)
+    if (const auto* end = std::get_if<gjk::Finished<double>>(&telling.trace.events.back()))
       ends += (ends.empty() ? "" : ", ") + std::string(to_string(end->result.status));
   return ends.empty() ? "-" : ends;
 }
