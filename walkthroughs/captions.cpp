@@ -129,7 +129,12 @@ class Captions {
   void add_remark(Frame& frame, Remark::At at, int iteration, const gjk::RegionTested<double>* region = nullptr) const {
     for (const Remark& remark : walkthrough_.remarks)
       if (remark.at == at && remark.iteration == iteration && (!region || is_about(remark, *region)))
-        frame.caption.replace(frame.caption.size() - 1, 1, "; " + remark.text + ".");
+        frame.caption.replace(frame.caption.size() - 1, 1, "; " + in_letters(remark.text) + ".");
+  }
+
+  /// Remarks are written in the letters of the picture already; where these are roles, normals get their subscript.
+  std::string in_letters(const std::string& text) const {
+    return walkthrough_.naming == Naming::roles ? names_.translate(text) : text;
   }
 
   static bool is_about(const Remark& remark, const gjk::RegionTested<double>& region) {

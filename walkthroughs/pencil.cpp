@@ -11,7 +11,7 @@ using render::Vec2;
 
 constexpr double page_diagonal = 1500;   // page units: longer than any panel
 constexpr double patch_half_side = 110;  // page units
-constexpr double triad_length = 30, triad_margin = 44;
+constexpr double triad_length = 30, triad_margin = 44, least_named_axis = 0.3;
 
 /// Returns: two unit vectors that span the plane across `d`, the first level where possible.
 std::pair<Point, Point> span_across(const Point& d) {
@@ -108,7 +108,8 @@ void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
   for (int axis = 0; axis < 3; ++axis) {
     const Vec2 picture = (*lens_.camera)(Point::Unit(axis)), along(picture.x(), -picture.y());
     canvas.arrow(start, start + along * triad_length, {style_.theme.grey, 2});
-    canvas.text(start + along * triad_length + along.stableNormalized() * 9 + Vec2(0, 5), names[axis], text);
+    if (along.norm() > least_named_axis)
+      canvas.text(start + along * triad_length + along.stableNormalized() * 9 + Vec2(0, 5), names[axis], text);
   }
 }
 

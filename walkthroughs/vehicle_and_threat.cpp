@@ -48,9 +48,9 @@ std::vector<Walkthrough> vehicle_and_threat() {
           about("vehicle-near-miss", "A threat misses the vehicle", "the same, the cylinder flying higher",
                 threat({3.2, 0.9, 2.1}), vehicle()),
           about("counter-munition-hit", "The counter-munition hits the threat",
-                "a cylinder and a sphere that intersect", threat({3.2, 0.9, 2.1}), counter_munition({4.2, 1.5, 2.9})),
+                "a cylinder and a sphere that intersect", threat({3.2, 0.9, 2.1}), counter_munition({3.8, 1.3, 2.9})),
           about("counter-munition-near-miss", "The counter-munition misses the threat",
-                "the same, the sphere a little late", threat({3.2, 0.9, 2.1}), counter_munition({4.6, 1.6, 3.3}))};
+                "the same, the sphere a little to the side", threat({3.2, 0.9, 2.1}), counter_munition({3.2, 1.3, 2.9}))};
 }
 
 }  // namespace walkthroughs
