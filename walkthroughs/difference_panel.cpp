@@ -34,6 +34,11 @@ KeyEntry far_side(const Style& style) {
           }};
 }
 
+Stroke solid(Stroke stroke) {
+  stroke.dash = {};
+  return stroke;
+}
+
 // -- The picture ------------------------------------------------------------------------------------------------------
 
 /// What both pictures of a difference set share.
@@ -177,11 +182,6 @@ class DifferencePicture {
         pencil_.line(corners[i], corners[j], pencil_.in_space() ? solid(style_.simplex) : style_.simplex);
   }
 
-  static Stroke solid(Stroke stroke) {
-    stroke.dash = {};
-    return stroke;
-  }
-
   /// Returns: the foot of w on the line through the origin along d. The sign of w·d tells on which side of the origin.
   Point projection() const {
     const Point unit = now_.direction->value.stableNormalized();
@@ -256,7 +256,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
   draw_panel_title(canvas, place.frame, place.title,
-                   {ringed_point(style), dashes("simplex", style.simplex),
+                   {ringed_point(style), dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
                     looking ? far_side(style) : dashes("earlier", style.former)},
                    style);
   if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
