@@ -81,12 +81,12 @@ TEST_CASE("Each frame of Figure 5 shows both sets at the same stage of the same 
     REQUIRE(frame.moments.size() == 2);
     for (std::size_t s = 0; s < 2; ++s) {
       const Moment& now = frame.moments[s];
-      CHECK(story.hulls[s].name(now.simplex.point(gjk::Role::A)) == "A");
+      CHECK(story.tellings[s].hull.name(now.simplex.point(gjk::Role::A)) == "A");
       CHECK(now.simplex.size() == 1);
       CHECK(now.direction->value == -now.simplex.point(gjk::Role::A));
       CHECK(now.found.has_value() == (frame.focus != Focus::direction));
       CHECK((now.crossing && now.crossing->value) == (frame.focus == Focus::crossing));
-      if (now.found) CHECK(story.hulls[s].name(now.found->w) == "E");
+      if (now.found) CHECK(story.tellings[s].hull.name(now.found->w) == "E");
     }
   }
 }

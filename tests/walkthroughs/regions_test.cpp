@@ -569,6 +569,7 @@ TEST_CASE("Each remark in a walkthrough of a region is about something that happ
       };
       switch (remark.at) {
         case At::support_found: break;
+        case At::crossing_tested: CHECK(at.crossing.value.has_value()); break;
         case At::region_tested: CHECK(std::ranges::count_if(at.regions, about) == 1); break;
         case At::reduced: CHECK(at.reduction.has_value()); break;
         case At::direction_chosen: CHECK(at.direction.has_value()); break;

@@ -5,11 +5,15 @@
 
 namespace walkthroughs::test {
 
-/// Returns: what a picture of this event would be about; nothing where it does not change the picture.
-inline std::optional<Focus> focus_of(const gjk::Event<double>& event) {
+/// Returns: what a picture of this event would be about; nothing where it does not change the picture. That a vertex was
+/// added changes it where letters are roles, which then move on.
+inline std::optional<Focus> focus_of(const gjk::Event<double>& event, Naming naming) {
   struct {
+    Naming naming;
     std::optional<Focus> operator()(const gjk::SearchStarted<double>&) { return {}; }
-    std::optional<Focus> operator()(const gjk::VertexAdded<double>&) { return {}; }
+    std::optional<Focus> operator()(const gjk::VertexAdded<double>& e) {
+      return naming == Naming::roles && e.simplex.size() > 1 ? std::optional(Focus::added) : std::nullopt;
+    }
     std::optional<Focus> operator()(const gjk::SupportFound<double>&) { return Focus::support; }
     std::optional<Focus> operator()(const gjk::CrossingTested<double>& e) {
       return e.verdict == gjk::Crossing::crossed || e.verdict == gjk::Crossing::not_crossed
@@ -22,11 +26,11 @@ inline std::optional<Focus> focus_of(const gjk::Event<double>& event) {
     std::optional<Focus> operator()(const gjk::SimplexReduced<double>&) { return Focus::reduction; }
     std::optional<Focus> operator()(const gjk::DirectionChosen<double>&) { return Focus::direction; }
     std::optional<Focus> operator()(const gjk::Finished<double>&) { return Focus::end; }
-  } which;
+  } which{naming};
   return std::visit(which, event);
 }
 
-/// The walkthroughs that tell one search from beginning to end.
+/// The walkthroughs that tell one search from beginning to end, in letters of corners and of roles.
 inline std::vector<Story> whole_searches() {
   std::vector<Story> stories;
   for (const Walkthrough& w : catalogue())
@@ -34,10 +38,47 @@ inline std::vector<Story> whole_searches() {
   return stories;
 }
 
-/// Returns: the events that have a frame, in order.
-inline std::vector<gjk::Event<double>> shown(const Trace& trace) {
+/// A direction chosen with which a search is where it was before: the same vertices in the same order, the same direction.
+struct Return {
+  std::size_t event;  ///< its place in the trace
+  int to_iteration;   ///< the first that ended there
+};
+
+/// Returns: the first such event of a trace, looked for in the events alone; nothing where there is none.
+inline std::optional<Return> first_return(const Trace& trace) {
+  std::vector<std::pair<std::vector<Point>, int>> states;
+  std::vector<Point> simplex;
+  const auto take = [&](const Simplex& s) {
+    simplex.clear();
+    for (int i = 0; i < s.size(); ++i) simplex.push_back(s[i].w);
+  };
+  for (std::size_t i = 0; i < trace.events.size(); ++i) {
+    if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&trace.events[i])) take(e->simplex);
+    if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&trace.events[i])) take(e->after);
+    const auto* chosen = std::get_if<gjk::DirectionChosen<double>>(&trace.events[i]);
+    if (!chosen) continue;
+    std::vector<Point> state = simplex;
+    state.push_back(chosen->direction);
+    for (const auto& [earlier, iteration] : states)
+      if (earlier == state) return Return{i, iteration};
+    states.emplace_back(std::move(state), chosen->iteration);
+  }
+  return std::nullopt;
+}
+
+/// Returns: the events that a story of one search tells: all, but for what lies between a return and the end.
+inline std::vector<gjk::Event<double>> told_events(const Story& story) {
+  std::vector<gjk::Event<double>> events = story.tellings.at(0).trace.events;
+  if (const auto back = first_return(story.tellings[0].trace))
+    events.erase(events.begin() + static_cast<std::ptrdiff_t>(back->event) + 1, events.end() - 1);
+  return events;
+}
+
+/// Returns: those of them that have a frame, in order.
+inline std::vector<gjk::Event<double>> shown(const Story& story) {
   std::vector<gjk::Event<double>> events;
-  std::ranges::copy_if(trace.events, std::back_inserter(events), [](const auto& e) { return focus_of(e).has_value(); });
+  for (const auto& event : told_events(story))
+    if (focus_of(event, story.walkthrough.naming)) events.push_back(event);
   return events;
 }
 

@@ -12,8 +12,8 @@ TEST_CASE("A walkthrough has one frame for each event that changes the picture, 
   for (const Story& story : whole_searches()) {
     INFO(story.walkthrough.name);
     std::vector<Focus> expected, told;
-    for (const auto& event : story.traces[0].events)
-      if (const auto focus = focus_of(event)) expected.push_back(*focus);
+    for (const auto& event : shown(story)) expected.push_back(focus_of(event, story.walkthrough.naming).value());
+    if (first_return(story.tellings[0].trace)) expected.at(expected.size() - 2) = Focus::repetition;
     for (const Frame& f : story.frames) told.push_back(f.focus);
     CHECK(told == expected);
   }
@@ -27,7 +27,7 @@ TEST_CASE("The numbers of frames are those that were looked at") {
 
 TEST_CASE("The moment of a frame is the one after its event") {
   for (const Story& story : whole_searches()) {
-    const auto events = shown(story.traces[0]);
+    const auto events = shown(story);
     REQUIRE(events.size() == story.frames.size());
     for (std::size_t i = 0; i < events.size(); ++i) {
       REQUIRE(story.frames[i].moments.size() == 1);
@@ -36,6 +36,8 @@ TEST_CASE("The moment of a frame is the one after its event") {
       CHECK(now.result.has_value() == (story.frames[i].focus == Focus::end));
       if (const auto* e = std::get_if<gjk::SupportFound<double>>(&events[i])) CHECK(now.found->w == e->vertex.w);
       if (const auto* e = std::get_if<gjk::CrossingTested<double>>(&events[i])) CHECK(now.crossing->value == e->value);
+      if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&events[i]))
+        CHECK((now.added && now.processed.size() == e->simplex.size()));
       if (const auto* e = std::get_if<gjk::RegionTested<double>>(&events[i]))
         CHECK(now.regions.back().feature == e->feature);
       if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&events[i]))
@@ -68,7 +70,7 @@ TEST_CASE("The frames of a search cover its events without a gap, whatever the d
         CHECK(f.events.at(0).last >= f.events.at(0).first);
         next = f.events.at(0).last + 1;
       }
-      CHECK(next == story.traces[0].events.size());
+      CHECK(next == story.tellings[0].trace.events.size());
     }
   }
 }
