@@ -26,7 +26,9 @@ void after_each(Check check) {
   }
 }
 
-const std::vector<CodeLine>& code_of(const Moment& now, Focus focus) { return algorithm(running_algorithm(now, focus)); }
+const std::vector<CodeLine>& code_of(const Moment& now, Focus focus) {
+  return algorithm(running_algorithm(now, focus));
+}
 
 /// Returns: the line where the search is. Fails where there is none.
 CodeLine line_at(const Moment& now, Focus focus) {
@@ -89,12 +91,10 @@ TEST_CASE("The line after the tests says which direction is chosen") {
 }
 
 TEST_CASE("Algorithm 1 is at its support function, its crossing test and its end when the search is there") {
-  after_each<gjk::SupportFound>([](const auto&, const Moment& now) {
-    CHECK(line_at(now, Focus::support).kind == LineKind::support);
-  });
-  after_each<gjk::CrossingTested>([](const auto&, const Moment& now) {
-    CHECK(line_at(now, Focus::crossing).kind == LineKind::crossing);
-  });
+  after_each<gjk::SupportFound>(
+      [](const auto&, const Moment& now) { CHECK(line_at(now, Focus::support).kind == LineKind::support); });
+  after_each<gjk::CrossingTested>(
+      [](const auto&, const Moment& now) { CHECK(line_at(now, Focus::crossing).kind == LineKind::crossing); });
   after_each<gjk::Finished>([](const gjk::Finished<double>& event, const Moment& now) {
     const LineKind kind = line_at(now, Focus::end).kind;
     CHECK((kind == LineKind::contained) == (event.result.status == gjk::Status::intersecting));

@@ -14,7 +14,8 @@ using Polygon = std::vector<Vec2>;
 namespace {
 
 constexpr double half_side = 10;
-const Polygon clip = {{-half_side, -half_side}, {half_side, -half_side}, {half_side, half_side}, {-half_side, half_side}};
+const Polygon clip = {
+    {-half_side, -half_side}, {half_side, -half_side}, {half_side, half_side}, {-half_side, half_side}};
 
 class Random {
  public:
