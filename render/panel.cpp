@@ -11,16 +11,18 @@ namespace render {
 namespace {
 
 // Page units.
-constexpr double frame_margin = 4;                         // between a label and the frame
-constexpr double line_clearance = 4;                       // between a label and an obstacle
-constexpr double label_clearance = 16;                     // between two labels
-constexpr std::array spreads = {1.0, 1.6, 2.6, 4.0, 5.5};  // multiples of a label's gap, in the order they are tried
-constexpr std::array area_clearances = {8.0, 12.0};  // between the name of an area and obstacles, if there is room
-constexpr double area_pitch = 8;                     // between the places tried for it
+constexpr double frame_margin = 4;     // between a label and the frame
+constexpr double line_clearance = 4;   // between a label and an obstacle
+constexpr double label_clearance = 6;  // between two labels, at least
+constexpr double label_comfort = 16;   // between two labels, if there is room
+constexpr std::array spreads = {1.0, 1.3, 1.6, 2.0, 2.6,
+                                3.2, 4.0, 4.7, 5.5};  // multiples of a label's gap, in the order tried
+constexpr std::array area_clearances = {8.0, 12.0};   // between the name of an area and obstacles, if there is room
+constexpr double area_pitch = 3;                      // between the places tried for it
 constexpr double min_grid_spacing = 3;
 constexpr double beside_area_gap = 8;  // between the middle of an area and its name outside
 
-constexpr int directions = 16;
+constexpr int directions = 32;
 constexpr int circle_sides = 16;
 
 // Costs of a place for a label, least is best. A cut-off label is worse than one across another, that is worse than one
@@ -28,11 +30,12 @@ constexpr int circle_sides = 16;
 constexpr double cost_outside = 1e6;
 constexpr double cost_label = 1e4;
 constexpr double cost_obstacle = 1e2;
-constexpr double cost_near = 10;  // for the name of an area: less than any overlap
-constexpr double cost_gap = 3;
-constexpr double cost_turn = 1;
+constexpr double cost_near_label = 30;  // within its comfort: rather that than across a line
+constexpr double cost_near = 10;        // for the name of an area: less than any overlap
+constexpr double cost_gap = 1.5;
+constexpr double cost_turn = 0.5;
 
-/// Returns how many steps of 1/16 turn direction number `attempt` is away from the wanted one: 0, 1, -1, 2, -2, ...
+/// Returns how many steps of 1/32 turn direction number `attempt` is away from the wanted one: 0, 1, -1, 2, -2, ...
 constexpr int turns_of(int attempt) { return attempt % 2 == 1 ? (attempt + 1) / 2 : -attempt / 2; }
 
 Vec2 rotated(const Vec2& v, double angle) {
@@ -312,7 +315,10 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
 double Panel::cost_of(const Box& box, std::span<const Box> taken) const {
   double cost = contains(frame_.grown(-frame_margin), box) ? 0 : cost_outside;
   for (const Box& other : taken) {
-    if (box.grown(label_clearance).overlaps(other)) cost += cost_label;
+    if (box.grown(label_clearance).overlaps(other))
+      cost += cost_label;
+    else if (box.grown(label_comfort).overlaps(other))
+      cost += cost_near_label;
   }
   return cost + cost_obstacle * obstacles_near(box, line_clearance);
 }
