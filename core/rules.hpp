@@ -308,7 +308,8 @@ struct AsIntended {
     if (v == S(0)) return {simplex, std::nullopt};
     if (v > S(0)) return keep_all(simplex, ABCn, "ABCn", tell);
     return keep(simplex, {Role::C, Role::A, Role::B},
-                "A and B change places, so that BC×BD will point to the next vertex", Vec3<S>(-ABCn), "−ABCn", tell);
+                "A and B change places, so that the triangle's normal will point to the next vertex", Vec3<S>(-ABCn),
+                "−ABCn", tell);
   }
 
   /// The origin lies above the face APQ, whose outward normal is APQn = AP×AQ. The vertex off the face is dropped.
@@ -321,8 +322,8 @@ struct AsIntended {
     const Vec3<S> AQn = APQn.cross(AQ), APn = AP.cross(APQn);
     if (sees_origin(AQn, simplex, face.edge_AQ, tell)) return keep_edge(simplex, face.Q, tell);
     if (sees_origin(APn, simplex, face.edge_AP, tell)) return keep_edge(simplex, face.P, tell);
-    return keep(simplex, {face.Q, face.P, Role::A}, "in this order BC×BD will point to the next vertex", APQn,
-                face.words.normal, tell);
+    return keep(simplex, {face.Q, face.P, Role::A}, "in this order the face's normal will point to the next vertex",
+                APQn, face.words.normal, tell);
   }
 };
 
