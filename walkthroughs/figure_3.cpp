@@ -140,11 +140,12 @@ std::vector<Diagram> figure_3_diagrams() {
   const std::string any = "; any point of that side would do";
   const std::string choices = "the report also names (0, −1) and (0, 1), against its own x = −1 and x = 1";
   return {
-      frame(example, Step::sets, "Two triangles C and D. What is the farthest point of Mdiff(C, D) along +x?",
+      frame(example, Step::sets, "Of two triangles C and D, the point of Mdiff(C, D) farthest along +x is looked for.",
             {"Mdiff(C, D): the differences X − Y of all points X of C and Y of D (Eq. 4)"},
             "Left, triangle C on one side of the origin O and triangle D on the other, each with an upright side "
             "facing the origin. Right, an empty plane with the origin, for their difference."),
-      frame(example, Step::supports, "w = support(C, +x) − support(D, −x) (Eq. 8) needs no other point of Mdiff.",
+      frame(example, Step::supports,
+            "The point w = support(C, +x) − support(D, −x) needs no other point of Mdiff (Eq. 8).",
             {"support(C, +x) = " + in_plane(c) + ", on the line x = " + number(c.x()) + any,
              "support(D, −x) = " + in_plane(d) + ", on the line x = " + number(d.x()) + any, choices},
             "The upright side of C lies on the dashed line x = -1, that of D on x = 1. One end of each is filled: the "
