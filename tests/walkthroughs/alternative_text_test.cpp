@@ -18,7 +18,8 @@ TEST_CASE("Alternative text says what the panels show and what was decided") {
         "The move to E crossed the origin, so the search goes on.\n"
         "The difference of a triangle and a quadrilateral has the corners A (3.75, 3.25), B (2, 3.75), C (−0.75, 4), "
         "D (−2.5, 3), E (−2.25, 1.25), F (0, −1), G (3.5, −0.5). The simplex, oldest first, is [A]. The search "
-        "direction d is (−3.75, −3.25). The support points are a (−1.25, 1.25) and b (1, 0); a minus b is E.\n"
+        "direction d is (−3.75, −3.25). The support points are a (−1.25, 1.25) and b (1, 0); a minus b is E (−2.25, "
+        "1.25).\n"
         "True: E·d = 4.375 > 0: the origin was crossed.");
 }
 

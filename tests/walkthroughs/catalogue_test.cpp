@@ -18,24 +18,12 @@ TEST_CASE("The catalogue has the figures in the order of the report, then the re
   std::vector<std::string> outside_of_folders = names();
   std::erase_if(outside_of_folders, [](const std::string& name) { return name.starts_with("regions/"); });
   CHECK(outside_of_folders ==
-        std::vector<std::string>{"figure-1",
-                                 "figure-2",
-                                 "figure-3",
-                                 "figure-4",
-                                 "figure-4-left",
-                                 "figure-4-right",
-                                 "figure-4-right-no-crossing-test",
-                                 "figure-5",
-                                 "figure-6",
-                                 "figure-7",
-                                 "figure-8",
-                                 "vehicle-and-threat/vehicle-hit",
-                                 "vehicle-and-threat/vehicle-near-miss",
+        std::vector<std::string>{"figure-1", "figure-2", "figure-3", "figure-4", "figure-4-left", "figure-4-right",
+                                 "figure-4-right-no-crossing-test", "figure-5", "figure-6", "figure-7", "figure-8",
+                                 "vehicle-and-threat/vehicle-hit", "vehicle-and-threat/vehicle-near-miss",
                                  "vehicle-and-threat/counter-munition-hit",
-                                 "vehicle-and-threat/counter-munition-near-miss",
-                                 "cycle-separated",
-                                 "cycle-intersecting",
-                                 "as-printed-spheres"});
+                                 "vehicle-and-threat/counter-munition-near-miss", "cycle-separated",
+                                 "cycle-intersecting", "as-printed-spheres"});
   std::string simplices;  // of the regions, by their dimension
   for (const Walkthrough* w : find_walkthroughs("regions")) simplices += w->name.at(std::string("regions/").size());
   CHECK(std::ranges::is_sorted(simplices));
@@ -64,7 +52,8 @@ TEST_CASE("Title, source and summary of a walkthrough are one line each") {
       CHECK_FALSE(text.empty());
       CHECK(text.find('\n') == std::string::npos);
     }
-    CHECK((w.source.starts_with("ARL-TR-7474, Section ") || w.source.starts_with("ARL-TR-7474, Algorithm ")));
+    CHECK(std::ranges::any_of(std::vector{"Section ", "Sections ", "Algorithm "},
+                              [&](const std::string& part) { return w.source.starts_with("ARL-TR-7474, " + part); }));
   }
 }
 
