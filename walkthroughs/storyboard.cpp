@@ -34,13 +34,14 @@ Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene) {
   return telling;
 }
 
-/// Where a search stands when it has chosen a direction: the simplex in its order, and the direction. The rest of an
-/// exact repetition is the repetition.
-std::vector<double> state_of(const Moment& now) {
+/// Where a search stands when it has chosen a direction: the simplex in its order, and the direction; without the crossing
+/// test also how many points it knows, by which it may end. The rest of an exact repetition is the repetition.
+std::vector<double> state_of(const Moment& now, std::size_t known_points) {
   std::vector<double> state;
   const auto append = [&](const Point& p) { state.insert(state.end(), {p.x(), p.y(), p.z()}); };
   for (int i = 0; i < now.simplex.size(); ++i) append(now.simplex[i].w);
   append(now.direction->value);
+  if (now.crossing->verdict == gjk::Crossing::switched_off) state.push_back(static_cast<double>(known_points));
   return state;
 }
 
@@ -50,14 +51,16 @@ void tell_whole_search(Story& story) {
   const Telling& telling = story.tellings[0];
   const std::vector<gjk::Event<double>>& events = telling.trace.events;
   std::map<std::vector<double>, int> states;  // to the iteration that reached them first
+  std::size_t known_points = 0;
   bool repeats = false;
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (repeats && i + 1 < events.size()) continue;
+    if (const auto* found = std::get_if<gjk::SupportFound<double>>(&events[i]); found && found->is_new) ++known_points;
     Moment now = replay(telling.trace, i + 1);
     std::optional<Frame> frame = caption(events[i], story.walkthrough, telling.scene, telling.hull, now);
     if (!frame) continue;
     if (frame->focus == Focus::direction) {
-      const auto [state, is_new] = states.emplace(state_of(now), now.iteration);
+      const auto [state, is_new] = states.emplace(state_of(now, known_points), now.iteration);
       repeats = !is_new;
       if (repeats) frame = repetition(std::move(*frame), state->second);
     }

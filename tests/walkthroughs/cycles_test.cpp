@@ -91,3 +91,30 @@ TEST_CASE("Where no search comes back no frame says so") {
     CHECK(returns == (std::ranges::count(story.frames, Focus::repetition, &Frame::focus) == 1));
   }
 }
+
+TEST_CASE(
+    "Without the crossing test a search that is back with the same simplex may still end, and is told to its end") {
+  Walkthrough w = walkthrough_of({{0, 1, 0}, {2, 4, -3}, {-1, 3, -1}, {1, 2, -4}, {4, 1, 3}, {-1, -3, -2}, {2, 4, 3}},
+                                 {.crossing_test = gjk::CrossingTest::off});
+  w.naming = Naming::roles;
+  const Story story = tell(w);
+  CHECK(Told(w.scenes[0]).result().reason == gjk::Reason::no_new_vertex);
+  CHECK(std::ranges::count(story.frames, Focus::repetition, &Frame::focus) == 0);
+  CHECK(story.frames.size() == shown(story).size());
+  for (std::size_t i = 1; i < story.frames.size(); ++i)
+    CHECK(story.frames[i].moments[0].iteration <= story.frames[i - 1].moments[0].iteration + 1);
+}
+
+TEST_CASE("The two searches that run in circles do so without the crossing test too") {
+  for (const std::string& name : cycles) {
+    Walkthrough w = walkthrough(name);
+    w.scenes[0].options.crossing_test = gjk::CrossingTest::off;
+    const Story story = tell(w);
+    const auto back = first_return(story.tellings[0].trace);
+    CHECK(Told(w.scenes[0]).result().reason == gjk::Reason::iteration_limit);
+    REQUIRE(back);
+    const Frame& frame = story.frames.at(story.frames.size() - 2);
+    CHECK(frame.focus == Focus::repetition);
+    CHECK(frame.events[0].last == back->event);
+  }
+}

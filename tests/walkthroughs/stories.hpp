@@ -38,7 +38,8 @@ inline std::vector<Story> whole_searches() {
   return stories;
 }
 
-/// A direction chosen with which a search is where it was before: the same vertices in the same order, the same direction.
+/// A direction chosen with which a search is where it was before: the same vertices in the same order, the same direction,
+/// and without the crossing test, where points found before may end it, the same points found.
 struct Return {
   std::size_t event;  ///< its place in the trace
   int to_iteration;   ///< the first that ended there
@@ -47,18 +48,24 @@ struct Return {
 /// Returns: the first such event of a trace, looked for in the events alone; nothing where there is none.
 inline std::optional<Return> first_return(const Trace& trace) {
   std::vector<std::pair<std::vector<Point>, int>> states;
-  std::vector<Point> simplex;
+  std::vector<Point> simplex, known;
+  bool goes_by_known = false;
   const auto take = [&](const Simplex& s) {
     simplex.clear();
     for (int i = 0; i < s.size(); ++i) simplex.push_back(s[i].w);
   };
   for (std::size_t i = 0; i < trace.events.size(); ++i) {
+    if (const auto* e = std::get_if<gjk::SupportFound<double>>(&trace.events[i]))
+      if (!std::ranges::count(known, e->vertex.w)) known.push_back(e->vertex.w);
+    if (const auto* e = std::get_if<gjk::CrossingTested<double>>(&trace.events[i]))
+      goes_by_known = e->verdict == gjk::Crossing::switched_off;
     if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&trace.events[i])) take(e->simplex);
     if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&trace.events[i])) take(e->after);
     const auto* chosen = std::get_if<gjk::DirectionChosen<double>>(&trace.events[i]);
     if (!chosen) continue;
     std::vector<Point> state = simplex;
     state.push_back(chosen->direction);
+    if (goes_by_known) state.insert(state.end(), known.begin(), known.end());
     for (const auto& [earlier, iteration] : states)
       if (earlier == state) return Return{i, iteration};
     states.emplace_back(std::move(state), chosen->iteration);
