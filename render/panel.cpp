@@ -20,7 +20,9 @@ constexpr std::array spreads = {1.0, 1.3, 1.6, 2.0, 2.6,
 constexpr std::array area_clearances = {8.0, 12.0};   // between the name of an area and obstacles, if there is room
 constexpr double area_pitch = 3;                      // between the places tried for it
 constexpr double min_grid_spacing = 3;
-constexpr double beside_area_gap = 8;  // between the middle of an area and its name outside
+constexpr double least_obstacle = 2;     // the width of a line that labels must keep clear of
+constexpr double small_area_name = 0.8;  // the size of a name that would not fit else
+constexpr double beside_area_gap = 8;    // between the middle of an area and its name outside
 
 constexpr int directions = 32;
 constexpr int circle_sides = 16;
@@ -32,6 +34,7 @@ constexpr double cost_label = 1e4;
 constexpr double cost_obstacle = 1e2;
 constexpr double cost_near_label = 30;  // within its comfort: rather that than across a line
 constexpr double cost_near = 10;        // for the name of an area: less than any overlap
+constexpr double cost_fine_line = 4, most_fine_lines = 5;
 constexpr double cost_gap = 1.5;
 constexpr double cost_turn = 0.5;
 
@@ -128,7 +131,7 @@ void Panel::polygon(std::span<const Vec2> corners, Color fill) { canvas_.polygon
 
 void Panel::line(const Vec2& from, const Vec2& to, const Stroke& stroke) {
   canvas_.line(view_.page(from), view_.page(to), stroke);
-  obstacles_.push_back({view_.page(from), view_.page(to), stroke.width / 2});
+  avoid({view_.page(from), view_.page(to), stroke.width / 2});
 }
 
 void Panel::outline(std::span<const Vec2> corners, const Stroke& stroke) {
@@ -214,7 +217,7 @@ std::vector<Vec2> Panel::to_page(std::span<const Vec2> scene) const {
 
 void Panel::avoid_outline(std::span<const Vec2> page, double radius) {
   for (std::size_t i = 0; i < page.size(); ++i) {
-    obstacles_.push_back({page[i], page[(i + 1) % page.size()], radius});
+    avoid({page[i], page[(i + 1) % page.size()], radius});
   }
 }
 
@@ -251,6 +254,7 @@ int Panel::place_labels() {
     const bool has_choice = area.text != area.shorter;
     if (has_choice && !best_place(area, taken).clear) area.text = area.shorter;
     if (area.text.empty()) continue;
+    if (has_choice && !best_place(area, taken).clear) area.style.size *= small_area_name;
     if (has_choice && !best_place(area, taken).clear)
       place_all(std::vector{Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap}});
     else
@@ -320,7 +324,18 @@ double Panel::cost_of(const Box& box, std::span<const Box> taken) const {
     else if (box.grown(label_comfort).overlaps(other))
       cost += cost_near_label;
   }
-  return cost + cost_obstacle * obstacles_near(box, line_clearance);
+  return cost + cost_obstacle * obstacles_near(box, line_clearance) +
+         cost_fine_line * std::min<double>(most_fine_lines, fine_lines_near(box));
+}
+
+void Panel::avoid(const Obstacle& obstacle) {
+  (2 * obstacle.radius < least_obstacle ? fine_lines_ : obstacles_).push_back(obstacle);
+}
+
+int Panel::fine_lines_near(const Box& box) const {
+  return static_cast<int>(std::ranges::count_if(fine_lines_, [&](const Obstacle& line) {
+    return clip_segment(line.from, line.to, box.grown(line.radius + line_clearance)).has_value();
+  }));
 }
 
 int Panel::obstacles_near(const Box& box, double clearance) const {

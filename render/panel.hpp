@@ -36,7 +36,8 @@ class View {
 };
 
 /// Draws in scene units. Lines, arrows and discs are remembered as obstacles; labels are placed last, by place_labels(),
-/// where they cover none of them (or as little as possible).
+/// where they cover none of them (or as little as possible). Lines thinner than two page units do not hinder much: a
+/// label's halo interrupts them where there is no better place.
 class Panel {
  public:
   /// Clips the canvas to `frame` until the panel is destroyed.
@@ -104,11 +105,13 @@ class Panel {
   Place best_place(const AreaName& area, std::span<const Box> taken) const;
   double cost_of(const Box& box, std::span<const Box> taken) const;
   int obstacles_near(const Box& box, double clearance) const;
+  int fine_lines_near(const Box& box) const;
+  void avoid(const Obstacle& obstacle);
 
   Canvas& canvas_;
   Box frame_;
   View view_;
-  std::vector<Obstacle> obstacles_;
+  std::vector<Obstacle> obstacles_, fine_lines_;
   std::vector<Label> labels_;
   std::vector<AreaName> area_names_;
 };

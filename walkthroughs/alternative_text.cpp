@@ -15,7 +15,7 @@ constexpr int captions_version = 1;
 std::string vertices_in_words(const Telling& telling, const Names& names, const Moment& now) {
   std::string text;
   const auto append = [&](const Point& w) {
-    text += (text.empty() ? "" : ", ") + names.of(w) + " " + vector(w, telling.scene.dimension);
+    text += (text.empty() ? "" : ", ") + names.label(w) + " " + vector(w, telling.scene.dimension);
   };
   if (!telling.hull.corners.empty()) {
     for (const render::Vec2& corner : telling.hull.corners) append({corner.x(), corner.y(), 0});

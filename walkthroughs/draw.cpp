@@ -176,9 +176,12 @@ int draw_search(Canvas& canvas, const Story& story, std::size_t index, double to
 
 // -- Two scenes -------------------------------------------------------------------------------------------------------
 
-std::string title_of_scene(const Story& story, std::size_t scene) {
+/// "left set", "as printed"; with the answer once the search has ended.
+std::string title_of_scene(const Story& story, std::size_t scene, const Frame& frame) {
   const std::string& name = story.tellings[scene].scene.name;
-  return story.walkthrough.layout == Layout::until_they_part ? name : name + " set";
+  if (story.walkthrough.layout != Layout::until_they_part) return name + " set";
+  const std::optional<gjk::Result<double>>& result = frame.moments[scene].result;
+  return result ? name + ": " + std::string(gjk::to_string(result->status)) : name;
 }
 
 bool shows_a_move(const Story& story) { return story.walkthrough.layout == Layout::close_ups; }
@@ -206,8 +209,9 @@ int draw_pair(Canvas& canvas, const Story& story, std::size_t index, double top,
   int crowded = 0;
   for (std::size_t s = 0; s < 2; ++s) {
     const Names names = story.names(index, s);
-    crowded += draw_scene(canvas, story, {boxes[s], title_of_scene(story, s), view(s, lenses[s], scale)},
-                          shown(story, names, s, story.frames[index], lenses[s], look.style));
+    crowded +=
+        draw_scene(canvas, story, {boxes[s], title_of_scene(story, s, story.frames[index]), view(s, lenses[s], scale)},
+                   shown(story, names, s, story.frames[index], lenses[s], look.style));
   }
   return crowded;
 }
@@ -236,7 +240,7 @@ std::vector<Cell> cells(const Story& story) {
       std::string said;
       for (const Fact& fact : story.frames[last].facts)
         if (said.empty() && fact.text.starts_with(story.tellings[s].scene.name)) said = fact.text;
-      list.push_back({last, s, title_of_scene(story, s), said});
+      list.push_back({last, s, title_of_scene(story, s, story.frames[last]), said});
     }
     return list;
   }

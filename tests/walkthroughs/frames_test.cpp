@@ -351,9 +351,12 @@ TEST_CASE("Where a frame cannot be written the error names the file, and nothing
   CHECK(listing(folder.path()) == std::vector<std::string>{"figure-5/000.png"});
 }
 
-TEST_CASE("The picture in the README is the strip that the program draws") {
-  const Image committed = render::read_png(GJKSTEP_README_PICTURE);
-  const Story story = tell(walkthrough("figure-4-left"));
+TEST_CASE("The pictures in the README are the strips that the program draws") {
+  const std::string name = GENERATE("figure-4-left", "regions/3-simplex-inside");
+  INFO(name);
+  const fs::path file = fs::path(GJKSTEP_README_PICTURES) / (fs::path(name).filename().string() + ".png");
+  const Image committed = render::read_png(file);
+  const Story story = tell(walkthrough(name));
   Studio studio;
   render::Canvas canvas(strip_page(story), strip_page(story), render::palette::white, studio.font);
   draw_strip(canvas, story);
