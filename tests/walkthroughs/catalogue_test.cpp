@@ -57,7 +57,7 @@ TEST_CASE("Title, source and summary of a walkthrough are one line each") {
   }
 }
 
-TEST_CASE("A walkthrough has one scene, or two to compare, of different names; diagrams have none") {
+TEST_CASE("A walkthrough has one scene, or two to compare, of different names and diagrams have none") {
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);
     const std::size_t scenes = w.layout == Layout::search ? 1 : w.layout == Layout::diagrams ? 0 : 2;

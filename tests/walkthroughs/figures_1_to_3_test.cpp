@@ -58,7 +58,7 @@ TEST_CASE("Figure 1: the chord of the disk that comes closest to leaving it is o
   CHECK(chord.length() == Approx(1));  // 8 of 48 points farther around: a sixth of a turn
 }
 
-TEST_CASE("Figure 1: every chord of the circle leaves it; the one shown is a diameter, outside all along") {
+TEST_CASE("Figure 1: every chord of the circle leaves it and the one shown is a diameter, outside all along") {
   const ChordSearch search = decide_convexity(circle());
   CHECK(search.tried == 48u * 47 / 2);
   CHECK(search.leaving == search.tried);
@@ -137,7 +137,7 @@ TEST_CASE("A band around a polygon turns left all the way around, once") {
 
 // -- Figure 3 ---------------------------------------------------------------------------------------------------------
 
-TEST_CASE("Figure 3: two points of C are farthest along +x, on x = -1; two of D along -x, on x = 1") {
+TEST_CASE("Figure 3: two points of C are farthest along +x, on x = -1 and two of D along -x, on x = 1") {
   const auto on = [](const Points& set, double x) {
     return std::ranges::count_if(set.points(), [=](const Point& p) { return p.x() == x; });
   };

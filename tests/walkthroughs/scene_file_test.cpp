@@ -114,7 +114,7 @@ TEST_CASE("The example reads without complaint, runs, and shows every key", "[sc
     CHECK(example_scene().find("\"" + std::string(key) + "\"") != std::string_view::npos);
 }
 
-TEST_CASE("The smallest scene is two objects; everything else has a default", "[scene-file]") {
+TEST_CASE("The smallest scene is two objects and everything else has a default", "[scene-file]") {
   const SceneFile file = parsed(scene_text(corner, ball));
   const Walkthrough& walkthrough = file.walkthrough;
   CHECK(walkthrough.name == "my-scene");
