@@ -40,12 +40,16 @@ Lens turned(const Lens& lens, double degrees) {
 
 // -- Around the panels ------------------------------------------------------------------------------------------------
 
+/// The title, smaller where it is long, and the source as far as there is room for it.
 void draw_header(Canvas& canvas, const Walkthrough& walkthrough, const Style& style) {
-  canvas.text({left_margin, 48}, walkthrough.title, style.title);
+  const std::string title = literal(walkthrough.title);
+  TextStyle heading = style.title;
+  const double width = canvas.text_box({0, 0}, title, heading).width(), room = right_margin - left_margin;
+  if (width > room) heading.size *= room / width;
+  canvas.text({left_margin, 48}, title, heading);
   TextStyle source = style.small;
   source.align = render::Align::right;
-  const double title_end = canvas.text_box({left_margin, 48}, walkthrough.title, style.title).max.x();
-  if (canvas.text_box({right_margin, 48}, walkthrough.source, source).min.x() > title_end + panel_gap)
+  if (canvas.text_box({right_margin, 48}, walkthrough.source, source).min.x() > left_margin + width + panel_gap)
     canvas.text({right_margin, 48}, walkthrough.source, source);
 }
 

@@ -56,8 +56,8 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   const Style& style = shown.style;
   const Scene& scene = shown.telling.scene;
   draw_panel_title(canvas, place.frame, place.title,
-                   {swatch(scene.a.name, style.object_a_fill, style.object_a),
-                    swatch(scene.b.name, style.object_b_fill, style.object_b)},
+                   {swatch(literal(scene.a.name), style.object_a_fill, style.object_a),
+                    swatch(literal(scene.b.name), style.object_b_fill, style.object_b)},
                    style);
   render::Panel panel(canvas, below_title(place.frame), place.view);
   Pencil pencil(panel, shown.lens, style);

@@ -122,6 +122,12 @@ std::string with_kind(const std::string& feature) {
   return kinds[std::min<std::size_t>(feature.size(), 4)] + feature;
 }
 
+std::string literal(std::string_view text) {
+  std::string out;
+  for (const char c : text) out.append(c == '_' ? "\\_" : std::string(1, c));
+  return out;
+}
+
 std::string plain(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -57,6 +57,9 @@ class Names {
 /// Returns: "segment AE", "triangle AEG", or the bare name of a single vertex.
 std::string with_kind(const std::string& feature);
 
+/// Returns: `text` with its underscores marked as such, so that a user's own words are drawn as they are.
+std::string literal(std::string_view text);
+
 /// Returns: `text` without markup, for files and terminals.
 std::string plain(std::string_view text);
 

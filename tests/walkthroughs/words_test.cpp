@@ -211,5 +211,6 @@ TEST_CASE("Plain text has no markup and keeps every other character") {
   CHECK(plain("R3: GE_n·GO = −71.5 > 0") == "R3: GEn·GO = −71.5 > 0");
   CHECK(plain("x_{12} ≠ 0") == "x12 ≠ 0");
   CHECK(plain("a\\_b") == "a_b");
+  CHECK(literal("a_b {c}") == "a\\_b {c}");
   CHECK(plain("") == "");
 }
