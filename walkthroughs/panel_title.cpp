@@ -8,7 +8,7 @@ namespace {
 using render::Vec2;
 
 constexpr double title_height = 36, margin = 14;
-constexpr double least_key_size = 13;
+constexpr double least_key_size = 11;
 constexpr double key_pitch = 42;  // a sign with the space around it
 
 /// Draws the entries at the right end of `room`, in smaller letters where they would not fit, or as many as fit then.
