@@ -148,7 +148,7 @@ class DifferencePicture {
       panel_.circle(pencil_.at(corner), style_.point_radius + 9, style_.support_line);
       panel_.circle(pencil_.at(corner), style_.point_radius + 13, style_.support_line);
     }
-    if (now_.simplex.size() > 2)
+    if (now_.simplex.size() > 1)
       panel_.label(pencil_.at(middle_of(points_of(now_.simplex))), Vec2::Zero(), "again",
                    style_.label(style_.theme.vermillion, render::Weight::bold), line_label_gap);
   }
