@@ -19,6 +19,9 @@ constexpr std::array spreads = {1.0, 1.3, 1.6, 2.0, 2.6,
                                 3.2, 4.0, 4.7, 5.5};  // multiples of a label's gap, in the order tried
 constexpr std::array area_clearances = {8.0, 12.0};   // between the name of an area and obstacles, if there is room
 constexpr double area_pitch = 3;                      // between the places tried for it
+constexpr double leader_from = 30;  // a label farther from its anchor than this is tied to it by a line
+constexpr double leader_width = 1.2, leader_gap = 3;  // between the line and what it ties
+constexpr double anchor_radius = 8;                   // of what usually stands at an anchor
 constexpr double min_grid_spacing = 3;
 constexpr double least_obstacle = 2;     // the width of a line that labels must keep clear of
 constexpr double small_area_name = 0.8;  // the size of a name that would not fit else
@@ -242,12 +245,14 @@ int Panel::place_labels() {
   std::vector<Box> taken;
   int crowded = 0;
   const auto place_all = [&](const auto& labels) {
+    std::vector<Place> places;
     for (const auto& label : labels) {
-      const Place place = best_place(label, taken);
-      canvas_.text(place.baseline, label.text, label.style);
-      taken.push_back(place.box);
-      crowded += place.clear ? 0 : 1;
+      places.push_back(best_place(label, taken));
+      taken.push_back(places.back().box);
+      crowded += places.back().clear ? 0 : 1;
+      draw_leader(label, places.back().box);
     }
+    for (std::size_t i = 0; i < places.size(); ++i) canvas_.text(places[i].baseline, labels[i].text, labels[i].style);
   };
   place_all(labels_);
   for (AreaName& area : area_names_) {
@@ -263,6 +268,20 @@ int Panel::place_labels() {
   labels_.clear();
   area_names_.clear();
   return crowded;
+}
+
+std::optional<std::pair<Vec2, Vec2>> Panel::leader(const Label& label, const Box& box) const {
+  const Vec2 end = label.anchor.cwiseMax(box.min).cwiseMin(box.max), way = end - label.anchor;
+  if (!(way.norm() > leader_from)) return std::nullopt;
+  const Vec2 unit = way.normalized();
+  return std::pair{label.anchor + unit * (anchor_radius + leader_gap), end - unit * leader_gap};
+}
+
+void Panel::draw_leader(const Label& label, const Box& box) {
+  const auto line = leader(label, box);
+  if (!line) return;
+  canvas_.line(line->first, line->second, {label.style.color, leader_width});
+  obstacles_.push_back({line->first, line->second, leader_width / 2});
 }
 
 Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken) const {
@@ -305,8 +324,8 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
       const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
       const Vec2 baseline = middle + Vec2(0, rise);
       Place place{baseline, moved(ink, baseline)};
-      const double cost =
-          cost_of(place.box, taken) + cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
+      const double cost = cost_of(place.box, taken) + cost_of_leader(label, place.box, taken) +
+                          cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
       if (cost >= least) continue;
       least = cost;
       place.clear = cost < cost_obstacle;
@@ -326,6 +345,13 @@ double Panel::cost_of(const Box& box, std::span<const Box> taken) const {
   }
   return cost + cost_obstacle * obstacles_near(box, line_clearance) +
          cost_fine_line * std::min<double>(most_fine_lines, fine_lines_near(box));
+}
+
+double Panel::cost_of_leader(const Label& label, const Box& box, std::span<const Box> taken) const {
+  const auto line = leader(label, box);
+  if (!line) return 0;
+  const auto crosses = [&](const Box& other) { return clip_segment(line->first, line->second, other).has_value(); };
+  return cost_obstacle * static_cast<double>(std::ranges::count_if(taken, crosses));
 }
 
 void Panel::avoid(const Obstacle& obstacle) {

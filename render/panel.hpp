@@ -1,8 +1,10 @@
 /// A part of the page that shows a scene: scene units in, page units out, nothing drawn outside, labels kept clear.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "render/canvas.hpp"
@@ -61,7 +63,8 @@ class Panel {
 
   /// Names the point `anchor`. The label stands near it, if possible on the side of `toward` (scene units, any length;
   /// of length 0: above and to the right). `style.align` is not used.
-  /// `gap`: page units between label and anchor, if that place is free; the usual one clears a ring around a point.
+  /// `gap`: page units between label and anchor, if that place is free; the usual one clears a ring around a point. Where
+  /// only a place farther away is free, a thin line leads from there to the anchor.
   void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap = 18);
   /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
   void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style);
@@ -102,6 +105,11 @@ class Panel {
   std::vector<Vec2> to_page(std::span<const Vec2> scene) const;
   void avoid_outline(std::span<const Vec2> page, double radius);
   Place best_place(const Label& label, std::span<const Box> taken) const;
+  /// Returns: the thin line that ties a label to its anchor where it stands far from it.
+  std::optional<std::pair<Vec2, Vec2>> leader(const Label& label, const Box& box) const;
+  double cost_of_leader(const Label& label, const Box& box, std::span<const Box> taken) const;
+  void draw_leader(const Label& label, const Box& box);
+  void draw_leader(const AreaName&, const Box&) {}  // that stands in its area
   Place best_place(const AreaName& area, std::span<const Box> taken) const;
   double cost_of(const Box& box, std::span<const Box> taken) const;
   int obstacles_near(const Box& box, double clearance) const;

@@ -87,6 +87,7 @@ class DifferencePicture {
   }
 
   void regions() { draw_regions(pencil_, shown_); }
+  void name_rejected_faces() { walkthroughs::name_rejected_faces(pencil_, shown_); }
 
   /// Where no point of the set can lie, because the support function has looked.
   void beyond_found() { pencil_.out_of_reach(now_.found->w, now_.direction->value); }
@@ -131,8 +132,13 @@ class DifferencePicture {
   }
 
   void dropped() {
-    for (const char role : now_.reduction->dropped)
-      pencil_.cross(now_.reduction->before.point(static_cast<gjk::Role>(role - 'A')), 11);
+    for (const char letter : now_.reduction->dropped) {
+      const auto role = static_cast<gjk::Role>(letter - 'A');
+      const Vec2 at = pencil_.at(now_.reduction->before.point(role));
+      pencil_.cross(now_.reduction->before.point(role), 11);
+      if (shown_.telling.hull.corners.empty())
+        panel_.label(at, at - center_, shown_.names.of(role), style_.label(style_.theme.grey));
+    }
   }
 
   void direction() {
@@ -277,6 +283,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   if (focus == Focus::repetition) picture.repetition();
   picture.origin();
   picture.names();
+  if (focus == Focus::region) picture.name_rejected_faces();
   return panel.place_labels();
 }
 

@@ -23,7 +23,7 @@ constexpr double objects_width = 300, algorithm_width = 372;
 constexpr double text_left = 250, mark_width = 34;
 constexpr double first_line = 556, line_pitch = 30, small_pitch = 26, last_line = 714;
 constexpr double max_scale = 1e9;                              // for a scene that is a single point
-constexpr double least_magnification = 1.5;                    // below that a close-up tells no more than the whole
+constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
 constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
 
 Box panel_box(double left, double right, double top) { return {{left, top}, {right, top + panels_height}}; }

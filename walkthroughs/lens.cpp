@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace walkthroughs {
 namespace {
 
+constexpr double degree = std::numbers::pi / 180;
 constexpr double azimuth_step = 15;
 constexpr double elevations[] = {12, 20, 28, 40, 55};
+constexpr double low_elevations[] = {2, 5, 8};  // for planes that are nearly level
 constexpr double wanted_cosine = 0.7;  // between a normal that decides and the line of sight: neither hidden nor end-on
 
 /// A decision in space: what it was about, and the plane that must be seen for it.
@@ -86,6 +89,39 @@ double score(const std::vector<Decision>& decisions, const render::Camera& camer
   return sum / static_cast<double>(decisions.size()) + least;
 }
 
+/// Returns: the cameras from among which one is chosen.
+std::vector<render::Camera> cameras() {
+  std::vector<render::Camera> all;
+  for (double azimuth = 0; azimuth < 360; azimuth += azimuth_step)
+    for (const double elevation : elevations) all.emplace_back(azimuth - 52.5, elevation);
+  return all;
+}
+
+/// Returns: the cameras that look along the planes across `d`, so that a gap in that direction is seen: at each elevation
+/// that has one, on both sides. None where `d` is vertical.
+std::vector<render::Camera> cameras_across(const Point& d) {
+  std::vector<render::Camera> all;
+  const double level = std::hypot(d.x(), d.y());
+  const auto add = [&](double elevation) {
+    // toward_viewer·d = cos(elevation) level cos(azimuth - azimuth of d) + sin(elevation) d.z = 0
+    const double cosine = -std::tan(elevation * degree) * d.z() / level;
+    if (!(std::abs(cosine) <= 1)) return;
+    for (const double side : {-1.0, 1.0})
+      all.emplace_back((std::atan2(d.y(), d.x()) + side * std::acos(cosine)) / degree, elevation);
+  };
+  for (const double elevation : elevations) add(elevation);
+  if (all.empty())
+    for (const double elevation : low_elevations) add(elevation);
+  return all;
+}
+
+/// Returns: the direction in which the search has found a gap.
+std::optional<Point> direction_of_gap(const Trace& trace) {
+  const auto* finished = std::get_if<gjk::Finished<double>>(&trace.events.back());
+  if (!finished || !finished->result.separation) return std::nullopt;
+  return finished->result.separation->direction.stableNormalized();
+}
+
 }  // namespace
 
 render::Camera choose_camera(const Trace& trace, std::optional<int> decisive) {
@@ -94,15 +130,15 @@ render::Camera choose_camera(const Trace& trace, std::optional<int> decisive) {
   std::erase_if(decisions,
                 [](const Decision& each) { return !std::isfinite(extent(each.points)) || extent(each.points) == 0; });
   if (decisions.empty()) return best;
+  std::vector<render::Camera> candidates;
+  if (const auto gap = direction_of_gap(trace); gap && !decisive) candidates = cameras_across(*gap);
+  if (candidates.empty()) candidates = cameras();
   double most = -std::numeric_limits<double>::infinity();
-  for (double azimuth = 0; azimuth < 360; azimuth += azimuth_step) {
-    for (const double elevation : elevations) {
-      const render::Camera camera(azimuth - 52.5, elevation);
-      const double reached = score(decisions, camera);
-      if (reached <= most) continue;
-      most = reached;
-      best = camera;
-    }
+  for (const render::Camera& camera : candidates) {
+    const double reached = score(decisions, camera);
+    if (reached <= most) continue;
+    most = reached;
+    best = camera;
   }
   return best;
 }

@@ -22,7 +22,8 @@ struct Lens {
 };
 
 /// Returns: a camera for the whole search, from a fixed choice of places around it: the vertices of the simplex and the
-/// origin apart from each other, and the face that decides in front, its normal not pointing straight at the viewer.
+/// origin apart from each other, and the face that decides in front, its normal not pointing straight at the viewer. Where
+/// the search finds a gap and no iteration is `decisive`, the camera looks along the plane between the objects.
 /// `decisive`: the iteration that the walkthrough is about, if there is one.
 render::Camera choose_camera(const Trace& trace, std::optional<int> decisive);
 

@@ -10,6 +10,7 @@ using gjk::Verdict;
 using render::Vec2;
 using Region = gjk::RegionTested<double>;
 
+constexpr double cross_label_gap = 34;    // far enough for a leader: faces overlap in the picture
 constexpr double margin_in_space = 0.45;  // of the drawn part of a plane around its triangle, in widths of it
 
 /// A plane of the scene with its own two coordinates. The plane of a flat scene is the page.
@@ -90,6 +91,17 @@ class RegionPicture {
       normal(now);
     else
       edges_of_face(face);
+  }
+
+  void name_rejected_faces() {
+    render::TextStyle text = style_.small_label();
+    text.size *= 0.85;
+    for (const char* face : {"ABC", "ACD", "ADB"}) {
+      const Region* region = find("", face);
+      if (state_of(region) != RegionState::rejected) continue;  // the one just tested is named by its normal
+      const Point middle = (vertex(face[0]) + vertex(face[1]) + vertex(face[2])) / 3;
+      pencil_.panel().label(pencil_.at(middle), Vec2::Zero(), shown_.names.sorted(face) + " ✗", text, cross_label_gap);
+    }
   }
 
  private:
@@ -217,25 +229,38 @@ class RegionPicture {
     const std::string names[] = {"ABC", "ACD", "ADB", "BCD"};
     std::vector<render::Face> list;
     for (const std::string& name : names) list.push_back({{vertex(name[0]), vertex(name[1]), vertex(name[2])}});
-    for (const std::size_t i : render::back_to_front(list, *pencil_.lens().camera)) {
-      const std::vector<Vec2> corners = pencil_.at(list[i].corners);
-      const Region* region = find("", names[i]);
-      const RegionState state = state_of(region);
-      switch (state) {
-        case RegionState::pending: pencil_.panel().polygon(corners, style_.simplex_fill); break;
-        case RegionState::skipped: pencil_.panel().hatch(corners, style_.hatch_spacing, style_.hatching); break;
-        case RegionState::rejected: pencil_.panel().polygon(corners, style_.rejected_fill); break;
-        case RegionState::just_rejected: pencil_.panel().polygon(corners, style_.tested_fill); break;
-        case RegionState::chosen:
-          if (edges_shown_of.empty()) pencil_.panel().polygon(corners, style_.chosen_fill);
-          break;
-      }
-      if (state == RegionState::rejected || state == RegionState::just_rejected)
-        pencil_.cross(middle_of(list[i].corners), 11);
-    }
+    for (const std::size_t i : render::back_to_front(list, *pencil_.lens().camera))
+      face(names[i], list[i], !edges_shown_of.empty());
     if (const Region* inside = find("", "ABCD"); inside != nullptr)
       for (const render::Face& face : list) pencil_.panel().polygon(pencil_.at(face.corners), style_.chosen_fill);
     outline_tested(names, list);
+  }
+
+  void face(const std::string& feature, const render::Face& face, bool edges_shown) {
+    const std::vector<Vec2> corners = pencil_.at(face.corners);
+    const RegionState state = state_of(find("", feature));
+    const bool rejected = state == RegionState::rejected || state == RegionState::just_rejected;
+    render::Panel& panel = pencil_.panel();
+    switch (state) {
+      case RegionState::pending: panel.polygon(corners, style_.simplex_fill); break;
+      case RegionState::skipped:
+        panel.hatch(corners, style_.hatch_spacing, is_behind(feature) ? style_.hidden_hatching : style_.hatching);
+        break;
+      case RegionState::rejected: panel.polygon(corners, style_.rejected_fill); break;
+      case RegionState::just_rejected: panel.polygon(corners, style_.tested_fill); break;
+      case RegionState::chosen:
+        if (!edges_shown) panel.polygon(corners, style_.chosen_fill);
+        break;
+    }
+    if (rejected) pencil_.cross(middle_of(face.corners), 11);
+  }
+
+  /// Whether the viewer looks at the inside of a face, through the others.
+  bool is_behind(const std::string& feature) const {
+    const Point P = vertex(feature[0]), normal = (vertex(feature[1]) - P).cross(vertex(feature[2]) - P);
+    double inward = 0;  // how far the fourth vertex lies on the side of the normal
+    for (const char letter : {'A', 'B', 'C', 'D'}) inward += normal.dot(vertex(letter) - P);
+    return !pencil_.lens().camera->sees(inward > 0 ? Point(-normal) : normal);
   }
 
   void outline_tested(std::span<const std::string> names, const std::vector<render::Face>& list) {
@@ -315,6 +340,11 @@ void draw_regions(Pencil& pencil, const Shown& shown) {
     case 4: picture.tetrahedron(); break;
     default: break;
   }
+}
+
+void name_rejected_faces(Pencil& pencil, const Shown& shown) {
+  const bool edges_shown = !shown.now.regions.back().face.empty();
+  if (shown.now.simplex.size() == 4 && !edges_shown) RegionPicture(pencil, shown).name_rejected_faces();
 }
 
 }  // namespace walkthroughs

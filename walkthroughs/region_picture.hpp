@@ -14,6 +14,10 @@ enum class RegionState { pending, skipped, rejected, just_rejected, chosen };
 /// Requires: `shown.now` has region tests and a simplex of at least two vertices.
 void draw_regions(Pencil& pencil, const Shown& shown);
 
+/// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are shown. To be asked for
+/// after the vertices have their names, which are more important.
+void name_rejected_faces(Pencil& pencil, const Shown& shown);
+
 /// The regions of a triangle ABC as Fig. 7 numbers them: R1 inside, R2 beyond A, R3 beyond AB, R4 beyond B, R5 beyond
 /// BC, R6 beyond C, R7 beyond AC; each the part of the convex polygon `clip` that lies in it.
 /// Requires: A, B, C not on one line.

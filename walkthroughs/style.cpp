@@ -23,6 +23,7 @@ Style::Style(const render::Theme& t)
       thin{t.grey, 1.5 * t.line, {2, 5}},
       projection{t.ink.with_alpha(90), 9 * t.line},
       hatching{t.grey.with_alpha(150), 1},
+      hidden_hatching{t.grey.with_alpha(70), 1, {4, 5}},
       cross{t.ink, 3.5 * t.line},
       origin{t.ink, 3.5 * t.line},
       parting{t.vermillion, 5 * t.line},

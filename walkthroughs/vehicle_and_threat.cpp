@@ -45,9 +45,9 @@ Walkthrough about(const std::string& name, const std::string& title, const std::
 std::vector<Walkthrough> vehicle_and_threat() {
   return {
       about("vehicle-hit", "A threat hits the vehicle", "a cylinder and a convex hull that intersect",
-            threat({3.2, 0.9, 1.5}), vehicle()),
+            threat({1.8, 0.6, 1.3}), vehicle()),
       about("vehicle-near-miss", "A threat misses the vehicle", "the same, the cylinder flying higher",
-            threat({3.2, 0.9, 2.1}), vehicle()),
+            threat({1.8, 0.6, 2.35}), vehicle()),
       about("counter-munition-hit", "The counter-munition hits the threat", "a cylinder and a sphere that intersect",
             threat({3.2, 0.9, 2.1}), counter_munition({3.8, 1.3, 2.9})),
       about("counter-munition-near-miss", "The counter-munition misses the threat",

@@ -150,6 +150,31 @@ TEST_CASE("labels keep off lines, arrows, rings and discs") {
   REQUIRE_FALSE(crossed({-4, 4}, {-4, 4}, 20));
 }
 
+std::vector<CanvasVertex> letters(std::span<const CanvasVertex> all) {
+  std::vector<CanvasVertex> found;
+  std::ranges::copy_if(all, std::back_inserter(found),
+                       [](const CanvasVertex& v) { return v.kind == CanvasVertex::Kind::glyph; });
+  return found;
+}
+
+TEST_CASE("a label that finds no place near its anchor is tied to it by a line, others are not") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  const auto lines_of_a_label = [&] {
+    panel.label({0, 0}, {1, 0}, "name", style);
+    const std::size_t before = desk.canvas.vertices().size();
+    panel.place_labels();
+    const auto list = desk.canvas.vertices().subspan(before);
+    return list.size() - letters(list).size();
+  };
+  REQUIRE(lines_of_a_label() == 0);
+  panel.disc({0, 0}, 40, palette::blue);
+  REQUIRE(lines_of_a_label() == 6);
+  const CanvasVertex last = desk.canvas.vertices()[desk.canvas.vertices().size() - 4 * 6 - 1];
+  const Vec2 anchor = desk.view.page({0, 0});
+  REQUIRE((Vec2(last.x, last.y) - anchor).norm() < 60);
+}
+
 TEST_CASE("labels keep off each other, first come first served") {
   Desk desk;
   Panel panel(desk.canvas, frame, desk.view);
@@ -158,11 +183,11 @@ TEST_CASE("labels keep off each other, first come first served") {
   for (int i = 0; i < 4; ++i) panel.label({0, 0}, {1, 0}, "name", style);
   const std::size_t before = desk.canvas.vertices().size();
   panel.place_labels();
-  const auto list = desk.canvas.vertices().subspan(before);
+  const std::vector<CanvasVertex> list = letters(desk.canvas.vertices().subspan(before));
   REQUIRE(list.size() == 4 * 4 * 6);
   for (std::size_t label = 0; label < 4; ++label) {
     Box box{Vec2(1e9, 1e9), Vec2(-1e9, -1e9)};
-    for (const CanvasVertex& vertex : list.subspan(label * 4 * 6, 4 * 6)) {
+    for (const CanvasVertex& vertex : std::span(list).subspan(label * 4 * 6, 4 * 6)) {
       box.min = box.min.cwiseMin(Vec2(vertex.x, vertex.y));
       box.max = box.max.cwiseMax(Vec2(vertex.x, vertex.y));
     }

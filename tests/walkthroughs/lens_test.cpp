@@ -58,3 +58,17 @@ TEST_CASE("A scene of the plane has no camera and one in space has the same at e
       if (of()) CHECK(of()->toward_viewer() == of()->toward_viewer());
     }
 }
+
+TEST_CASE("The camera looks along the gap between objects that are separated") {
+  int seen = 0;
+  for (const Walkthrough* w : find_walkthroughs("vehicle-and-threat")) {
+    const Story story = tell(*w);
+    const auto& finished = std::get<gjk::Finished<double>>(story.tellings.at(0).trace.events.back());
+    if (!finished.result.separation) continue;
+    INFO(w->name);
+    const Point across = finished.result.separation->direction.normalized();
+    CHECK(std::abs(story.tellings.at(0).lens.camera->toward_viewer().dot(across)) < 1e-12);
+    ++seen;
+  }
+  CHECK(seen == 2);
+}
