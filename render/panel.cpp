@@ -25,7 +25,7 @@ constexpr double anchor_radius = 8;                   // of what usually stands 
 constexpr double min_grid_spacing = 3;
 constexpr double least_obstacle = 2;     // the width of a line that labels must keep clear of
 constexpr double small_area_name = 0.8;  // the size of a name that would not fit else
-constexpr double beside_area_gap = 8;    // between the middle of an area and its name outside
+constexpr double beside_area_gap = 34;   // between the middle of an area and its name outside: far enough for a leader
 
 constexpr int directions = 32;
 constexpr int circle_sides = 16;

@@ -65,16 +65,16 @@ class Listing {
     canvas_.polygon(arrow, style_.tested.color);
   }
 
-  /// At the right, where there is room for it.
+  /// At the right, smaller where there is less room.
   void value(double baseline, const gjk::RegionTested<double>& test, double from) {
     render::TextStyle text = text_;
     text.weight = render::Weight::bold;
     text.align = render::Align::right;
     text.color = test.verdict == gjk::Verdict::chosen ? style_.theme.green : style_.theme.vermillion;
-    std::string words = outcome(test);
+    const std::string words = outcome(test);
     const double right = room_.max.x() - margin;
-    if (canvas_.text_box({right, 0}, words, text).min.x() < from + 8)
-      words = test.verdict == gjk::Verdict::chosen ? "✓" : "✗";
+    const double room = right - from - 8, needed = canvas_.text_box({0, 0}, words, text).width();
+    if (needed > room) text.size *= room / needed;
     canvas_.text({right, baseline}, words, text);
   }
 

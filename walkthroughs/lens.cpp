@@ -78,6 +78,24 @@ double frontality(const Decision& decision, const render::Camera& camera) {
   return cosine <= 0 ? cosine : 1 - std::abs(cosine - wanted_cosine) / wanted_cosine;
 }
 
+/// Returns: the directions of the moves that the crossing test judges, of length 1; from iteration `decisive` on, where it
+/// is given.
+std::vector<Point> moves_of(const Trace& trace, std::optional<int> decisive) {
+  std::vector<Point> moves;
+  for (const auto& event : trace.events)
+    if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event))
+      if (found->iteration > 1 && (!decisive || found->iteration >= *decisive) && found->direction.allFinite())
+        moves.push_back(found->direction.stableNormalized());
+  return moves;
+}
+
+/// Returns: how long the shortest of these vectors of length 1 is in the picture.
+double shortest(const std::vector<Point>& moves, const render::Camera& camera) {
+  double least = 1;
+  for (const Point& move : moves) least = std::min(least, camera(move).norm());
+  return least;
+}
+
 /// Returns: how well a camera shows all decisions; the worst counts as much as the mean.
 double score(const std::vector<Decision>& decisions, const render::Camera& camera) {
   double sum = 0, least = std::numeric_limits<double>::infinity();
@@ -133,9 +151,10 @@ render::Camera choose_camera(const Trace& trace, std::optional<int> decisive) {
   std::vector<render::Camera> candidates;
   if (const auto gap = direction_of_gap(trace); gap && !decisive) candidates = cameras_across(*gap);
   if (candidates.empty()) candidates = cameras();
+  const std::vector<Point> moves = moves_of(trace, decisive);
   double most = -std::numeric_limits<double>::infinity();
   for (const render::Camera& camera : candidates) {
-    const double reached = score(decisions, camera);
+    const double reached = score(decisions, camera) + shortest(moves, camera);
     if (reached <= most) continue;
     most = reached;
     best = camera;

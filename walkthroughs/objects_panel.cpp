@@ -76,13 +76,13 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
     pencil.supporting_line(a, d, style.support_line);
     pencil.supporting_line(b, d, style.support_line);
   }
+  const Vec2 along = pencil.at(d);
+  panel.label(pencil.at(a), -along, "a", style.label(style.object_a.color, render::Weight::bold));
+  panel.label(pencil.at(b), along, "b", style.label(style.object_b.color, render::Weight::bold));
   pencil.direction(a, d, style.direction, "d");
   pencil.direction(b, -d, style.direction, "−d");
   pencil.point(a, style.object_a.color);
   pencil.point(b, style.object_b.color);
-  const Vec2 along = pencil.at(d);
-  panel.label(pencil.at(a), -along, "a", style.label(style.object_a.color, render::Weight::bold));
-  panel.label(pencil.at(b), along, "b", style.label(style.object_b.color, render::Weight::bold));
   return panel.place_labels();
 }
 

@@ -11,7 +11,7 @@ using render::Vec2;
 
 constexpr double page_diagonal = 1500;   // page units: longer than any panel
 constexpr double patch_half_side = 110;  // page units
-constexpr double triad_length = 30, triad_margin = 44, least_named_axis = 0.3;
+constexpr double triad_length = 30, triad_margin = 48, least_between_names = 14, least_named_axis = 0.3;
 
 /// Returns: two unit vectors that span the plane across `d`, the first level where possible.
 std::pair<Point, Point> span_across(const Point& d) {
@@ -102,14 +102,20 @@ void Pencil::body(const std::vector<Vec2>& outline, const std::vector<render::Fa
 void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
   if (!in_space()) return;
   const Vec2 start(frame.min.x() + triad_margin, frame.max.y() - triad_margin);
-  panel_.disc(panel_.view().scene(start), triad_margin - 2, style_.theme.paper.with_alpha(215));
+  panel_.disc(panel_.view().scene(start), triad_margin - 2, style_.theme.paper.with_alpha(170));
   const render::TextStyle text{.size = 17, .color = style_.theme.grey, .align = render::Align::center};
   const char* const names[] = {"x", "y", "z"};
+  std::vector<Vec2> named;
   for (int axis = 0; axis < 3; ++axis) {
     const Vec2 picture = (*lens_.camera)(Point::Unit(axis)), along(picture.x(), -picture.y());
     canvas.arrow(start, start + along * triad_length, {style_.theme.grey, 2});
-    if (along.norm() > least_named_axis)
-      canvas.text(start + along * triad_length + along.stableNormalized() * 9 + Vec2(0, 5), names[axis], text);
+    if (along.norm() <= least_named_axis) continue;
+    Vec2 at = start + along * triad_length + along.stableNormalized() * 9 + Vec2(0, 5);
+    for (const Vec2& other : named)
+      if ((at - other).norm() < least_between_names)
+        at = other + Vec2(0, at.y() < other.y() ? -1 : 1) * least_between_names;
+    named.push_back(at);
+    canvas.text(at, names[axis], text);
   }
 }
 

@@ -14,11 +14,11 @@ std::vector<CodeLine> algorithm_1() {
           {0, "repeat, at most N times"},
           {1, "P ← support(a, d) − support(b, −d)", Kind::support},
           {1, "if not the first and P·d < 0", Kind::crossing},
-          {2, "separated"},
+          {2, "separated", Kind::separated},
           {1, "P joins the simplex and becomes A", Kind::add},
           {1, "process it by Algorithms 2 to 5", Kind::process},
-          {1, "if it contains the origin", Kind::contained},
-          {2, "intersecting"},
+          {1, "if it contains the origin"},
+          {2, "intersecting", Kind::intersecting},
           {0, "undecided", Kind::undecided}};
 }
 
@@ -82,8 +82,8 @@ LineKind kind_of(Focus focus, const Moment& now) {
     case Focus::crossing: return Kind::crossing;
     case Focus::added: return Kind::add;
     case Focus::end:
-      if (now.result->status == gjk::Status::intersecting) return Kind::contained;
-      if (now.result->reason == gjk::Reason::origin_not_crossed) return Kind::crossing;
+      if (now.result->status == gjk::Status::intersecting) return Kind::intersecting;
+      if (now.result->reason == gjk::Reason::origin_not_crossed) return Kind::separated;
       return now.result->reason == gjk::Reason::no_new_vertex ? Kind::support : Kind::undecided;
     default: return Kind::process;
   }

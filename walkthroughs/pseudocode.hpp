@@ -12,7 +12,7 @@ namespace walkthroughs {
 
 /// What a line does. A test stands for the region test with its face, feature and relation; an action for what
 /// follows the test before it.
-enum class LineKind { plain, support, crossing, add, process, contained, undecided, test, action };
+enum class LineKind { plain, support, crossing, add, process, intersecting, separated, undecided, test, action };
 
 struct CodeLine {
   int indent;

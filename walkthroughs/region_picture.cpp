@@ -10,7 +10,8 @@ using gjk::Verdict;
 using render::Vec2;
 using Region = gjk::RegionTested<double>;
 
-constexpr double cross_label_gap = 34;    // far enough for a leader: faces overlap in the picture
+constexpr double cross_label_gap = 34;  // far enough for a leader: faces overlap in the picture
+constexpr double foot_radius = 3.5;
 constexpr double margin_in_space = 0.45;  // of the drawn part of a plane around its triangle, in widths of it
 
 /// A plane of the scene with its own two coordinates. The plane of a flat scene is the page.
@@ -219,7 +220,9 @@ class RegionPicture {
   /// Where the origin lies in the plane of the triangle, above or below which it is.
   void foot_of_origin() {
     if (!pencil_.in_space()) return;
-    pencil_.line(Point::Zero(), plane_.out(plane_.in(Point::Zero())), style_.thin);
+    const Point foot = plane_.out(plane_.in(Point::Zero()));
+    pencil_.line(Point::Zero(), foot, style_.foot);
+    pencil_.panel().disc(pencil_.at(foot), foot_radius, style_.foot.color);
   }
 
   // -- A tetrahedron --

@@ -43,8 +43,8 @@ std::vector<RegionRow> above_below_within() {
            .title = "the origin lies in R1, below the triangle",
            .summary = "the origin lies below ABC: A and B change places, the search goes along −ABCn",
            .text = "R1: the origin lies below the triangle",
-           .scene = in_space(polyhedron("first tetrahedron", {{2, 1, -3}, {3, 1, 0}, {1, 3, 1}, {1, 0, -1}}),
-                             polyhedron("second tetrahedron", {{2, 2, -2}, {2, 0, 1}, {4, -2, -2}, {0, 0, -1}})),
+           .scene = in_space(polyhedron("tetrahedron a", {{2, 1, -3}, {3, 1, 0}, {1, 3, 1}, {1, 0, -1}}),
+                             polyhedron("tetrahedron b", {{2, 2, -2}, {2, 0, 1}, {4, -2, -2}, {0, 0, -1}})),
            .remarks = {{At::region_tested, 3, "below is the side to which −ABCn points", "R1"},
                        {At::reduced, 3,
                         "swapping A and B turns the normal round, so BC×BD of the next simplex will be −ABCn "
@@ -54,8 +54,8 @@ std::vector<RegionRow> above_below_within() {
            .title = "the origin lies in R1, in the triangle",
            .summary = "the origin lies in the triangle itself: the objects intersect",
            .text = "R1: the origin lies in the triangle",
-           .scene = in_the_plane(polygon("first kite", {{0, -1}, {-1, 0}, {-2, -1}, {-1, -3}}),
-                                 polygon("second kite", {{-1, 2}, {-2, 0}, {-1, -1}, {0, 0}})),
+           .scene = in_the_plane(polygon("kite a", {{0, -1}, {-1, 0}, {-2, -1}, {-1, -3}}),
+                                 polygon("kite b", {{-1, 2}, {-2, 0}, {-1, -1}, {0, 0}})),
            .remarks = {{At::region_tested, 3,
                         "neither R3 nor R7, which leaves R1, and ABCn·AO = 0: not above, not below", "R1"}}}};
 }
@@ -87,8 +87,8 @@ std::vector<RegionRow> impossible() {
        .title = "the origin cannot lie in R2",
        .summary = "R2 lies beyond A: where the origin lies there, the crossing test has ended the search",
        .text = "R2: beyond A; skipped, because the move to A crossed the origin",
-       .scene = in_the_plane(polygon("first triangle", {{-2, -1}, {-2, -3}, {1, -3}}),
-                             polygon("second triangle", {{-2, 0}, {2, 2}, {-1, 4}})),
+       .scene = in_the_plane(polygon("triangle a", {{-2, -1}, {-2, -3}, {1, -3}}),
+                             polygon("triangle b", {{-2, 0}, {2, 2}, {-1, 4}})),
        .remarks = {{At::end, 3,
                     "were P added as A, the origin would lie in R2: the crossing test has ended the search before"}}},
       {.name = "r4-cannot-happen",

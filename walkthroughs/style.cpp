@@ -22,6 +22,7 @@ Style::Style(const render::Theme& t)
       tested{t.blue, 3 * t.line},
       thin{t.grey, 1.5 * t.line, {2, 5}},
       projection{t.ink.with_alpha(90), 9 * t.line},
+      foot{t.ink, 1.8 * t.line, {3, 4}},
       hatching{t.grey.with_alpha(150), 1},
       hidden_hatching{t.grey.with_alpha(70), 1, {4, 5}},
       cross{t.ink, 3.5 * t.line},

@@ -19,6 +19,7 @@ struct Style {
   render::Stroke simplex, move, former;    ///< edges of the simplex, the move just made, edges of earlier simplices
   render::Stroke direction, support_line;  ///< d, and the line or plane across it through the point found
   render::Stroke normal, tested, thin, projection;
+  render::Stroke foot;                       ///< from the origin to its place in the plane of a triangle
   render::Stroke hatching, hidden_hatching;  ///< of what the algorithm skips, and of what lies behind of that
   render::Stroke cross;                      ///< through what it has rejected or dropped
   render::Stroke origin;

@@ -97,7 +97,7 @@ TEST_CASE("Algorithm 1 is at its support function, its crossing test and its end
       [](const auto&, const Moment& now) { CHECK(line_at(now, Focus::crossing).kind == LineKind::crossing); });
   after_each<gjk::Finished>([](const gjk::Finished<double>& event, const Moment& now) {
     const LineKind kind = line_at(now, Focus::end).kind;
-    CHECK((kind == LineKind::contained) == (event.result.status == gjk::Status::intersecting));
-    CHECK((kind == LineKind::crossing) == (event.result.reason == gjk::Reason::origin_not_crossed));
+    CHECK((kind == LineKind::intersecting) == (event.result.status == gjk::Status::intersecting));
+    CHECK((kind == LineKind::separated) == (event.result.reason == gjk::Reason::origin_not_crossed));
   });
 }
