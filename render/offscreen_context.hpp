@@ -14,7 +14,7 @@ struct ContextError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Ways to a context of Mesa's software renderer. Both draw the same pixels.
+/// Ways to a context of llvmpipe, Mesa's software renderer. Both draw the same pixels.
 enum class Backend {
   osmesa,  ///< one library and nothing else; left Mesa with version 25.1
   egl,     ///< EGL without surfaces, on the software device even where there is a graphics card
@@ -34,7 +34,7 @@ std::string_view name_of(Backend backend);
 class OffscreenContext {
  public:
   /// Errors: ContextError, also where this thread has a context already, of whichever backend; where this build lacks
-  /// the backend; where Mesa is told to draw with anything but its software renderer.
+  /// the backend; where Mesa is told to draw with anything but llvmpipe.
   explicit OffscreenContext(Backend backend = default_backend());
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
