@@ -8,7 +8,7 @@
 #
 # PNG files are compared, not pixels: one library encodes all of them, so files that are equal have equal pixels. Traces
 # are those of all walkthroughs that have one.
-@MATRIX@
+#
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
@@ -66,12 +66,16 @@ row() {
   line "$setting" "$(lines "$scratch/frames")" "$other_frames" "$(lines "$scratch/traces")" "$other_traces" "$verdict"
 }
 
-# refused SETTING BACKEND: there must be no picture, and a message.
+# refused SETTING: each backend must say what is wrong in place of drawing.
 refused() {
-  code=0
-  env "$1" "$program" --gl "$2" --version >/dev/null 2>"$scratch/said" || code=$?
-  [ "$code" -eq 4 ] || failed=1
-  line "$1" - - - - "exit code $code: $(tail -n 1 "$scratch/said" | sed 's/^gjkstep: //')"
+  for backend in osmesa egl; do
+    has_backend $backend || continue
+    code=0
+    env "$1" "$program" --gl $backend --version >/dev/null 2>"$scratch/said" || code=$?
+    verdict="refused: $(tail -n 1 "$scratch/said" | sed 's/^gjkstep: //')"
+    [ "$code" -eq 4 ] || { verdict="NOT REFUSED, $backend: exit code $code" && failed=1 && break; }
+  done
+  line "$1" - - - - "$verdict"
 }
 
 has_backend() { "$program" --gl "$1" --version >/dev/null 2>&1; }
@@ -90,7 +94,7 @@ with_builds=yes
 if [ -n "$program" ]; then with_builds=no; else build_with g++ -O3 && program=$built; fi
 frames "$program" >"$scratch/frames.0" || stop "$program cannot draw"
 traces "$program" >"$scratch/traces.0"
-[ -s "$scratch/frames.0" ] && [ -s "$scratch/traces.0" ] || stop "$program draws or traces nothing"
+[ -s "$scratch/traces.0" ] || stop "$program traces nothing"
 
 line setting frames differ traces differ ''
 row 'a second run' "$program"
@@ -118,11 +122,7 @@ if [ "$with_builds" = yes ]; then
     fi
   done
 fi
-for backend in osmesa egl; do
-  has_backend $backend || continue
-  printf '\nwith --gl %s\n' $backend
-  for setting in LP_NATIVE_VECTOR_WIDTH=512 LP_PERF=no_tex DRAW_USE_LLVM=0 GALLIUM_DRIVER=softpipe GALLIUM_DRIVER=zink; do
-    refused $setting $backend
-  done
+for setting in LP_NATIVE_VECTOR_WIDTH=512 LP_PERF=no_tex DRAW_USE_LLVM=0 GALLIUM_DRIVER=softpipe GALLIUM_DRIVER=zink; do
+  refused $setting
 done
 exit $failed
