@@ -1,5 +1,7 @@
 #include "render/offscreen_context.hpp"
 
+#include <GL/glcorearb.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -91,6 +93,16 @@ TEST_CASE("a thread may have a context again when its last one is gone") {
       { const OffscreenContext context(one); }
       REQUIRE_NOTHROW(OffscreenContext(other));
     }
+  }
+}
+
+TEST_CASE("nothing stays current in the thread when its context is gone") {
+  for (const Backend backend : built_in_backends()) {
+    std::optional<OffscreenContext> context(std::in_place, backend);
+    const auto get_string = reinterpret_cast<PFNGLGETSTRINGPROC>(context->function("glGetString"));
+    REQUIRE(get_string(GL_VERSION) != nullptr);
+    context.reset();
+    REQUIRE(get_string(GL_VERSION) == nullptr);
   }
 }
 
