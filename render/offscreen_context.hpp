@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace render {
 
@@ -12,12 +14,28 @@ struct ContextError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The current OpenGL 3.3 core context of the thread that made it. One .cpp file knows OSMesa; everything else asks
-/// for functions by name and draws into a framebuffer object of its own.
+/// Ways to a context of llvmpipe, Mesa's software renderer. Both draw the same pixels.
+enum class Backend {
+  osmesa,  ///< one library and nothing else; left Mesa with version 25.1
+  egl,     ///< EGL without surfaces, on the software device even where there is a graphics card
+};
+
+/// Returns: all that there can be, whether this build has them or not.
+std::span<const Backend> all_backends();
+/// Returns: those that this build has, the default first; at least one.
+std::span<const Backend> built_in_backends();
+inline Backend default_backend() { return built_in_backends().front(); }
+
+/// Returns: for example "egl".
+std::string_view name_of(Backend backend);
+
+/// The current OpenGL 3.3 core context of the thread that made it, which must destroy it as well. One .cpp file knows
+/// OSMesa and one EGL; everything else asks for functions by name and draws into a framebuffer object of its own.
 class OffscreenContext {
  public:
-  /// Errors: ContextError, also where this thread has a context already.
-  OffscreenContext();
+  /// Errors: ContextError, also where this thread has a context already, of whichever backend; where this build lacks
+  /// the backend; where Mesa is told to draw with anything but llvmpipe.
+  explicit OffscreenContext(Backend backend = default_backend());
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
@@ -28,7 +46,8 @@ class OffscreenContext {
   /// not tell what it supports; that a context of version 3.3 was made does.)
   Function function(const char* name) const;
 
-  /// Returns: for example "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6, OSMesa".
+  /// Returns: for example "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6, OSMesa"; EGL ends
+  /// with "EGL surfaceless".
   std::string description() const;
 
  private:

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
 
 namespace walkthroughs {
 namespace {
@@ -65,7 +64,7 @@ double length_outside(const Chord& chord) {
 
 /// Requires: each of the chords leaves the set; there is one.
 Chord longest_outside(const std::vector<Chord>& chords) {
-  const double longest = std::ranges::max(chords | std::views::transform(length_outside));
+  const double longest = length_outside(*std::ranges::max_element(chords, {}, length_outside));
   const Chord* best = nullptr;
   for (const Chord& chord : chords) {
     if (length_outside(chord) < as_long * longest) continue;

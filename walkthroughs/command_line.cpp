@@ -1,6 +1,7 @@
 #include "walkthroughs/command_line.hpp"
 
 #include <charconv>
+#include <cstdlib>
 
 #include "render/rasterizer.hpp"
 #include "walkthroughs/nearest.hpp"
@@ -29,6 +30,38 @@ render::Size parse_size(const std::string& text) {
     throw UsageError("--size '" + text + "': expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
                      std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
   return size;
+}
+
+// ---------------------------------------------------------------------------------------------- --gl
+
+namespace {
+
+constexpr const char* backend_variable = "GJKSTEP_GL";
+
+/// Requires: `source` is where the name was found. Errors: UsageError.
+render::Backend backend_named(const std::string& name, const std::string& source) {
+  std::string names;
+  for (const render::Backend each : render::all_backends()) {
+    if (render::name_of(each) == name) return each;
+    names.append(names.empty() ? "" : " or ").append(render::name_of(each));
+  }
+  throw UsageError(source + " '" + name + "': expected " + names);
+}
+
+}  // namespace
+
+void add_backend_option(CLI::App& command, std::optional<std::string>& name) {
+  const std::string usual(render::name_of(render::default_backend()));
+  command.add_option("--gl", name,
+                     "draw with osmesa or egl, which give the same pixels; if not given, what " +
+                         std::string(backend_variable) + " says, or " + usual);
+}
+
+render::Backend chosen_backend(const std::optional<std::string>& name) {
+  if (name) return backend_named(*name, "--gl");
+  const char* const set = std::getenv(backend_variable);
+  const bool is_set = set != nullptr && *set != '\0';
+  return is_set ? backend_named(set, backend_variable) : render::default_backend();
 }
 
 }  // namespace walkthroughs

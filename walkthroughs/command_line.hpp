@@ -1,11 +1,14 @@
 /// What the words of all commands have in common.
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "render/geometry.hpp"
+#include "render/offscreen_context.hpp"
 #include "walkthroughs/walkthrough.hpp"
 
 namespace walkthroughs {
@@ -23,6 +26,14 @@ std::vector<const Walkthrough*> walkthroughs_named(const std::string& name);
 
 /// Reads "1280x720". Errors: UsageError.
 render::Size parse_size(const std::string& text);
+
+/// The option --gl of all commands that draw. Adding it to a command fills `name`, which must live as long.
+void add_backend_option(CLI::App& command, std::optional<std::string>& name);
+
+/// Returns: the backend of that name (what --gl says); else the one that the environment variable GJKSTEP_GL names; else
+/// the default. Whether this build has it shows when the context is made.
+/// Errors: UsageError, with the names that there are.
+render::Backend chosen_backend(const std::optional<std::string>& name);
 
 /// Whether a word of the command line means a scene file and not a walkthrough.
 inline bool is_scene_file(const std::string& name) { return name.ends_with(".json"); }

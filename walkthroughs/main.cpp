@@ -23,7 +23,7 @@ enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_conte
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file; also: a missing font), 4 no OpenGL context,\n"
     "5 cannot write, 1 anything else.\n"
-    "The folder of the fonts can be named by the environment variable GJKSTEP_FONT_DIR.";
+    "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
 
 void trace(const std::string& name) {
   if (walkthroughs::is_scene_file(name))
@@ -60,9 +60,10 @@ struct SceneCommand {
   }
 };
 
-void print_version() {
+void print_version(const std::optional<std::string>& gl) {
+  const render::Backend backend = walkthroughs::chosen_backend(gl);
   std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
-  std::cout << render::OffscreenContext().description() << '\n';
+  std::cout << render::OffscreenContext(backend).description() << '\n';
 }
 
 ExitCode flush_output() {
@@ -93,10 +94,11 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   bool version = false;
   app.add_flag("--version", version, "print the version and the OpenGL renderer");
+  walkthroughs::RenderCommand render;
+  walkthroughs::add_backend_option(app, render.gl);
   std::string listed;
   CLI::App* const list_command = app.add_subcommand("list", "the walkthroughs, one line each, or those of a folder");
   list_command->add_option("NAME", listed, "a folder or a walkthrough: its cases and how they end, as a table");
-  walkthroughs::RenderCommand render;
   CLI::App* const render_command = walkthroughs::add_render_command(app, render);
   std::string traced;
   CLI::App* const trace_command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
@@ -117,7 +119,7 @@ int run(int argc, char** argv) {
     throw UsageError(what_was_wrong(app, error));
   }
   if (version)
-    print_version();
+    print_version(render.gl);
   else if (*list_command)
     list(listed);
   else if (*render_command)

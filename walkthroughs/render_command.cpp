@@ -71,7 +71,7 @@ class Rendering {
     const Output output = checked_output();
     const Selection selection = select();
     Written written;  // before the renderer, which writes what it was given even when it goes early
-    Studio studio;
+    Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
       Output sized = output;
@@ -193,6 +193,7 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command->add_option("--out", render.out, "folder to write to")->capture_default_str();
   command->add_option("--size", render.size,
                       "width and height in pixels; if not given, what the scene file says, or 1280x720");
+  add_backend_option(*command, render.gl);
   return command;
 }
 

@@ -30,8 +30,9 @@ struct Output {
 
 /// The tools of drawing, made once for all pictures.
 struct Studio {
+  render::Backend backend = render::default_backend();
   render::Font font{render::Font::default_directory()};
-  render::OffscreenContext context;
+  render::OffscreenContext context{backend};
   render::Rasterizer rasterizer{context};
 };
 

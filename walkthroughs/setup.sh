@@ -1,7 +1,8 @@
 # Sourced by walkthroughs/run.sh and tests/run.sh from the top of the project: installs what is missing, and builds.
 # shellcheck shell=sh
 
-program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libgl-dev libpng-dev zlib1g-dev libfreetype-dev \
+# libosmesa6-dev and libegl-dev are two ways to draw; libegl-mesa0 is what EGL draws with when the program runs.
+program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libegl-dev libegl-mesa0 libgl-dev libpng-dev zlib1g-dev libfreetype-dev \
 fonts-dejavu-core nlohmann-json3-dev libcli11-dev libqhull-dev"
 
 stop() {

@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
-#include <thread>
 #include <vector>
 
 #include "tests/catch.hpp"
@@ -30,12 +28,6 @@ void fill_page(Canvas& canvas) {
   canvas.arrow({100, 20}, {180, 70}, {palette::green, 3, {}});
   canvas.circle({150, 30}, 15, {palette::vermillion, 2, {}});
   canvas.text({20, 60}, "a_1 × b_{12}", {.halo = palette::white});
-}
-
-Image one_page() {
-  Studio studio;
-  fill_page(studio.canvas);
-  return studio.draw();
 }
 
 /// How dark a pixel is: 0 white, 1 black.
@@ -211,26 +203,6 @@ TEST_CASE_METHOD(Studio, "the same canvas gives the same image, whatever was dra
     REQUIRE(image.pixel(other_size.width / 2 - 1, other_size.height / 2 - 1) == palette::sky);
     REQUIRE(draw() == first);
   }
-}
-
-TEST_CASE("two contexts, one after the other or in two threads, give the same image") {
-  const Image first = one_page();
-  REQUIRE(first.pixel(40, 40) != palette::white);
-  REQUIRE(one_page() == first);
-  Image in_thread({1, 1});
-  std::thread([&] { in_thread = one_page(); }).join();
-  REQUIRE(in_thread == first);
-}
-
-TEST_CASE("a second context in one thread is refused") {
-  const OffscreenContext context;
-  REQUIRE_THROWS_AS(OffscreenContext(), ContextError);
-}
-
-TEST_CASE("a context says what it is and what it lacks") {
-  const OffscreenContext context;
-  REQUIRE(context.description().find("OpenGL") != std::string::npos);
-  REQUIRE_THROWS_AS(context.function("noSuchFunction"), ContextError);
 }
 
 TEST_CASE_METHOD(Studio, "sizes out of range are refused and leave the rasterizer usable") {

@@ -4,6 +4,7 @@
 #include <pty.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include <sstream>
 
 #include "render/image.hpp"
+#include "render/offscreen_context.hpp"
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
@@ -142,15 +144,17 @@ TEST_CASE("gjkstep list NAME prints a table: name, case, section, how the search
   CHECK(printed[0].size() == printed[1].size());
 }
 
-TEST_CASE("The option --help names every command, the exit codes and the variable for the fonts") {
+TEST_CASE("The option --help names every command, the exit codes and the variables of the environment") {
   for (const char* option : {"--help", "-h"}) {
     const Outcome outcome = run(option);
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err.empty());
-    for (const char* word : {"list", "render", "trace", "--version", "Exit codes", "GJKSTEP_FONT_DIR"})
+    for (const char* word :
+         {"list", "render", "trace", "--version", "--gl", "Exit codes", "GJKSTEP_FONT_DIR", "GJKSTEP_GL"})
       CHECK(has(outcome.out, word));
   }
-  for (const char* word : {"--all", "--strip", "--out", "--size", "1280x720", "--apng", "--movie", "--theme", "--turn"})
+  for (const char* word :
+       {"--all", "--strip", "--out", "--size", "1280x720", "--apng", "--movie", "--theme", "--turn", "--gl"})
     CHECK(has(run("render --help").out, word));
 }
 
@@ -160,6 +164,41 @@ TEST_CASE("The option --version prints the version and the OpenGL renderer") {
   CHECK(outcome.err.empty());
   CHECK(outcome.out.starts_with("gjkstep 0."));
   CHECK(has(outcome.out, "OpenGL "));
+}
+
+TEST_CASE("The option --gl chooses what draws, and beats the variable GJKSTEP_GL, which beats the default") {
+  const auto titled = [](render::Backend backend) {
+    return backend == render::Backend::osmesa ? ", OSMesa\n" : ", EGL surfaceless\n";
+  };
+  CHECK(run("--version").out.ends_with(titled(render::default_backend())));
+  CHECK(run("--version", "GJKSTEP_GL=").out.ends_with(titled(render::default_backend())));
+  for (const render::Backend backend : render::built_in_backends()) {
+    const std::string name(render::name_of(backend));
+    CHECK(run("--version --gl " + name).out.ends_with(titled(backend)));
+    CHECK(run("--version", "GJKSTEP_GL=" + name).out.ends_with(titled(backend)));
+    for (const std::string other : {"osmesa", "egl", "nonsense"})
+      CHECK(run("--version --gl " + name, "GJKSTEP_GL=" + other).out.ends_with(titled(backend)));
+  }
+}
+
+TEST_CASE("The same frames are drawn, whatever draws them") {
+  const Folder folder;
+  const std::string names = "render figure-2 figure-4-left regions/3-simplex-inside --strip --sheet --size 640x360 ";
+  const auto drawn_with = [&](render::Backend backend) {
+    const fs::path out = folder.path() / render::name_of(backend);
+    CHECK(run(names + "--gl " + std::string(render::name_of(backend)) + " --out " + quoted(out.string())).exit_code ==
+          0);
+    return out;
+  };
+  const fs::path expected = drawn_with(render::default_backend());
+  for (const render::Backend backend : render::built_in_backends()) {
+    const fs::path actual = drawn_with(backend);
+    REQUIRE(listing(actual) == listing(expected));
+    for (const std::string& file : listing(expected)) {
+      INFO(actual / file);
+      CHECK(bytes_of(actual / file) == bytes_of(expected / file));
+    }
+  }
 }
 
 TEST_CASE("gjkstep trace prints JSON Lines on standard output") {
@@ -521,6 +560,16 @@ TEST_CASE("A size that is not WIDTHxHEIGHT within the limits is refused, and not
   }
 }
 
+TEST_CASE("A backend that there is not is refused with the names of those that there are, and nothing is written") {
+  for (const char* name : {"nonsense", "OSMesa", "egl ", ""}) {
+    const Untouched out;
+    check_failure("render figure-5 --gl " + quoted(name) + out.option, 2, {"--gl " + quoted(name), "osmesa or egl"});
+    check_failure("--version --gl " + quoted(name), 2, {"--gl " + quoted(name), "osmesa or egl"});
+  }
+  const Untouched out;
+  check_failure("render figure-5" + out.option, 2, {"GJKSTEP_GL 'glx'", "osmesa or egl"}, "GJKSTEP_GL=glx");
+}
+
 TEST_CASE("The smallest size is accepted") {
   const Folder folder;
   CHECK(run("render figure-5 --size 16x16 --out " + quoted(folder.path().string())).exit_code == 0);
@@ -538,18 +587,53 @@ TEST_CASE("Missing fonts are exit code 3 and the message names the package, and 
 }
 
 TEST_CASE("No OpenGL context is exit code 4 and the message names what stands in the way, and nothing is written") {
-  const Untouched out;
-  const std::string old = "MESA_GL_VERSION_OVERRIDE=2.1";
-  check_failure("render figure-5" + out.option, 4, {"OpenGL 3.3", old}, old);
-  CHECK(run("--version", old).exit_code == 4);
+  for (const render::Backend backend : render::built_in_backends()) {
+    const Untouched out;
+    const std::string gl = " --gl " + std::string(render::name_of(backend)), old = "MESA_GL_VERSION_OVERRIDE=2.1";
+    check_failure("render figure-5" + gl + out.option, 4, {"OpenGL 3.3", old}, old);
+    CHECK(run("--version" + gl, old).exit_code == 4);
+  }
 }
 
-TEST_CASE("Settings under which Mesa would crash are exit code 4 and the message says what to choose") {
-  for (const std::string setting :
-       {"GALLIUM_DRIVER=bogus", "LP_NATIVE_VECTOR_WIDTH=512", "DRAW_USE_LLVM=0", "MESA_GLSL_VERSION_OVERRIDE=110"}) {
-    const Untouched out;
-    check_failure("render figure-5" + out.option, 4, {setting, "unset it"}, setting);
+TEST_CASE(
+    "Settings under which Mesa would crash or draw other pixels are exit code 4 and the message says what to choose") {
+  for (const render::Backend backend : render::built_in_backends()) {
+    const std::string gl = " --gl " + std::string(render::name_of(backend));
+    for (const std::string setting : {"GALLIUM_DRIVER=bogus", "GALLIUM_DRIVER=softpipe", "LP_NATIVE_VECTOR_WIDTH=512",
+                                      "DRAW_USE_LLVM=0", "LP_PERF=no_tex", "MESA_GLSL_VERSION_OVERRIDE=110"}) {
+      const Untouched out;
+      check_failure("render figure-5" + gl + out.option, 4, {setting, "unset it"}, setting);
+    }
   }
+}
+
+TEST_CASE("A backend that this build lacks is exit code 4 and the message names its package, and nothing is written") {
+  for (const render::Backend backend : render::all_backends()) {
+    if (std::ranges::count(render::built_in_backends(), backend) > 0) continue;
+    const std::string name(render::name_of(backend));
+    for (const bool by_variable : {false, true}) {
+      const Untouched out;
+      check_failure("render figure-5" + (by_variable ? "" : " --gl " + name) + out.option, 4,
+                    {"'" + name + "'", "lib" + name, "-dev"}, by_variable ? "GJKSTEP_GL=" + name : "");
+    }
+  }
+}
+
+TEST_CASE("EGL that has no software renderer is exit code 4 and the message names its package") {
+  if (std::ranges::count(render::built_in_backends(), render::Backend::egl) == 0) return;
+  const Untouched out;
+  const std::string none = "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere";
+  check_failure("render figure-5 --gl egl" + out.option, 4, {none, "libegl-mesa0"}, none);
+}
+
+TEST_CASE("EGL that is told to draw with another driver is exit code 4 and the message says so") {
+  if (std::ranges::count(render::built_in_backends(), render::Backend::egl) == 0) return;
+  const Untouched out;
+  const std::string other = "MESA_LOADER_DRIVER_OVERRIDE=zink";
+  // Mesa complains as well; and what it leaks when it gives up is not ours.
+  const Outcome outcome = run("render figure-5 --gl egl" + out.option, other + " ASAN_OPTIONS=detect_leaks=0");
+  CHECK(outcome.exit_code == 4);
+  CHECK(has(outcome.err, other));
 }
 
 TEST_CASE("A walkthrough named twice is rendered once") {

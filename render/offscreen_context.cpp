@@ -1,0 +1,125 @@
+#include "render/offscreen_context.hpp"
+
+#include <GL/glcorearb.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <initializer_list>
+
+#include "render/context_backend.hpp"
+
+namespace render {
+namespace {
+
+constexpr std::array all = {Backend::osmesa, Backend::egl};
+
+constexpr auto list_of_build() {
+  using namespace built_in;
+  return std::array{GJKSTEP_BACKENDS};
+}
+constexpr auto of_build = list_of_build();
+
+const BuiltIn& find(Backend backend) {
+  const auto* const found = std::ranges::find(of_build, backend, &BuiltIn::backend);
+  if (found != of_build.end()) return *found;
+  const std::string package = backend == Backend::osmesa ? "libosmesa6-dev" : "libegl-dev";
+  throw ContextError("this gjkstep was built without '" + std::string(name_of(backend)) + "' and has '" +
+                     std::string(name_of(default_backend())) + "'; to have both: apt-get install " + package +
+                     ", then configure and build again");
+}
+
+/// Settings under which Mesa crashes or draws something else instead of failing (Mesa 22.3 and 25.0). Its other software
+/// renderer, softpipe, is among them: in 932 frames it is up to 8 of 255 off, up to 25 pixels of one by more than 2 (22.3).
+void refuse_wrong_settings() {
+  const auto require = [](const char* name, std::initializer_list<std::string_view> allowed) {
+    const char* value = std::getenv(name);
+    if (value == nullptr || std::ranges::count(allowed, std::string_view(value)) > 0) return;
+    std::string advice = "unset it";
+    for (const std::string_view each : allowed) advice.append(" or choose ").append(each);
+    throw ContextError(std::string(name) + "=" + value + " is set, with which Mesa crashes or draws other pixels; " +
+                       advice);
+  };
+  require("GALLIUM_DRIVER", {"llvmpipe"});
+  require("LP_NATIVE_VECTOR_WIDTH", {"128", "256"});
+  for (const char* name : {"DRAW_USE_LLVM", "LP_PERF", "MESA_GLSL_VERSION_OVERRIDE", "MESA_EXTENSION_OVERRIDE"})
+    require(name, {});
+}
+
+/// OpenGL calls go to the one current context of their thread, whichever backend has made it. The backends cannot be
+/// asked: each of them knows only its own.
+class OnlyOneInThread {
+ public:
+  OnlyOneInThread() {
+    if (taken_)
+      throw ContextError("this thread has an OpenGL context already: destroy it first, or use another thread");
+    taken_ = true;
+  }
+  ~OnlyOneInThread() { taken_ = false; }
+  OnlyOneInThread(const OnlyOneInThread&) = delete;
+  OnlyOneInThread& operator=(const OnlyOneInThread&) = delete;
+
+ private:
+  static inline thread_local bool taken_ = false;
+};
+
+}  // namespace
+
+std::span<const Backend> all_backends() { return all; }
+
+std::span<const Backend> built_in_backends() {
+  static constexpr auto list = [] {
+    std::array<Backend, of_build.size()> backends{};
+    std::ranges::transform(of_build, backends.begin(), &BuiltIn::backend);
+    return backends;
+  }();
+  return list;
+}
+
+std::string_view name_of(Backend backend) { return backend == Backend::osmesa ? "osmesa" : "egl"; }
+
+std::string suspects() {
+  std::string set;
+  for (const char* name : {"GALLIUM_DRIVER", "MESA_GL_VERSION_OVERRIDE", "MESA_LOADER_DRIVER_OVERRIDE",
+                           "LIBGL_DRIVERS_PATH", "__EGL_VENDOR_LIBRARY_FILENAMES", "__EGL_VENDOR_LIBRARY_DIRS"}) {
+    if (const char* value = std::getenv(name)) set += std::string("; ") + name + "=" + value + " is set, try without";
+  }
+  return set;
+}
+
+struct OffscreenContext::Impl {
+  OnlyOneInThread only_one;
+  const BuiltIn& backend;
+  std::unique_ptr<CurrentContext> context = backend.make();
+
+  Function function(const char* name) const {
+    if (const Function found = context->function(name)) return found;
+    throw ContextError(std::string("the OpenGL driver has no ") + name + suspects());
+  }
+  /// Returns: what OpenGL says of itself, or nothing.
+  std::string text(GLenum name) const {
+    const auto* const said = reinterpret_cast<PFNGLGETSTRINGPROC>(function("glGetString"))(name);
+    return said == nullptr ? "" : reinterpret_cast<const char*>(said);
+  }
+};
+
+OffscreenContext::OffscreenContext(Backend backend) {
+  const BuiltIn& chosen = find(backend);
+  refuse_wrong_settings();
+  impl_.reset(new Impl{.only_one = {}, .backend = chosen});
+  const std::string renderer = impl_->text(GL_RENDERER);
+  if (!renderer.starts_with("llvmpipe")) {
+    throw ContextError(std::string(chosen.title) + " would draw with '" + renderer +
+                       "', whose pixels are others than those of Mesa's llvmpipe" + suspects());
+  }
+}
+
+OffscreenContext::~OffscreenContext() = default;
+
+OffscreenContext::Function OffscreenContext::function(const char* name) const { return impl_->function(name); }
+
+std::string OffscreenContext::description() const {
+  return impl_->text(GL_RENDERER) + ", OpenGL " + impl_->text(GL_VERSION) + ", " + std::string(impl_->backend.title);
+}
+
+}  // namespace render
