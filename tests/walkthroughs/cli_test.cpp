@@ -172,7 +172,7 @@ TEST_CASE("gjkstep trace prints JSON Lines on standard output") {
     for (const Scene& scene : w.scenes) events += run(scene).events.size();
     const std::vector<std::string> printed = lines(outcome.out);
     CHECK(printed.size() == 1 + events);
-    CHECK(printed.front().starts_with(R"({"schema":"gjkstep-trace","version":1,"walkthrough":")" + w.name + '"'));
+    CHECK(printed.front().starts_with(R"({"schema":"gjkstep-trace","version":2,"walkthrough":")" + w.name + '"'));
     for (const std::string& line : printed) CHECK((line.starts_with('{') && line.ends_with('}')));
   }
 }
