@@ -50,8 +50,7 @@ std::vector<Point> corners_of(const std::vector<render::Face>& faces) {
   std::vector<Point> corners;
   for (const render::Face& face : faces) corners.insert(corners.end(), face.corners.begin(), face.corners.end());
   std::ranges::sort(corners, {}, key);
-  const auto repeated = std::ranges::unique(corners);
-  corners.erase(repeated.begin(), repeated.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
@@ -103,8 +102,7 @@ std::vector<Point> rim_of(const Cylinder& cylinder, double end) {
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   const auto key = [](const Vec2& p) { return std::tuple(p.x(), p.y()); };
   std::ranges::sort(points, {}, key);
-  const auto repeated = std::ranges::unique(points);
-  points.erase(repeated.begin(), repeated.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<Vec2> hull;
   append_chain(points, hull);
   std::ranges::reverse(points);
@@ -124,7 +122,7 @@ LabelledHull difference_hull(const Scene& scene) {
   std::vector<Vec2> corners = convex_hull(through(Lens{}, differences(vertices_of(scene.a), vertices_of(scene.b))));
   if (corners.empty()) return {};
   const auto first = std::ranges::max_element(corners, {}, [](const Vec2& p) { return std::tuple(p.x(), p.y()); });
-  std::ranges::rotate(corners, first);
+  std::rotate(corners.begin(), first, corners.end());
   return {corners};
 }
 
