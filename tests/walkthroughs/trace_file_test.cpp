@@ -52,8 +52,7 @@ void check_redraws(const Walkthrough& w) {
   INFO(w.name);
   const TraceFile file = parse_trace(trace_text(w), "trace.jsonl");
   CHECK(file.walkthrough.name == w.name);
-  for (const Detail detail : {Detail::decision, Detail::step})
-    check_same_frames(tell(w, detail), tell(file.walkthrough, file.traces, detail));
+  check_same_frames(tell(w), tell(file.walkthrough, file.traces));
 }
 
 // -- Scenes that need all bits ------------------------------------------------------------------------------------------
@@ -156,7 +155,8 @@ bool is_free(const std::string& path, const OrderedJson& line) {
   const auto has = [&](const char* part) { return path.find(part) != std::string::npos; };
   if (is_header)
     return path == "/walkthrough" || has("/presentation/") || path.ends_with("/name") || has("/points/") ||
-           has("/iteration_limit") || has("/dimension") || has("/rules");
+           has("/iteration_limit") || has("/dimension") || has("/rules") ||
+           has("/cylinder/axis/0");  // along x: its multiples are the same axis
   return path == "/why" || (path == "/reason" && line.at("event") == "region-tested");
 }
 
@@ -183,7 +183,7 @@ std::vector<OrderedJson> other_values(const OrderedJson& value, const std::set<s
     if (x != 0) others.insert(others.end(), {x * (1 + 1e-9), -x});
     return others;
   }
-  std::vector<OrderedJson> others{"", 0, nullptr};
+  std::vector<OrderedJson> others{"-", 0, nullptr};
   for (const std::string& word : words)
     if (word != value.get<std::string>()) others.emplace_back(word);
   return others;
@@ -213,7 +213,7 @@ TEST_CASE("Reading a trace and telling it asks no support function", "[trace-fil
 
 TEST_CASE("Scenes and events of random objects read back as the identical numbers", "[trace-file]") {
   RandomScenes scenes(1);
-  for (int i = 0; i < 3000; ++i) check_reads_back(scenes.next(i % 3 == 0 ? i % 305 - 155 : i % 9 - 4));
+  for (int i = 0; i < 1000; ++i) check_reads_back(scenes.next(i % 3 == 0 ? i % 305 - 155 : i % 9 - 4));
 }
 
 // -- What is refused --------------------------------------------------------------------------------------------------
@@ -303,7 +303,7 @@ TEST_CASE("A point of an object that the search found cannot be changed", "[trac
   CHECK(complaint_about_trace(text_of(lines)).starts_with("bad.jsonl:3: 'a' is not where the point of index"));
 }
 
-TEST_CASE("A trace needs less memory than its limits allow", "[trace-file]") {
+TEST_CASE("A file that is larger than a trace may be is refused", "[trace-file]") {
   const Written long_trace(std::string(trace_limits::bytes + 1, ' '), "long.jsonl");
   try {
     read_trace(long_trace.path);
