@@ -96,7 +96,7 @@ class Cylinder {
   /// `axis`: any length but zero. `height`: from cap to cap; `center` lies halfway.
   /// Errors: std::invalid_argument unless radius and height are positive and finite and the axis is finite and not zero.
   Cylinder(Vec3<S> center, Vec3<S> axis, S radius, S height)
-      : center_(std::move(center)), axis_(std::move(axis)), radius_(radius) {
+      : center_(std::move(center)), axis_(std::move(axis)), radius_(radius), height_(height) {
     const auto positive = [](S length) { return length > 0 && std::isfinite(length); };
     if (!positive(radius) || !positive(height))
       throw std::invalid_argument("a cylinder needs a positive, finite radius and height");
@@ -127,12 +127,15 @@ class Cylinder {
   }
 
   const Vec3<S>& center() const { return center_; }
-  const Vec3<S>& to_cap() const { return to_cap_; }  ///< from the center to the middle of the cap along the axis
   S radius() const { return radius_; }
+  /// A cylinder made from these four is the identical one: dividing by a largest component of 1 changes nothing.
+  const Vec3<S>& axis() const { return axis_; }
+  S height() const { return height_; }
+  const Vec3<S>& to_cap() const { return to_cap_; }  ///< from the center to the middle of the cap along the axis
 
  private:
   Vec3<S> center_, axis_;  // the largest component of the axis is 1 or -1
-  S radius_;
+  S radius_, height_;
   Vec3<S> to_cap_ = Vec3<S>::Zero();
 };
 

@@ -117,7 +117,11 @@ class DocumentBuilder {
   DocumentBuilder(Document& document, const Progress& progress) : document_(document), progress_(progress) {}
 
   bool null() { return add(Document::Kind::null); }
-  bool boolean(bool) { return add(Document::Kind::boolean); }
+  bool boolean(bool value) {
+    add(Document::Kind::boolean);
+    document_.nodes_.back().number = value ? 1 : 0;
+    return true;
+  }
   bool number_integer(Json::number_integer_t value) { return add_number(static_cast<double>(value)); }
   bool number_unsigned(Json::number_unsigned_t value) { return add_number(static_cast<double>(value)); }
   bool number_float(Json::number_float_t value, const std::string&) { return add_number(value); }
@@ -241,13 +245,13 @@ void require_text(std::string_view text) {
 
 }  // namespace
 
-Document::Document(std::string_view text) {
+Document::Document(std::string_view text, Comments comments) {
   require_text(text);
   Progress progress(text);
   DocumentBuilder builder(*this, progress);
-  constexpr bool strict = true, ignore_comments = true;
+  constexpr bool strict = true;
   Json::sax_parse(CountingIterator(progress), CountingIterator(), &builder, Json::input_format_t::json, strict,
-                  ignore_comments);
+                  comments == Comments::allowed);
 }
 
 Value Document::root() const { return {*this, 0}; }

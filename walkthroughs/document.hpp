@@ -1,6 +1,6 @@
-/// JSON that knows its lines: the text of a scene file as a tree, within limits that keep it small.
+/// JSON that knows its lines: the text of a scene file, or one line of a trace, as a tree, within limits that keep it small.
 ///
-/// Comments, // to the end of the line and /* */, count as blanks. The parser does not recurse, and it stops at the first
+/// Comments, // to the end of the line and /* */, count as blanks where they are allowed. The parser does not recurse, and it stops at the first
 /// thing that it objects to. Nothing here knows of scenes.
 #pragma once
 
@@ -35,8 +35,10 @@ class Document {
  public:
   enum class Kind : std::uint8_t { null, boolean, number, string, list, object };
 
+  enum class Comments { allowed, refused };
+
   /// Errors: DocumentError where `text` is not JSON, goes beyond the limits, or names a key twice in one object.
-  explicit Document(std::string_view text);
+  explicit Document(std::string_view text, Comments comments = Comments::allowed);
 
   Value root() const;
 
@@ -66,7 +68,8 @@ class Value {
  public:
   Document::Kind kind() const { return node().kind; }
   bool is(Document::Kind kind) const { return node().kind == kind; }
-  double number() const { return node().number; }  ///< Requires: a number.
+  double number() const { return node().number; }      ///< Requires: a number.
+  bool is_true() const { return node().number != 0; }  ///< Requires: a boolean.
   /// Requires: a string. Returns: valid UTF-8.
   const std::string& text() const { return document_->strings_[node().text]; }
   /// Requires: the value of a member of an object.

@@ -21,11 +21,11 @@ using walkthroughs::Walkthrough;
 enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
 
 constexpr const char* footer =
-    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file; also: a missing font), 4 no OpenGL context,\n"
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace; also: a missing font), 4 no OpenGL context,\n"
     "5 cannot write, 1 anything else.\n"
     "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
 
-void trace(const std::string& name) {
+void write_trace(const std::string& name) {
   if (walkthroughs::is_scene_file(name))
     return walkthroughs::write_traces(std::cout, walkthroughs::read_scene(name).walkthrough);
   if (walkthroughs::find_walkthrough(name) == nullptr && !walkthroughs::find_walkthroughs(name).empty())
@@ -36,6 +36,20 @@ void trace(const std::string& name) {
     throw UsageError("'" + name + "' is a diagram, which no search makes: there is no trace of it");
   walkthroughs::write_traces(std::cout, found);
 }
+
+struct TraceCommand {
+  bool schema = false;
+  std::string name;
+
+  void run() const {
+    if (schema)
+      std::cout << walkthroughs::trace_schema();
+    else if (name.empty())
+      throw UsageError("trace what? NAME is required: a walkthrough or a scene file; or say --schema");
+    else
+      write_trace(name);
+  }
+};
 
 void list(const std::string& name) {
   if (name.empty())
@@ -100,9 +114,11 @@ int run(int argc, char** argv) {
   CLI::App* const list_command = app.add_subcommand("list", "the walkthroughs, one line each, or those of a folder");
   list_command->add_option("NAME", listed, "a folder or a walkthrough: its cases and how they end, as a table");
   CLI::App* const render_command = walkthroughs::add_render_command(app, render);
-  std::string traced;
+  TraceCommand trace;
   CLI::App* const trace_command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
-  trace_command->add_option("NAME", traced, "walkthrough or scene file (.json) to trace")->required();
+  CLI::Option* const traced =
+      trace_command->add_option("NAME", trace.name, "walkthrough or scene file (.json) to trace");
+  trace_command->add_flag("--schema", trace.schema, "print the JSON Schema of one line of a trace")->excludes(traced);
 
   SceneCommand scene;
   CLI::App* const scene_command = app.add_subcommand("scene", "files with scenes of your own");
@@ -125,7 +141,7 @@ int run(int argc, char** argv) {
   else if (*render_command)
     render.run();
   else if (*trace_command)
-    trace(traced);
+    trace.run();
   else if (*scene_command)
     scene.run();
   else
@@ -145,7 +161,7 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const UsageError& error) {
     return fail(wrong_usage, error);
-  } catch (const walkthroughs::SceneError& error) {
+  } catch (const walkthroughs::InputError& error) {
     return fail(bad_input, error);
   } catch (const render::FontError& error) {
     return fail(bad_input, error);

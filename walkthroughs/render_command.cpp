@@ -14,6 +14,7 @@
 #include "walkthroughs/movie.hpp"
 #include "walkthroughs/render_frames.hpp"
 #include "walkthroughs/scene_file.hpp"
+#include "walkthroughs/trace_file.hpp"
 #include "walkthroughs/words.hpp"
 
 namespace walkthroughs {
@@ -29,7 +30,8 @@ class Selection {
  public:
   struct Chosen {
     const Walkthrough* walkthrough;
-    std::optional<render::Size> size = {};  ///< that its file asks for
+    std::optional<render::Size> size = {};       ///< that its file asks for
+    const std::vector<Trace>* traces = nullptr;  ///< where they have been read
   };
 
   void add(const std::string& word) {
@@ -38,6 +40,12 @@ class Selection {
     const SceneFile& file = files_.emplace_back(read_scene(word));
     refuse_name_twice(file.walkthrough, word);
     chosen_.push_back({&file.walkthrough, file.size});
+  }
+  void add_trace(const std::string& file) {
+    if (!files_read_.insert(file).second) return;
+    const TraceFile& read = traces_.emplace_back(read_trace(file));
+    refuse_name_twice(read.walkthrough, file);
+    chosen_.push_back({&read.walkthrough, {}, &read.traces});
   }
   void add(const std::vector<const Walkthrough*>& several) {
     for (const Walkthrough* w : several) {
@@ -58,6 +66,7 @@ class Selection {
   }
 
   std::deque<SceneFile> files_;  // that do not move when more come
+  std::deque<TraceFile> traces_;
   std::set<std::string> files_read_;
   std::vector<Chosen> chosen_;
 };
@@ -76,7 +85,7 @@ class Rendering {
     for (const Selection::Chosen& each : selection.chosen()) {
       Output sized = output;
       if (!command_.size && each.size) sized.size = *each.size;
-      render(*each.walkthrough, sized, renderer, written);
+      render(each, sized, renderer, written);
     }
     renderer.finish();
     if (command_.captions) write_captions(written.frames);
@@ -107,6 +116,7 @@ class Rendering {
   Selection select() const {
     Selection selection;
     for (const std::string& name : command_.names) selection.add(name);
+    for (const std::string& file : command_.traces) selection.add_trace(file);
     if (command_.all)
       for (const Walkthrough& w : catalogue()) selection.add({&w});
     if (selection.chosen().empty())
@@ -114,9 +124,10 @@ class Rendering {
     return selection;
   }
 
-  void render(const Walkthrough& w, const Output& output, Renderer& renderer, Written& written) const {
+  void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
+    const Walkthrough& w = *chosen.walkthrough;
     const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
-    const auto story = std::make_shared<const Story>(tell(w, shown));
+    const auto story = std::make_shared<const Story>(chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown));
     if (command_.captions) written.stories.push_back(story);
     const auto report_frame = [this, story, &written](const std::filesystem::path& file, std::size_t index) {
       const FrameFile frame{file, *story, index};
@@ -166,6 +177,12 @@ void RenderCommand::run() const { Rendering(*this).run(); }
 CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   CLI::App* const command = app.add_subcommand("render", "write the frames OUT/NAME/000.png, 001.png, ...");
   command->add_option("NAME", render.names, "walkthroughs to render, folders of them, or scene files (.json)");
+  command
+      ->add_option("--from-trace", render.traces,
+                   "file that 'gjkstep trace' wrote: its frames are drawn without a search; may be repeated")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--all", render.all, "render every walkthrough");
   command->add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
   command->add_flag("--sheet", render.sheet, "write OUT/NAME/sheet.png as well: all frames on one page");

@@ -10,6 +10,7 @@ namespace walkthroughs {
 
 struct RenderCommand {
   std::vector<std::string> names;
+  std::vector<std::string> traces;  ///< files
   bool all = false;
   bool strip = false;
   bool sheet = false;

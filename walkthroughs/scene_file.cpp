@@ -1,173 +1,21 @@
 #include "walkthroughs/scene_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <numbers>
-#include <span>
 
 #include "render/rasterizer.hpp"
 #include "walkthroughs/document.hpp"
-#include "walkthroughs/nearest.hpp"
+#include "walkthroughs/scene_values.hpp"
+#include "walkthroughs/words_of.hpp"
 
 namespace walkthroughs {
 namespace {
 
-using Kind = Document::Kind;
-using Keys = std::initializer_list<std::string>;
+using namespace reading;
 
-// -- Words ------------------------------------------------------------------------------------------------------------
-
-/// Returns: the shortest text that reads back as the same number.
-std::string written(double number) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-  return {text, end};
-}
-
-/// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
-std::string list_of(std::span<const std::string> words, const std::string& last) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    list += (i == 0 ? "'" : i + 1 == words.size() ? " " + last + " '" : ", '") + words[i] + "'";
-  return list;
-}
-
-std::string suggestion(const std::string& word, std::span<const std::string> known) {
-  return "did you mean '" + nearest(std::string_view(word).substr(0, 64), known) + "'? Known here are " +
-         list_of(known, "and");
-}
-
-// -- Values -----------------------------------------------------------------------------------------------------------
-
-void expect(const Value& value, Kind kind, std::string_view expected) {
-  if (!value.is(kind)) value.fail("expected " + std::string(expected) + ", found " + std::string(value.description()));
-}
-
-void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
-  expect(value, Kind::object, expected);
-  for (const Value& member : value.children())
-    if (std::ranges::count(keys, member.key()) == 0)
-      member.fail("is not a key; " + suggestion(member.key(), std::span(keys.begin(), keys.size())));
-}
-
-Value required(const Value& object, std::string_view key, const std::string& what_to_do) {
-  if (const auto member = object.member(key)) return *member;
-  object.fail_without(key, "is missing; " + what_to_do);
-}
-
-double number(const Value& value) {
-  expect(value, Kind::number, "a number");
-  if (!(std::abs(value.number()) <= scene_limits::magnitude))
-    value.fail(written(value.number()) +
-               " is beyond 1e150 in magnitude, where squares of lengths overflow; choose a larger unit of length");
-  return value.number();
-}
-
-double length(const Value& object, std::string_view key) {
-  const Value value = required(object, key, "give it as a positive number");
-  const double found = number(value);
-  if (!(found > 0)) value.fail("must be larger than 0, found " + written(found) + "; give a positive length");
-  return found;
-}
-
-int whole_number(const Value& value, int low, int high) {
-  const std::string range = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-  expect(value, Kind::number, range);
-  const double found = value.number();
-  if (found != std::floor(found) || found < low || found > high)
-    value.fail("expected " + range + ", found " + written(found));
-  return static_cast<int>(found);
-}
-
-/// Returns: the position of the word in `words`.
-std::size_t choice(const Value& value, const Keys& words) {
-  const std::span<const std::string> known(words.begin(), words.size());
-  expect(value, Kind::string, list_of(known, "or"));
-  const auto found = std::ranges::find(known, value.text());
-  if (found == known.end()) value.fail(in_quotes(value.text()) + " is not known; " + suggestion(value.text(), known));
-  return static_cast<std::size_t>(found - known.begin());
-}
-
-std::string words(const Value& value, std::size_t longest) {
-  expect(value, Kind::string, "a string");
-  const std::u32string points = code_points(value.text());
-  const bool blank = std::ranges::all_of(points, [](char32_t c) { return c == U' '; });
-  if (blank) value.fail("is empty; write something, or leave the key out");
-  if (!std::ranges::all_of(points, is_printable))
-    value.fail("has a control character, such as a line break or a tab; leave it out");
-  if (points.size() > longest)
-    value.fail("has " + std::to_string(points.size()) + " characters; shorten it to " + std::to_string(longest));
-  return value.text();
-}
-
-/// Where a scene lies decides what a point looks like.
-struct Space {
-  Dimension dimension;
-
-  bool is_plane() const { return dimension == Dimension::plane; }
-  std::string point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }
-
-  Point point(const Value& value) const {
-    expect(value, Kind::list, point_words());
-    const std::vector<Value> numbers = value.children();
-    if (numbers.size() != 3 && !(is_plane() && numbers.size() == 2)) wrong_count(value, numbers.size());
-    Point found = Point::Zero();
-    for (std::size_t i = 0; i < numbers.size(); ++i) found[static_cast<int>(i)] = number(numbers[i]);
-    if (is_plane() && found.z() != 0)
-      numbers[2].fail("must be 0, because the scene has \"dimension\": 2; found " + written(found.z()));
-    return found;
-  }
-
-  Point direction(const Value& value) const {
-    const Point found = point(value);
-    if (found.isZero(0)) value.fail("has no length; give a direction other than zero");
-    return found;
-  }
-
- private:
-  [[noreturn]] void wrong_count(const Value& value, std::size_t count) const {
-    const char* const hint = !is_plane() && count == 2 ? "; for a scene of the plane say \"dimension\": 2" : "";
-    value.fail("expected " + point_words() + ", found a list of " + std::to_string(count) + hint);
-  }
-};
-
-// -- Objects ----------------------------------------------------------------------------------------------------------
-
-Points read_points(const Value& value, const Space& space) {
-  expect(value, Kind::list, "a list of points");
-  const std::vector<Value> children = value.children();
-  if (children.empty()) value.fail("has no point; a point set needs at least one");
-  static_assert(scene_limits::points == document_limits::elements, "longer lists have been turned away by now");
-  std::vector<Point> points;
-  points.reserve(children.size());
-  for (const Value& child : children) points.push_back(space.point(child));
-  return Points(std::move(points));
-}
-
-Ball read_sphere(const Value& value, const Space& space) {
-  expect_object(value, {"center", "radius"}, "an object with 'center' and 'radius'");
-  const Point center = space.point(required(value, "center", "give it as " + space.point_words()));
-  return {center, length(value, "radius")};
-}
-
-Cylinder read_cylinder(const Value& value, const Space& space) {
-  if (space.is_plane())
-    value.fail(
-        "a scene with \"dimension\": 2 has no cylinders; use a sphere (a disc) or points, or say \"dimension\": 3");
-  expect_object(value, {"center", "axis", "radius", "height"},
-                "an object with 'center', 'axis', 'radius' and 'height'");
-  const Point center = space.point(required(value, "center", "give it as " + space.point_words()));
-  const Point axis = space.direction(required(value, "axis", "give it as a direction [x, y, z]"));
-  const double radius = length(value, "radius");
-  return {center, axis, radius, length(value, "height")};
-}
+// -- Objects -----------------------------------------------------------------------------------------------------------
 
 /// Returns: cosine and sine, exact for quarter turns.
 std::pair<double, double> cosine_and_sine(double degrees) {
@@ -209,26 +57,6 @@ Pose read_pose(const Value& value, const Space& space) {
   return pose;
 }
 
-/// Returns: the one member that gives the shape.
-Value shape_of(const Value& object) {
-  std::optional<Value> found;
-  for (const Value& member : object.children()) {
-    if (member.key() != "points" && member.key() != "sphere" && member.key() != "cylinder") continue;
-    if (found)
-      member.fail("is a second shape beside '" + found->key() +
-                  "'; an object has one: keep 'points', 'sphere' or 'cylinder'");
-    found = member;
-  }
-  if (!found) object.fail("has no shape; give 'points', 'sphere' or 'cylinder'");
-  return *found;
-}
-
-decltype(Object::form) read_form(const Value& shape, const Space& space) {
-  if (shape.key() == "points") return read_points(shape, space);
-  if (shape.key() == "sphere") return read_sphere(shape, space);
-  return read_cylinder(shape, space);
-}
-
 // What may throw is computed before an aggregate is begun: GCC 12 destroys members of unfinished aggregates twice.
 Object read_object(const Value& value, const Space& space) {
   expect_object(value, {"name", "points", "sphere", "cylinder", "pose"}, "an object with a shape");
@@ -266,13 +94,13 @@ gjk::Options<double> read_options(const Value& root, const Space& space) {
   if (const auto limit = root.member("iteration_limit"))
     options.iteration_limit = whole_number(*limit, 1, scene_limits::iterations);
   if (const auto test = root.member("crossing_test"))
-    options.crossing_test = choice(*test, {"on", "off"}) == 0 ? gjk::CrossingTest::on : gjk::CrossingTest::off;
+    options.crossing_test = static_cast<gjk::CrossingTest>(choice(*test, words_of::crossing_test));
   return options;
 }
 
 RuleSet read_rules(const Value& root) {
   const auto rules = root.member("rules");
-  return rules && choice(*rules, {"as-intended", "as-printed"}) == 1 ? RuleSet::as_printed : RuleSet::as_intended;
+  return rules ? static_cast<RuleSet>(choice(*rules, words_of::rules)) : RuleSet::as_intended;
 }
 
 Panels read_panels(const Value& root) {
@@ -283,7 +111,7 @@ Panels read_panels(const Value& root) {
   panels = {.objects = false, .hull = false, .algorithm = false};
   for (const Value& each : list->children()) {
     bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm};
-    bool& panel = *all[choice(each, {"objects", "hull", "algorithm"})];
+    bool& panel = *all[choice(each, words_of::panels)];
     if (panel) each.fail("'" + each.text() + "' appears twice; name it once");
     panel = true;
   }
@@ -376,55 +204,6 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   return file;
 }
 
-// -- Files ------------------------------------------------------------------------------------------------------------
-
-/// A file that is open for reading.
-class Descriptor {
- public:
-  /// Does not wait where `file` is a pipe that nobody writes to.
-  explicit Descriptor(const std::filesystem::path& file)
-      : number_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-[[noreturn]] void fail_to_read(const std::filesystem::path& file, const std::string& what_to_do) {
-  throw SceneError(file.string() + ": cannot be read: " + std::strerror(errno) + "; " + what_to_do);
-}
-
-[[noreturn]] void fail_too_large(const std::filesystem::path& file) {
-  throw SceneError(file.string() + ": is larger than " + std::to_string(scene_limits::bytes >> 20) +
-                   " MiB; a scene file has no need for so much");
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  const Descriptor descriptor(file);
-  struct stat status;
-  if (descriptor.number() < 0 || ::fstat(descriptor.number(), &status) != 0)
-    fail_to_read(file, "check the name and the permissions");
-  if (!S_ISREG(status.st_mode))
-    throw SceneError(file.string() + ": is " + (S_ISDIR(status.st_mode) ? "a folder" : "not a regular file") +
-                     "; name a scene file");
-  if (static_cast<std::uintmax_t>(status.st_size) > scene_limits::bytes) fail_too_large(file);
-  std::string text;
-  for (;;) {  // it may have grown, and files of /proc do not tell their size
-    char part[1 << 16];
-    const ssize_t count = ::read(descriptor.number(), part, sizeof part);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_to_read(file, "check the disk");
-    if (count == 0) return text;
-    text.append(part, static_cast<std::size_t>(count));
-    if (text.size() > scene_limits::bytes) fail_too_large(file);
-  }
-}
-
 }  // namespace
 
 SceneFile parse_scene(std::string_view text, const std::string& file_name) {
@@ -437,7 +216,15 @@ SceneFile parse_scene(std::string_view text, const std::string& file_name) {
   }
 }
 
-SceneFile read_scene(const std::filesystem::path& file) { return parse_scene(read_text(file), file.string()); }
+SceneFile read_scene(const std::filesystem::path& file) {
+  try {
+    return parse_scene(read_text(file, {"scene file", scene_limits::bytes}), file.string());
+  } catch (const SceneError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw SceneError(error.what());
+  }
+}
 
 std::string_view example_scene() {
   return R"(// A scene for gjkstep. Only a and b must be there; everything else shows its default or an alternative.

@@ -28,19 +28,17 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "render/geometry.hpp"
+#include "walkthroughs/text_file.hpp"
 #include "walkthroughs/walkthrough.hpp"
 
 namespace walkthroughs {
 
-/// A scene cannot be read. what(): "FILE:LINE: KEY: reason; what to do". LINE is missing where the file itself is at
-/// fault, KEY where the text as a whole is.
-struct SceneError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct SceneError : InputError {
+  using InputError::InputError;
 };
 
 /// One scene as a walkthrough of Layout::search and Naming::roles. Its name is the file's without extension, with '-' for

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "walkthroughs/captions.hpp"
@@ -20,8 +21,8 @@ std::optional<int> decisive_iteration(const Walkthrough& walkthrough) {
   return std::nullopt;
 }
 
-Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene) {
-  Telling telling{scene, run(scene), {}, {}, {}, {}, walkthrough.panels, {}};
+Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene, Trace trace) {
+  Telling telling{scene, std::move(trace), {}, {}, {}, {}, walkthrough.panels, {}};
   const Panels& panels = walkthrough.panels;
   if (walkthrough.naming == Naming::corners) telling.hull = difference_hull(scene);
   if (panels.objects || panels.hull) {
@@ -229,8 +230,15 @@ std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames
 }
 
 Story tell(const Walkthrough& walkthrough, Detail detail) {
+  std::vector<Trace> traces;
+  for (const Scene& scene : walkthrough.scenes) traces.push_back(run(scene));
+  return tell(walkthrough, std::move(traces), detail);
+}
+
+Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail detail) {
   Story story{walkthrough, {}, {}, {}};
-  for (const Scene& scene : walkthrough.scenes) story.tellings.push_back(tell_scene(walkthrough, scene));
+  for (std::size_t s = 0; s < walkthrough.scenes.size(); ++s)
+    story.tellings.push_back(tell_scene(walkthrough, walkthrough.scenes[s], std::move(traces[s])));
   switch (walkthrough.layout) {
     case Layout::search: tell_whole_search(story); break;
     case Layout::close_ups: tell_move(story, walkthrough.close_up.value()); break;

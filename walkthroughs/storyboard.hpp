@@ -66,6 +66,11 @@ enum class Detail {
   step,      ///< one frame for each iteration: its last
 };
 
+/// Tells what the traces say, one for each scene: no search is run. The story refers to the walkthrough, which must outlive
+/// it. Requires: complete traces of these scenes; for Layout::close_ups such as have that move.
+Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail detail = Detail::decision);
+Story tell(Walkthrough&&, std::vector<Trace>, Detail = Detail::decision) = delete;
+
 /// Runs the scenes and tells them. The story refers to the walkthrough, which must outlive it.
 Story tell(const Walkthrough& walkthrough, Detail detail = Detail::decision);
 Story tell(Walkthrough&&, Detail = Detail::decision) = delete;

@@ -1,14 +1,25 @@
 #include "walkthroughs/trace_json.hpp"
 
+#include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <variant>
+
+#include "walkthroughs/words_of.hpp"
 
 namespace walkthroughs {
 namespace {
 
 using Json = nlohmann::ordered_json;  // keys in the order in which a reader wants them
 
-Json json(const Point& p) { return {p.x(), p.y(), p.z()}; }
+/// What is not finite has no number in JSON and is a word.
+Json json(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+Json json(const Point& p) { return {json(p.x()), json(p.y()), json(p.z())}; }
 
 Json json(const gjk::SupportPoint<double>& support) {
   Json j{{"point", json(support.point)}};
@@ -40,16 +51,23 @@ struct FormJson {
   Json operator()(const Cylinder& cylinder) const {
     return {{"cylinder",
              {{"center", json(cylinder.center())},
-              {"axis", json(cylinder.to_cap())},
+              {"axis", json(cylinder.axis())},
               {"radius", cylinder.radius()},
-              {"height", 2 * cylinder.to_cap().norm()}}}};
+              {"height", cylinder.height()}}}};
   }
 };
+
+/// The sign of zero counts: it decides that of the points found.
+bool is_at_rest(const Pose& pose) {
+  const Pose rest;
+  return std::memcmp(pose.rotation.data(), rest.rotation.data(), sizeof(double[9])) == 0 &&
+         std::memcmp(pose.translation.data(), rest.translation.data(), sizeof(double[3])) == 0;
+}
 
 Json json(const Object& object) {
   Json j{{"name", object.name}};
   j.update(std::visit(FormJson{}, object.form));
-  if (!object.pose.rotation.isIdentity(0) || !object.pose.translation.isZero(0)) {
+  if (!is_at_rest(object.pose)) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
     j["pose"] = {{"rotation", rows}, {"translation", json(object.pose.translation)}};
@@ -59,41 +77,13 @@ Json json(const Object& object) {
 
 Json json(const Scene& scene) {
   return {{"name", scene.name},
+          {"dimension", scene.dimension == Dimension::plane ? 2 : 3},
           {"a", json(scene.a)},
           {"b", json(scene.b)},
           {"first_direction", json(scene.options.first_direction)},
           {"iteration_limit", scene.options.iteration_limit},
-          {"crossing_test", scene.options.crossing_test == gjk::CrossingTest::on ? "on" : "off"},
-          {"rules", scene.rules == RuleSet::as_intended ? "as-intended" : "as-printed"}};
-}
-
-const char* text(gjk::Crossing verdict) {
-  switch (verdict) {
-    case gjk::Crossing::crossed: return "crossed";
-    case gjk::Crossing::not_crossed: return "not-crossed";
-    case gjk::Crossing::first_point: return "not-applied-first-point";
-    case gjk::Crossing::switched_off: return "not-applied-switched-off";
-  }
-  return "";
-}
-
-const char* text(gjk::Relation relation) {
-  switch (relation) {
-    case gjk::Relation::positive: return "> 0";
-    case gjk::Relation::negative: return "< 0";
-    case gjk::Relation::zero: return "= 0";
-    case gjk::Relation::not_zero: return "!= 0";
-  }
-  return "";
-}
-
-const char* text(gjk::Verdict verdict) {
-  switch (verdict) {
-    case gjk::Verdict::chosen: return "chosen";
-    case gjk::Verdict::rejected: return "rejected";
-    case gjk::Verdict::skipped: return "skipped";
-  }
-  return "";
+          {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
+          {"rules", words_of::of(words_of::rules, scene.rules)}};
 }
 
 /// One overload for each event: its name and what it carries. What an event does not have is left out.
@@ -109,8 +99,8 @@ struct EventJson {
   }
   Json operator()(const gjk::CrossingTested<double>& e) const {
     Json j{{"event", "crossing-tested"}};
-    if (e.value) j["value"] = *e.value;
-    j["verdict"] = text(e.verdict);
+    if (e.value) j["value"] = json(*e.value);
+    j["verdict"] = words_of::of(words_of::crossing, e.verdict);
     return j;
   }
   Json operator()(const gjk::VertexAdded<double>& e) const {
@@ -123,10 +113,10 @@ struct EventJson {
     if (!e.expression.empty()) j["expression"] = e.expression;
     if (!e.formula.empty()) j["formula"] = e.formula;
     if (e.normal) j["normal"] = json(*e.normal);
-    if (const double* value = std::get_if<double>(&e.value)) j["value"] = *value;
+    if (const double* value = std::get_if<double>(&e.value)) j["value"] = json(*value);
     if (const Point* value = std::get_if<Point>(&e.value)) j["value"] = json(*value);
-    if (j.contains("value")) j["relation"] = text(e.relation);
-    j["verdict"] = text(e.verdict);
+    if (j.contains("value")) j["relation"] = words_of::of(words_of::relation, e.relation);
+    j["verdict"] = words_of::of(words_of::verdict, e.verdict);
     j["reason"] = e.reason;
     return j;
   }
@@ -140,17 +130,47 @@ struct EventJson {
   }
   Json operator()(const gjk::Finished<double>& e) const {
     Json j{{"event", "finished"},
-           {"status", gjk::to_string(e.result.status)},
-           {"reason", gjk::to_string(e.result.reason)},
+           {"status", words_of::of(words_of::status, e.result.status)},
+           {"reason", words_of::of(words_of::reason, e.result.reason)},
            {"iterations", e.result.iterations},
            {"simplex", json(e.result.simplex)}};
     if (const auto& proof = e.result.separation)
       j["separation"] = {{"direction", json(proof->direction)},
                          {"vertex", json(proof->vertex)},
-                         {"support_value", proof->support_value}};
+                         {"support_value", json(proof->support_value)}};
     return j;
   }
 };
+
+// -- What the pictures need -------------------------------------------------------------------------------------------
+
+Json json(const Panels& panels) {
+  const bool shown[] = {panels.objects, panels.hull, panels.algorithm};
+  Json list = Json::array();
+  for (std::size_t i = 0; i < words_of::panels.size(); ++i)
+    if (shown[i]) list.push_back(words_of::panels[i]);
+  return list;
+}
+
+Json json(const Remark& remark) {
+  Json j{{"at", words_of::of(words_of::remark_at, remark.at)}, {"iteration", remark.iteration}, {"text", remark.text}};
+  if (!remark.only_for.empty()) j["only_for"] = remark.only_for;
+  return j;
+}
+
+Json presentation(const Walkthrough& walkthrough) {
+  Json j{{"title", walkthrough.title},         {"source", walkthrough.source},
+         {"summary", walkthrough.summary},     {"layout", words_of::of(words_of::layout, walkthrough.layout)},
+         {"panels", json(walkthrough.panels)}, {"naming", words_of::of(words_of::naming, walkthrough.naming)}};
+  if (!walkthrough.remarks.empty()) j["remarks"] = Json::array();
+  for (const Remark& remark : walkthrough.remarks) j["remarks"].push_back(json(remark));
+  if (const auto& move = walkthrough.close_up)
+    j["close_up"] = {{"iteration", move->iteration},
+                     {"direction", move->direction},
+                     {"support", move->support},
+                     {"crossing", move->crossing}};
+  return j;
+}
 
 Json json(const gjk::Event<double>& event) {
   Json line{{"iteration", std::visit([](const auto& e) { return e.iteration; }, event)}};
@@ -167,6 +187,7 @@ void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
               {"version", trace_version},
               {"walkthrough", walkthrough.name},
               {"scalar", "double"},
+              {"presentation", presentation(walkthrough)},
               {"scenes", Json::array()}};
   for (const Scene& scene : walkthrough.scenes) header["scenes"].push_back(json(scene));
   out << header.dump() << '\n';

@@ -29,6 +29,7 @@ std::string joined(const std::vector<std::string>& names, std::string_view betwe
 }
 
 std::string with_digits(double value, int digits) {
+  if (std::isnan(value)) return "nan";  // its sign means nothing
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.*g", digits, value == 0 ? 0.0 : value);  // == 0 for -0 too
   std::string text = buffer;

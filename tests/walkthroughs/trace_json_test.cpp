@@ -177,6 +177,7 @@ Scene scene(const Json& json) {
       .options = {.first_direction = point(json.at("first_direction")),
                   .iteration_limit = json.at("iteration_limit"),
                   .crossing_test = json.at("crossing_test") == "on" ? gjk::CrossingTest::on : gjk::CrossingTest::off},
+      .dimension = json.at("dimension") == 2 ? Dimension::plane : Dimension::space,
       .rules = json.at("rules") == "as-printed" ? RuleSet::as_printed : RuleSet::as_intended};
 }
 
@@ -186,7 +187,7 @@ TEST_CASE("The first line of a trace says schema, version, walkthrough and scala
   for (const Walkthrough& w : walkthroughs_to_trace()) {
     const Json first = lines_of(w).at(0);
     CHECK(first.at("schema") == "gjkstep-trace");
-    CHECK(first.at("version") == 1);
+    CHECK(first.at("version") == 2);
     CHECK(first.at("walkthrough") == w.name);
     CHECK(first.at("scalar") == "double");
     CHECK(first.at("scenes").size() == w.scenes.size());
@@ -196,8 +197,8 @@ TEST_CASE("The first line of a trace says schema, version, walkthrough and scala
 TEST_CASE("The scenes in the first line are enough to repeat the run") {
   for (const Walkthrough& w : walkthroughs_to_trace()) {
     const std::vector<Json> lines = lines_of(w);
-    Walkthrough again;
-    again.name = w.name;
+    Walkthrough again = w;
+    again.scenes.clear();
     for (const Json& s : lines[0].at("scenes")) again.scenes.push_back(scene(s));
     CHECK(lines_of(again) == lines);
   }

@@ -1,0 +1,51 @@
+/// Whatever a trace holds: it is read, told and laid out, or it is turned away
+/// with a TraceError that names the line.
+///
+///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
+///     ninja -C build/fuzz trace-file-fuzz
+///     mkdir -p build/fuzz/found-traces
+///     build/fuzz/trace-file-fuzz -dict=tests/fuzz/trace_file.dict -max_len=20480 -timeout=10 -rss_limit_mb=512
+///         build/fuzz/found-traces tests/fuzz/traces
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "render/canvas.hpp"
+#include "walkthroughs/alternative_text.hpp"
+#include "walkthroughs/draw.hpp"
+#include "walkthroughs/storyboard.hpp"
+#include "walkthroughs/trace_file.hpp"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void lay_out(const walkthroughs::Story& story, std::size_t frame, render::Font& font) {
+  const walkthroughs::Look look{.style = walkthroughs::Style(render::themes::report)};
+  render::Canvas canvas({64, 36}, walkthroughs::frame_page, look.style.theme.paper, font);
+  walkthroughs::draw_frame(canvas, story, frame, look);
+  require(!walkthroughs::alternative_text(story, frame).empty());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static render::Font font(render::Font::default_directory());
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const walkthroughs::TraceFile file = walkthroughs::parse_trace(text, "fuzz.jsonl");
+    require(file.traces.size() == file.walkthrough.scenes.size());
+    const walkthroughs::Story story = walkthroughs::tell(file.walkthrough, file.traces);
+    require(!story.frames.empty());
+    lay_out(story, 0, font);
+    lay_out(story, story.frames.size() - 1, font);
+  } catch (const walkthroughs::TraceError& error) {
+    const std::string_view said = error.what();
+    require(said.starts_with("fuzz.jsonl:") && said.size() < 2000);
+    require('1' <= said[11] && said[11] <= '9');
+  }
+  return 0;
+}

@@ -1,0 +1,51 @@
+/// The values that scene files and traces have in common, read from a document within scene_limits.
+///
+/// Errors of all functions: DocumentError, which says what is expected and what was found.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "walkthroughs/document.hpp"
+#include "walkthroughs/scene.hpp"
+
+namespace walkthroughs::reading {
+
+using Kind = Document::Kind;
+using Keys = std::initializer_list<std::string>;
+
+/// Returns: the shortest text that reads back as the same number.
+std::string written(double number);
+
+void expect(const Value& value, Kind kind, std::string_view expected);
+/// Expects an object that has no keys but these.
+void expect_object(const Value& value, const Keys& keys, std::string_view expected);
+Value required(const Value& object, std::string_view key, const std::string& what_to_do);
+
+double number(const Value& value);
+/// Returns: the positive number of that key.
+double length(const Value& object, std::string_view key);
+int whole_number(const Value& value, int low, int high);
+/// Returns: the position of the word in `words`.
+std::size_t choice(const Value& value, std::span<const std::string_view> words);
+/// Returns: a printable text that is not blank.
+std::string words(const Value& value, std::size_t longest);
+
+/// Where a scene lies decides what a point looks like.
+struct Space {
+  Dimension dimension;
+
+  bool is_plane() const { return dimension == Dimension::plane; }
+  std::string point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }
+  Point point(const Value& value) const;
+  Point direction(const Value& value) const;
+};
+
+/// Returns: the one member of an object that gives its shape.
+Value shape_of(const Value& object);
+std::variant<Points, Ball, Cylinder> read_form(const Value& shape, const Space& space);
+
+}  // namespace walkthroughs::reading
