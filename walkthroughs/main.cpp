@@ -13,6 +13,7 @@
 
 #include "render/image.hpp"
 #include "walkthroughs/alternative_text.hpp"
+#include "walkthroughs/compare_command.hpp"
 #include "walkthroughs/listing.hpp"
 #include "walkthroughs/movie.hpp"
 #include "walkthroughs/nearest.hpp"
@@ -33,7 +34,7 @@ struct UsageError : std::runtime_error {
 
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file; also: a missing font), 4 no OpenGL context,\n"
-    "5 cannot write, 1 anything else.\n"
+    "5 cannot write, 1 anything else (of compare: pictures differ).\n"
     "The folder of the fonts can be named by the environment variable GJKSTEP_FONT_DIR.";
 
 const Walkthrough& walkthrough_named(const std::string& name) {
@@ -326,6 +327,8 @@ int run(int argc, char** argv) {
   CLI::Option* const example =
       scene_command->add_flag("--example", scene.example, "print a scene file that shows every key");
   scene_command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
+  walkthroughs::CompareCommand compare;
+  CLI::App* const compare_command = walkthroughs::add_compare_command(app, compare);
 
   try {
     app.parse(argc, argv);
@@ -345,7 +348,11 @@ int run(int argc, char** argv) {
     trace(traced);
   else if (*scene_command)
     scene.run();
-  else
+  else if (*compare_command) {
+    const int answer = compare.run();
+    flush_output();
+    return answer;
+  } else
     throw UsageError("what to do? 'gjkstep --help' shows the commands");
   return flush_output();
 }
@@ -368,6 +375,10 @@ int main(int argc, char** argv) {
     return fail(bad_input, error);
   } catch (const render::ContextError& error) {
     return fail(no_context, error);
+  } catch (const walkthroughs::CompareCommand::UsageError& error) {
+    return fail(wrong_usage, error);
+  } catch (const render::ReadError& error) {
+    return fail(bad_input, error);
   } catch (const render::FileError& error) {
     return fail(cannot_write, error);
   } catch (const std::bad_alloc&) {
