@@ -149,12 +149,14 @@ std::string in_words(const Comparison& c) {
   if (c.verdict == Verdict::other_size)
     return "expected " + in_words(c.expected) + " pixels, actual " + in_words(c.actual);
   if (c.verdict == Verdict::same) return "all pixels are equal";
-  const std::string most = "the largest difference of a channel is " + std::to_string(c.largest_difference());
-  if (c.off == 0) return "no pixel is off; " + most + ", " + std::to_string(c.tolerance.channel) + " may be";
-  return pixels(c.off) + (c.off == 1 ? " is off, " : " are off, ") + std::to_string(c.allowed) +
-         " may be; the largest group is " + pixels(c.largest_group) + ", " + std::to_string(c.tolerance.group) +
-         " may be; all within " + in_words(Size{c.box.width(), c.box.height()}) + " at (" +
-         std::to_string(c.box.min_x) + "," + std::to_string(c.box.min_y) + ")";
+  const auto limit = [](std::int64_t most) { return " (" + std::to_string(most) + " may be)"; };
+  if (c.off == 0)
+    return "no pixel is off; channels differ by up to " + std::to_string(c.largest_difference()) +
+           limit(c.tolerance.channel);
+  return pixels(c.off) + (c.off == 1 ? " is off" : " are off") + limit(c.allowed) + "; the largest group is " +
+         pixels(c.largest_group) + limit(c.tolerance.group) + "; all within " +
+         in_words(Size{c.box.width(), c.box.height()}) + " at (" + std::to_string(c.box.min_x) + ", " +
+         std::to_string(c.box.min_y) + ")";
 }
 
 Image difference(const Image& expected, const Image& actual) {

@@ -66,7 +66,7 @@ struct Comparison {
 /// Errors: std::invalid_argument where `tolerance` is not the usual one and gives no reason.
 Comparison compare(const Image& expected, const Image& actual, const Tolerance& tolerance = {});
 
-/// Returns: one line of plain text, such as "15 pixels are off, 8 may be; the largest group is 3 pixels, 4 may be; …".
+/// Returns: one line of plain text, such as "15 pixels are off (8 may be); the largest group is 3 pixels (4 may be); …".
 std::string in_words(const Comparison& comparison);
 
 inline constexpr int difference_gain = 16;

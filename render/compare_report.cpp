@@ -212,9 +212,10 @@ std::string details(const ComparedFiles& pair) {
   return counted ? "<div class=\"facts\">\n" + facts(pair.comparison) + histogram(pair.comparison) + "</div>\n" : "";
 }
 
-std::string accept_line(const std::string& command) {
+std::string accept_line(Verdict verdict, const std::string& command) {
   if (command.empty()) return "";
-  return "<div class=\"accept\">Accept the new state:<code>" + escaped(command) + "</code></div>\n";
+  const std::string what = verdict == Verdict::missing ? "Accept that it is gone:" : "Accept the new picture:";
+  return "<div class=\"accept\">" + what + "<code>" + escaped(command) + "</code></div>\n";
 }
 
 std::string cell(const std::optional<std::string>& value) {
@@ -270,11 +271,11 @@ void CompareReport::add(const ComparedFiles& compared, const std::string& accept
     return;
   }
   const bool shown = compared.verdict != Verdict::unreadable && take_pictures(compared);
-  (good ? passes_ : failures_) += std::string("<section class=\"pair") + (good ? " passes" : " fails") + "\">\n<h3>" +
-                                  escaped(compared.files.name) + "</h3>\n<p><span class=\"verdict\">" +
-                                  (good ? "✓ " : "✗ ") + name(compared.verdict) +
-                                  "</span>: " + escaped(compared.words) + "</p>\n" + (shown ? pictures(compared) : "") +
-                                  details(compared) + (good ? "" : accept_line(accept)) + "</section>\n";
+  (good ? passes_ : failures_) +=
+      std::string("<section class=\"pair") + (good ? " passes" : " fails") + "\">\n<h3>" +
+      escaped(compared.files.name) + "</h3>\n<p><span class=\"verdict\">" + (good ? "✓ " : "✗ ") +
+      name(compared.verdict) + "</span>: " + escaped(compared.words) + "</p>\n" + (shown ? pictures(compared) : "") +
+      details(compared) + (good ? "" : accept_line(compared.verdict, accept)) + "</section>\n";
 }
 
 std::string CompareReport::html() const {
