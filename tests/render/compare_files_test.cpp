@@ -49,7 +49,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 // -- Folders ------------------------------------------------------------------------------------------------------------
 
-TEST_CASE("The pictures of a folder are its .png and .PNG files and those of folders below, by name") {
+TEST_CASE("The pictures of a folder are its .png and .PNG files and those of folders below by name") {
   const Folders folders;
   for (const char* name : {"b.png", "a/z.png", "a/deep/er.PNG", "c.Png", ".png.png"})
     draw(folders.expected / name, {1, 2, 3});
@@ -61,7 +61,7 @@ TEST_CASE("The pictures of a folder are its .png and .PNG files and those of fol
   CHECK(pictures_in(folders.expected.string() + "/") == names);
 }
 
-TEST_CASE("Links to folders are not followed, so a loop of them ends") {
+TEST_CASE("Links to folders are not followed and a loop of them ends") {
   const Folders folders;
   draw(folders.expected / "a.png", {1, 2, 3});
   fs::create_directory_symlink(folders.expected, folders.expected / "loop");
@@ -80,7 +80,7 @@ TEST_CASE("A folder that is not there is an error that names it") {
   }
 }
 
-TEST_CASE("Folders are compared by name: same, different, another size, missing and extra") {
+TEST_CASE("Folders are compared by name: same or different or another size or missing or extra") {
   const Folders folders;
   draw(folders.expected / "1.png", {10, 10, 10});
   draw(folders.actual / "1.png", {10, 10, 10});
@@ -94,7 +94,7 @@ TEST_CASE("Folders are compared by name: same, different, another size, missing 
         std::vector{Verdict::same, Verdict::different, Verdict::other_size, Verdict::missing, Verdict::extra});
 }
 
-TEST_CASE("What cannot be read is told so, whatever it is, and the other pictures are compared") {
+TEST_CASE("What cannot be read is told so whatever it is and the other pictures are compared") {
   const Folders folders;
   for (const fs::path& side : {folders.expected, folders.actual}) draw(side / "good.png", {1, 2, 3});
   for (const char* name : {"damaged.png", "dangling.png", "empty.png", "loop.png", "pipe.png", "to-folder.png"})
@@ -118,7 +118,7 @@ TEST_CASE("What cannot be read is told so, whatever it is, and the other picture
   CHECK(unreadable == 6);
 }
 
-TEST_CASE("A picture that only one side has is read all the same, and may be unreadable") {
+TEST_CASE("A picture that only one side has is read all the same and may be unreadable") {
   const Folders folders;
   write(folders.expected / "a.png", "no picture");
   draw(folders.actual / "b.png", {1, 2, 3});
@@ -127,7 +127,7 @@ TEST_CASE("A picture that only one side has is read all the same, and may be unr
 
 // -- What rendered them -------------------------------------------------------------------------------------------------
 
-TEST_CASE("rendered-by.json is a list of strings in its own order, and may be missing") {
+TEST_CASE("rendered-by.json is a list of strings in its own order and may be missing") {
   const Folders folders;
   CHECK_FALSE(read_rendered_by(folders.expected));
   CHECK_FALSE(read_rendered_by(folders.root / "missing"));
@@ -149,7 +149,7 @@ TEST_CASE("A rendered-by.json that cannot be understood says so in place of its 
   CHECK(has(read_rendered_by(folders.expected)->front().second, "64 KiB"));
 }
 
-TEST_CASE("The notes of both sides stand beside each other, and know where they differ") {
+TEST_CASE("The notes of both sides stand beside each other and know where they differ") {
   const auto lines =
       side_by_side({{"png", "1"}, {"cpu", "x"}, {"old", "o"}}, {{"cpu", "y"}, {"png", "1"}, {"new", "n"}});
   CHECK(lines == std::vector<RenderedByLine>{

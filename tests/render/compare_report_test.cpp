@@ -37,7 +37,7 @@ const ReportHead head{.expected = "e", .actual = "a"};
 
 }  // namespace
 
-TEST_CASE("Failures come first on the page, then what is within the tolerance, then the same, whatever came first") {
+TEST_CASE("Failures come first on the page and the same last whatever came first") {
   CompareReport report(head);
   report.add(same("1-same.png"), "");
   report.add(within("2-within.png"), "");
@@ -50,7 +50,7 @@ TEST_CASE("Failures come first on the page, then what is within the tolerance, t
   CHECK(count(html, "<img ") == 6);
 }
 
-TEST_CASE("Names, words and commands cannot become part of the page") {
+TEST_CASE("Names and words and commands cannot become part of the page") {
   CompareReport report({.expected = "<e>", .actual = "\"a\"", .expected_by = RenderedBy{{"<k>", "<v>"}}});
   report.add(different("<script>alert(1)</script> & \".png"), "cp '<b>'");
   const std::string html = report.html();
@@ -58,7 +58,7 @@ TEST_CASE("Names, words and commands cannot become part of the page") {
   CHECK(has(html, "&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;.png"));
 }
 
-TEST_CASE("The page refers to nothing outside itself, and forbids it") {
+TEST_CASE("The page refers to nothing outside itself and forbids it") {
   CompareReport report(head);
   report.add(different("a.png"), "cp");
   const std::string html = report.html();
@@ -76,7 +76,7 @@ TEST_CASE("Every picture of the page has a text for those who do not see it") {
   CHECK(count(html, "alt=\"a.png, ") == count(html, "<img "));
 }
 
-TEST_CASE("What rendered each side is shown, marked where it differs, and told where nobody recorded it") {
+TEST_CASE("What rendered each side is shown and marked where it differs and told where nobody recorded it") {
   CHECK(count(CompareReport(head).html(), "not recorded") == 2);
   const CompareReport report({.expected = "e",
                               .actual = "a",
@@ -90,7 +90,7 @@ TEST_CASE("What rendered each side is shown, marked where it differs, and told w
   CHECK_FALSE(has(half.html(), "≠ differs"));
 }
 
-TEST_CASE("The page tells pixels off, largest group, bounding box, histogram, and why a tolerance is another") {
+TEST_CASE("The page tells pixels off and largest group and bounding box and histogram and why a tolerance is another") {
   Image actual = plain({9, 9, 9});
   for (int x : {2, 3, 4, 5, 6}) actual.row(3)[3 * x] = 14;
   CompareReport report(head);
@@ -104,14 +104,14 @@ TEST_CASE("The page tells pixels off, largest group, bounding box, histogram, an
   CHECK(has(html, "because of &lt;this&gt;"));
 }
 
-TEST_CASE("The histogram of the page begins a bin where pixels begin to be off, and ends at 255") {
+TEST_CASE("The histogram of the page begins a bin where pixels begin to be off and ends at 255") {
   CompareReport report(head);
   report.add(different("a.png"), "cp");
   for (const char* bin : {"0", "1", "2", "3–4", "5–8", "9–16", "17–32", "33–64", "65–128", "129–255"})
     CHECK(count(report.html(), "<th scope=\"row\">" + std::string(bin) + "</th>") == 1);
 }
 
-TEST_CASE("Many pairs are shown with pictures up to a limit, the others in words, and the page says so") {
+TEST_CASE("Many pairs are shown with pictures up to a limit and the others in words and the page says so") {
   CompareReport report(head, {.failures = 2, .passes = 1});
   for (const char* name : {"1", "2", "3", "4"}) report.add(different(name), "cp");
   for (const char* name : {"5", "6"}) report.add(within(name), "");
@@ -128,7 +128,7 @@ TEST_CASE("No pictures are added to a page that is long already") {
   CHECK(count(report.html(), "<img ") == 3);
 }
 
-TEST_CASE("A missing or extra picture is shown beside an empty place, an unreadable one in words") {
+TEST_CASE("A missing or extra picture is shown beside an empty place and an unreadable one in words") {
   CompareReport report(head);
   report.add({.files = {"m.png", "e/m.png", "a/m.png", Sides::only_expected},
               .verdict = Verdict::missing,

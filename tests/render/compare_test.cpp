@@ -58,7 +58,7 @@ std::vector<Pixel> another_processor() {
 
 // -- What passes --------------------------------------------------------------------------------------------------------
 
-TEST_CASE("Equal pictures are the same, and nothing is off") {
+TEST_CASE("Equal pictures are the same and nothing is off") {
   const Comparison found = compare(plain({9, 7}), plain({9, 7}));
   CHECK(found.verdict == Verdict::same);
   CHECK(found.off == 0);
@@ -66,8 +66,7 @@ TEST_CASE("Equal pictures are the same, and nothing is off") {
   CHECK(found.histogram[0] == 63);
 }
 
-TEST_CASE(
-    "The noise of another processor class passes: 18 of 921,600 pixels, two of them by a whole multisample step") {
+TEST_CASE("The noise of another processor class passes: 18 scattered pixels of 921600 and two of them far off") {
   Image actual = plain({1280, 720});
   const std::vector<Pixel> noise = another_processor();
   for (std::size_t i = 0; i < noise.size(); ++i) add(actual, noise[i], i < 2 ? 64 : 3, static_cast<int>(i % 3));
@@ -78,7 +77,7 @@ TEST_CASE(
   CHECK(found.largest_group == 1);
 }
 
-TEST_CASE("Every pixel may differ by two in every channel, upwards and downwards") {
+TEST_CASE("Every pixel may differ by two in every channel upwards or downwards") {
   for (const int change : {-2, 2}) {
     Image actual = plain({40, 30});
     actual.fill({static_cast<std::uint8_t>(base + change), static_cast<std::uint8_t>(base + change),
@@ -92,7 +91,7 @@ TEST_CASE("Every pixel may differ by two in every channel, upwards and downwards
 
 // -- Both sides of every number -----------------------------------------------------------------------------------------
 
-TEST_CASE("A pixel is off when any one channel differs by three, and not by two") {
+TEST_CASE("A pixel is off when any one channel differs by three and not by two") {
   for (const int channel : {0, 1, 2}) {
     for (const int sign : {-1, 1}) {
       Image two = plain({8, 8}), three = plain({8, 8});
@@ -104,26 +103,26 @@ TEST_CASE("A pixel is off when any one channel differs by three, and not by two"
   }
 }
 
-TEST_CASE("Channels are looked at one by one, their differences are not added") {
+TEST_CASE("Channels are looked at one by one: their differences are not added") {
   Image actual = plain({8, 8});
   for (const int channel : {0, 1, 2}) add(actual, {4, 4}, 2, channel);
   CHECK(compare(plain({8, 8}), actual).off == 0);
 }
 
-TEST_CASE("In a small picture 8 scattered pixels may be off, and not 9") {
+TEST_CASE("In a small picture 8 scattered pixels may be off and not 9") {
   CHECK(with(scattered(8, 32)).verdict == Verdict::within_tolerance);
   CHECK(with(scattered(9, 32)).verdict == Verdict::different);
   CHECK(with(scattered(9, 32)).off == 9);
   CHECK(with(scattered(9, 32)).largest_group == 1);
 }
 
-TEST_CASE("In a large picture one pixel in 50,000 may be off, and not one more") {
+TEST_CASE("In a large picture one pixel in 50000 may be off and not one more") {
   const Size size{1000, 600};  // 2e-5 of them: 12
   CHECK(passed(with(scattered(12, 1000), size)));
   CHECK_FALSE(passed(with(scattered(13, 1000), size)));
 }
 
-TEST_CASE("The larger of the two limits counts, and parts of a pixel do not") {
+TEST_CASE("The larger of the two limits counts and parts of a pixel do not") {
   const Tolerance usual;
   CHECK(usual.allowed({1, 1}) == 8);
   CHECK(usual.allowed({1000, 449}) == 8);
@@ -133,7 +132,7 @@ TEST_CASE("The larger of the two limits counts, and parts of a pixel do not") {
   CHECK(usual.allowed({16384, 16384}) == 5368);
 }
 
-TEST_CASE("Four pixels that are off may hang together, and not five, in whatever shape") {
+TEST_CASE("Four pixels that are off may hang together and not five in whatever shape") {
   const std::vector<std::vector<Pixel>> shapes{
       {{3, 3}, {4, 3}, {5, 3}, {6, 3}, {7, 3}},  // a row
       {{3, 3}, {3, 4}, {3, 5}, {3, 6}, {3, 7}},  // a column
@@ -158,7 +157,7 @@ TEST_CASE("Four pixels that are off may hang together, and not five, in whatever
   }
 }
 
-TEST_CASE("Two groups of four pass when nothing joins them, and fail when a corner does") {
+TEST_CASE("Two groups of four pass when nothing joins them and fail when a corner does") {
   const std::vector<Pixel> apart{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {3, 2}, {4, 2}, {3, 3}, {4, 3}};
   const std::vector<Pixel> joined{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 2}, {3, 2}, {2, 3}, {3, 3}};
   CHECK(with(apart).verdict == Verdict::within_tolerance);
@@ -173,7 +172,7 @@ TEST_CASE("Pixels at the left and right border are no neighbours") {
   CHECK(with(border).verdict == Verdict::within_tolerance);
 }
 
-TEST_CASE("A spiral is one group, whatever the order in which its parts meet") {
+TEST_CASE("A spiral is one group whatever the order in which its parts meet") {
   const std::vector<std::string> rows{"#########", "........#", "#######.#", "#.....#.#", "#.###.#.#",
                                       "#.#...#.#", "#.#####.#", "#.......#", "#########"};
   std::vector<Pixel> spiral;
@@ -183,7 +182,7 @@ TEST_CASE("A spiral is one group, whatever the order in which its parts meet") {
   CHECK(with(spiral).largest_group == static_cast<std::int64_t>(spiral.size()));
 }
 
-TEST_CASE("A picture in which every pixel is off is one group, and stripes are groups of their own") {
+TEST_CASE("A picture in which every pixel is off is one group and stripes are groups of their own") {
   std::vector<Pixel> all, stripes;
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 30; ++x) {
@@ -196,7 +195,7 @@ TEST_CASE("A picture in which every pixel is off is one group, and stripes are g
 
 // -- What is told -------------------------------------------------------------------------------------------------------
 
-TEST_CASE("The bounding box encloses the pixels that are off, and those within the tolerance do not count") {
+TEST_CASE("The bounding box encloses the pixels that are off but not those within the tolerance") {
   Image actual = plain({32, 32});
   add(actual, {1, 1}, 2);
   add(actual, {5, 20}, 50);
@@ -208,7 +207,7 @@ TEST_CASE("The bounding box encloses the pixels that are off, and those within t
   CHECK(found.largest_difference() == 50);
 }
 
-TEST_CASE("The histogram counts each pixel once, by its most different channel") {
+TEST_CASE("The histogram counts each pixel once by its most different channel") {
   Image actual = plain({10, 10});
   add(actual, {0, 0}, 1, 0);
   add(actual, {0, 0}, 7, 2);
@@ -221,13 +220,13 @@ TEST_CASE("The histogram counts each pixel once, by its most different channel")
   CHECK(found.histogram[155] == 1);
 }
 
-TEST_CASE("Pictures of other sizes are a verdict of their own, also where they have the same number of pixels") {
+TEST_CASE("Pictures of other sizes are a verdict of their own even with the same number of pixels") {
   const Comparison found = compare(plain({20, 10}), plain({10, 20}));
   CHECK(found.verdict == Verdict::other_size);
   CHECK(in_words(found) == "expected 20x10 pixels, actual 10x20");
 }
 
-TEST_CASE("In words: what is off, what may be, and where") {
+TEST_CASE("In words: what is off and what may be and where") {
   CHECK(in_words(with({})) == "all pixels are equal");
   CHECK(in_words(with({{3, 4}}, {32, 32}, 2)) == "no pixel is off; channels differ by up to 2 (2 may be)");
   CHECK(in_words(with({{3, 4}, {4, 5}, {20, 20}})) ==
@@ -244,7 +243,7 @@ TEST_CASE("A tolerance of its own needs a written reason") {
   CHECK(passed(compare(expected, actual, {.few = 9, .reason = "a test"})));
 }
 
-TEST_CASE("The picture of the difference is sixteen times as large, on black, and ends at white") {
+TEST_CASE("The picture of the difference is sixteen times as large on black and ends at white") {
   Image actual = plain({4, 1});
   add(actual, {1, 0}, -2, 0);
   add(actual, {1, 0}, 3, 1);
