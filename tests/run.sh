@@ -9,7 +9,8 @@ run_tests() {
   ctest --test-dir "$1" --output-on-failure --parallel 2 || stop "tests failed in $1"
 }
 
-require_packages $program_packages catch2 libbenchmark-dev libboost-dev
+# chromium: the report of differing pictures is looked at in a real browser
+require_packages $program_packages catch2 libbenchmark-dev libboost-dev chromium
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
 printf '\nPlain and observed calls\n'
