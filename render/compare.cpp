@@ -45,8 +45,8 @@ class Groups {
     return group;
   }
 
+  /// Requires: `one` is a root. Returns: the root of both.
   std::size_t join(std::size_t one, std::size_t other) {
-    one = root(one);
     other = root(other);
     if (one == other) return one;
     if (sizes_[one] < sizes_[other]) std::swap(one, other);

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 
 #include "render/image.hpp"
 #include "tests/walkthroughs/program.hpp"
@@ -59,6 +60,9 @@ std::vector<std::string> accept_commands(const std::string& page) {
   }
   return commands;
 }
+
+/// Returns: `text` with # for each number.
+std::string without_numbers(const std::string& text) { return std::regex_replace(text, std::regex("[0-9]+"), "#"); }
 
 }  // namespace
 
@@ -200,4 +204,18 @@ TEST_CASE("gjkstep compare --help tells the rule and the exit codes") {
   for (const char* part :
        {"EXPECTED", "ACTUAL", "--report", "more than 2", "one in 50,000", "larger than 4", "3 a picture"})
     CHECK(has(help, part));
+}
+
+TEST_CASE("What the README shows of gjkstep compare is what the program prints but for the numbers") {
+  const Sides sides;
+  sides.draw_both("000.png", one, other);
+  sides.draw_both("001.png", one, one);
+  const std::vector<std::string> printed = lines(sides.compare_with_report().out);
+  REQUIRE(printed.size() == 3);
+  const std::string readme = without_numbers(bytes_of(GJKSTEP_README));
+  for (std::size_t i : {0u, 1u}) {
+    INFO(printed[i]);
+    CHECK(has(readme, "\n" + without_numbers(printed[i]) + "\n"));
+  }
+  CHECK(has(readme, "\nreport: differences/index.html\n"));
 }
