@@ -163,7 +163,7 @@ std::string pictures(const ComparedFiles& pair) {
 std::string fact(const std::string& what, std::int64_t value, std::int64_t limit) {
   const bool over = value > limit;
   return "<tr><th scope=\"row\">" + what + "</th><td class=\"" + (over ? "number over" : "number") + "\">" +
-         std::to_string(value) + "</td><td>" + (over ? "more than " : "at most ") + std::to_string(limit) +
+         std::to_string(value) + "</td><td>" + std::string(over ? "✗ " : "") + "at most " + std::to_string(limit) +
          " may be</td></tr>\n";
 }
 
