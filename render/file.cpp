@@ -62,7 +62,7 @@ void write_file(const std::filesystem::path& path, std::span<const std::uint8_t>
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
   const auto fail = [&](int error_number) {
-    throw FileError("cannot read " + path.string() + ": " + reason(error_number) +
+    throw ReadError("cannot read " + path.string() + ": " + reason(error_number) +
                     "; check that the file exists and may be read");
   };
   const File file(std::fopen(path.c_str(), "rb"));

@@ -14,11 +14,16 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file could not be read, or is not what it should be.
+struct ReadError : FileError {
+  using FileError::FileError;
+};
+
 /// Writes under a temporary name beside `path` and renames, so that an interrupted run leaves either the old file or the
 /// whole new one. Errors: FileError; no temporary file is left behind.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// Errors: FileError.
+/// Errors: ReadError.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path);
 
 }  // namespace render

@@ -162,7 +162,7 @@ Image read_png(const std::filesystem::path& path) {
   PngReader reader;
   png_image& header = reader.header;
   const auto fail = [&](const std::string& why) {
-    throw FileError("cannot read " + path.string() + ": " + why + "; replace it with an undamaged PNG file");
+    throw ReadError("cannot read " + path.string() + ": " + why + "; replace it with an undamaged PNG file");
   };
   if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) fail(header.message);
   if (header.width > max_side || header.height > max_side) fail("larger than 16384 pixels each way");

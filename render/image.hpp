@@ -52,7 +52,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text);
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text);
 
 /// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white).
-/// Errors: FileError where the file is missing, not a PNG, or damaged.
+/// Errors: ReadError where the file is missing, not a PNG, or damaged.
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace render

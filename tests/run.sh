@@ -9,8 +9,10 @@ run_tests() {
   ctest --test-dir "$1" --output-on-failure --parallel 2 || stop "tests failed in $1"
 }
 
+# chromium: the report of differing pictures is looked at in a real browser.
 # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
-require_packages $program_packages catch2 libbenchmark-dev libboost-dev python3 python3-jsonschema
+require_packages $program_packages catch2 libbenchmark-dev libboost-dev python3 python3-jsonschema \
+  chromium
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
 printf '\nPlain and observed calls\n'

@@ -7,6 +7,7 @@
 #include "render/font.hpp"
 #include "render/offscreen_context.hpp"
 #include "walkthroughs/command_line.hpp"
+#include "walkthroughs/compare_command.hpp"
 #include "walkthroughs/listing.hpp"
 #include "walkthroughs/nearest.hpp"
 #include "walkthroughs/render_command.hpp"
@@ -22,7 +23,7 @@ enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_conte
 
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace; also: a missing font), 4 no OpenGL context,\n"
-    "5 cannot write, 1 anything else.\n"
+    "5 cannot write, 1 anything else (of compare: pictures differ).\n"
     "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
 
 void write_trace(const std::string& name) {
@@ -125,6 +126,8 @@ int run(int argc, char** argv) {
   CLI::Option* const example =
       scene_command->add_flag("--example", scene.example, "print a scene file that shows every key");
   scene_command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
+  walkthroughs::CompareCommand compare;
+  CLI::App* const compare_command = walkthroughs::add_compare_command(app, compare);
 
   try {
     app.parse(argc, argv);
@@ -134,6 +137,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(what_was_wrong(app, error));
   }
+  int answer = ok;
   if (version)
     print_version(render.gl);
   else if (*list_command)
@@ -144,9 +148,12 @@ int run(int argc, char** argv) {
     trace.run();
   else if (*scene_command)
     scene.run();
+  else if (*compare_command)
+    answer = compare.run();
   else
     throw UsageError("what to do? 'gjkstep --help' shows the commands");
-  return flush_output();
+  flush_output();
+  return answer;
 }
 
 int fail(ExitCode code, const std::exception& error) {
@@ -167,6 +174,8 @@ int main(int argc, char** argv) {
     return fail(bad_input, error);
   } catch (const render::ContextError& error) {
     return fail(no_context, error);
+  } catch (const render::ReadError& error) {
+    return fail(bad_input, error);
   } catch (const render::FileError& error) {
     return fail(cannot_write, error);
   } catch (const std::bad_alloc&) {

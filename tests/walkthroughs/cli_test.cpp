@@ -2,11 +2,9 @@
 
 #include <poll.h>
 #include <pty.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -15,7 +13,7 @@
 #include "render/image.hpp"
 #include "render/offscreen_context.hpp"
 #include "tests/catch.hpp"
-#include "tests/walkthroughs/support.hpp"
+#include "tests/walkthroughs/program.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -23,52 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string quoted(const std::string& text) { return "'" + text + "'"; }  // no test needs a ' inside
-
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
-/// Where standard output and standard error go.
-struct Streams {
-  std::string out, err;  ///< files; where empty, to be read back
-};
-
-Outcome run(const std::string& arguments, const std::string& environment = "", const Streams& streams = {}) {
-  const Folder folder;
-  const std::string out = (folder.path() / "stdout").string(), err = (folder.path() / "stderr").string();
-  const std::string command = "env " + environment + " " + quoted(GJKSTEP_PROGRAM) + " " + arguments + " >" +
-                              quoted(streams.out.empty() ? out : streams.out) + " 2>" +
-                              quoted(streams.err.empty() ? err : streams.err);
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> list;
-  for (std::size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
-    list.push_back(text.substr(at, end - at));
-  return list;
-}
-
 std::vector<std::string> words(const std::string& line) {
   std::istringstream stream(line);
   return {std::istream_iterator<std::string>(stream), {}};
-}
-
-/// Checks that the command fails with that code, says each of `expected` on standard error and nothing on standard output.
-void check_failure(const std::string& arguments, int exit_code, const std::vector<std::string>& expected,
-                   const std::string& environment = "") {
-  INFO(environment << " gjkstep " << arguments);
-  const Outcome outcome = run(arguments, environment);
-  INFO(outcome.err);
-  CHECK(outcome.exit_code == exit_code);
-  CHECK(outcome.out.empty());
-  for (const std::string& part : expected) CHECK(has(outcome.err, part));
-  CHECK(lines(outcome.err).size() <= 2);
 }
 
 /// A folder that must not come into being.

@@ -1,0 +1,159 @@
+#include "render/compare_files.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "render/rendered_by.hpp"
+#include "tests/catch.hpp"
+
+using namespace render;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Two empty folders that go with everything in them.
+struct Folders {
+  fs::path root = fs::temp_directory_path() / ("gjkstep-compare-test-" + std::to_string(getpid()));
+  fs::path expected = root / "expected", actual = root / "actual";
+
+  Folders() {
+    fs::remove_all(root);
+    fs::create_directories(expected);
+    fs::create_directories(actual);
+  }
+  ~Folders() { fs::remove_all(root); }
+  Folders(const Folders&) = delete;
+  Folders& operator=(const Folders&) = delete;
+};
+
+void draw(const fs::path& file, Color color, Size size = {16, 9}) {
+  fs::create_directories(file.parent_path());
+  Image image(size);
+  image.fill(color);
+  write_png(file, image, {});
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+std::vector<Verdict> verdicts(const Folders& folders) {
+  std::vector<Verdict> list;
+  for (const FilePair& pair : file_pairs(folders.expected, folders.actual)) list.push_back(compare_files(pair).verdict);
+  return list;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+// -- Folders ------------------------------------------------------------------------------------------------------------
+
+TEST_CASE("The pictures of a folder are its .png and .PNG files and those of folders below by name") {
+  const Folders folders;
+  for (const char* name : {"b.png", "a/z.png", "a/deep/er.PNG", "c.Png", ".png.png"})
+    draw(folders.expected / name, {1, 2, 3});
+  for (const char* name : {"notes.txt", "rendered-by.json", "png", "a.png.bak", ".png"})
+    write(folders.expected / name, "{}");
+  fs::create_directories(folders.expected / "folder.png");
+  const std::vector<std::string> names{".png.png", "a/deep/er.PNG", "a/z.png", "b.png", "c.Png"};
+  CHECK(pictures_in(folders.expected) == names);
+  CHECK(pictures_in(folders.expected.string() + "/") == names);
+}
+
+TEST_CASE("Links to folders are not followed and a loop of them ends") {
+  const Folders folders;
+  draw(folders.expected / "a.png", {1, 2, 3});
+  fs::create_directory_symlink(folders.expected, folders.expected / "loop");
+  fs::create_directory_symlink(folders.actual, folders.expected / "elsewhere");
+  draw(folders.actual / "b.png", {1, 2, 3});
+  CHECK(pictures_in(folders.expected) == std::vector<std::string>{"a.png"});
+}
+
+TEST_CASE("A folder that is not there is an error that names it") {
+  const Folders folders;
+  CHECK_THROWS_AS(pictures_in(folders.root / "missing"), ReadError);
+  try {
+    pictures_in(folders.root / "missing");
+  } catch (const ReadError& error) {
+    CHECK(has(error.what(), "missing"));
+  }
+}
+
+TEST_CASE("Folders are compared by name: same or different or another size or missing or extra") {
+  const Folders folders;
+  draw(folders.expected / "1.png", {10, 10, 10});
+  draw(folders.actual / "1.png", {10, 10, 10});
+  draw(folders.expected / "2.png", {10, 10, 10});
+  draw(folders.actual / "2.png", {10, 10, 20});
+  draw(folders.expected / "3.png", {10, 10, 10});
+  draw(folders.actual / "3.png", {10, 10, 10}, {9, 16});
+  draw(folders.expected / "sub/4.png", {10, 10, 10});
+  draw(folders.actual / "sub/5.png", {10, 10, 10});
+  CHECK(verdicts(folders) ==
+        std::vector{Verdict::same, Verdict::different, Verdict::other_size, Verdict::missing, Verdict::extra});
+}
+
+TEST_CASE("What cannot be read is told so whatever it is and the other pictures are compared") {
+  const Folders folders;
+  for (const fs::path& side : {folders.expected, folders.actual}) draw(side / "good.png", {1, 2, 3});
+  for (const char* name : {"damaged.png", "dangling.png", "empty.png", "loop.png", "pipe.png", "to-folder.png"})
+    draw(folders.expected / name, {1, 2, 3});
+  draw(folders.actual / "damaged.png", {1, 2, 3});
+  fs::resize_file(folders.actual / "damaged.png", fs::file_size(folders.actual / "damaged.png") / 2);
+  fs::create_symlink("nowhere.png", folders.actual / "dangling.png");
+  write(folders.actual / "empty.png", "");
+  fs::create_symlink("loop.png", folders.actual / "loop.png");
+  REQUIRE(mkfifo((folders.actual / "pipe.png").c_str(), 0600) == 0);
+  fs::create_directory_symlink(folders.expected, folders.actual / "to-folder.png");
+  int unreadable = 0;
+  for (const FilePair& pair : file_pairs(folders.expected, folders.actual)) {
+    const ComparedFiles compared = compare_files(pair);
+    INFO(pair.name << ": " << compared.words);
+    CHECK(compared.verdict == (pair.name == "good.png" ? Verdict::same : Verdict::unreadable));
+    if (compared.verdict != Verdict::unreadable) continue;
+    ++unreadable;
+    CHECK(has(compared.words, pair.actual.string()));
+  }
+  CHECK(unreadable == 6);
+}
+
+TEST_CASE("A picture that only one side has is read all the same and may be unreadable") {
+  const Folders folders;
+  write(folders.expected / "a.png", "no picture");
+  draw(folders.actual / "b.png", {1, 2, 3});
+  CHECK(verdicts(folders) == std::vector{Verdict::unreadable, Verdict::extra});
+}
+
+// -- What rendered them -------------------------------------------------------------------------------------------------
+
+TEST_CASE("rendered-by.json is a list of strings in its own order and may be missing") {
+  const Folders folders;
+  CHECK_FALSE(read_rendered_by(folders.expected));
+  CHECK_FALSE(read_rendered_by(folders.root / "missing"));
+  write(folders.expected / "rendered-by.json", R"({"z": "first", "a": "second <&>"})");
+  CHECK(read_rendered_by(folders.expected) == RenderedBy{{"z", "first"}, {"a", "second <&>"}});
+}
+
+TEST_CASE("A rendered-by.json that cannot be understood says so in place of its content") {
+  const Folders folders;
+  for (const std::string text : {"", "{", "[]", "7", R"({"a": 1})", R"({"a": {"b": "c"}})", "{\"a\": \"\xff\"}"}) {
+    INFO(text);
+    write(folders.expected / "rendered-by.json", text);
+    const auto notes = read_rendered_by(folders.expected);
+    REQUIRE(notes);
+    REQUIRE(notes->size() == 1);
+    CHECK(has(notes->front().second, "cannot be read"));
+  }
+  write(folders.expected / "rendered-by.json", "{\"a\": \"" + std::string(70'000, 'x') + "\"}");
+  CHECK(has(read_rendered_by(folders.expected)->front().second, "64 KiB"));
+}
+
+TEST_CASE("The notes of both sides stand beside each other and know where they differ") {
+  const auto lines =
+      side_by_side({{"png", "1"}, {"cpu", "x"}, {"old", "o"}}, {{"cpu", "y"}, {"png", "1"}, {"new", "n"}});
+  CHECK(lines == std::vector<RenderedByLine>{
+                     {"png", "1", "1"}, {"cpu", "x", "y"}, {"old", "o", std::nullopt}, {"new", std::nullopt, "n"}});
+  CHECK_FALSE(lines[0].differs());
+  for (std::size_t i : {1u, 2u, 3u}) CHECK(lines[i].differs());
+}

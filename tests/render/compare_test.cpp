@@ -1,0 +1,255 @@
+#include "render/compare.hpp"
+
+#include <stdexcept>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace render;
+
+namespace {
+
+struct Pixel {
+  int x, y;
+};
+
+constexpr int base = 100;  // of every channel
+
+Image plain(Size size) {
+  Image image(size);
+  image.fill({base, base, base});
+  return image;
+}
+
+void add(Image& image, Pixel at, int change, int channel = 0) {
+  image.row(at.y)[3 * at.x + channel] = static_cast<std::uint8_t>(base + change);
+}
+
+/// Compares a plain picture with one in which these pixels are off.
+Comparison with(const std::vector<Pixel>& off, Size size = {32, 32}, int change = 3) {
+  Image actual = plain(size);
+  for (const Pixel& pixel : off) add(actual, pixel, change);
+  return compare(plain(size), actual);
+}
+
+/// So many pixels, no two of which touch, row by row.
+std::vector<Pixel> scattered(int count, int width) {
+  std::vector<Pixel> pixels;
+  for (int i = 0; i < count; ++i) pixels.push_back({2 * i % width, 2 * (2 * i / width)});
+  return pixels;
+}
+
+bool passed(const Comparison& comparison) { return passes(comparison.verdict); }
+
+/// So many pixels scattered at random but apart, as another processor class leaves them: mostly small steps, two whole
+/// steps of multisampling.
+std::vector<Pixel> another_processor() {
+  std::vector<Pixel> pixels;
+  std::uint32_t state = 7474;
+  const auto next = [&state](int limit) {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<int>((state >> 8) % static_cast<std::uint32_t>(limit));
+  };
+  for (int i = 0; i < 18; ++i) pixels.push_back({2 * next(640), 40 * i});
+  return pixels;
+}
+
+}  // namespace
+
+// -- What passes --------------------------------------------------------------------------------------------------------
+
+TEST_CASE("Equal pictures are the same and nothing is off") {
+  const Comparison found = compare(plain({9, 7}), plain({9, 7}));
+  CHECK(found.verdict == Verdict::same);
+  CHECK(found.off == 0);
+  CHECK(found.largest_difference() == 0);
+  CHECK(found.histogram[0] == 63);
+}
+
+TEST_CASE("The noise of another processor class passes: 18 scattered pixels of 921600 and two of them far off") {
+  Image actual = plain({1280, 720});
+  const std::vector<Pixel> noise = another_processor();
+  for (std::size_t i = 0; i < noise.size(); ++i) add(actual, noise[i], i < 2 ? 64 : 3, static_cast<int>(i % 3));
+  const Comparison found = compare(plain({1280, 720}), actual);
+  CHECK(found.verdict == Verdict::within_tolerance);
+  CHECK(found.off == 18);
+  CHECK(found.allowed == 18);
+  CHECK(found.largest_group == 1);
+}
+
+TEST_CASE("Every pixel may differ by two in every channel upwards or downwards") {
+  for (const int change : {-2, 2}) {
+    Image actual = plain({40, 30});
+    actual.fill({static_cast<std::uint8_t>(base + change), static_cast<std::uint8_t>(base + change),
+                 static_cast<std::uint8_t>(base + change)});
+    const Comparison found = compare(plain({40, 30}), actual);
+    CHECK(found.verdict == Verdict::within_tolerance);
+    CHECK(found.off == 0);
+    CHECK(found.histogram[2] == 1200);
+  }
+}
+
+// -- Both sides of every number -----------------------------------------------------------------------------------------
+
+TEST_CASE("A pixel is off when any one channel differs by three and not by two") {
+  for (const int channel : {0, 1, 2}) {
+    for (const int sign : {-1, 1}) {
+      Image two = plain({8, 8}), three = plain({8, 8});
+      add(two, {4, 4}, 2 * sign, channel);
+      add(three, {4, 4}, 3 * sign, channel);
+      CHECK(compare(plain({8, 8}), two).off == 0);
+      CHECK(compare(plain({8, 8}), three).off == 1);
+    }
+  }
+}
+
+TEST_CASE("Channels are looked at one by one: their differences are not added") {
+  Image actual = plain({8, 8});
+  for (const int channel : {0, 1, 2}) add(actual, {4, 4}, 2, channel);
+  CHECK(compare(plain({8, 8}), actual).off == 0);
+}
+
+TEST_CASE("In a small picture 8 scattered pixels may be off and not 9") {
+  CHECK(with(scattered(8, 32)).verdict == Verdict::within_tolerance);
+  CHECK(with(scattered(9, 32)).verdict == Verdict::different);
+  CHECK(with(scattered(9, 32)).off == 9);
+  CHECK(with(scattered(9, 32)).largest_group == 1);
+}
+
+TEST_CASE("In a large picture one pixel in 50000 may be off and not one more") {
+  const Size size{1000, 600};  // 2e-5 of them: 12
+  CHECK(passed(with(scattered(12, 1000), size)));
+  CHECK_FALSE(passed(with(scattered(13, 1000), size)));
+}
+
+TEST_CASE("The larger of the two limits counts and parts of a pixel do not") {
+  const Tolerance usual;
+  CHECK(usual.allowed({1, 1}) == 8);
+  CHECK(usual.allowed({1000, 449}) == 8);
+  CHECK(usual.allowed({50'000, 9}) == 9);
+  CHECK(usual.allowed({449'999, 1}) == 8);
+  CHECK(usual.allowed({1280, 720}) == 18);
+  CHECK(usual.allowed({16384, 16384}) == 5368);
+}
+
+TEST_CASE("Four pixels that are off may hang together and not five in whatever shape") {
+  const std::vector<std::vector<Pixel>> shapes{
+      {{3, 3}, {4, 3}, {5, 3}, {6, 3}, {7, 3}},  // a row
+      {{3, 3}, {3, 4}, {3, 5}, {3, 6}, {3, 7}},  // a column
+      {{3, 3}, {4, 4}, {5, 5}, {6, 6}, {7, 7}},  // corners only, down
+      {{7, 3}, {6, 4}, {5, 5}, {4, 6}, {3, 7}},  // corners only, up
+      {{3, 3}, {4, 4}, {5, 3}, {6, 4}, {7, 3}},  // zigzag
+      {{3, 4}, {4, 4}, {5, 4}, {4, 3}, {4, 5}},  // a cross
+      {{3, 3}, {7, 3}, {4, 4}, {6, 4}, {5, 5}},  // a V, whose arms meet in the last row
+      {{5, 3}, {4, 4}, {6, 4}, {3, 5}, {7, 5}},  // and upside down
+  };
+  for (const std::vector<Pixel>& five : shapes) {
+    const Comparison found = with(five);
+    CHECK(found.verdict == Verdict::different);
+    CHECK(found.off == 5);
+    CHECK(found.largest_group == 5);
+  }
+  for (std::size_t i : {0u, 1u, 2u, 3u, 4u}) {  // those whose first four hang together
+    std::vector<Pixel> four = shapes[i];
+    four.pop_back();
+    CHECK(with(four).verdict == Verdict::within_tolerance);
+    CHECK(with(four).largest_group == 4);
+  }
+}
+
+TEST_CASE("Two groups of four pass when nothing joins them and fail when a corner does") {
+  const std::vector<Pixel> apart{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {3, 2}, {4, 2}, {3, 3}, {4, 3}};
+  const std::vector<Pixel> joined{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 2}, {3, 2}, {2, 3}, {3, 3}};
+  CHECK(with(apart).verdict == Verdict::within_tolerance);
+  CHECK(with(apart).largest_group == 4);
+  CHECK(with(joined).verdict == Verdict::different);
+  CHECK(with(joined).largest_group == 8);
+}
+
+TEST_CASE("Pixels at the left and right border are no neighbours") {
+  const std::vector<Pixel> border{{31, 3}, {0, 4}, {31, 5}, {0, 6}, {31, 7}};
+  CHECK(with(border).largest_group == 1);
+  CHECK(with(border).verdict == Verdict::within_tolerance);
+}
+
+TEST_CASE("A spiral is one group whatever the order in which its parts meet") {
+  const std::vector<std::string> rows{"#########", "........#", "#######.#", "#.....#.#", "#.###.#.#",
+                                      "#.#...#.#", "#.#####.#", "#.......#", "#########"};
+  std::vector<Pixel> spiral;
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 9; ++x)
+      if (rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#') spiral.push_back({x, y});
+  CHECK(with(spiral).largest_group == static_cast<std::int64_t>(spiral.size()));
+}
+
+TEST_CASE("A picture in which every pixel is off is one group and stripes are groups of their own") {
+  std::vector<Pixel> all, stripes;
+  for (int y = 0; y < 20; ++y)
+    for (int x = 0; x < 30; ++x) {
+      all.push_back({x, y});
+      if (x % 2 == 0) stripes.push_back({x, y});
+    }
+  CHECK(with(all, {30, 20}).largest_group == 600);
+  CHECK(with(stripes, {30, 20}).largest_group == 20);
+}
+
+// -- What is told -------------------------------------------------------------------------------------------------------
+
+TEST_CASE("The bounding box encloses the pixels that are off but not those within the tolerance") {
+  Image actual = plain({32, 32});
+  add(actual, {1, 1}, 2);
+  add(actual, {5, 20}, 50);
+  add(actual, {9, 8}, -50);
+  const Comparison found = compare(plain({32, 32}), actual);
+  CHECK(found.box == PixelBox{5, 8, 9, 20});
+  CHECK(found.box.width() == 5);
+  CHECK(found.box.height() == 13);
+  CHECK(found.largest_difference() == 50);
+}
+
+TEST_CASE("The histogram counts each pixel once by its most different channel") {
+  Image actual = plain({10, 10});
+  add(actual, {0, 0}, 1, 0);
+  add(actual, {0, 0}, 7, 2);
+  add(actual, {1, 0}, -7, 1);
+  add(actual, {2, 0}, 155, 1);
+  const Comparison found = compare(plain({10, 10}), actual);
+  CHECK(found.histogram[0] == 97);
+  CHECK(found.histogram[1] == 0);
+  CHECK(found.histogram[7] == 2);
+  CHECK(found.histogram[155] == 1);
+}
+
+TEST_CASE("Pictures of other sizes are a verdict of their own even with the same number of pixels") {
+  const Comparison found = compare(plain({20, 10}), plain({10, 20}));
+  CHECK(found.verdict == Verdict::other_size);
+  CHECK(in_words(found) == "expected 20x10 pixels, actual 10x20");
+}
+
+TEST_CASE("In words: what is off and what may be and where") {
+  CHECK(in_words(with({})) == "all pixels are equal");
+  CHECK(in_words(with({{3, 4}}, {32, 32}, 2)) == "no pixel is off; channels differ by up to 2 (2 may be)");
+  CHECK(in_words(with({{3, 4}, {4, 5}, {20, 20}})) ==
+        "3 pixels are off (8 may be); the largest group is 2 pixels (4 may be); all within 18x17 at (3, 4)");
+  CHECK(in_words(with({{3, 4}})) ==
+        "1 pixel is off (8 may be); the largest group is 1 pixel (4 may be); all within 1x1 at (3, 4)");
+}
+
+TEST_CASE("A tolerance of its own needs a written reason") {
+  const Image expected = plain({32, 32});
+  Image actual = expected;
+  for (const Pixel& pixel : scattered(9, 32)) add(actual, pixel, 3);
+  CHECK_THROWS_AS(compare(expected, actual, {.few = 9}), std::invalid_argument);
+  CHECK(passed(compare(expected, actual, {.few = 9, .reason = "a test"})));
+}
+
+TEST_CASE("The picture of the difference is sixteen times as large on black and ends at white") {
+  Image actual = plain({4, 1});
+  add(actual, {1, 0}, -2, 0);
+  add(actual, {1, 0}, 3, 1);
+  add(actual, {2, 0}, 16, 2);
+  const Image image = difference(plain({4, 1}), actual);
+  CHECK(image.pixel(0, 0) == Color{0, 0, 0});
+  CHECK(image.pixel(1, 0) == Color{32, 48, 0});
+  CHECK(image.pixel(2, 0) == Color{0, 0, 255});
+}
