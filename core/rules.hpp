@@ -88,7 +88,7 @@ std::string_view by_crossing_test(const Teller<Obs>& tell, std::string_view on, 
 template <class S, class Obs>
 void skip_beyond_A(const Simplex<S>& simplex, std::string_view label, Teller<Obs>& tell) {
   skip(simplex, "A", label,
-       by_crossing_test(tell, "the move to A crossed the origin, so the origin is not beyond A",
+       by_crossing_test(tell, "the move to A reached the origin or crossed it, so the origin is not beyond A",
                         "only the crossing test rules this out, and this run does without it"),
        tell);
 }

@@ -103,6 +103,8 @@ class Canvas {
     int left = 0, top = 0, right = 0, bottom = 0;  ///< clip rectangle in pixels
   };
   std::span<const CanvasVertex> vertices() const { return vertices_; }
+  /// For tests, which draw what is wrong on purpose.
+  std::span<CanvasVertex> vertices() { return vertices_; }
   std::span<const Run> runs() const { return runs_; }
   Size pixels() const { return pixels_; }
   Color background() const { return background_; }

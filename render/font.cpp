@@ -252,4 +252,11 @@ int Font::atlas_height() const { return static_cast<int>(impl_->atlas.size()) / 
 
 const std::vector<std::uint8_t>& Font::atlas() const { return impl_->atlas; }
 
+std::string freetype_version() {
+  const Library library = open_library();
+  FT_Int major = 0, minor = 0, patch = 0;
+  FT_Library_Version(library.get(), &major, &minor, &patch);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+}
+
 }  // namespace render

@@ -37,6 +37,9 @@ struct TextLine {
   double cap_height = 0;           ///< of an H, above the baseline
 };
 
+/// Returns: the version of FreeType that runs, such as "2.12.1".
+std::string freetype_version();
+
 /// The faces that the pictures use and a cache of their glyph bitmaps (8-bit coverage, in one growing atlas).
 class Font {
  public:

@@ -1,9 +1,14 @@
 #include "render/rendered_by.hpp"
 
+#include <png.h>
+#include <zlib.h>
+
+#include <Eigen/Core>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "render/file.hpp"
+#include "render/font.hpp"
 
 namespace render {
 namespace {
@@ -11,6 +16,27 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t most_bytes = 1 << 16;  // notes, not data
+
+std::string crc32_of(const std::vector<std::uint8_t>& bytes) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%08lx", ::crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
+  return text;
+}
+
+std::string eigen_version() {
+  return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+         std::to_string(EIGEN_MINOR_VERSION);
+}
+
+/// Mesa compiles its shaders for the processor that it finds.
+std::string processor() {
+#if defined(__x86_64__)
+  const auto says = [](const char* name, int has) { return std::string(has ? "with " : "without ") + name; };
+  return "x86-64, " + says("AVX2", __builtin_cpu_supports("avx2")) + ", " + says("FMA", __builtin_cpu_supports("fma"));
+#else
+  return "not x86-64";
+#endif
+}
 
 std::optional<std::string> find(const RenderedBy& notes, const std::string& key) {
   const auto found = std::ranges::find(notes, key, &RenderedBy::value_type::first);
@@ -50,6 +76,25 @@ std::vector<RenderedByLine> side_by_side(const RenderedBy& expected, const Rende
   for (const auto& [key, value] : actual)
     if (!find(expected, key)) lines.push_back({key, std::nullopt, value});
   return lines;
+}
+
+RenderedBy rendered_by(const OffscreenContext& context, const fs::path& fonts) {
+  const fs::path font = fonts / "DejaVuSans.ttf";
+  const std::vector<std::uint8_t> bytes = read_file(font);
+  return {
+      {"drawn by", context.description()},
+      {"libpng", png_get_libpng_ver(nullptr)},
+      {"zlib", zlibVersion()},
+      {"FreeType", freetype_version()},
+      {"Eigen", eigen_version()},
+      {"processor", processor()},
+      {"font", font.filename().string() + ", " + std::to_string(bytes.size()) + " bytes, CRC-32 " + crc32_of(bytes)}};
+}
+
+std::string rendered_by_json(const RenderedBy& notes) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [key, value] : notes) json[key] = value;
+  return json.dump(2) + "\n";
 }
 
 }  // namespace render

@@ -12,13 +12,16 @@ Walkthrough as_printed_spheres() {
   Scene intended = printed;
   intended.name = "as intended";
   intended.rules = RuleSet::as_intended;
-  return {.name = "as-printed-spheres",
-          .title = "Algorithm 1 as printed, and as its text means it",
-          .source = "ARL-TR-7474, Section 3.1.4",
-          .summary = "two spheres far apart: read literally, Algorithm 1 finds a collision",
-          .layout = Layout::until_they_part,
-          .naming = Naming::roles,
-          .scenes = {printed, intended}};
+  return {
+      .name = "as-printed-spheres",
+      .title = "Algorithm 1 as printed, and as its text means it",
+      .source = "ARL-TR-7474, Section 3.1.4",
+      .summary = "two spheres far apart: read literally, Algorithm 1 finds a collision",
+      .layout = Layout::until_they_part,
+      .naming = Naming::roles,
+      .scenes = {printed, intended},
+      .remarks = {{Remark::At::region_tested, 2,
+                   "wrongly: A and B are the same point, so every product with AB is zero, wherever the origin is"}}};
 }
 
 }  // namespace walkthroughs

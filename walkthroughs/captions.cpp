@@ -75,8 +75,7 @@ class Captions {
   std::optional<Frame> operator()(const gjk::VertexAdded<double>& event) const {
     if (walkthrough_.naming == Naming::corners || event.simplex.size() == 1) return std::nullopt;
     return frame_about(Focus::added, "P joins the simplex as its newest vertex, A",
-                       {{Mark::none, "the simplex is " + names_.list(event.simplex) +
-                                         ", oldest first; the letters of the others have moved on"}});
+                       {{Mark::none, "the simplex is " + names_.list(event.simplex) + ", oldest first"}});
   }
 
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 namespace walkthroughs {

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "render/rendered_by.hpp"
 #include "walkthroughs/alternative_text.hpp"
 #include "walkthroughs/command_line.hpp"
 #include "walkthroughs/movie.hpp"
@@ -88,6 +89,7 @@ class Rendering {
       render(each, sized, renderer, written);
     }
     renderer.finish();
+    if (command_.rendered_by) write_rendered_by(studio, output.folder);
     if (command_.captions) write_captions(written.frames);
     if (command_.movie) print_movies(selection, output);
   }
@@ -153,6 +155,13 @@ class Rendering {
       std::cerr << frame.story.walkthrough.name << ": frame " << frame.index + 1 << " of " << count << std::flush;
   }
 
+  static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {
+    const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
+    const std::filesystem::path file = folder / render::rendered_by_file;
+    render::write_file(file, std::vector<std::uint8_t>(text.begin(), text.end()));
+    std::cout << file.string() << "  what drew these pictures\n";
+  }
+
   void write_captions(const std::vector<FrameFile>& written) const {
     const std::string text = captions_json(written);
     render::write_file(*command_.captions, std::vector<std::uint8_t>(text.begin(), text.end()));
@@ -207,6 +216,8 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
   command->add_option("--captions", render.captions,
                       "JSON file to write: caption, description and events of each frame");
+  command->add_flag("--rendered-by", render.rendered_by,
+                    "write OUT/rendered-by.json as well: what drew the pictures; 'gjkstep compare' shows it");
   command->add_option("--out", render.out, "folder to write to")->capture_default_str();
   command->add_option("--size", render.size,
                       "width and height in pixels; if not given, what the scene file says, or 1280x720");

@@ -16,6 +16,7 @@ struct RenderCommand {
   bool sheet = false;
   bool apng = false;
   bool no_captions = false;
+  bool rendered_by = false;
   int turns = 0;
   double frame_time = 2;
   std::string detail = "decision";

@@ -31,7 +31,8 @@ struct Output {
 /// The tools of drawing, made once for all pictures.
 struct Studio {
   render::Backend backend = render::default_backend();
-  render::Font font{render::Font::default_directory()};
+  std::filesystem::path font_folder = render::Font::default_directory();
+  render::Font font{font_folder};
   render::OffscreenContext context{backend};
   render::Rasterizer rasterizer{context};
 };

@@ -172,7 +172,7 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
   for (const auto& [scene, one] : said) {
     const bool as_intended = scene->rules == RuleSet::as_intended;
-    frame.facts.push_back({as_intended ? Fact::Mark::yes : Fact::Mark::no, scene->name + ": " + one.headline});
+    frame.facts.push_back({as_intended ? Fact::Mark::yes : Fact::Mark::no, scene->name + ": " + one.caption});
   }
   return frame;
 }

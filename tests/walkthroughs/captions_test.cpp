@@ -203,11 +203,11 @@ TEST_CASE("Figure 4, left, in the letters of the picture") {
   CHECK(facts(frame(story, "The origin lies to one side of segment AE.")) ==
         Facts{"✓ R3 or R4: EA×EO×EA = (24, −72) ≠ 0",
               "skipped R1: the search has just moved away from A, toward the origin",
-              "skipped R2: the move to E crossed the origin, so the origin is not beyond E"});
+              "skipped R2: the move to E reached the origin or crossed it, so the origin is not beyond E"});
   CHECK(facts(frame(story, "The origin lies beyond edge EG.")) ==
         Facts{"✓ R3: GE_n·GO = 71.5 > 0", "GE_n = GE×GEA_n = (−38.5, −126.5, 0)",
               "skipped R4, R5, R6: the search has just moved away from EA, toward the origin",
-              "skipped R2: the move to G crossed the origin, so the origin is not beyond G"});
+              "skipped R2: the move to G reached the origin or crossed it, so the origin is not beyond G"});
   CHECK(facts(frame(story, "A is no longer needed and leaves the simplex.")) ==
         Facts{"[A, E, G] becomes [E, G] (oldest first)", "the origin lies beyond this edge; G stays the newest"});
   CHECK(facts(frame(story, "The next search goes from segment EG toward the origin.")) ==
@@ -215,11 +215,11 @@ TEST_CASE("Figure 4, left, in the letters of the picture") {
   CHECK(facts(frame(story, "The origin does not lie beyond edge EF.")) ==
         Facts{"✗ R7: FE_n·FO = −20.25 ≤ 0", "FE_n = FGE_n×FE = (−20.25, −20.25, 0)",
               "skipped R4, R5, R6: the search has just moved away from GE, toward the origin",
-              "skipped R2: the move to F crossed the origin, so the origin is not beyond F"});
+              "skipped R2: the move to F reached the origin or crossed it, so the origin is not beyond F"});
   CHECK(facts(frame(story, "The origin lies in triangle EFG.")) ==
         Facts{"✓ R1: FGE_n·FO = 0", "FGE_n = FG×FE = (0, 0, 9)",
               "skipped R4, R5, R6: the search has just moved away from GE, toward the origin",
-              "skipped R2: the move to F crossed the origin, so the origin is not beyond F"});
+              "skipped R2: the move to F reached the origin or crossed it, so the origin is not beyond F"});
   CHECK(facts(frame(story, "The origin lies in triangle EFG, so the objects intersect.")) ==
         Facts{"answer: intersecting after 4 iterations", "R3: FG_n·FO = −31.5 ≤ 0", "R7: FE_n·FO = −20.25 ≤ 0",
               "R1: FGE_n·FO = 0"});
@@ -266,7 +266,7 @@ TEST_CASE("The origin beyond the other edge of a triangle is told as R7, and the
   CHECK(facts(frame(story, "The origin lies beyond edge AB.")) ==
         Facts{"✓ R7: BA_n·BO = 19 > 0", "BA_n = BCA_n×BA = (95, 19, 0)",
               "skipped R4, R5, R6: the search has just moved away from CA, toward the origin",
-              "skipped R2: the move to B crossed the origin, so the origin is not beyond B"});
+              "skipped R2: the move to B reached the origin or crossed it, so the origin is not beyond B"});
   CHECK(frame(story, "C is no longer needed and leaves the simplex.").facts.at(0).text ==
         "[A, C, B] becomes [A, B] (oldest first)");
   CHECK(facts(frame(story, "The next search goes from segment AB toward the origin.")) ==

@@ -163,7 +163,7 @@ bool never_looks_at_R2(const Run& run) {
 constexpr const char* left_B = "the search has just moved away from B, toward the origin";
 constexpr const char* left_BC = "the search has just moved away from BC, toward the origin";
 constexpr const char* left_BCD = "the search has just moved away from BCD, toward the origin";
-constexpr const char* crossed = "the move to A crossed the origin, so the origin is not beyond A";
+constexpr const char* crossed = "the move to A reached the origin or crossed it, so the origin is not beyond A";
 
 bool side_of_1_simplex(const Run& run, const std::string& side) {
   const Iteration& at = run.at(2);

@@ -1,0 +1,96 @@
+// The chosen pictures are what was accepted, pixel by pixel.
+
+#include <algorithm>
+#include <set>
+
+#include "render/compare.hpp"
+#include "render/compare_files.hpp"
+#include "render/compare_report.hpp"
+#include "render/file.hpp"
+#include "render/rendered_by.hpp"
+#include "tests/catch.hpp"
+#include "tests/golden/pictures.hpp"
+#include "tests/golden/store.hpp"
+
+using namespace golden;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t most_bytes = 20 * 1024;
+
+render::RenderedBy notes_of(const walkthroughs::Studio& studio) {
+  return render::rendered_by(studio.context, studio.font_folder);
+}
+
+void accept_notes(const walkthroughs::Studio& studio) {
+  const std::string text = render::rendered_by_json(notes_of(studio));
+  accept("images/" + std::string(render::rendered_by_file), Bytes(text.begin(), text.end()), "what drew the goldens");
+}
+
+/// Returns: what drew the goldens and what draws now, line by line.
+std::string both_notes(const walkthroughs::Studio& studio) {
+  std::string text;
+  const auto golden = render::read_rendered_by(folder() / "images");
+  for (const auto& line : render::side_by_side(golden.value_or(render::RenderedBy{}), notes_of(studio)))
+    text += "  " + line.key + ": " + line.expected.value_or("not recorded") +
+            (line.differs() ? "; now " + line.actual.value_or("not recorded") : "") + "\n";
+  return text;
+}
+
+/// One picture, drawn now and compared. Returns: nothing where it passes or was accepted.
+std::optional<render::ComparedFiles> check(const Picture& picture, walkthroughs::Studio& studio) {
+  const std::string name = picture.name() + ".png";
+  const Bytes png = render::encode_png(draw(picture, studio), {.title = picture.name(), .description = picture.reason});
+  const fs::path candidate = leave_candidate("images/" + name, png);
+  const fs::path golden = folder() / "images" / name;
+  const render::Sides sides = fs::exists(golden) ? render::Sides::both : render::Sides::only_actual;
+  render::ComparedFiles compared = render::compare_files({name, golden, candidate, sides});
+  if (render::passes(compared.verdict)) return std::nullopt;
+  if (!accepting()) return compared;
+  accept("images/" + name, png, compared.words);
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("images of the chosen frames are the accepted ones") {
+  walkthroughs::Studio studio;
+  render::CompareReport report({.expected = "tests/golden/images",
+                                .actual = "drawn now",
+                                .expected_by = render::read_rendered_by(folder() / "images"),
+                                .actual_by = notes_of(studio)});
+  int failures = 0;
+  for (const Picture& picture : pictures()) {
+    const auto failed = check(picture, studio);
+    if (!failed) continue;
+    ++failures;
+    report.add(*failed, command_to_accept("golden-tests: images"));
+    FAIL_CHECK(picture.name() << ": " << failed->words << "\n(" << picture.reason << ")");
+  }
+  if (accepting()) accept_notes(studio);
+  if (failures == 0) return;
+  const std::string html = report.html();
+  const fs::path page = leave_candidate("index.html", Bytes(html.begin(), html.end()));
+  WARN("Look at: " << page.string() << "\nTo accept: " << command_to_accept("golden-tests: images") << "\nDrawn by:\n"
+                   << both_notes(studio));
+}
+
+TEST_CASE("images that are accepted are listed with a reason and are small") {
+  std::set<std::string> listed;
+  for (const Picture& picture : pictures()) {
+    INFO(picture.name());
+    CHECK(listed.insert(picture.name() + ".png").second);
+    CHECK(picture.reason.size() > 10);
+    const fs::path file = folder() / "images" / (picture.name() + ".png");
+    if (fs::exists(file)) CHECK(fs::file_size(file) <= most_bytes);
+  }
+  for (const std::string& name : render::pictures_in(folder() / "images")) CHECK(listed.count(name) == 1);
+  const auto without = std::ranges::count(pictures(), Letters::left_out, &Picture::letters);
+  CHECK(2 * without >= static_cast<std::ptrdiff_t>(pictures().size()));
+  CHECK(pictures().size() >= 20);
+  CHECK(pictures().size() <= 40);
+  for (const char* theme : {"report", "slides", "dark"})
+    CHECK(std::ranges::count(pictures(), theme, &Picture::theme) >= 2);
+}

@@ -1,0 +1,30 @@
+/// Accepted files, and what is to be done about those that differ.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace golden {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// tests/golden in the source tree, and a folder of the build for candidates and reports.
+std::filesystem::path folder();
+std::filesystem::path candidates();
+
+/// Whether new files are to be accepted: GJKSTEP_UPDATE_GOLDENS=1 is set.
+/// Errors: std::runtime_error where CI is set as well: nobody looks at what CI would accept.
+bool accepting();
+
+/// Writes `bytes` to candidates()/`name`. Returns: the file.
+std::filesystem::path leave_candidate(const std::string& name, const Bytes& bytes);
+
+/// Writes `bytes` to folder()/`name` and prints `why`.
+void accept(const std::string& name, const Bytes& bytes, const std::string& why);
+
+/// Returns: the command that accepts what the tests of that name draw now.
+std::string command_to_accept(const std::string& tests);
+
+}  // namespace golden
