@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/gjk.hpp"
+
 namespace walkthroughs {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "walkthroughs/scene.hpp"
 
+#include "core/gjk.hpp"
+
 namespace walkthroughs {
 
 gjk::SupportPoint<double> Object::support(const Point& d) const {

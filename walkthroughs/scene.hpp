@@ -6,7 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/gjk.hpp"
+#include "core/events.hpp"
+#include "core/shapes.hpp"
 
 namespace walkthroughs {
 
