@@ -47,7 +47,9 @@ std::vector<Decision> decisions_of(const Trace& trace, std::optional<int> decisi
     if (!tested || tested->verdict == gjk::Verdict::skipped || tested->simplex_size < 2) continue;
     if (decisive && tested->iteration != *decisive) continue;
     if (tested->normal && tested->face.empty()) face_normal = *tested->normal;
-    if (tested->verdict == gjk::Verdict::chosen && tested->face.empty())
+    const double* value = std::get_if<double>(&tested->value);
+    const bool in_plane_of_face = tested->simplex_size == 4 && value && *value == 0;  // to be seen, though rejected
+    if ((tested->verdict == gjk::Verdict::chosen || in_plane_of_face) && tested->face.empty())
       found.push_back(decision_of(simplex, face_normal));
   }
   return found;

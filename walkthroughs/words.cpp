@@ -41,7 +41,7 @@ std::string with_digits(double value, int digits) {
 
 std::string number(double value) { return with_digits(value, value == std::round(value) ? 8 : 6); }
 
-std::string short_number(double value) { return with_digits(value, 4); }
+std::string short_number(double value) { return with_digits(value, value == std::round(value) ? 6 : 4); }
 
 std::string vector(const Point& value, Dimension dimension) {
   const int components = dimension == Dimension::plane ? 2 : 3;

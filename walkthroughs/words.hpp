@@ -16,7 +16,7 @@ namespace walkthroughs {
 /// Returns: whole numbers with up to eight digits, others with six significant ones; a true minus sign, never "-0".
 std::string number(double value);
 
-/// Returns: four significant digits, for where there is little room.
+/// Returns: whole numbers with up to six digits, others with four significant ones, for where there is little room.
 std::string short_number(double value);
 
 /// Returns: "(x, y)" for vectors of the plane, "(x, y, z)" for those of space.

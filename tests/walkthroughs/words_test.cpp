@@ -73,6 +73,8 @@ TEST_CASE("A short number has at most four significant digits") {
   CHECK(short_number(118.1875) == "118.2");
   CHECK(short_number(-0.0) == "0");
   CHECK(short_number(-1.0 / 3) == "−0.3333");
+  CHECK(short_number(-12225) == "−12225");
+  CHECK(short_number(-594432117.0) == "−5.94432e+08");
 }
 
 TEST_CASE("The minus sign of a number is U+2212, in the exponent too") {
