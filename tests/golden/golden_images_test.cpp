@@ -1,6 +1,8 @@
 // The chosen pictures are what was accepted, pixel by pixel.
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <set>
 
 #include "render/compare.hpp"
@@ -75,6 +77,35 @@ TEST_CASE("images of the chosen frames are the accepted ones") {
   const fs::path page = leave_candidate("index.html", Bytes(html.begin(), html.end()));
   WARN("Look at: " << page.string() << "\nTo accept: " << command_to_accept("golden-tests: images") << "\nDrawn by:\n"
                    << both_notes(studio));
+}
+
+TEST_CASE("images are the same whatever of OSMesa and EGL draws them") {
+  for (const render::Backend backend : render::built_in_backends()) {
+    if (backend == render::default_backend()) continue;
+    walkthroughs::Studio studio{.backend = backend};
+    for (const Picture& picture : pictures()) {
+      INFO(picture.name());
+      const render::Image golden = render::read_png(folder() / "images" / (picture.name() + ".png"));
+      CHECK(render::passes(render::compare(golden, draw(picture, studio)).verdict));
+    }
+  }
+}
+
+TEST_CASE("images and traces are never accepted where CI is set") {
+  const char* const names[] = {"CI", "GJKSTEP_UPDATE_GOLDENS"};
+  std::vector<std::optional<std::string>> before;
+  for (const char* name : names) {
+    const char* value = std::getenv(name);
+    before.push_back(value ? std::optional<std::string>(value) : std::nullopt);
+  }
+  setenv("GJKSTEP_UPDATE_GOLDENS", "1", 1);
+  setenv("CI", "true", 1);
+  CHECK_THROWS(accepting());
+  unsetenv("CI");
+  CHECK(accepting());
+  unsetenv("GJKSTEP_UPDATE_GOLDENS");
+  CHECK_FALSE(accepting());
+  for (std::size_t i = 0; i < 2; ++i) before[i] ? setenv(names[i], before[i]->c_str(), 1) : unsetenv(names[i]);
 }
 
 TEST_CASE("images that are accepted are listed with a reason and are small") {
