@@ -346,8 +346,9 @@ void draw_regions(Pencil& pencil, const Shown& shown) {
 }
 
 void name_rejected_faces(Pencil& pencil, const Shown& shown) {
+  if (shown.now.simplex.size() != 4 || shown.now.regions.empty()) return;
   const bool edges_shown = !shown.now.regions.back().face.empty();
-  if (shown.now.simplex.size() == 4 && !edges_shown) RegionPicture(pencil, shown).name_rejected_faces();
+  if (!edges_shown) RegionPicture(pencil, shown).name_rejected_faces();
 }
 
 }  // namespace walkthroughs
