@@ -336,6 +336,7 @@ std::vector<std::vector<Vec2>> regions_of_triangle(const Vec2& A, const Vec2& B,
 }
 
 void draw_regions(Pencil& pencil, const Shown& shown) {
+  if (shown.now.regions.empty()) return;  // of two scenes side by side, only the other one tests
   RegionPicture picture(pencil, shown);
   switch (shown.now.simplex.size()) {
     case 2: picture.segment(); break;

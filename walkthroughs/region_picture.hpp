@@ -11,7 +11,7 @@ namespace walkthroughs {
 enum class RegionState { pending, skipped, rejected, just_rejected, chosen };
 
 /// Draws the regions of the simplex that is being processed (of one face and its edges, where Algorithm 5 has come to them).
-/// Requires: `shown.now` has region tests and a simplex of at least two vertices.
+/// Nothing where no region has been tested in this iteration.
 void draw_regions(Pencil& pencil, const Shown& shown);
 
 /// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are shown. To be asked for
