@@ -2,8 +2,25 @@
 
 #include <stdexcept>
 
-namespace study {
+#include "tests/study/oracle_cgal.hpp"
 
-Truth truth(const Pair&) { throw std::invalid_argument("the oracle cannot judge this pair"); }
+namespace study {
+namespace {
+
+struct Judge {
+  Truth operator()(const Points& a, const Points& b) const {
+    if (const auto found = truth_by_cgal(a, b)) return *found;
+    throw std::invalid_argument("the oracle cannot judge this pair");
+  }
+
+  template <class A, class B>
+  Truth operator()(const A&, const B&) const {
+    throw std::invalid_argument("the oracle cannot judge this pair");
+  }
+};
+
+}  // namespace
+
+Truth truth(const Pair& pair) { return std::visit(Judge{}, pair.a, pair.b); }
 
 }  // namespace study
