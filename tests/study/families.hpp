@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ struct Family {
   std::string name;  ///< "flat-1e-6"
   std::string what;  ///< in one line, with the gap where there is one: "triangles flattened to z·1e-6"
   std::optional<std::uint64_t> size = {};  ///< how many pairs there are, where all can be listed; else without end
-  Pair (*make)(std::uint64_t seed, std::uint64_t index);  ///< Requires: index < size, where there is one
+  std::function<Pair(std::uint64_t seed, std::uint64_t index)> make;  ///< Requires: index < size, where there is one
 };
 
 /// Returns: all of them, in the order of the tables.
