@@ -1,4 +1,5 @@
 /// Pairs that can all be listed, and lists of points with repetitions.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -64,17 +65,26 @@ std::vector<Points> four_of_the_cube() {
   return all;
 }
 
-Family grid_tetrahedra() {
+/// The same, there or up to one step along each axis; none twice.
+std::vector<Points> four_of_the_cube_nearby() {
   constexpr Grid places{2, 2, 2};
-  const std::vector<Points> all = four_of_the_cube();
-  const std::uint64_t size = all.size() * all.size() * places.size();
+  std::vector<Points> all;
+  for (std::uint64_t i = 0; i < places.size(); ++i)
+    for (const Points& four : four_of_the_cube()) {
+      const Points there = moved(four, places(i));
+      if (std::ranges::find(all, there) == all.end()) all.push_back(there);
+    }
+  return all;
+}
+
+Family grid_tetrahedra() {
+  const std::vector<Points> a = four_of_the_cube(), b = four_of_the_cube_nearby();
+  const std::uint64_t size = a.size() * b.size();
   return {"grid-tetrahedra",
           "every four corners of {0, 1}³ against every four, there or up to one step along each axis", size,
           [=](std::uint64_t, std::uint64_t index) {
-            std::uint64_t code = strided(index, size);
-            const Vec place = places(code % places.size());
-            code /= places.size();
-            return Pair{all[code % all.size()], moved(all[code / all.size()], place)};
+            const std::uint64_t code = strided(index, size);
+            return Pair{a[code % a.size()], b[code / a.size()]};
           }};
 }
 
