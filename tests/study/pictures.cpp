@@ -14,20 +14,13 @@
 namespace study {
 namespace {
 
-/// Colours that differ for colour-blind readers as well (Okabe and Ito), each with a mark of its own.
-struct Look {
-  const char* colour;
-  int filled_mark, open_mark;
-};
-constexpr Look looks[] = {{"#D55E00", 7, 6}, {"#0072B2", 5, 4}, {"#009E73", 9, 8}, {"#000000", 13, 12}};
-
 std::string setup(int width, int height) {
   return "set terminal pngcairo size " + std::to_string(width) + "," + std::to_string(height) +
          " background rgb 'white' font 'DejaVu Sans,11'\nset encoding utf8\n";
 }
 
 /// Returns: the text as gnuplot reads it: underscores and carets are no marks here.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string inside;
   for (const char c : text) inside += c == '\'' ? "''" : std::string(1, c);
   return "'" + inside + "'";
@@ -70,60 +63,77 @@ Point point_of(const Settings& settings, const std::vector<std::string>& familie
   return point;
 }
 
-/// One line of a picture: all limits of one method.
-struct Curve {
-  Setting setting;
-  std::vector<Point> points;
-};
+/// A panel of the picture: all methods of one scalar, with a time axis of its own.
+class Panel {
+ public:
+  Panel(const Settings& settings, const std::vector<std::string>& families, std::string scalar)
+      : settings_(settings), families_(families), scalar_(std::move(scalar)) {}
 
-std::vector<Curve> curves_of(const Settings& settings, const std::vector<std::string>& families) {
-  std::vector<Curve> curves;
-  for (const Row& row : settings.study().rows) {
-    if (families.empty() || row.family != families.front()) continue;
-    Curve curve{{row.rules, row.scalar, row.zero_test, 0}, {}};
-    for (const int limit : settings.limits()) {
-      curve.setting.limit = limit;
-      curve.points.push_back(point_of(settings, families, curve.setting));
-    }
-    curves.push_back(std::move(curve));
+  /// Returns: the commands that draw it.
+  std::string text() {
+    for (const std::string& rules : settings_.rules())
+      for (const std::string& zero_test : settings_.zero_tests())
+        if (settings_.find(families_.front(), {rules, scalar_, zero_test, 0}) != nullptr) add_curve(rules, zero_test);
+    return data_.str() + "set title " + in_quotes(scalar_) + " font ',13'\nplot " + plots_ + "\n";
   }
-  return curves;
-}
 
-std::size_t position(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-}
+ private:
+  void add_curve(const std::string& rules, const std::string& zero_test) {
+    const std::string block = "$curve" + std::to_string(curves_++);
+    data_ << block << " << EOD\n";
+    for (const int limit : settings_.limits()) {
+      const Point p = point_of(settings_, families_, {rules, scalar_, zero_test, limit});
+      data_ << p.nanoseconds << ' ' << p.rate << ' ' << (is_labelled(limit) ? std::to_string(limit) : "''") << '\n';
+    }
+    data_ << "EOD\n";
+    const bool is_usual = rules == settings_.usual().rules, is_exact = zero_test == settings_.zero_tests().front();
+    const std::string colour = is_usual ? "lc rgb '#0072B2'" : "lc rgb '#D55E00'";
+    plots_ += (plots_.empty() ? "" : ", \\\n  ") + block + " using 1:2 with linespoints " + colour +
+              (is_usual ? " dt 1" : " dt '-'") + " lw 1.5 ps 1.4 pt " + mark(is_usual, is_exact) + " title " +
+              in_quotes(rules + ", zero test " + zero_test) + ", " + block +
+              " using 1:2:3 with labels font ',10' offset " + (is_usual ? "-0.9,-0.7" : "0.9,0.7") + " notitle";
+  }
 
-/// Colour and form of the mark tell the scalar, its filling the zero test, the dashes the rules.
-std::string style_of(const Settings& settings, const Setting& setting) {
-  const Look& look = looks[position(settings.scalars(), setting.scalar) % std::size(looks)];
-  const bool is_first_test = setting.zero_test == settings.zero_tests().front();
-  const bool is_first_rules = setting.rules == settings.usual().rules;
-  return "lc rgb '" + std::string(look.colour) + "' pt " +
-         std::to_string(is_first_test ? look.filled_mark : look.open_mark) + " ps 1.3 lw 1.5 dt " +
-         (is_first_rules ? "1" : "'-'");
-}
+  /// Squares for the usual rules, triangles for others; filled for the exact zero test.
+  static std::string mark(bool is_usual, bool is_exact) {
+    return is_usual ? (is_exact ? "5" : "4") : is_exact ? "9" : "8";
+  }
+
+  /// Points of limits in between may lie on each other.
+  bool is_labelled(int limit) const {
+    return limit == settings_.limits().front() || limit == settings_.usual().limit ||
+           limit == settings_.limits().back();
+  }
+
+  const Settings& settings_;
+  const std::vector<std::string>& families_;
+  std::string scalar_;
+  std::ostringstream data_;
+  std::string plots_;
+  int curves_ = 0;
+};
 
 }  // namespace
 
 Picture error_vs_time(const Settings& settings) {
   const std::vector<std::string> families = shared_families(settings);
-  const std::vector<Curve> curves = curves_of(settings, families);
+  std::string limits;
+  for (const int limit : settings.limits()) limits += (limits.empty() ? "" : ", ") + std::to_string(limit);
   std::ostringstream script;
-  script << setup(1200, 800);
-  std::string plots;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    const std::string block = "$curve" + std::to_string(i);
-    script << block << " << EOD\n";
-    for (const Point& p : curves[i].points) script << p.nanoseconds << ' ' << p.rate << ' ' << p.limit << '\n';
-    script << "EOD\n";
-    const Setting& s = curves[i].setting;
-    plots += (i == 0 ? "plot " : ", \\\n  ") + block + " using 1:2 with linespoints " + style_of(settings, s) +
-             " title " + quoted(s.scalar + ", " + s.rules + ", zero test " + s.zero_test);
-  }
-  script << "set logscale xy\nset xlabel 'nanoseconds per query'\nset ylabel 'wrong or undecided, mean of families'\n"
-         << "set key outside right\nset grid\n"
-         << plots << '\n';
+  script << setup(1400, 640);
+  if (families.empty()) return {"error-vs-time.png", script.str()};
+  script << "set multiplot layout 1," << settings.scalars().size()
+         << " margins 0.06,0.985,0.2,0.8 spacing 0.045,0.1 title "
+         << in_quotes("Wrong or undecided against time: mean of the " + std::to_string(families.size()) +
+                      " families that every method was asked about. Points of a line: iteration limits " + limits)
+         << " font ',13'\nset logscale y\nset yrange [0.02:0.5]\nset xtics rotate by -30\nset grid\nset offsets graph "
+            "0.12, graph 0.12, 0, 0\n"
+         << "set xlabel 'nanoseconds per query'\nset ylabel 'share of pairs wrong or undecided'\n"
+         << "set key horizontal at screen 0.5,0.93 center top maxcols 4 font ',11'\n";
+  for (const std::string& scalar : settings.scalars())
+    script << Panel(settings, families, scalar).text() << "unset ylabel\nunset key\n";
+  script << "set label " << in_quotes(small_print(settings))
+         << " at screen 0.985,0.02 right font ',9'\nunset multiplot\n";
   return {"error-vs-time.png", script.str()};
 }
 
@@ -137,19 +147,19 @@ constexpr double least_shade = 1e-6;  // rates from here to 1 have a shade; none
 std::string cell_label(std::size_t column, std::size_t row, const std::optional<Counts>& counts) {
   const double rate = counts ? failure_rate(*counts).value() : 0;
   const std::string text = counts ? in_short(rate) : "not asked";
-  const char* const colour = !counts ? "#777777" : rate > 0.02 ? "#FFFFFF" : "#000000";
-  return "set label " + quoted(text) + " at " + std::to_string(column) + "," + std::to_string(row) +
+  const char* const colour = !counts ? "#777777" : rate > 0.005 ? "#FFFFFF" : "#000000";
+  return "set label " + in_quotes(text) + " at " + std::to_string(column) + "," + std::to_string(row) +
          " center front textcolor rgb '" + colour + "'\n";
 }
 
 std::string tics(const std::string& axis, const std::vector<std::string>& names) {
   std::string text = "set " + axis + "tics (";
   for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : ", ") + quoted(names[i]) + " " + std::to_string(i);
+    text += (i == 0 ? "" : ", ") + in_quotes(names[i]) + " " + std::to_string(i);
   return text + ") scale 0\n";
 }
 
-std::string ends(std::size_t cells) { return "[-0.5:" + std::to_string(cells - 1) + ".5]"; }
+std::string last_edge(std::size_t cells) { return std::to_string(cells) + " - 0.5"; }
 
 std::string described(const Setting& setting) {
   return "rules " + setting.rules + ", zero test " + setting.zero_test + ", at most " + std::to_string(setting.limit) +
@@ -176,14 +186,16 @@ Picture heat_map(const Settings& settings) {
   std::ostringstream script;
   script << setup(1000, 190 + 24 * static_cast<int>(families.size())) << "$cells << EOD\n"
          << cells.str() << "EOD\n"
-         << labels.str() << "set title " << quoted("Wrong or undecided, share of pairs: " + described(settings.usual()))
-         << "\n"
-         << tics("x", settings.scalars()) << tics("y", families) << "set xrange " << ends(settings.scalars().size())
-         << "\nset yrange " << ends(families.size())
-         << " reverse\nset palette defined (0 '#FFF3B0', 1 '#F6C667', 2 '#E58F4B', 3 '#B8504A', 4 '#6F2C5B', 5 "
+         << labels.str() << "set title "
+         << in_quotes("Wrong or undecided, share of pairs: " + described(settings.usual())) << "\n"
+         << tics("x", settings.scalars()) << tics("y", families)
+         << "set xrange [-0.5:" << last_edge(settings.scalars().size()) << "]\nset yrange ["
+         << last_edge(families.size())
+         << ":-0.5]\nset palette defined (0 '#FFF3B0', 1 '#F6C667', 2 '#E58F4B', 3 '#B8504A', 4 '#6F2C5B', 5 "
             "'#2A1145')\n"
          << "set cbrange [-6:0]\nset cbtics ('1' 0, '0.1' -1, '0.01' -2, '1e-3' -3, '1e-4' -4, '1e-5' -5, '1e-6' -6)\n"
-         << "set xlabel " << quoted(small_print(settings)) << " font ',9'\nset style fill solid noborder\nunset key\n"
+         << "set xlabel " << in_quotes(small_print(settings))
+         << " font ',9'\nset style fill solid noborder\nunset key\n"
          << "plot $cells using 1:2:(0.5):(0.5):3 with boxxyerror palette\n";
   return {"heat-map.png", script.str()};
 }
@@ -219,7 +231,7 @@ std::string histogram_data(const std::string& block, const std::vector<Counts>& 
 }
 
 std::string histogram_plot(const std::string& block, const std::string& title) {
-  return "set title " + quoted(title) + "\nplot " + block +
+  return "set title " + in_quotes(title) + "\nplot " + block +
          " using ($1-0.2):($2>0?$2:NaN) with boxes fs solid 1 lc rgb '#0072B2' title 'hits', " + block +
          " using ($1+0.2):($3>0?$3:NaN) with boxes fs pattern 2 lc rgb '#D55E00' title 'misses'\n";
 }
@@ -235,11 +247,11 @@ Picture iterations(const Settings& settings) {
   const std::string first = settings.study().families.empty() ? "" : settings.study().families.front().name;
   std::ostringstream script;
   script << setup(1200, 820) << histogram_data("$first", {all.front()}) << histogram_data("$all", all)
-         << "set multiplot layout 2,1 title " << quoted("Iterations: " + usual.scalar + ", " + described(usual))
+         << "set multiplot layout 2,1 title " << in_quotes("Iterations: " + usual.scalar + ", " + described(usual))
          << "\nset logscale y\nset yrange [1e-6:1]\nset format y '10^{%T}'\nset ylabel 'share of hits, of misses'\n"
          << "set xrange [0:" << usual.limit + 1 << "]\nset xtics 1\nset boxwidth 0.4\nset grid y\nset key top right\n"
          << histogram_plot("$first", "family " + first)
-         << "set xlabel 'iterations; those that took the limit are undecided'\n"
+         << "set xlabel 'iterations; undecided queries count with those that they took'\n"
          << histogram_plot("$all", "all families, each counting alike") << "unset multiplot\n";
   return {"iterations.png", script.str()};
 }
@@ -247,7 +259,8 @@ Picture iterations(const Settings& settings) {
 bool draw(const Picture& picture, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / picture.file, unfinished = file.string() + ".unfinished";
   if (const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe{popen("gnuplot 2>&1", "w"), pclose}; pipe) {
-    const std::string text = "set output " + quoted(unfinished.string()) + "\n" + picture.script + "\nunset output\n";
+    const std::string text =
+        "set output " + in_quotes(unfinished.string()) + "\n" + picture.script + "\nunset output\n";
     std::fputs(text.c_str(), pipe.get());
   }
   std::error_code error;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 
 #include "tests/study/methods.hpp"
 #include "walkthroughs/nearest.hpp"
@@ -107,6 +108,14 @@ std::string option(const std::string& name, const std::vector<std::string>& valu
   return text;
 }
 
+/// Returns: what Linux calls the processor.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.find(':') + 2, line.size()));
+  return "an unknown processor";
+}
+
 std::vector<std::string> words_of(const std::vector<int>& numbers) {
   std::vector<std::string> words;
   for (const int number : numbers) words.push_back(std::to_string(number));
@@ -140,6 +149,7 @@ Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows) 
   Study study;
   study.header = {command_of(request), GJKSTEP_VERSION, GJKSTEP_COMPILER, request.seed, plan.limits};
   study.shard = plan.shard;
+  study.processors = {processor()};
   for (const Part& part : plan.parts)
     study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs});
   study.rows = std::move(rows);
