@@ -132,7 +132,7 @@ Picture error_vs_time(const Settings& settings) {
          << "set key horizontal at screen 0.5,0.93 center top maxcols 4 font ',11'\n";
   for (const std::string& scalar : settings.scalars())
     script << Panel(settings, families, scalar).text() << "unset ylabel\nunset key\n";
-  script << "set label " << in_quotes(small_print(settings))
+  script << "set label " << in_quotes(small_print(settings) + "; " + processors_of(settings.study()))
          << " at screen 0.985,0.02 right font ',9'\nunset multiplot\n";
   return {"error-vs-time.png", script.str()};
 }
