@@ -18,19 +18,18 @@ std::size_t points_in(const Body& body) {
   return points ? points->size() : 1;
 }
 
-/// How many pairs of a family cost about as much time as one pair of triangles. Finding the truth costs the most: an exact
-/// linear program for more than four points.
+/// How many pairs of triangles cost about as much time as one pair of a family: finding the truth costs the most.
 std::uint64_t weight_of(const Family& family, std::uint64_t seed) {
   const Pair first = family.make(seed, 0);
   const std::size_t points = std::max(points_in(first.a), points_in(first.b));
-  return points <= 4 ? 1 : points <= 8 ? 10 : points <= 32 ? 40 : 200;
+  return points <= 8 ? 1 : points <= 32 ? 4 : 10;
 }
 
 struct Amount {
   std::uint64_t pairs, slow_pairs;
 };
 
-Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{200000, 4000} : Amount{4000, 100}; }
+Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{200000, 4000} : Amount{2000, 60}; }
 
 Part part_of(const Family& family, const Request& request) {
   const Amount amount = amount_of(request.effort);
