@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "render/file.hpp"
 #include "render/rendered_by.hpp"
 #include "walkthroughs/alternative_text.hpp"
 #include "walkthroughs/command_line.hpp"
@@ -158,13 +159,13 @@ class Rendering {
   static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {
     const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
     const std::filesystem::path file = folder / render::rendered_by_file;
-    render::write_file(file, std::vector<std::uint8_t>(text.begin(), text.end()));
+    render::write_file(file, text);
     std::cout << file.string() << "  what drew these pictures\n";
   }
 
   void write_captions(const std::vector<FrameFile>& written) const {
     const std::string text = captions_json(written);
-    render::write_file(*command_.captions, std::vector<std::uint8_t>(text.begin(), text.end()));
+    render::write_file(*command_.captions, text);
     std::cout << *command_.captions << "  captions and descriptions of the frames\n";
   }
 
