@@ -22,11 +22,6 @@
 namespace walkthroughs {
 namespace {
 
-const render::Theme& theme_named(const std::string& name) {
-  if (name == "slides") return render::themes::slides;
-  return name == "dark" ? render::themes::dark : render::themes::report;
-}
-
 /// The walkthroughs that the words of a command choose, each once, in the order named. Keeps those that files describe.
 class Selection {
  public:
