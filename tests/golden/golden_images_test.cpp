@@ -50,10 +50,18 @@ std::optional<render::ComparedFiles> check(const Picture& picture, walkthroughs:
   const fs::path golden = folder() / "images" / name;
   const render::Sides sides = fs::exists(golden) ? render::Sides::both : render::Sides::only_actual;
   render::ComparedFiles compared = render::compare_files({name, golden, candidate, sides});
+  if (compared.verdict == render::Verdict::extra) compared.words = "there is no accepted picture";
   if (render::passes(compared.verdict)) return std::nullopt;
   if (!accepting()) return compared;
   accept("images/" + name, png, compared.words);
   return std::nullopt;
+}
+
+/// Returns: the picture's name, what is wrong, and what to do where there is nothing to compare with.
+std::string in_words(const Picture& picture, const render::ComparedFiles& failed) {
+  const std::string words = picture.name() + ": " + failed.words + "\n(" + picture.reason + ")";
+  if (failed.verdict != render::Verdict::extra) return words;
+  return words + "\nTo accept " + failed.files.actual.string() + ": " + command_to_accept("golden-tests: images");
 }
 
 }  // namespace
@@ -70,7 +78,7 @@ TEST_CASE("images of the chosen frames are the accepted ones") {
     if (!failed) continue;
     ++failures;
     report.add(*failed, command_to_accept("golden-tests: images"));
-    FAIL_CHECK(picture.name() << ": " << failed->words << "\n(" << picture.reason << ")");
+    FAIL_CHECK(in_words(picture, *failed));
   }
   if (accepting()) accept_notes(studio);
   if (failures == 0) return;
