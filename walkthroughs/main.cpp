@@ -1,4 +1,5 @@
 // gjkstep: watch GJK decide. Reads the command line, calls the rest, turns failures into exit codes.
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <optional>
