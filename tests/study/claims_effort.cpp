@@ -46,7 +46,7 @@ void ask(const A& a, const B& b, ShapeEffort& sum) {
                                                               : sum.undecided;
   effort.iterations.add(result.iterations);
   effort.cross_products.add(watch.cross_products.total);
-  sum.most_in_a_3simplex = std::max(sum.most_in_a_3simplex, watch.cross_products.most_in_a_3simplex);
+  sum.most_in_a_3simplex.add(watch.cross_products.most_in_a_3simplex);
 }
 
 void ask(const Pair& pair, ShapeEffort& sum) {
@@ -120,7 +120,7 @@ ShapeEffort& ShapeEffort::operator+=(const ShapeEffort& other) {
   hits += other.hits;
   misses += other.misses;
   undecided += other.undecided;
-  most_in_a_3simplex = std::max(most_in_a_3simplex, other.most_in_a_3simplex);
+  most_in_a_3simplex += other.most_in_a_3simplex;
   shortcuts += other.shortcuts;
   return *this;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace study {
 struct ClaimsOptions {
   std::uint64_t pairs = 1'000'000, seed = 1;
   unsigned threads = 2;
+  std::function<void(const std::string&)> progress = {};  ///< called with what is counted next
 };
 
 // -- Effort: Sections 3.2 and 3.3 -------------------------------------------------------------------------------------
@@ -47,7 +49,7 @@ struct Effort {
 /// GJK in double, as intended. Hits and misses are told apart by its answer.
 struct ShapeEffort {
   Effort hits, misses, undecided;
-  int most_in_a_3simplex = 0;
+  Distribution most_in_a_3simplex;  ///< of cross products, for each query
   Shortcuts shortcuts;
 
   Distribution all_iterations() const;

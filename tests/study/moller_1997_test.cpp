@@ -49,7 +49,7 @@ TEMPLATE_TEST_CASE("Moeller 1997: triangles that cross and triangles that do not
   }
   SECTION("a corner in the face") { REQUIRE(meets({{1, 1, 0}, {1, 2, 5}, {2, 1, 5}}, How::intervals)); }
   SECTION("a corner in the plane beside the face") {
-    REQUIRE_FALSE(meets({{3, 3, 0}, {3, 2, 5}, {2, 3, 5}}, How::intervals));
+    REQUIRE_FALSE(meets({{3, 3, 0}, {0, 0, 5}, {1, 0, 5}}, How::intervals));
   }
   SECTION("a common corner") { REQUIRE(meets({{0, 0, 0}, {-1, 0, 5}, {0, -1, 5}}, How::intervals)); }
   SECTION("a common edge") { REQUIRE(meets({{0, 0, 0}, {4, 0, 0}, {1, 1, 5}}, How::intervals)); }
