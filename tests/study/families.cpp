@@ -12,7 +12,9 @@ namespace {
 
 std::vector<Family> all_families() {
   std::vector<Family> all;
-  for (const auto& part : {random_families()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part :
+       {random_families(), touching_families(), extreme_families(), listed_families(), round_families()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

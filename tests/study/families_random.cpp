@@ -4,16 +4,9 @@
 namespace study {
 namespace {
 
-Points in_unit_cube(Dice& dice, int count) {
-  Points points(static_cast<std::size_t>(count));
-  for (Vec& p : points)
-    for (double& coordinate : p) coordinate = dice.unit();
-  return points;
-}
-
 Pair in_one_cube(Dice& dice, int count) {
-  Points a = in_unit_cube(dice, count);
-  return {std::move(a), in_unit_cube(dice, count)};
+  Points a = points_in_unit_cube(dice, count);
+  return {std::move(a), points_in_unit_cube(dice, count)};
 }
 
 /// Edges of 1/2 to 2, turned anyhow.

@@ -2,6 +2,13 @@
 
 namespace study {
 
+Points points_in_unit_cube(Dice& dice, int count) {
+  Points points(static_cast<std::size_t>(count));
+  for (Vec& p : points)
+    for (double& coordinate : p) coordinate = dice.unit();
+  return points;
+}
+
 Points points_in_ball(Dice& dice, int count) {
   Points points;
   for (int i = 0; i < count; ++i) points.push_back(dice.in_ball());

@@ -21,6 +21,9 @@ std::vector<Family> round_families();
 
 /// What recipes share.
 
+/// `count` points, all places of the unit cube alike.
+Points points_in_unit_cube(Dice& dice, int count);
+
 /// `count` points, all places of the ball of radius 1 alike.
 Points points_in_ball(Dice& dice, int count);
 
