@@ -2,28 +2,29 @@
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 #include <thread>
 
 #include "tests/study/claims.hpp"
 
 namespace study {
 
-void add_claims_command(CLI::App& program) {
-  auto* const command = program.add_subcommand("claims", "Measures what the report claims; prints Markdown");
-  const auto options = std::make_shared<ClaimsOptions>();
-  const auto quick = std::make_shared<bool>(false);
-  options->threads = std::max(1U, std::thread::hardware_concurrency());
-  auto* const pairs = command->add_option("--pairs", options->pairs, "How many pairs of every kind")
-                          ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
-  command->add_option("--seed", options->seed, "Other pairs of the same kinds");
-  command->add_option("--threads", options->threads, "Changes nothing in the text")->check(CLI::Range(1U, 1024U));
-  command->add_flag("--quick", *quick, "20,000 pairs of every kind: a few seconds")->excludes(pairs);
-  command->callback([options, quick] {
-    if (*quick) options->pairs = 20'000;
-    options->progress = [](const std::string& what) { std::cerr << what << '\n'; };
-    write_claims(std::cout, *options);
-  });
+void ClaimsCommand::add_to(CLI::App& app) {
+  CLI::Option* const is_quick = app.add_flag("--quick", quick, "20,000 pairs of every kind: a few seconds");
+  app.add_option("--pairs", pairs, "so many of every kind; the report took a million triangles")
+      ->check(CLI::PositiveNumber)
+      ->excludes(is_quick)
+      ->capture_default_str();
+  app.add_option("--seed", seed, "which pairs are made")->capture_default_str();
+  app.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str();
+}
+
+void ClaimsCommand::run() const {
+  std::cerr << "seed " << seed << '\n';
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  write_claims(std::cout, {.pairs = quick ? 20'000 : pairs,
+                           .seed = seed,
+                           .threads = threads > 0 ? threads : processors,
+                           .progress = [](const std::string& what) { std::cerr << what << '\n'; }});
 }
 
 }  // namespace study

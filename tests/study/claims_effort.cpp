@@ -41,9 +41,9 @@ template <class A, class B>
 void ask(const A& a, const B& b, ShapeEffort& sum) {
   Watch watch{{}, sum.shortcuts};
   const auto result = gjk::collision<double>(shape_of(a), shape_of(b), gjk::Options<double>{}, watch);
-  Effort& effort = result.status == gjk::Status::intersecting ? sum.hits
-                   : result.status == gjk::Status::separated  ? sum.misses
-                                                              : sum.undecided;
+  Cost& effort = result.status == gjk::Status::intersecting ? sum.hits
+                 : result.status == gjk::Status::separated  ? sum.misses
+                                                            : sum.undecided;
   effort.iterations.add(result.iterations);
   effort.cross_products.add(watch.cross_products.total);
   sum.most_in_a_3simplex.add(watch.cross_products.most_in_a_3simplex);
@@ -104,7 +104,7 @@ int Distribution::max() const {
 
 // -- Effort -----------------------------------------------------------------------------------------------------------
 
-Effort& Effort::operator+=(const Effort& other) {
+Cost& Cost::operator+=(const Cost& other) {
   iterations += other.iterations;
   cross_products += other.cross_products;
   return *this;

@@ -40,15 +40,15 @@ class Distribution {
   std::vector<std::uint64_t> counts_;
 };
 
-struct Effort {
+struct Cost {
   Distribution iterations, cross_products;
 
-  Effort& operator+=(const Effort& other);
+  Cost& operator+=(const Cost& other);
 };
 
 /// GJK in double, as intended. Hits and misses are told apart by its answer.
 struct ShapeEffort {
-  Effort hits, misses, undecided;
+  Cost hits, misses, undecided;
   Distribution most_in_a_3simplex;  ///< of cross products, for each query
   Shortcuts shortcuts;
 
@@ -129,12 +129,15 @@ TouchCounts measure_touches(const Coarseness& coarseness, const ClaimsOptions& o
 // -- Mistakes: Section 1 ----------------------------------------------------------------------------------------------
 
 struct MistakeCounts {
-  Rate fails;                         ///< Algorithm 1 would answer wrongly with the mistake, and rightly without
-  Rate undecided;                     ///< no answer within 20 iterations
-  Rate changed;                       ///< the run with the mistake asked for other directions, or ended otherwise
-  Rate heals;                         ///< of the changed runs, how many end in the right answer nonetheless
-  std::int64_t extra_iterations = 0;  ///< over the runs that heal
+  Rate fails;  ///< Algorithm 1 answers wrongly with the mistake (undecided is "no"), and rightly without
+  std::uint64_t wrong_yes = 0, wrong_no = 0;  ///< decided, and wrong
+  std::uint64_t undecided = 0;                ///< no answer within 20 iterations
+  Rate changed;                               ///< the run asked for other directions than without the mistake
+  Rate heals_meeting, heals_apart;            ///< of the changed runs: the answer is right, by the truth of the pair
+  std::int64_t extra_iterations = 0;          ///< over the runs that heal
 
+  /// Returns: whether most changed runs end in the right answer, be it yes or no.
+  bool mostly_heals() const;
   double mean_extra() const;
   MistakeCounts& operator+=(const MistakeCounts& other);
 };

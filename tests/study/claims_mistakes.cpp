@@ -19,14 +19,16 @@ Pair make(TestPairs pairs, std::uint64_t seed, std::uint64_t index) {
 bool says_yes(const Run& run) { return run.status == gjk::Status::intersecting; }
 
 void count(const Run& with, const Run& without, bool meet, MistakeCounts& sum) {
-  const bool right = says_yes(with) == meet, right_without = says_yes(without) == meet;
+  const bool decided = with.status != gjk::Status::undecided, right = says_yes(with) == meet;
+  sum.fails.add(!right && says_yes(without) == meet);
+  sum.undecided += decided ? 0 : 1;
+  sum.wrong_yes += decided && !right && !meet ? 1 : 0;
+  sum.wrong_no += decided && !right && meet ? 1 : 0;
   const bool changed = with.way != without.way || with.status != without.status;
-  sum.fails.add(!right && right_without);
-  sum.undecided.add(with.status == gjk::Status::undecided);
   sum.changed.add(changed);
   if (!changed) return;
-  const bool heals = right && with.status != gjk::Status::undecided;
-  sum.heals.add(heals);
+  const bool heals = right && decided;
+  (meet ? sum.heals_meeting : sum.heals_apart).add(heals);
   if (heals) sum.extra_iterations += with.iterations - without.iterations;
 }
 
@@ -40,15 +42,24 @@ void ask_about(const Pair& pair, MistakeTable& sum) {
 
 }  // namespace
 
+bool MistakeCounts::mostly_heals() const {
+  const auto mostly = [](const Rate& rate) { return rate.trials == 0 || rate.interval().low > 0.5; };
+  return changed.count > 0 && mostly(heals_meeting) && mostly(heals_apart);
+}
+
 double MistakeCounts::mean_extra() const {
-  return heals.count == 0 ? 0 : static_cast<double>(extra_iterations) / static_cast<double>(heals.count);
+  const std::uint64_t healed = heals_meeting.count + heals_apart.count;
+  return healed == 0 ? 0 : static_cast<double>(extra_iterations) / static_cast<double>(healed);
 }
 
 MistakeCounts& MistakeCounts::operator+=(const MistakeCounts& other) {
   fails += other.fails;
+  wrong_yes += other.wrong_yes;
+  wrong_no += other.wrong_no;
   undecided += other.undecided;
   changed += other.changed;
-  heals += other.heals;
+  heals_meeting += other.heals_meeting;
+  heals_apart += other.heals_apart;
   extra_iterations += other.extra_iterations;
   return *this;
 }

@@ -73,6 +73,7 @@ struct Shortcuts {
 
   std::array<std::array<std::uint64_t, 16>, 5> nearest{};           ///< by size of the simplex and Feature
   std::array<ExtraChecks, iterations> in_triangle, in_tetrahedron;  ///< by iteration: Algorithm 4, Algorithm 5
+  Rate kept_the_nearest;                                            ///< what Algorithm 5 keeps is the nearest feature
   std::size_t largest_simplex = 0;
 
   template <class E>
@@ -82,7 +83,15 @@ struct Shortcuts {
     simplex_ = event.simplex;
     const auto size = static_cast<std::size_t>(event.simplex.size());
     largest_simplex = std::max(largest_simplex, size);
-    if (size >= 2) ++nearest[size][nearest_feature(event.simplex)];
+    nearest_ = size >= 2 ? nearest_feature(event.simplex) : feature_of(gjk::Role::A);
+    if (size >= 2) ++nearest[size][nearest_];
+  }
+
+  void operator()(const gjk::SimplexReduced<double>& event) {
+    if (event.before.size() < 4) return;
+    Feature kept = 0;
+    for (const char role : event.kept) kept |= 1U << (role - 'A');
+    kept_the_nearest.add(kept == nearest_);
   }
 
   void operator()(const gjk::RegionTested<double>& event) {
@@ -102,6 +111,7 @@ struct Shortcuts {
       in_triangle[i] += other.in_triangle[i];
       in_tetrahedron[i] += other.in_tetrahedron[i];
     }
+    kept_the_nearest += other.kept_the_nearest;
     largest_simplex = std::max(largest_simplex, other.largest_simplex);
     return *this;
   }
@@ -115,6 +125,7 @@ struct Shortcuts {
 
  private:
   gjk::Simplex<double> simplex_;
+  Feature nearest_ = 0;  ///< of it
 };
 
 }  // namespace study

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "tests/study/method.hpp"
-#include "tests/study/zero_shim.hpp"
 
 namespace study {
 

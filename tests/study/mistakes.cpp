@@ -1,7 +1,6 @@
 #include "tests/study/mistakes.hpp"
 
 #include <bit>
-#include <type_traits>
 
 #include "tests/study/wrong_rules.hpp"
 
@@ -53,24 +52,6 @@ Run test_the_first_point(const Set& a, const Set& b) {
   return stops ? Run{gjk::Status::separated, 1, noting.way()} : ask_faithfully(a, b);
 }
 
-/// Notes the first iteration in which w·d = 0.
-struct TouchNoted {
-  int iteration = 0;
-  template <class E>
-  void operator()(const E& event) {
-    if constexpr (std::is_same_v<E, gjk::CrossingTested<double>>)
-      if (iteration == 0 && event.value && *event.value == 0) iteration = event.iteration;
-  }
-};
-
-/// Eq. 9 with <=: the run is the right one until w·d is 0 for the first time, and ends there.
-Run stop_where_touched(const Set& a, const Set& b) {
-  TouchNoted touch;
-  gjk::collision<double>(a, b, gjk::Options<double>{}, touch);
-  const Run right = ask_faithfully(a, b);
-  return touch.iteration == 0 ? right : Run{gjk::Status::separated, touch.iteration, ~right.way};
-}
-
 template <class Details>
 constexpr auto with = &ask<Rules<Details>>;
 
@@ -83,7 +64,7 @@ const std::vector<Mistake>& mistakes() {
   static const std::vector<Mistake> all{
       {"support(B, d) in place of support(B, −d) (Eq. 8)", "2.4", ask_for_the_wrong_side_of_B},
       {"the crossing test is applied to the first point, too", "3.1.3", test_the_first_point},
-      {"<= in place of < in Eq. 9", "3.1.3", stop_where_touched},
+      {"<= in place of < in Eq. 9", "3.1.3", ask<StopsWhereTouched>},
       {"the simplex is processed after Eq. 9 has said no (Algorithm 1 as printed)", "3.1.4", ask<gjk::AsPrinted>},
       {"the origin on the first vertex is not recognised", "3.2.1", with<OriginAtVertexMissed>},
       {"the origin on the segment is not recognised: a search along the zero vector", "3.2.2",

@@ -3,7 +3,7 @@
 ///
 /// Rules<Details> are Algorithms 2-5 in short, with every detail that is easily got wrong as a function of its own. A
 /// mistake derives from Faithful and hides one of them. Rules<Faithful> asks for the same directions as gjk::AsIntended,
-/// which a test looks at.
+/// which a test looks at. Eq. 9 is the real one.
 #pragma once
 
 #include <array>
@@ -93,9 +93,7 @@ struct Faithful {
 };
 
 template <class Details>
-struct Rules {
-  static constexpr gjk::NotCrossed not_crossed() { return gjk::NotCrossed::answer_at_once; }
-
+struct Rules : gjk::AsIntended {
   template <class S, class Obs>
   static gjk::Step<S> process_0simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
     const gjk::Vec3<S> AO = -simplex.point(gjk::Role::A);
@@ -285,6 +283,14 @@ struct EdgeNormalAsDirection : Faithful {
 };
 struct TwoDimensionsOnly : Faithful {
   static constexpr bool triangle_reaches_above_and_below = false;
+};
+
+/// Eq. 9 with <=.
+struct StopsWhereTouched : gjk::AsIntended {
+  template <class S>
+  static bool crossed(const S& value, const gjk::Vertex<S>&, const gjk::Vec3<S>&) {
+    return value > S(0);
+  }
 };
 
 }  // namespace mistake
