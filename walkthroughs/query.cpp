@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/gjk.hpp"
-#include "walkthroughs/query_body.hpp"
 #include "walkthroughs/query_evidence.hpp"
+#include "walkthroughs/query_object.hpp"
 #include "walkthroughs/scene_object.hpp"
 
 namespace walkthroughs {
@@ -30,7 +30,7 @@ PairAsWritten read_pair(std::string_view line) {
 
 template <class S>
 void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
-  const Body<S> a = body_in<S>(pair.a, "a"), b = body_in<S>(pair.b, "b");
+  const QueryObject<S> a = query_object<S>(pair.a, "a"), b = query_object<S>(pair.b, "b");
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
   switch (query.rules) {

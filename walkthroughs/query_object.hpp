@@ -30,11 +30,11 @@ struct FormsIn<S> {
 
 /// A shape of core/: a form and, where one is given, its pose.
 template <class S>
-class Body {
+class QueryObject {
  public:
   using Form = typename FormsIn<S>::Type;
 
-  Body(Form form, std::optional<gjk::Pose<S>> pose) : form_(std::move(form)), pose_(std::move(pose)) {}
+  QueryObject(Form form, std::optional<gjk::Pose<S>> pose) : form_(std::move(form)), pose_(std::move(pose)) {}
 
   /// Without a pose nothing is turned, so that the answer is that of the form itself to the last bit.
   gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
@@ -86,19 +86,19 @@ class InScalar {
     return converted;
   }
 
-  typename Body<S>::Form operator()(const Points& set) const {
+  typename QueryObject<S>::Form operator()(const Points& set) const {
     std::vector<gjk::Vec3<S>> points;
     points.reserve(set.points().size());
     for (const Point& p : set.points()) points.push_back((*this)(p));
     return gjk::PointSet<S>(std::move(points));
   }
-  typename Body<S>::Form operator()(const Ball& ball) const {
+  typename QueryObject<S>::Form operator()(const Ball& ball) const {
     if constexpr (std::floating_point<S>)
       return gjk::Sphere<S>((*this)(ball.center()), length(ball.radius()));
     else
       fail_round("sphere");
   }
-  typename Body<S>::Form operator()(const reading::CylinderAsWritten& cylinder) const {
+  typename QueryObject<S>::Form operator()(const reading::CylinderAsWritten& cylinder) const {
     if constexpr (std::floating_point<S>)
       return gjk::Cylinder<S>((*this)(cylinder.center), direction(cylinder.axis), length(cylinder.radius),
                               length(cylinder.height));
@@ -123,7 +123,7 @@ class InScalar {
 
 /// `place`: "a" or "b". Errors: DocumentError.
 template <class S>
-Body<S> body_in(const reading::ObjectAsWritten& object, const std::string& place) {
+QueryObject<S> query_object(const reading::ObjectAsWritten& object, const std::string& place) {
   const InScalar<S> in_scalar(place);
   std::optional<gjk::Pose<S>> pose;
   if (object.pose) pose = in_scalar(*object.pose);
