@@ -33,6 +33,7 @@ std::optional<LineReader::Line> LineReader::last_line() {
 
 /// Returns: whether there was more. What belongs to a line that is too long is thrown away first.
 bool LineReader::read_more() {
+  if (is_at_end_) return false;
   if (end_ - begin_ > longest_) is_too_long_ = true;
   if (is_too_long_) begin_ = end_;
   std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(begin_), bytes_.begin() + static_cast<std::ptrdiff_t>(end_),
@@ -43,7 +44,8 @@ bool LineReader::read_more() {
   if (end_ == bytes_.size()) bytes_.resize(2 * bytes_.size());
   const std::size_t count = read_(std::span(bytes_).subspan(end_));
   end_ += count;
-  return count != 0;
+  is_at_end_ = count == 0;
+  return !is_at_end_;
 }
 
 }  // namespace walkthroughs

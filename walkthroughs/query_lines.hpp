@@ -37,6 +37,7 @@ class LineReader {
   std::vector<char> bytes_;
   std::size_t begin_ = 0, end_ = 0;  // of what was read and not yet handed out
   std::size_t searched_ = 0;         // no line feed lies between begin_ and here
+  bool is_at_end_ = false;           // a terminal would go on behind its end
   bool is_too_long_ = false;         // the beginning of this line has been thrown away
 };
 

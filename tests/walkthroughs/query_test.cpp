@@ -445,7 +445,10 @@ std::size_t growth_of_heap(const std::string& line, std::size_t count) {
   std::string_view rest;
   const auto read = [&](std::span<char> bytes) {
     most = std::max(most, heap() - std::min(before, heap()));
-    if (rest.empty() && lines_left-- > 0) rest = line;
+    if (rest.empty() && lines_left > 0) {
+      rest = line;
+      --lines_left;
+    }
     const std::size_t n = std::min(bytes.size(), rest.size());
     std::memcpy(bytes.data(), rest.data(), n);
     rest.remove_prefix(n);
