@@ -1,0 +1,117 @@
+#include "tests/study/commands.hpp"
+
+#include <iostream>
+#include <thread>
+
+#include "tests/study/failure_files.hpp"
+#include "tests/study/methods.hpp"
+#include "tests/study/progress.hpp"
+#include "tests/study/results.hpp"
+
+namespace study {
+namespace {
+
+/// A new kind of option that takes "a,b".
+template <class T>
+void add_list(CLI::App& app, const std::string& name, std::vector<T>& values, const std::string& what) {
+  app.add_option(name, values, what)->delimiter(',');
+}
+
+void list() {
+  std::cout << "families\n";
+  for (const Family& family : families()) std::cout << "  " << family.name << ": " << family.what << '\n';
+  std::cout << "rules, scalar and zero test (--rules, --scalar, --zero-test)\n";
+  for (const Method& method : methods())
+    std::cout << "  " << method.rules << ", " << method.scalar.name << ", " << method.zero_test << '\n';
+  std::cout << "iteration limits (--limit)\n ";
+  for (const int limit : limits) std::cout << ' ' << limit;
+  std::cout << '\n';
+}
+
+void announce(const Plan& plan) {
+  std::cerr << "seed " << plan.seed << ", " << plan.parts.size() << " families, " << plan.methods.size() << " methods, "
+            << plan.threads << (plan.threads == 1 ? " thread" : " threads");
+  if (plan.shard.count > 1) std::cerr << ", shard " << plan.shard.index << " of " << plan.shard.count;
+  std::cerr << '\n';
+}
+
+void announce_time(const Plan& plan) {
+  const double seconds = estimated_seconds(plan);
+  std::cerr << "this will take about ";
+  if (seconds < 90)
+    std::cerr << static_cast<int>(seconds + 1) << " s\n";
+  else
+    std::cerr << static_cast<int>(seconds / 60 + 1) << " min\n";
+}
+
+}  // namespace
+
+void RunCommand::add_to(CLI::App& app) {
+  CLI::Option* const is_quick = app.add_flag("--quick", quick, "less than a minute on two cores (the default)");
+  CLI::Option* const is_full = app.add_flag("--full", full, "says first how long it will take")->excludes(is_quick);
+  app.add_option("--seed", request.seed, "which pairs are made")->capture_default_str();
+  app.add_option("--pairs", request.pairs, "so many of each family, a 50th of them in exact numbers")
+      ->check(CLI::PositiveNumber)
+      ->excludes(is_quick)
+      ->excludes(is_full);
+  add_list(app, "--families", request.families, "only these, such as triangles,boxes");
+  add_list(app, "--rules", request.rules, "only these");
+  add_list(app, "--scalar", request.scalars, "only these");
+  add_list(app, "--zero-test", request.zero_tests, "only these");
+  add_list(app, "--limit", request.limits, "these iteration limits");
+  app.add_option("--shard", shard, "I/N: one N-th of the pairs, I from 0; leaves a file for merge");
+  app.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str();
+  app.add_option("--out", out, "folder of the results")->capture_default_str();
+  CLI::Option* const saves = app.add_option("--save-failures", failures, "folder for scene files of what went wrong");
+  app.add_option("--max-failures", max_failures, "of each family, method and kind")
+      ->capture_default_str()
+      ->needs(saves);
+}
+
+void RunCommand::run() const {
+  Request wanted = request;
+  wanted.effort = full ? Effort::full : Effort::quick;
+  Plan plan = plan_of(wanted);
+  if (shard) plan.shard = parse_shard(*shard);
+  plan.threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  announce(plan);
+  if (full) announce_time(plan);
+  plan.failures_kept = failures ? max_failures : 0;
+  ProgressLine line;
+  Findings findings = sweep(plan, std::ref(line));
+  const Study study = study_of(wanted, plan, std::move(findings.rows));
+  if (plan.shard.count > 1)
+    write_shard(out, study);
+  else
+    write_results(out, study);
+  if (failures)
+    std::cout << *failures << ": " << write_failures(*failures, findings.failures, plan.seed) << " scene files\n";
+}
+
+void MergeCommand::add_to(CLI::App& app) {
+  app.add_option("FILES", files, "the files of all shards, in any order")->required();
+  app.add_option("--out", out, "folder of the results")->capture_default_str();
+}
+
+void MergeCommand::run() const {
+  std::vector<NamedStudy> shards;
+  for (const std::string& file : files) shards.push_back({file, read_study(file)});
+  write_results(out, merged(std::move(shards)));
+}
+
+void Commands::add_to(CLI::App& app) {
+  run_.add_to(*app.add_subcommand("run", "ask GJK about every family in every setting"));
+  merge_.add_to(*app.add_subcommand("merge", "add up the shards of a study"));
+  app.add_subcommand("list", "families and settings");
+  all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
+          {app.get_subcommand("merge"), [this] { merge_.run(); }},
+          {app.get_subcommand("list"), list}};
+}
+
+void Commands::run() const {
+  for (const auto& [command, run] : all_)
+    if (*command) return run();
+  throw UsageError("what to do? 'gjkstep-study --help' shows the commands");
+}
+
+}  // namespace study

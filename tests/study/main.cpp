@@ -1,0 +1,57 @@
+// gjkstep-study: measure the trade of speed against accuracy. Reads the command line, turns failures into exit codes.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "render/file.hpp"
+#include "tests/study/commands.hpp"
+
+namespace {
+
+enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, cannot_write = 5 };
+
+constexpr const char* footer =
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (shards that do not go together, an unreadable file),\n"
+    "5 cannot write, 1 anything else.";
+
+int run(int argc, char** argv) {
+  CLI::App app("Measures how often GJK is wrong or undecided, and how long it takes, against an exact oracle.");
+  app.footer(footer);
+  app.require_subcommand(0, 1);
+  study::Commands commands;
+  commands.add_to(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+    return ok;
+  } catch (const CLI::ParseError& error) {
+    throw study::UsageError(std::string(error.what()) + "; 'gjkstep-study --help' and 'gjkstep-study COMMAND --help' " +
+                            "show what there is");
+  }
+  commands.run();
+  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
+  return ok;
+}
+
+int fail(ExitCode code, const std::exception& error) {
+  std::cerr << "gjkstep-study: " << error.what() << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const study::UsageError& error) {
+    return fail(wrong_usage, error);
+  } catch (const study::StudyError& error) {
+    return fail(bad_input, error);
+  } catch (const render::ReadError& error) {
+    return fail(bad_input, error);
+  } catch (const render::FileError& error) {
+    return fail(cannot_write, error);
+  } catch (const std::exception& error) {
+    return fail(unexpected, error);
+  }
+}

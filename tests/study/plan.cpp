@@ -1,0 +1,181 @@
+#include "tests/study/plan.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include "tests/study/methods.hpp"
+#include "walkthroughs/nearest.hpp"
+
+namespace study {
+namespace {
+
+// -- How many pairs ---------------------------------------------------------------------------------------------------
+
+std::size_t points_in(const Body& body) {
+  const Points* const points = std::get_if<Points>(&body);
+  return points ? points->size() : 1;
+}
+
+/// How many pairs of a family cost about as much time as one pair of triangles. Finding the truth costs the most: an exact
+/// linear program for more than four points.
+std::uint64_t weight_of(const Family& family, std::uint64_t seed) {
+  const Pair first = family.make(seed, 0);
+  const std::size_t points = std::max(points_in(first.a), points_in(first.b));
+  return points <= 4 ? 1 : points <= 8 ? 10 : points <= 32 ? 40 : 200;
+}
+
+struct Amount {
+  std::uint64_t pairs, slow_pairs;
+};
+
+Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{200000, 4000} : Amount{4000, 100}; }
+
+Part part_of(const Family& family, const Request& request) {
+  const Amount amount = amount_of(request.effort);
+  const std::uint64_t weight = weight_of(family, request.seed);
+  std::uint64_t pairs = request.pairs.value_or(amount.pairs / weight);
+  if (family.size) pairs = std::min(pairs, *family.size);
+  const std::uint64_t slow = request.pairs ? std::max<std::uint64_t>(pairs / 50, 1) : amount.slow_pairs / weight;
+  return {&family, pairs, std::min(slow, pairs)};
+}
+
+// -- What is chosen ---------------------------------------------------------------------------------------------------
+
+std::vector<std::string> names_of(std::string Method::*name) {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.push_back(method.*name);
+  return names;
+}
+
+std::vector<std::string> scalar_names() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.push_back(method.scalar.name);
+  return names;
+}
+
+void expect_known(const std::vector<std::string>& chosen, const std::vector<std::string>& known,
+                  const std::string& what) {
+  for (const std::string& name : chosen)
+    if (std::ranges::find(known, name) == known.end())
+      throw UsageError("there is no " + what + " '" + name + "'; did you mean '" + walkthroughs::nearest(name, known) +
+                       "'? 'gjkstep-study list' shows them");
+}
+
+bool is_chosen(const std::vector<std::string>& chosen, const std::string& name) {
+  return chosen.empty() || std::ranges::find(chosen, name) != chosen.end();
+}
+
+std::vector<const Method*> methods_of(const Request& request) {
+  expect_known(request.rules, names_of(&Method::rules), "set of rules");
+  expect_known(request.zero_tests, names_of(&Method::zero_test), "zero test");
+  expect_known(request.scalars, scalar_names(), "scalar");
+  std::vector<const Method*> chosen;
+  for (const Method& method : methods())
+    if (is_chosen(request.rules, method.rules) && is_chosen(request.zero_tests, method.zero_test) &&
+        is_chosen(request.scalars, method.scalar.name))
+      chosen.push_back(&method);
+  if (chosen.empty()) throw UsageError("no setting is left; 'gjkstep-study list' shows them");
+  return chosen;
+}
+
+std::vector<Part> parts_of(const Request& request) {
+  std::vector<std::string> known;
+  for (const Family& family : families()) known.push_back(family.name);
+  expect_known(request.families, known, "family");
+  std::vector<Part> parts;
+  for (const Family& family : families())
+    if (is_chosen(request.families, family.name)) parts.push_back(part_of(family, request));
+  return parts;
+}
+
+std::vector<int> limits_of(const Request& request) {
+  std::vector<int> chosen = request.limits;
+  if (chosen.empty()) chosen.assign(std::begin(limits), std::end(limits));
+  std::ranges::sort(chosen);
+  const auto twice = std::ranges::unique(chosen);
+  chosen.erase(twice.begin(), twice.end());
+  if (chosen.front() < 1 || chosen.back() > 1000) throw UsageError("--limit: iteration limits are 1 to 1000");
+  return chosen;
+}
+
+// -- Words ------------------------------------------------------------------------------------------------------------
+
+std::string option(const std::string& name, const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += (text.empty() ? " " + name + " " : ",") + value;
+  return text;
+}
+
+std::vector<std::string> words_of(const std::vector<int>& numbers) {
+  std::vector<std::string> words;
+  for (const int number : numbers) words.push_back(std::to_string(number));
+  return words;
+}
+
+}  // namespace
+
+Plan plan_of(const Request& request) {
+  Plan plan;
+  plan.seed = request.seed;
+  plan.methods = methods_of(request);
+  plan.parts = parts_of(request);
+  plan.limits = limits_of(request);
+  plan.failure_limit = std::min(report_limit, plan.limits.back());
+  return plan;
+}
+
+std::string command_of(const Request& request) {
+  std::string text = "gjkstep-study run";
+  if (request.pairs)
+    text += " --pairs " + std::to_string(*request.pairs);
+  else
+    text += request.effort == Effort::full ? " --full" : " --quick";
+  return text + " --seed " + std::to_string(request.seed) + option("--families", request.families) +
+         option("--rules", request.rules) + option("--scalar", request.scalars) +
+         option("--zero-test", request.zero_tests) + option("--limit", words_of(request.limits));
+}
+
+Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows) {
+  Study study;
+  study.header = {command_of(request), GJKSTEP_VERSION, GJKSTEP_COMPILER, request.seed, plan.limits};
+  study.shard = plan.shard;
+  for (const Part& part : plan.parts)
+    study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs});
+  study.rows = std::move(rows);
+  return study;
+}
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  const bool has_index = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = has_index ? std::from_chars(index.ptr + 1, end, shard.count) : index;
+  if (!has_index || count.ec != std::errc() || count.ptr != end || shard.index >= shard.count)
+    throw UsageError("--shard: expected I/N with I from 0 to N - 1, such as 0/8, found '" + text + "'");
+  return shard;
+}
+
+double estimated_seconds(const Plan& plan) {
+  constexpr std::uint64_t fast = 24, slow = 3;
+  double seconds = 0;
+  for (const Part& part : plan.parts) {
+    Plan sample = plan;
+    sample.shard = {};
+    sample.threads = 1;
+    const auto cost = [&](std::uint64_t pairs, std::uint64_t slow_pairs) {
+      sample.parts = {{part.family, std::min(pairs, part.pairs), std::min(slow_pairs, part.slow_pairs)}};
+      const auto start = std::chrono::steady_clock::now();
+      sweep(sample);
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    const double without = cost(fast, 0), with = cost(fast, slow);
+    seconds += without / fast * static_cast<double>(part.pairs) +
+               std::max(with - without, 0.0) / slow * static_cast<double>(part.slow_pairs);
+  }
+  return seconds / static_cast<double>(plan.threads) / static_cast<double>(plan.shard.count);
+}
+
+}  // namespace study

@@ -1,0 +1,61 @@
+/// Settings: what a study varies, and where its rows are found.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/study/interval.hpp"
+#include "tests/study/study.hpp"
+
+namespace study {
+
+struct Setting {
+  std::string rules, scalar, zero_test;
+  int limit;
+};
+
+/// The settings of one study. Refers to it.
+class Settings {
+ public:
+  explicit Settings(const Study& study);
+
+  const std::vector<std::string>& rules() const { return rules_; }
+  const std::vector<std::string>& scalars() const { return scalars_; }
+  const std::vector<std::string>& zero_tests() const { return zero_tests_; }
+  const std::vector<int>& limits() const { return study_.header.limits; }
+
+  /// Returns: what tables vary one thing of: the rules as intended, in double, with the exact zero test and the report's
+  /// limit; where the study has no such, the first, or last limit, that it has.
+  const Setting& usual() const { return usual_; }
+
+  /// Returns: null where this was not asked.
+  const Row* find(const std::string& family, const Setting& setting) const;
+
+  /// Returns: empty where this was not asked, or of no pair.
+  std::optional<Counts> counts(const std::string& family, const Setting& setting) const;
+
+  const Study& study() const { return study_; }
+
+ private:
+  const Study& study_;
+  std::vector<std::string> rules_, scalars_, zero_tests_;
+  Setting usual_;
+};
+
+/// How many of how many.
+struct Rate {
+  std::uint64_t count, trials;
+  double value() const { return static_cast<double>(count) / static_cast<double>(trials); }
+  Interval interval() const { return wilson(count, trials); }
+};
+
+inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs}; }
+inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs}; }
+inline Rate failure_rate(const Counts& counts) { return {counts.wrong() + counts.undecided, counts.pairs}; }
+
+/// Returns: the mean of the families' rates of wrong or undecided answers, each family counting alike; empty where none
+/// was asked.
+std::optional<double> mean_failure_rate(const Settings& settings, const Setting& setting);
+
+}  // namespace study

@@ -1,0 +1,271 @@
+#include "tests/study/sweep.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+
+#include "tests/study/oracle.hpp"
+
+namespace study {
+namespace {
+
+constexpr std::uint64_t job_size = 256;       // pairs of one job; also of one timed batch
+constexpr std::uint64_t timed_jobs = 8;       // of each family
+constexpr std::size_t slow_batch = 16;        // questions of a timed batch of a slow scalar
+constexpr int repeats = 5, slow_repeats = 3;  // odd: the median is one of them
+
+/// Positions first … last - 1 in the list of the shard's pairs of one part.
+struct Job {
+  std::size_t part;
+  std::uint64_t first, last;
+};
+
+/// A pair of a family, before any scalar has seen it.
+struct Sample {
+  std::uint64_t index;
+  Pair pair;
+  Truth truth;
+};
+
+/// A sample as one scalar sees it.
+struct View {
+  const Sample* sample;
+  std::optional<RoundedPair> rounded;  ///< empty where a number is out of range
+  Truth truth;
+  std::unique_ptr<Question> question;  ///< null where it is not asked
+};
+
+struct Cell {
+  Tally tally;
+  Timings timings;
+};
+
+std::uint64_t pairs_of_shard(std::uint64_t pairs, const Shard& shard) {
+  return pairs > shard.index ? (pairs - shard.index - 1) / shard.count + 1 : 0;
+}
+
+std::vector<Job> jobs_of(const Plan& plan) {
+  std::vector<Job> jobs;
+  for (std::size_t part = 0; part < plan.parts.size(); ++part) {
+    const std::uint64_t all = pairs_of_shard(plan.parts[part].pairs, plan.shard);
+    for (std::uint64_t first = 0; first < all; first += job_size)
+      jobs.push_back({part, first, std::min(first + job_size, all)});
+  }
+  return jobs;
+}
+
+std::optional<Kind> failure_kind(Truth truth, const Outcome& outcome, int limit) {
+  const bool in_time = outcome.iterations <= limit;
+  if (!in_time || outcome.answer == Answer::unusable || outcome.answer == Answer::at_limit) return Kind::undecided;
+  const bool says_hit = outcome.answer == Answer::intersecting;
+  if (says_hit == (truth == Truth::intersecting)) return std::nullopt;
+  return says_hit ? Kind::false_positive : Kind::false_negative;
+}
+
+// -- One job ----------------------------------------------------------------------------------------------------------
+
+class Worker {
+ public:
+  Worker(const Plan& plan, const Job& job) : plan_(plan), job_(job), part_(plan.parts[job.part]) {}
+
+  void run() {
+    const std::vector<Sample> samples = make_samples();
+    for (std::size_t m = 0; m < plan_.methods.size(); ++m) {
+      const Scalar& scalar = plan_.methods[m]->scalar;
+      if (m == 0 || scalar.name != plan_.methods[m - 1]->scalar.name) views_ = views_of(samples, scalar);
+      cells.push_back(cell_of(*plan_.methods[m]));
+    }
+  }
+
+  std::vector<Cell> cells;  ///< one for each method
+  std::vector<Failure> failures;
+
+ private:
+  std::vector<Sample> make_samples() const {
+    std::vector<Sample> samples;
+    for (std::uint64_t position = job_.first; position < job_.last; ++position) {
+      const std::uint64_t index = plan_.shard.index + position * plan_.shard.count;
+      Pair pair = part_.family->make(plan_.seed, index);
+      const Truth answer = truth_of(pair, index);
+      samples.push_back({index, std::move(pair), answer});
+    }
+    return samples;
+  }
+
+  Truth truth_of(const Pair& pair, std::uint64_t index) const try {
+    return truth(pair);
+  } catch (const std::exception& error) {
+    throw std::runtime_error("the truth about pair " + std::to_string(index) + " of family '" + part_.family->name +
+                             "' is not known: " + error.what());
+  }
+
+  std::vector<View> views_of(const std::vector<Sample>& samples, const Scalar& scalar) const {
+    std::vector<View> views;
+    for (const Sample& sample : samples) {
+      if (scalar.is_slow && sample.index >= part_.slow_pairs) break;
+      View view{&sample, scalar.rounded(sample.pair), sample.truth, nullptr};
+      if (view.rounded) {
+        if (view.rounded->differs) view.truth = truth_of(view.rounded->pair, sample.index);
+        view.question = scalar.question(view.rounded->pair);
+      }
+      views.push_back(std::move(view));
+    }
+    return views;
+  }
+
+  Cell cell_of(const Method& method) {
+    Cell cell;
+    std::array<std::uint64_t, 3> kept{};
+    for (const View& view : views_) {
+      if (view.truth != view.sample->truth) ++cell.tally.truth_changed;
+      if (!view.rounded)
+        ++cell.tally.out_of_range;
+      else if (!view.question)
+        ++cell.tally.not_askable;
+      else if (const auto kind = ask(method, view, cell.tally))
+        if (kept[static_cast<std::size_t>(*kind)]++ < plan_.failures_kept) keep(method, view, *kind);
+    }
+    if (job_.first < timed_jobs * job_size) cell.timings = timings_of(method);
+    return cell;
+  }
+
+  std::optional<Kind> ask(const Method& method, const View& view, Tally& tally) const try {
+    const int limit = plan_.limits.back();
+    const Outcome outcome = method.ask(*view.question, limit);
+    tally.count(view.truth, outcome);
+    if (outcome.answer == Answer::at_limit)
+      if (const int k = method.first_return(*view.question, limit)) count(tally.returns, k);
+    return failure_kind(view.truth, outcome, plan_.failure_limit);
+  } catch (const std::exception&) {
+    ++tally.exceptions;
+    return std::nullopt;
+  }
+
+  void keep(const Method& method, const View& view, Kind kind) {
+    failures.push_back(
+        {part_.family->name, view.sample->index, &method, kind, plan_.failure_limit, view.truth, view.rounded->pair});
+  }
+
+  Timings timings_of(const Method& method) const {
+    std::vector<const Question*> batch;
+    for (const View& view : views_)
+      if (view.question && (!method.scalar.is_slow || batch.size() < slow_batch)) batch.push_back(view.question.get());
+    Timings timings;
+    if (batch.empty()) return timings;
+    for (const int limit : plan_.limits) timings[limit] = median_time(method, batch, limit);
+    return timings;
+  }
+
+  static Timing median_time(const Method& method, const std::vector<const Question*>& batch, int limit) {
+    std::vector<std::chrono::nanoseconds> times;
+    for (int i = 0; i < (method.scalar.is_slow ? slow_repeats : repeats); ++i)
+      times.push_back(method.time(batch, limit));
+    const auto median = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), median, times.end());
+    return {batch.size(), static_cast<std::uint64_t>(median->count())};
+  }
+
+  const Plan& plan_;
+  const Job& job_;
+  const Part& part_;
+  std::vector<View> views_;
+};
+
+// -- All jobs ---------------------------------------------------------------------------------------------------------
+
+/// Where the threads leave what they found.
+class Collector {
+ public:
+  Collector(const Plan& plan, const Progress& progress, std::uint64_t all)
+      : plan_(plan), progress_(progress), all_(all) {
+    for (const Part& part : plan.parts)
+      for (const Method* method : plan.methods)
+        findings_.rows.push_back({part.family->name, method->rules, method->scalar.name, method->zero_test, {}, {}});
+  }
+
+  void take(const Job& job, Worker& worker) {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t m = 0; m < worker.cells.size(); ++m) {
+      Row& row = findings_.rows[job.part * plan_.methods.size() + m];
+      row.tally += worker.cells[m].tally;
+      for (const auto& [limit, timing] : worker.cells[m].timings) row.timings[limit] += timing;
+    }
+    for (Failure& failure : worker.failures) take(job, failure);
+    done_ += job.last - job.first;
+    if (progress_) progress_(done_, all_);
+  }
+
+  Findings result() {
+    for (auto& [key, kept] : failures_)
+      for (auto& [index, failure] : kept) findings_.failures.push_back(std::move(failure));
+    return std::move(findings_);
+  }
+
+ private:
+  /// The first ones are kept, whatever the order in which the threads find them.
+  void take(const Job& job, Failure& failure) {
+    const auto method = std::ranges::find(plan_.methods, failure.method) - plan_.methods.begin();
+    auto& kept = failures_[{job.part, method, failure.kind}];
+    kept.emplace(failure.index, std::move(failure));
+    if (kept.size() > plan_.failures_kept) kept.erase(std::prev(kept.end()));
+  }
+
+  const Plan& plan_;
+  const Progress& progress_;
+  std::mutex mutex_;
+  Findings findings_;
+  std::map<std::tuple<std::size_t, std::ptrdiff_t, Kind>, std::map<std::uint64_t, Failure>> failures_;
+  std::uint64_t done_ = 0, all_;
+};
+
+/// Hands out jobs until there are none left or one has failed.
+class Queue {
+ public:
+  Queue(const Plan& plan, const std::vector<Job>& jobs, Collector& collector)
+      : plan_(plan), jobs_(jobs), collector_(collector) {}
+
+  void work() try {
+    for (std::size_t j = next_++; j < jobs_.size() && !failed_; j = next_++) {
+      Worker worker(plan_, jobs_[j]);
+      worker.run();
+      collector_.take(jobs_[j], worker);
+    }
+  } catch (...) {
+    if (!failed_.exchange(true)) error_ = std::current_exception();
+  }
+
+  void rethrow_error() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  const Plan& plan_;
+  const std::vector<Job>& jobs_;
+  Collector& collector_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> failed_ = false;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+Findings sweep(const Plan& plan, const Progress& progress) {
+  const std::vector<Job> jobs = jobs_of(plan);
+  std::uint64_t all = 0;
+  for (const Job& job : jobs) all += job.last - job.first;
+  Collector collector(plan, progress, all);
+  Queue queue(plan, jobs, collector);
+  {
+    std::vector<std::jthread> others;
+    for (unsigned t = 1; t < plan.threads; ++t) others.emplace_back([&] { queue.work(); });
+    queue.work();
+  }
+  queue.rethrow_error();
+  return collector.result();
+}
+
+}  // namespace study

@@ -1,0 +1,225 @@
+#include <cstdio>
+#include <functional>
+
+#include "tests/study/tables.hpp"
+
+namespace study {
+namespace {
+
+using Names = std::vector<std::string>;
+using CellOf = std::function<std::string(const FamilyNote& family)>;
+
+struct Column {
+  std::string heading;
+  CellOf cell;  ///< "" where there is nothing to say
+};
+
+std::string line(const Names& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) text += " " + cell + " |";
+  return text + "\n";
+}
+
+std::string table(const Settings& settings, const std::vector<Column>& columns) {
+  Names heading{"family"}, rule{"---"};
+  for (const Column& column : columns) {
+    heading.push_back(column.heading);
+    rule.push_back("---");
+  }
+  std::string text = line(heading) + line(rule);
+  for (const FamilyNote& family : settings.study().families) {
+    Names cells{family.name};
+    for (const Column& column : columns) cells.push_back(column.cell(family));
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string described(const Setting& setting) {
+  return "rules " + setting.rules + ", " + setting.scalar + ", zero test " + setting.zero_test + ", at most " +
+         std::to_string(setting.limit) + " iterations";
+}
+
+/// A column of one setting.
+Column column(const Settings& settings, std::string heading, const Setting& setting,
+              const std::function<std::string(const Counts&)>& words) {
+  return {std::move(heading), [&settings, setting, words](const FamilyNote& family) {
+            const auto counts = settings.counts(family.name, setting);
+            return counts ? words(*counts) : "";
+          }};
+}
+
+std::string words_of_wrong(const Counts& counts) { return in_words(wrong_rate(counts)); }
+
+std::string words_of_failures(const Counts& counts) { return in_words(failure_rate(counts)); }
+
+std::string words_of_undecided(const Counts& counts) {
+  std::string words = in_words(undecided_rate(counts));
+  if (counts.cycles > 0) words += "; " + std::to_string(counts.cycles) + " in circles";
+  if (counts.unusable > 0) words += "; " + std::to_string(counts.unusable) + " without a direction";
+  return words;
+}
+
+std::string words_of(const Histogram& iterations) {
+  if (total(iterations) == 0) return "";
+  const Spread spread = spread_of(iterations);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f, %d, %d", spread.mean, spread.p99, spread.max);
+  return text;
+}
+
+// -- The tables of counts ---------------------------------------------------------------------------------------------
+
+std::string families_table(const Settings& settings) {
+  const Setting usual = settings.usual();
+  Setting narrow = usual;
+  narrow.scalar = "float";
+  const auto rounding = [&settings, narrow](std::uint64_t Tally::*what) {
+    return [&settings, narrow, what](const FamilyNote& family) {
+      const Row* const row = settings.find(family.name, narrow);
+      return row && row->tally.*what > 0 ? std::to_string(row->tally.*what) : "";
+    };
+  };
+  return "## Families\n\nOf each pair it is known exactly whether the sets have a point in common; touching counts. "
+         "Float "
+         "is asked about the pair as float writes it, and its answer held against the truth about that pair; how often "
+         "writing it in float changed the truth is told beside it.\n\n" +
+         table(settings,
+               {{"what", [](const FamilyNote& family) { return family.what; }},
+                {"pairs", [](const FamilyNote& family) { return std::to_string(family.pairs); }},
+                {"of these exact", [](const FamilyNote& family) { return std::to_string(family.slow_pairs); }},
+                column(settings, "hits", usual,
+                       [](const Counts& c) {
+                         return in_short(Rate{c.hits, c.pairs}.value());
+                       }),
+                {"changed by float", rounding(&Tally::truth_changed)},
+                {"beyond float's range", rounding(&Tally::out_of_range)}});
+}
+
+std::string scalars_table(const Settings& settings, const std::function<std::string(const Counts&)>& words) {
+  std::vector<Column> columns;
+  for (const std::string& scalar : settings.scalars()) {
+    Setting setting = settings.usual();
+    setting.scalar = scalar;
+    columns.push_back(column(settings, scalar, setting, words));
+  }
+  return table(settings, columns);
+}
+
+std::string rules_table(const Settings& settings) {
+  std::vector<Column> columns;
+  for (const std::string& rules : settings.rules()) {
+    Setting setting = settings.usual();
+    setting.rules = rules;
+    columns.push_back(column(settings, rules, setting, words_of_wrong));
+  }
+  return table(settings, columns);
+}
+
+std::string zero_tests_table(const Settings& settings) {
+  std::vector<Column> columns;
+  for (const std::string& scalar : settings.scalars())
+    for (const std::string& zero_test : settings.zero_tests()) {
+      Setting setting = settings.usual();
+      setting.scalar = scalar;
+      setting.zero_test = zero_test;
+      if (scalar != "exact") columns.push_back(column(settings, scalar + ", " + zero_test, setting, words_of_failures));
+    }
+  return table(settings, columns);
+}
+
+std::string limits_table(const Settings& settings) {
+  std::vector<Column> columns;
+  for (const int limit : settings.limits()) {
+    Setting setting = settings.usual();
+    setting.limit = limit;
+    columns.push_back(column(settings, "at most " + std::to_string(limit), setting, words_of_undecided));
+  }
+  return table(settings, columns);
+}
+
+std::string iterations_table(const Settings& settings) {
+  const Setting usual = settings.usual();
+  return table(settings, {column(settings, "hits: mean, 99 %, max", usual,
+                                 [](const Counts& counts) { return words_of(counts.hit_iterations); }),
+                          column(settings, "misses: mean, 99 %, max", usual,
+                                 [](const Counts& counts) { return words_of(counts.miss_iterations); })});
+}
+
+std::string head(const Settings& settings, const std::string& title) {
+  const Header& header = settings.study().header;
+  return "# " + title + "\n\nMade by `" + header.command + "` with seed " + std::to_string(header.seed) +
+         ", gjkstep-study " + header.version + ", compiled by " + header.compiler + ".\n\n";
+}
+
+// -- Timings ----------------------------------------------------------------------------------------------------------
+
+std::string time_of(const Settings& settings, const std::string& family, const Setting& setting) {
+  const Row* const row = settings.find(family, setting);
+  if (row == nullptr || !row->timings.contains(setting.limit)) return "";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f", row->timings.at(setting.limit).per_query());
+  return text;
+}
+
+std::string times_table(const Settings& settings) {
+  std::vector<Column> columns;
+  for (const std::string& scalar : settings.scalars())
+    for (const std::string& zero_test : settings.zero_tests()) {
+      Setting setting = settings.usual();
+      setting.scalar = scalar;
+      setting.zero_test = zero_test;
+      if (scalar == "exact" && zero_test != settings.usual().zero_test) continue;
+      columns.push_back({scalar + ", " + zero_test, [&settings, setting](const FamilyNote& family) {
+                           return time_of(settings, family.name, setting);
+                         }});
+    }
+  return table(settings, columns);
+}
+
+}  // namespace
+
+std::string in_short(double value) {
+  if (value == 0) return "0";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  std::string words = text;
+  const std::size_t at = words.find("e-0");  // "3.1e-05" is longer than it need be
+  return at == std::string::npos ? words : words.erase(at + 2, 1);
+}
+
+std::string in_words(const Rate& rate) {
+  const Interval interval = rate.interval();
+  if (rate.count == 0) return "0 (< " + in_short(interval.high) + ")";
+  return in_short(rate.value()) + " (" + in_short(interval.low) + " – " + in_short(interval.high) + ")";
+}
+
+std::string counts_markdown(const Settings& settings) {
+  const std::string usual = described(settings.usual());
+  return head(settings, "Accuracy") +
+         "Rates are shares of the pairs asked, with the ends of their 95 % score intervals (Wilson 1927); where "
+         "nothing "
+         "was seen, only the upper end. Unless a table says otherwise: " +
+         usual + ". Every combination is in study.csv.\n\n" + families_table(settings) +
+         "\n## Wrong answers, by scalar\n\n" + scalars_table(settings, words_of_wrong) +
+         "\n## Undecided, by scalar\n\nIn circles: a simplex and a direction came back, so no limit would have "
+         "helped.\n\n" +
+         scalars_table(settings, words_of_undecided) + "\n## Wrong answers, by rules\n\n" + rules_table(settings) +
+         "\n## Wrong or undecided, by zero test\n\n" + zero_tests_table(settings) +
+         "\n## Undecided, by iteration limit\n\n" + limits_table(settings) +
+         "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it "
+         "took.\n\n" +
+         iterations_table(settings);
+}
+
+std::string timings_markdown(const Settings& settings) {
+  return head(settings, "Speed") + "Nanoseconds per query: " + described(settings.usual()) +
+         "; columns vary scalar and zero test. Shapes are made before the clock starts; each batch is asked several "
+         "times "
+         "in a row, with warm caches, and the median counts. Balls and cylinders pay for the choice of the form at "
+         "each "
+         "support call.\n\n" +
+         times_table(settings);
+}
+
+}  // namespace study

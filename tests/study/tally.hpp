@@ -1,0 +1,79 @@
+/// What came of many queries of one family by one method. Adding tallies is all that merging takes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "tests/study/method.hpp"
+#include "tests/study/pair.hpp"
+
+namespace study {
+
+/// [k] is how many queries took k iterations.
+using Histogram = std::vector<std::uint64_t>;
+
+void count(Histogram& histogram, int iterations);
+void add(Histogram& sum, const Histogram& more);
+std::uint64_t total(const Histogram& histogram);
+
+/// The queries are asked once, with the largest limit. What a smaller limit L would have answered follows: a query that
+/// ends within L iterations ends alike, any other is undecided.
+struct Tally {
+  std::array<std::array<Histogram, answers>, 2> queries;  ///< by truth, then by answer
+  Histogram returns;                ///< of queries without an answer: by the iteration in which a state came back
+  std::uint64_t out_of_range = 0;   ///< not asked: a number has no counterpart in the scalar
+  std::uint64_t not_askable = 0;    ///< not asked: the scalar has no such shape
+  std::uint64_t truth_changed = 0;  ///< rounding to the scalar made the sets touch, or parted them
+  std::uint64_t exceptions = 0;     ///< the query threw
+
+  void count(Truth truth, const Outcome& outcome);
+  Tally& operator+=(const Tally& more);
+  bool operator==(const Tally&) const = default;
+};
+
+/// A tally, as a reader asks for it: at one iteration limit.
+struct Counts {
+  std::uint64_t pairs = 0;            ///< that were asked
+  std::uint64_t hits = 0;             ///< pairs that have a point in common
+  std::uint64_t false_positives = 0;  ///< of the others
+  std::uint64_t false_negatives = 0;  ///< of the hits
+  std::uint64_t undecided = 0;
+  std::uint64_t unusable = 0;  ///< undecided ones whose search direction became zero, infinite or not a number
+  std::uint64_t cycles = 0;  ///< undecided ones that came back to a state within the limit: they go in circles for ever
+  std::uint64_t support_calls = 0;
+  Histogram hit_iterations, miss_iterations;  ///< by truth; undecided queries count with the iterations they took
+
+  std::uint64_t misses() const { return pairs - hits; }
+  std::uint64_t wrong() const { return false_positives + false_negatives; }
+};
+
+Counts counts_at(const Tally& tally, int limit);
+
+Counts& operator+=(Counts& sum, const Counts& more);
+
+/// Mean, 99 % and largest of a histogram. `p99`: the least k such that at least 99 % took k or fewer.
+struct Spread {
+  double mean;
+  int p99, max;
+};
+
+/// Requires: total(histogram) > 0.
+Spread spread_of(const Histogram& histogram);
+
+/// Kept apart from the counts, because no two runs agree.
+///
+/// A batch of questions is asked `repeats` times in a row; the median of these times counts, so that what else the machine
+/// does seldom shows. Times of batches are added.
+struct Timing {
+  std::uint64_t queries = 0, nanoseconds = 0;
+
+  Timing& operator+=(const Timing& more);
+  double per_query() const { return static_cast<double>(nanoseconds) / static_cast<double>(queries); }
+};
+
+using Timings = std::map<int, Timing>;  ///< by iteration limit
+
+}  // namespace study
