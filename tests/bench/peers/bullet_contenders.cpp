@@ -27,14 +27,14 @@ Placed placed(const study::Points& points) {
 }
 
 Placed placed(const study::Ball& ball) {
-  return {std::make_unique<btSphereShape>(ball.radius), {btQuaternion::getIdentity(), vector(ball.center)}};
+  return {std::make_unique<btSphereShape>(ball.radius), btTransform(btQuaternion::getIdentity(), vector(ball.center))};
 }
 
 Placed placed(const study::Can& can) {
   auto cylinder = std::make_unique<btCylinderShapeZ>(btVector3(can.radius, can.radius, can.height / 2));
   cylinder->setMargin(0);
   const btQuaternion turn = shortestArcQuat(btVector3(0, 0, 1), vector(can.axis).normalized());
-  return {std::move(cylinder), {turn, vector(can.center)}};
+  return {std::move(cylinder), btTransform(turn, vector(can.center))};
 }
 
 Placed placed(const study::Body& body) {

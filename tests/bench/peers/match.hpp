@@ -24,8 +24,8 @@ struct Score {
 struct Match {
   std::string family, what;
   std::size_t pairs = 0, meet = 0;
-  std::vector<Score> scores;  ///< in the order of the contenders
-  std::size_t lost = 0;       ///< pairs on which the first contender is not right though another one is
+  std::vector<Score> scores = {};  ///< in the order of the contenders
+  std::size_t lost = 0;            ///< pairs on which the first contender is not right though another one is
 };
 
 struct MatchSettings {
