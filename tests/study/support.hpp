@@ -37,13 +37,18 @@ inline Pair intersecting_pair_that_cycles() {
           Points{{70, 207, -1}, {-168, -26, 0}, {144, -198, -1}, {112, 1, 0}}};
 }
 
-/// A mistake that the report names: normals that point inward. Exchanging B and C flips the sign of each normal of Eq. 14.
-struct NormalsInward : gjk::AsIntended {
+/// A mistake that the report names: one normal points inward, because its cross product was taken in the wrong order.
+struct OneNormalInward : gjk::AsIntended {
   template <class S, class Obs>
   static gjk::Step<S> process_3simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>& tell) {
-    gjk::Simplex<S> exchanged;
-    for (const int i : {0, 2, 1, 3}) exchanged.add(simplex[i]);
-    return gjk::AsIntended::process_3simplex(exchanged, tell);
+    using V = gjk::Vec3<S>;
+    const V A = simplex.point(gjk::Role::A), AB = simplex.point(gjk::Role::B) - A, AC = simplex.point(gjk::Role::C) - A,
+            AD = simplex.point(gjk::Role::D) - A;
+    const V ABCn = AB.cross(AC), ACDn = AC.cross(AD), ADBn = AB.cross(AD);  // the last should be AD×AB
+    if (ABCn.dot(A) < 0) return process_face(simplex, gjk::face_ABC, ABCn, AB, AC, tell);
+    if (ACDn.dot(A) < 0) return process_face(simplex, gjk::face_ACD, ACDn, AC, AD, tell);
+    if (ADBn.dot(A) < 0) return process_face(simplex, gjk::face_ADB, ADBn, AD, AB, tell);
+    return {simplex, std::nullopt};
   }
 };
 

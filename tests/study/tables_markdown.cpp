@@ -35,10 +35,7 @@ std::string table(const Settings& settings, const std::vector<Column>& columns) 
   return text;
 }
 
-std::string described(const Setting& setting) {
-  return "rules " + setting.rules + ", " + setting.scalar + ", zero test " + setting.zero_test + ", at most " +
-         std::to_string(setting.limit) + " iterations";
-}
+std::string described(const Setting& setting) { return setting.scalar + ", " + all_but_scalar(setting); }
 
 /// A column of one setting.
 Column column(const Settings& settings, std::string heading, const Setting& setting,
