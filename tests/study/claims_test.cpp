@@ -37,7 +37,7 @@ TEST_CASE("Rates are told with as many digits as say something and with their in
   REQUIRE(rate_text({123, 1000}) == "12.3 % (10.4–14.5)");
   REQUIRE(rate_text({0, 1000000}) == "0 (at most 3.84 per million)");
   REQUIRE(rate_text({2, 1000000}) == "2 (0.548–7.29) per million");
-  REQUIRE(rate_text({999, 1000}) == "99.90 % (99.4–99.98)");
+  REQUIRE(rate_text({999, 1000}) == "99.90 % (99.44–99.982)");
   REQUIRE(joined({"a", "b", "c"}) == "a, b and c");
 }
 
