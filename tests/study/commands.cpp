@@ -7,6 +7,7 @@
 #include "tests/study/methods.hpp"
 #include "tests/study/progress.hpp"
 #include "tests/study/results.hpp"
+#include "tests/study/write_text.hpp"
 
 namespace study {
 namespace {
@@ -74,6 +75,7 @@ void RunCommand::run() const {
   Plan plan = plan_of(wanted);
   if (shard) plan.shard = parse_shard(*shard);
   plan.threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  for (const std::string& folder : {out, failures.value_or(out)}) make_folder(folder);  // before the work, not after it
   announce(plan);
   if (full) announce_time(plan);
   plan.failures_kept = failures ? max_failures : 0;

@@ -19,7 +19,7 @@ std::vector<Family> extreme_families();
 std::vector<Family> listed_families();
 std::vector<Family> round_families();
 
-/// What recipes share.
+// -- What recipes share -----------------------------------------------------------------------------------------------
 
 /// `count` points, all places of the unit cube alike.
 Points points_in_unit_cube(Dice& dice, int count);

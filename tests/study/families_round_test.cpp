@@ -64,6 +64,10 @@ TEST_CASE("Oracle: what it cannot judge, it refuses", "[oracle]") {
   REQUIRE_THROWS_AS(truth({upright, Can{{0, 0, 0}, {1, 1, 0}, 1, 1}}), std::invalid_argument);
   REQUIRE_THROWS_AS(truth({upright, Can{{0, 0, 0}, {0, 0, 0}, 1, 1}}), std::invalid_argument);
   REQUIRE_THROWS_AS(truth({Ball{{0, 0, 0}, 1}, Points{{0, 0, 0}}}), std::invalid_argument);
+  REQUIRE_THROWS_AS(truth({Ball{{0, 0, 0}, 1}, Ball{{HUGE_VAL, 0, 0}, 1}}), std::invalid_argument);
+  REQUIRE_THROWS_AS(truth({upright, Can{{0, 0, 0}, {0, 0, 1}, HUGE_VAL, 1}}), std::invalid_argument);
+  const Points triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  REQUIRE_THROWS_AS(truth({triangle, Points{{0, 0, 0}, {1, 0, 0}, {0, HUGE_VAL, 0}}}), std::invalid_argument);
 }
 
 /// Corners of a prism inside the cylinder, whose sides are nearly those of the cylinder.

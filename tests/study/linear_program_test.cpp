@@ -1,5 +1,7 @@
 #include "tests/study/linear_program.hpp"
 
+#include <limits>
+
 #include "tests/catch.hpp"
 #include "tests/study/hulls.hpp"
 
@@ -36,7 +38,9 @@ TEST_CASE("Certificates: a common point is refused where a weight is negative", 
 }
 
 TEST_CASE("Certificates: a common point is refused where it names a point that is not there", "[linear-program]") {
-  REQUIRE_FALSE(holds(CommonPoint{{{3, 1}}, {{0, 1}}}, triangle, pierces_triangle));
+  Points points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {5, 5, 5}};
+  points.pop_back();  // after which it still lies behind the others
+  REQUIRE_FALSE(holds(CommonPoint{{{3, 1}}, {{0, 1}}}, points, Points{{5, 5, 5}}));
 }
 
 TEST_CASE("Certificates: a common point is refused where a list is empty", "[linear-program]") {
@@ -90,9 +94,11 @@ TEST_CASE("Linear program: floating point decides nothing within its error of to
 }
 
 TEST_CASE("Linear program: coordinates whose last bits are lost by scaling are left to fractions", "[linear-program]") {
-  const Points large{{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {0, 0, -1e300}}, small{{1e-30, 1e-30, 5e-324}};
-  REQUIRE_FALSE(solve_within_bounds(large, small).has_value());
-  REQUIRE(truth_by_linear_program(large, small) == Truth::separated);
+  constexpr double t = std::numeric_limits<double>::denorm_min();  // of which scaling by 1/2 leaves nothing
+  const Points segment{{1, 0, 0}, {1, 6 * t, 3 * t}}, third_of_it{{1, 2 * t, t}}, beside_it{{1, 2 * t, 2 * t}};
+  REQUIRE_FALSE(solve_within_bounds(segment, third_of_it).has_value());
+  REQUIRE(truth_by_linear_program(segment, third_of_it) == Truth::intersecting);
+  REQUIRE(truth_by_linear_program(segment, beside_it) == Truth::separated);
 }
 
 TEST_CASE("Linear program: no points, and coordinates that are not finite, are refused", "[linear-program]") {

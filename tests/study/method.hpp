@@ -81,40 +81,24 @@ Answer answer_of(const gjk::Result<S>& result) {
   return result.reason == gjk::Reason::iteration_limit ? Answer::at_limit : Answer::unusable;
 }
 
-/// Watches for a state that comes back: from then on the search goes in circles.
+/// A shape that notes in which directions it is asked.
 template <class S>
-class ReturnWatch {
- public:
-  int first_return() const { return first_return_; }
-
-  void operator()(const gjk::VertexAdded<S>& event) { simplex_ = event.simplex; }
-  void operator()(const gjk::SimplexReduced<S>& event) { simplex_ = event.after; }
-  void operator()(const gjk::SupportFound<S>& event) {
-    State state{places(), event.direction};
-    for (const State& earlier : states_)
-      if (first_return_ == 0 && earlier == state) first_return_ = event.iteration;
-    states_.push_back(std::move(state));
+struct NotingShape {
+  const AnyShape<S>& shape;
+  std::vector<gjk::Vec3<S>>& directions;
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
+    directions.push_back(d);
+    return shape.support(d);
   }
-  template <class E>
-  void operator()(const E&) {}
-
- private:
-  struct State {
-    std::vector<gjk::Vec3<S>> places;  ///< of the vertices, oldest first
-    gjk::Vec3<S> direction;
-    bool operator==(const State&) const = default;
-  };
-
-  std::vector<gjk::Vec3<S>> places() const {
-    std::vector<gjk::Vec3<S>> all;
-    for (int i = 0; i < simplex_.size(); ++i) all.push_back(simplex_[i].w);
-    return all;
-  }
-
-  gjk::Simplex<S> simplex_;
-  std::vector<State> states_;
-  int first_return_ = 0;
 };
+
+template <class S>
+bool is_same_simplex(const gjk::Simplex<S>& x, const gjk::Simplex<S>& y) {
+  if (x.size() != y.size()) return false;
+  for (int i = 0; i < x.size(); ++i)
+    if (x[i].w != y[i].w) return false;
+  return true;
+}
 
 /// The functions behind one method.
 template <class S, class Rules>
@@ -124,11 +108,17 @@ struct Asking {
     return {answer_of(result), result.iterations};
   }
 
+  /// A run that is stopped before iteration k tells the simplex with which k begins.
   static int first_return(const Question& question, int limit) {
-    const auto& q = static_cast<const QuestionOf<S>&>(question);
-    ReturnWatch<S> watch;
-    gjk::collision<S, Rules>(AnyShape<S>{q.a}, AnyShape<S>{q.b}, limited_to<S>(limit), watch);
-    return watch.first_return();
+    const std::vector<gjk::Vec3<S>> directions = directions_of(question, limit);
+    const auto simplex_before = [&](std::size_t k) {
+      return result_of<S, Rules>(question, limited_to<S>(static_cast<int>(k))).simplex;
+    };
+    for (std::size_t later = 1; later < directions.size(); ++later)
+      for (std::size_t earlier = 0; earlier < later; ++earlier)
+        if (directions[later] == directions[earlier] && is_same_simplex(simplex_before(later), simplex_before(earlier)))
+          return static_cast<int>(later) + 1;
+    return 0;
   }
 
   static std::chrono::nanoseconds time(std::span<const Question* const> questions, int limit) {
@@ -140,6 +130,16 @@ struct Asking {
     volatile int used = iterations;  // so that no query is left out as useless
     static_cast<void>(used);
     return end - start;
+  }
+
+ private:
+  /// Returns: the direction in which each iteration searches.
+  static std::vector<gjk::Vec3<S>> directions_of(const Question& question, int limit) {
+    const auto& q = static_cast<const QuestionOf<S>&>(question);
+    std::vector<gjk::Vec3<S>> directions;
+    const AnyShape<S> a{q.a}, b{q.b};
+    gjk::collision<S, Rules>(NotingShape<S>{a, directions}, b, limited_to<S>(limit));
+    return directions;
   }
 };
 

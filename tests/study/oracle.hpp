@@ -11,7 +11,8 @@ namespace study {
 
 /// Do the two closed sets have a point in common?
 ///
-/// Errors: std::logic_error where a certificate does not hold; std::invalid_argument for a pair that it cannot judge.
+/// Errors: std::logic_error where a certificate does not hold; std::invalid_argument for a pair that it cannot judge:
+/// a number that is not finite, a cylinder askew, a round body against points.
 Truth truth(const Pair& pair);
 
 }  // namespace study

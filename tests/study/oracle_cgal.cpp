@@ -5,6 +5,9 @@
 #include <CGAL/Intersections_3/Tetrahedron_3_Triangle_3.h>
 #include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
 
+#include <algorithm>
+#include <variant>
+
 namespace study {
 namespace {
 
@@ -12,6 +15,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // which do
 using Solid = std::variant<std::monostate, Kernel::Triangle_3, Kernel::Tetrahedron_3>;
 
 Solid solid(const Points& points) {
+  if (!std::ranges::all_of(points, [](const Vec& p) { return p.allFinite(); })) return {};
   const auto p = [&](std::size_t i) { return Kernel::Point_3(points[i][0], points[i][1], points[i][2]); };
   if (points.size() == 3 && !CGAL::collinear(p(0), p(1), p(2))) return Kernel::Triangle_3(p(0), p(1), p(2));
   if (points.size() == 4 && !CGAL::coplanar(p(0), p(1), p(2), p(3)))

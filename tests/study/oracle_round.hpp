@@ -8,7 +8,7 @@
 
 namespace study {
 
-/// Errors: std::invalid_argument where a cylinder's axis is parallel to no coordinate axis.
+/// Errors: std::invalid_argument where a cylinder's axis is parallel to no coordinate axis, or a number is not finite.
 Truth truth_of_round(const Ball& a, const Ball& b);
 Truth truth_of_round(const Ball& a, const Can& b);
 Truth truth_of_round(const Can& a, const Can& b);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 
 #include "tests/study/methods.hpp"
 #include "walkthroughs/nearest.hpp"
@@ -18,19 +19,18 @@ std::size_t points_in(const Body& body) {
   return points ? points->size() : 1;
 }
 
-/// How many pairs of a family cost about as much time as one pair of triangles. Finding the truth costs the most: an exact
-/// linear program for more than four points.
+/// How many pairs of triangles cost about as much time as one pair of a family: finding the truth costs the most.
 std::uint64_t weight_of(const Family& family, std::uint64_t seed) {
   const Pair first = family.make(seed, 0);
   const std::size_t points = std::max(points_in(first.a), points_in(first.b));
-  return points <= 4 ? 1 : points <= 8 ? 10 : points <= 32 ? 40 : 200;
+  return points <= 8 ? 1 : points <= 32 ? 4 : 10;
 }
 
 struct Amount {
   std::uint64_t pairs, slow_pairs;
 };
 
-Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{200000, 4000} : Amount{4000, 100}; }
+Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{200000, 4000} : Amount{2000, 60}; }
 
 Part part_of(const Family& family, const Request& request) {
   const Amount amount = amount_of(request.effort);
@@ -108,6 +108,14 @@ std::string option(const std::string& name, const std::vector<std::string>& valu
   return text;
 }
 
+/// Returns: what Linux calls the processor.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.find(':') + 2, line.size()));
+  return "an unknown processor";
+}
+
 std::vector<std::string> words_of(const std::vector<int>& numbers) {
   std::vector<std::string> words;
   for (const int number : numbers) words.push_back(std::to_string(number));
@@ -141,6 +149,7 @@ Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows) 
   Study study;
   study.header = {command_of(request), GJKSTEP_VERSION, GJKSTEP_COMPILER, request.seed, plan.limits};
   study.shard = plan.shard;
+  study.processors = {processor()};
   for (const Part& part : plan.parts)
     study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs});
   study.rows = std::move(rows);

@@ -15,6 +15,12 @@ struct Setting {
   int limit;
 };
 
+/// Returns: "rules as-intended, zero test exact, at most 20 iterations".
+inline std::string all_but_scalar(const Setting& setting) {
+  return "rules " + setting.rules + ", zero test " + setting.zero_test + ", at most " + std::to_string(setting.limit) +
+         " iterations";
+}
+
 /// The settings of one study. Refers to it.
 class Settings {
  public:

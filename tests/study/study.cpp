@@ -71,6 +71,8 @@ Study study_of(const Json& json) {
   study.header = {header.at("command"), header.at("version"), header.at("compiler"), header.at("seed"),
                   header.at("limits").get<std::vector<int>>()};
   study.shard = {json.at("shard").at("index"), json.at("shard").at("count")};
+  if (study.shard.index >= study.shard.count) throw std::out_of_range("there is no such shard");
+  json.at("processors").get_to(study.processors);
   for (const Json& each : json.at("families"))
     study.families.push_back({each.at("name"), each.at("what"), each.at("pairs"), each.at("slow_pairs")});
   for (const Json& each : json.at("rows")) study.rows.push_back(row_of(each));
@@ -129,6 +131,7 @@ std::string to_json(const Study& study) {
                     {"seed", header.seed},
                     {"limits", header.limits}};
   json["shard"] = {{"index", study.shard.index}, {"count", study.shard.count}};
+  json["processors"] = study.processors;
   json["families"] = Json::array();
   for (const FamilyNote& family : study.families) json["families"].push_back(json_of(family));
   std::string rows;
@@ -157,12 +160,15 @@ Study merged(std::vector<NamedStudy> shards) {
   for (const NamedStudy& each : shards) expect_same_study(shards.front(), each);
   std::ranges::stable_sort(shards, {}, [](const NamedStudy& each) { return each.study.shard.index; });
   expect_each_once(shards);
-  Study sum = std::move(shards.front().study);
+  Study sum = shards.front().study;
   for (std::size_t i = 1; i < shards.size(); ++i)
     for (std::size_t r = 0; r < sum.rows.size(); ++r) {
       sum.rows[r].tally += shards[i].study.rows[r].tally;
       for (const auto& [limit, timing] : shards[i].study.rows[r].timings) sum.rows[r].timings[limit] += timing;
     }
+  for (const NamedStudy& each : shards)
+    for (const std::string& processor : each.study.processors)
+      if (std::ranges::find(sum.processors, processor) == sum.processors.end()) sum.processors.push_back(processor);
   sum.shard = {};
   return sum;
 }

@@ -16,6 +16,9 @@ std::string timings_csv(const Settings& settings);
 std::string counts_markdown(const Settings& settings);
 std::string timings_markdown(const Settings& settings);
 
+/// Returns: what the timings were taken on.
+std::string processors_of(const Study& study);
+
 /// Returns: "0.0031", "3.1e-5", "0".
 std::string in_short(double value);
 

@@ -35,10 +35,7 @@ std::string table(const Settings& settings, const std::vector<Column>& columns) 
   return text;
 }
 
-std::string described(const Setting& setting) {
-  return "rules " + setting.rules + ", " + setting.scalar + ", zero test " + setting.zero_test + ", at most " +
-         std::to_string(setting.limit) + " iterations";
-}
+std::string described(const Setting& setting) { return setting.scalar + ", " + all_but_scalar(setting); }
 
 /// A column of one setting.
 Column column(const Settings& settings, std::string heading, const Setting& setting,
@@ -179,6 +176,12 @@ std::string times_table(const Settings& settings) {
 
 }  // namespace
 
+std::string processors_of(const Study& study) {
+  std::string text;
+  for (const std::string& processor : study.processors) text += (text.empty() ? "" : " and ") + processor;
+  return text;
+}
+
 std::string in_short(double value) {
   if (value == 0) return "0";
   char text[32];
@@ -213,7 +216,8 @@ std::string counts_markdown(const Settings& settings) {
 }
 
 std::string timings_markdown(const Settings& settings) {
-  return head(settings, "Speed") + "Nanoseconds per query: " + described(settings.usual()) +
+  return head(settings, "Speed") + "Measured on " + processors_of(settings.study()) +
+         ". Nanoseconds per query: " + described(settings.usual()) +
          "; columns vary scalar and zero test. Shapes are made before the clock starts; each batch is asked several "
          "times "
          "in a row, with warm caches, and the median counts. Balls and cylinders pay for the choice of the form at "

@@ -1,0 +1,81 @@
+#include "tests/study/tables.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/study/plan.hpp"
+#include "tests/study/support.hpp"
+
+namespace study::test {
+namespace {
+
+Study small_study(const Request& request) {
+  const Plan plan = plan_of(request);
+  return study_of(request, plan, sweep(plan).rows);
+}
+
+Request two_families() {
+  Request request;
+  request.pairs = 60;
+  request.families = {"triangles", "spheres"};
+  return request;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_CASE("Rates are told with their interval and where nothing was seen with its upper end", "[tables]") {
+  CHECK(in_words({0, 1000000}) == "0 (< 3.8e-6)");
+  CHECK(in_words({5, 10}) == "0.5 (0.24 – 0.76)");
+  CHECK(in_short(3.14e-5) == "3.1e-5");
+  CHECK(in_short(0.0031) == "0.0031");
+  CHECK(in_short(2e-12) == "2e-12");
+}
+
+TEST_CASE("Each line of the CSV file has a field for each heading", "[tables]") {
+  const Study study = small_study(two_families());
+  const Settings settings(study);
+  for (const std::string& text : {counts_csv(settings), timings_csv(settings)}) {
+    const std::vector<std::string> lines = lines_of(text);
+    REQUIRE(lines.size() > 10);
+    CHECK(lines[0] == "# gjkstep-study run --pairs 60 --seed 1 --families triangles,spheres");
+    CHECK(lines[1].starts_with("# seed 1; gjkstep-study "));
+    const auto heading = std::ranges::find_if(lines, [](const std::string& line) { return !line.starts_with('#'); });
+    for (auto line = heading; line != lines.end(); ++line)
+      CHECK(std::ranges::count(*line, ',') == std::ranges::count(*heading, ','));
+  }
+  CHECK(lines_of(counts_csv(settings)).size() == 3 + 2 * methods().size() * std::size(limits));
+}
+
+TEST_CASE("The tables name the command and the seed and have a row for each family", "[tables]") {
+  const Study study = small_study(two_families());
+  const std::string text = counts_markdown(Settings(study));
+  CHECK(text.find("`gjkstep-study run --pairs 60 --seed 1 --families triangles,spheres` with seed 1") !=
+        std::string::npos);
+  for (const char* const family : {"| triangles |", "| spheres |"}) {
+    std::size_t rows = 0;
+    for (const std::string& line : lines_of(text)) rows += line.starts_with(family);
+    CHECK(rows == 7);  // one in each table
+  }
+}
+
+TEST_CASE("A study of few settings has tables of these", "[tables]") {
+  Request request = two_families();
+  request.scalars = {"float"};
+  request.rules = {"as-printed"};
+  request.limits = {3, 6};
+  const Study study = small_study(request);
+  const Settings settings(study);
+  CHECK(settings.usual().rules == "as-printed");
+  CHECK(settings.usual().scalar == "float");
+  CHECK(settings.usual().limit == 6);
+  CHECK(counts_markdown(settings).find("| family | at most 3 | at most 6 |") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace study::test
