@@ -57,10 +57,11 @@ void write_claims(std::ostream& out, const ClaimsOptions& options) {
   out << "# The report's claims, measured\n\n"
          "Made by `gjkstep-study claims --pairs "
       << options.pairs << " --seed " << options.seed << "`, compiled by " GJKSTEP_COMPILER ". "
-      << grouped(options.pairs)
-      << " pairs of every kind. GJK is gjkstep's, in double, with the rules as intended and exact zero tests, where "
-         "nothing "
-         "else is said. Intervals are Wilson's for 95 %.\n\n";
+      << grouped(options.pairs) << R"( pairs of
+every kind. GJK is gjkstep's, in double, with the rules as intended and exact zero tests, where nothing else is said.
+Intervals are Wilson's for 95 %.
+
+)";
   write_claims_table(out, counted);
   write_effort(out, counted);
   write_moller(out, counted);

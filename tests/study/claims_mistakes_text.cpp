@@ -43,18 +43,17 @@ std::string healed(const Rate& heals) {
 }
 
 void write_what_happens(std::ostream& out, const Counted& counted, std::uint64_t pairs) {
-  out << "## How many tests does a mistake survive?\n\n"
-         "“The iterative nature of GJK can mask many bugs … an implementation can have a bug, but still pass many test "
-         "cases” (Section 1). Each line is the report's algorithm in double with one of the mistakes in it that the "
-         "report "
-         "warns of, asked about the same "
-      << grouped(pairs)
-      << " random triangle pairs. *Undecided*: 20 iterations were not enough, or the search direction was zero; "
-         "Algorithm 1 "
-         "then says no. *Changed*: the search asked for other directions than without the mistake. *Healed*: of the "
-         "changed "
-         "runs, those that end in the right answer all the same. *More iterations*: of the healed runs, on "
-         "average.\n\n";
+  out << R"(## How many tests does a mistake survive?
+
+“The iterative nature of GJK can mask many bugs … an implementation can have a bug, but still pass many test cases” (Section
+1). Each line is the report's algorithm in double with one mistake in it that the report warns of (or, in one case, prints),
+asked about the same )"
+      << grouped(pairs) << R"( random triangle pairs. *Undecided*: 20 iterations were not enough, or the
+search direction was zero; Algorithm 1 then says no. *Changed*: the search asked for other directions than without the
+mistake. *Healed*: of the changed runs, those that end in the right answer all the same. *More iterations*: of the healed
+runs, on average.
+
+)";
   heading(out,
           {"Mistake", "Section", "Wrong yes", "Wrong no", "Undecided", "Changed", "Healed: pairs that meet",
            "Healed: pairs that do not", "More iterations"},
@@ -70,10 +69,11 @@ void write_what_happens(std::ostream& out, const Counted& counted, std::uint64_t
 }
 
 void write_how_many_tests(std::ostream& out, const Counted& counted) {
-  out << "*Fails*: Algorithm 1 answers wrongly, and rightly without the mistake. *Passes*: the probability that a test "
-         "of so "
-         "many random triangle pairs shows nothing. *Needed*: how many random pairs show the mistake in 95 of 100 such "
-         "tests, with the 95 % interval, and how many pairs of other kinds do.\n\n";
+  out << R"(*Fails*: Algorithm 1 answers wrongly, and rightly without the mistake. *Passes*: the probability that a test of so
+many random triangle pairs shows nothing. *Needed*: how many random pairs show the mistake in 95 of 100 such tests, with the
+95 % interval, and how many pairs of other kinds do.
+
+)";
   heading(out,
           {"Mistake", "Fails", "Passes 100", "Passes 10,000", "Passes 1,000,000", "Needed: random triangles",
            "Random tetrahedra", "Triangles on a grid of 6 × 6 × 6"},
@@ -114,15 +114,12 @@ void write_what_it_means(std::ostream& out, const Counted& counted) {
     const MistakeCounts& m = counted.triangles.counts[i];
     return m.undecided > m.fails.count && m.fails.count > 0;
   });
-  out << "Why mistakes heal: however a search direction was found, `P·d < 0` proves separation (Eq. 9 needs nothing "
-         "else, "
-         "which is also why it may be asked of the very first point). A wrong direction or order therefore costs "
-         "iterations, "
-         "and makes a wrong *no* only through the iteration limit, where Algorithm 1 says no without proof (E2); a "
-         "wrong "
-         "*yes* takes a normal or an order that puts the origin into a simplex it is not in. So: report *undecided* "
-         "apart, "
-         "look at the number of iterations, and test with sets that touch.\n\n";
+  out << R"(Why mistakes heal: however a search direction was found, `P·d < 0` proves separation (Eq. 9 needs nothing else,
+which is also why it may be asked of the very first point). A wrong direction or order therefore costs iterations, and makes
+a wrong *no* only through the iteration limit, where Algorithm 1 says no without proof; a wrong *yes* takes a normal or an
+order that puts the origin into a simplex that it is not in. So: tell *undecided* apart from *no*, look at the number of
+iterations, and test with sets that touch.
+)";
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ void write_comparisons(std::ostream& out, const Counted& counted) {
   out << "## GJK against Möller's triangle test of 1997\n\n"
       << grouped(counted.moller.compared[0][0].pairs()) << " random triangle pairs, of which "
       << grouped(counted.moller.meet)
-      << " meet. “Snapped”: distances below 1e-6 count as zero, as in the implementation that Möller published. An "
-         "undecided GJK ("
+      << R"( meet. “Snapped”: distances below 1e-6 count as zero, as in the implementation
+that Möller published. Where GJK is undecided ()"
       << grouped(counted.moller.undecided)
-      << " as intended, in double) counts as “no”, as in Algorithm 1. Right is what exact arithmetic says of the pair; "
-         "where "
-         "both tests compute in float, of the pair rounded to float, which changes the truth of "
+      << R"( pairs, as intended in double), it counts as “no”, as in Algorithm 1. Right
+is what exact arithmetic says of the pair; where both tests compute in float, of the pair rounded to float, which changes
+the truth of )"
       << grouped(counted.moller.rounding_changes_truth) << " pairs.\n\n";
   heading(out,
           {"GJK", "Möller", "Both: they meet", "Both: they do not", "Only GJK: they meet", "Only Möller: they meet"},
@@ -50,9 +50,11 @@ void write_disagreements(std::ostream& out, const Counted& counted) {
   }
   constexpr std::size_t most = 12;
   out << "The disagreements of GJK in double, as intended" << (list.size() > most ? ", the first twelve" : "")
-      << ". Where the intervals of Möller's test exist in exact arithmetic, their gap is given as a share of the "
-         "shorter "
-         "one; where they do not, one triangle lies beyond the other's plane.\n\n";
+      << R"(. Where the intervals of Möller's test exist in exact
+arithmetic, their gap is given as a share of the shorter one; where they do not, all of one triangle lies on one side of the
+other's plane.
+
+)";
   heading(out, {"Pair", "Möller", "GJK", "Truth", "Gap"}, 4);
   for (std::size_t i = 0; i < std::min(list.size(), most); ++i) {
     const Disagreement& d = list[i];
@@ -67,13 +69,14 @@ void write_disagreements(std::ostream& out, const Counted& counted) {
 }
 
 void write_touches(std::ostream& out, const Counted& counted) {
-  out << "## The report's two pairs\n\n"
-         "“in both cases the triangles intersected at exactly 1 point along an edge. The intersection point was not "
-         "any of "
-         "the vertices, nor were the triangles coplanar” (Section 4). GJK said that they intersect, TriTri that they "
-         "do not, "
-         "and the author suspected a bug in TriTri. The same experiment with coordinates of few digits, GJK as "
-         "intended:\n\n";
+  out << R"(## The report's two pairs
+
+“in both cases the triangles intersected at exactly 1 point along an edge. The intersection point was not any of the
+vertices, nor were the triangles coplanar” (Section 4). GJK said that they intersect, TriTri that they do not, and the
+author suspected a bug in TriTri. The same experiment with coordinates of few digits, GJK as intended and in the scalar of
+Möller's test:
+
+)";
   heading(out,
           {"Coordinates", "Pairs", "Touch so, exactly", "Möller", "Only GJK: they meet", "… and they touch so",
            "Only Möller: they meet"},
@@ -106,28 +109,24 @@ void write_explanation(std::ostream& out, const Counted& counted) {
   const Comparison& snapped = coarse.compared[most_used];
   const Comparison& printed = counted.moller.of(GjkWay::double_printed, MollerWay::float_snapped);
   out << "**Known.** Coordinates of 53 random bits: of " << grouped(fine.disagreements())
-      << " disagreements (all four ways of Möller's test together) only GJK says “they meet” in "
+      << " disagreements (all four ways of Möller's test together), only GJK says “they meet” in "
       << grouped(fine.only_gjk.trials) << ". Coordinates that are " << name_of(hundred) << ": in "
       << grouped(snapped.only_gjk.trials) << " of " << grouped(snapped.disagreements())
-      << " (float, snapped), of which " << grouped(coarse.edges_touch_only_gjk[most_used])
-      << " touch just as the report says. GJK is right there, for products of such numbers are exact, and zero is seen "
-         "as "
-         "zero. Möller's test divides, `p + (q − p)·d/(d − e)`, and compares two rounded quotients that ought to be "
-         "equal. "
-         "The snap does not help: it is done to distances, before the division. A common vertex is found all the same, "
-         "because nothing has to be divided for it. Decimal fractions such as k/100 are rounded before anything is "
-         "asked: "
-         "then neither test is always right.\n\n"
-         "**Conjecture.** The report does not say how its triangles were made. Pairs of which only GJK says that they "
-         "meet "
-         "(float, snapped), for "
+      << " (float, snapped), of which " << grouped(coarse.edges_touch_only_gjk[most_used]) << R"( touch just as
+the report says. GJK is right there, for products of such numbers are exact, and zero is seen as zero. Möller's test
+divides, `p + (q − p)·d/(d − e)`, and compares two rounded quotients that ought to be equal. The snap does not help: it is
+done to distances, before the division. A common vertex is found all the same, because nothing has to be divided for it.
+Decimal fractions such as k/100 are rounded before anything is asked: then neither test is always right.
+
+**Conjecture.** The report does not say how its triangles were made. Pairs of which only GJK says that they meet (float,
+snapped), for )"
       << of_the_reports_kind(counted)
-      << ". Two in a million are what whole numbers of about a hundred values give, and what random numbers of many "
-         "digits "
-         "do not. If the report's coordinates were such numbers, then TriTri has no unknown bug but a rounding error, "
-         "and "
-         "both pairs are of the only kind on which the two tests disagree.\n\n"
-         "**Also known.** The program that agreed with TriTri was not Algorithm 1 as printed (E1), which disagrees in "
+      << R"(. Two in a million are what whole numbers of about a hundred values give, and what random numbers of many digits do
+not. If the report's coordinates were such numbers, then TriTri has no unknown bug but a rounding error, and both pairs are
+of the only kind on which the two tests disagree.
+
+**Also known.** The program that agreed with TriTri was not Algorithm 1 as printed, which goes on after Eq. 9 has said no: it
+disagrees in )"
       << rate_text({printed.disagreements(), printed.pairs()}) << " of the pairs.\n\n";
 }
 

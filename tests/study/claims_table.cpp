@@ -68,8 +68,9 @@ std::vector<Claim> claims_of_extra_checks(const Counted& counted) {
     const ExtraChecks sum = sum_of(e.shortcuts.in_triangle);
     return Rate{sum.edges - sum.older_false, sum.edges};
   };
-  const auto both_in_tetrahedron = [](const ShapeEffort& e) {
-    const ExtraChecks sum = sum_of(e.shortcuts.in_tetrahedron);
+  const auto both_of_any_edge = [](const ShapeEffort& e) {
+    ExtraChecks sum = sum_of(e.shortcuts.in_triangle);
+    sum += sum_of(e.shortcuts.in_tetrahedron);
     return Rate{sum.edges - sum.newest_false - sum.older_false, sum.edges};
   };
   return {
@@ -77,9 +78,11 @@ std::vector<Claim> claims_of_extra_checks(const Counted& counted) {
                    "3.2.3", "AB·AO > 0 where Eq. 12 is true, of any A", Strength::always, newest),
       about_shapes(counted, "BA·BO > 0 is among the checks that “are almost always satisfied” (E7)", "3.2.3",
                    "BA·BO > 0 where Eq. 12 is true", Strength::nearly_always, older),
-      about_shapes(counted,
-                   "the faces of a 3-simplex are “almost identical to the 2-simplex handling”: the same checks",
-                   "3.2.4", "both checks, of edges kept by Algorithm 5", Strength::always, both_in_tetrahedron),
+      about_shapes(counted, "“some peculiar cases that require these extra checks, though we never encountered any”",
+                   "3.2.3", "both checks, of edges kept by Algorithms 4 and 5", Strength::always, both_of_any_edge),
+      about_shapes(counted, "the new simplex is “the triangle face itself, or an edge, whichever feature is closer”",
+                   "3.2.4", "what Algorithm 5 keeps is the feature nearest to the origin", Strength::always,
+                   [](const ShapeEffort& e) { return e.shortcuts.kept_the_nearest; }),
   };
 }
 

@@ -16,7 +16,10 @@ std::string printed(const char* format, int digits, double value) {
 /// Two or three digits of what differs from nothing or from everything: 12.3, 0.012, 99.983.
 std::string percent(double share) {
   const double rare = 100 * std::min(share, 1 - share);
-  const int digits = rare <= 0 ? 0 : rare >= 1 ? 1 : 1 - static_cast<int>(std::floor(std::log10(rare)));
+  const int digits = rare <= 0    ? 0
+                     : rare >= 10 ? 1
+                     : rare >= 1  ? 2
+                                  : 1 - static_cast<int>(std::floor(std::log10(rare)));
   return printed("%.*f", std::min(digits, 7), 100 * share);
 }
 

@@ -4,6 +4,7 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <map>
 
+#include "core/gjk.hpp"
 #include "tests/catch.hpp"
 #include "tests/study/oracle.hpp"
 #include "tests/study/random_triangles.hpp"
@@ -139,6 +140,22 @@ TEST_CASE("Moeller 1997: small triangles far apart for their size are all snappe
   for (Vec& p : above) p[2] = 0.5;  // 500 times as far away as it is wide
   REQUIRE_FALSE(found<double>(small, above).meet);
   REQUIRE(found<double>(small, above, Distances::small_ones_snapped).meet);
+}
+
+/// The report's two disagreements were of this kind (Section 4): "the triangles intersected at exactly 1 point along an
+/// edge. The intersection point was not any of the vertices, nor were the triangles coplanar".
+TEST_CASE("Moeller 1997: of whole-number triangles that touch along edges rounding finds some apart", "[moller]") {
+  const Points a{{6, 5, 7}, {1, 4, 1}, {5, 2, 7}}, b{{4, 3, 5}, {3, 2, 5}, {3, 1, 5}};
+  REQUIRE(truth({a, b}) == Truth::intersecting);
+  const auto exactly = found<Exact>(a, b);
+  REQUIRE(exactly.meet);
+  REQUIRE(exactly.second.most == exactly.first.least);
+  for (const auto& distances : {exactly.first_distances, exactly.second_distances})
+    REQUIRE(std::ranges::count(distances, Exact(0)) == 0);
+  REQUIRE_FALSE(found<double>(a, b).meet);
+  REQUIRE_FALSE(found<double>(a, b, Distances::small_ones_snapped).meet);
+  const gjk::PointSet<double> first(a), second(b);
+  REQUIRE(gjk::collision<double>(first, second).status == gjk::Status::intersecting);
 }
 
 }  // namespace
