@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/study/claims_command.hpp"
 #include "tests/study/plan.hpp"
 
 namespace study {
@@ -46,6 +47,7 @@ class Commands {
  private:
   RunCommand run_;
   MergeCommand merge_;
+  ClaimsCommand claims_;
   std::vector<std::pair<const CLI::App*, std::function<void()>>> all_;
 };
 

@@ -1,0 +1,71 @@
+#include "tests/study/claims.hpp"
+
+#include <cstdio>
+#include <ostream>
+
+#include "tests/study/claims_text.hpp"
+
+namespace study {
+
+void row(std::ostream& out, const Cells& cells) {
+  for (const std::string& cell : cells) out << "| " << cell << ' ';
+  out << "|\n";
+}
+
+void heading(std::ostream& out, const Cells& cells, std::size_t left) {
+  row(out, cells);
+  for (std::size_t i = 0; i < cells.size(); ++i) out << (i < left ? "|---" : "|--:");
+  out << "|\n";
+}
+
+std::string decimals(double x, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, x);
+  return text;
+}
+
+namespace {
+
+Counted count_all(const ClaimsOptions& options) {
+  const auto tell = [&](const std::string& what) {
+    if (options.progress) options.progress(what);
+  };
+  Counted counted;
+  for (const Shape& shape : claim_shapes()) {
+    tell("effort: " + shape.name);
+    counted.efforts.push_back(measure_effort(shape, options));
+  }
+  tell("Möller's test");
+  counted.moller = measure_moller(options);
+  for (const Coarseness& coarseness : coarsenesses()) {
+    tell("coarse coordinates: " + std::to_string(coarseness.levels) + " values");
+    counted.touches.push_back(measure_touches(coarseness, options));
+  }
+  tell("mistakes: triangles");
+  counted.triangles = measure_mistakes(TestPairs::triangles, options);
+  tell("mistakes: tetrahedra");
+  counted.tetrahedra = measure_mistakes(TestPairs::tetrahedra, options);
+  tell("mistakes: triangles on a grid");
+  counted.grid = measure_mistakes(TestPairs::grid_triangles, options);
+  return counted;
+}
+
+}  // namespace
+
+void write_claims(std::ostream& out, const ClaimsOptions& options) {
+  const Counted counted = count_all(options);
+  out << "# The report's claims, measured\n\n"
+         "Made by `gjkstep-study claims --pairs "
+      << options.pairs << " --seed " << options.seed << "`, compiled by " GJKSTEP_COMPILER ". "
+      << grouped(options.pairs) << R"( pairs of
+every kind. GJK is gjkstep's, in double, with the rules as intended and exact zero tests, where nothing else is said.
+Intervals are Wilson's for 95 %.
+
+)";
+  write_claims_table(out, counted);
+  write_effort(out, counted);
+  write_moller(out, counted);
+  write_mistakes(out, counted);
+}
+
+}  // namespace study

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <ostream>
+
+#include "tests/study/claims_text.hpp"
+
+namespace study {
+namespace {
+
+// -- Claims about effort ----------------------------------------------------------------------------------------------
+
+/// A claim looked at for every shape.
+template <class HowOften>
+Claim about_shapes(const Counted& counted, std::string words, std::string section, std::string what, Strength strength,
+                   HowOften how_often) {
+  Claim claim{std::move(words), std::move(section), std::move(what), strength, {}};
+  for (std::size_t i = 0; i < counted.efforts.size(); ++i)
+    claim.measured.push_back({claim_shapes()[i].name, how_often(counted.efforts[i])});
+  return claim;
+}
+
+constexpr int iteration_limit = 20;
+
+std::vector<Claim> claims_of_iterations(const Counted& counted) {
+  return {
+      about_shapes(counted, "GJK “rarely needs more than 10”", "3.1.4", "at most 10 iterations",
+                   Strength::nearly_always, [](const ShapeEffort& e) { return e.all_iterations().between(0, 10); }),
+      about_shapes(counted, "“usually around 5–10” iterations", "3.3", "5 to 10 iterations", Strength::usually,
+                   [](const ShapeEffort& e) { return e.all_iterations().between(5, 10); }),
+      about_shapes(counted, "“If the objects intersect, GJK generally requires at least 4 iterations”", "3.3",
+                   "hits of 4 or more iterations", Strength::usually,
+                   [](const ShapeEffort& e) { return e.hits.iterations.between(4, iteration_limit); }),
+      about_shapes(counted, "“If the objects do not intersect, then GJK is usually able to determine that within 2–3”",
+                   "3.3", "misses of at most 3 iterations", Strength::usually,
+                   [](const ShapeEffort& e) { return e.misses.iterations.between(0, 3); }),
+      about_shapes(counted, "“we never found GJK to require 20 iterations”", "3.3", "fewer than 20 iterations",
+                   Strength::always,
+                   [](const ShapeEffort& e) { return e.all_iterations().between(0, iteration_limit - 1); }),
+      about_shapes(counted, "“Processing a 3-simplex requires, at most, 7 cross products”", "3.3",
+                   "queries without a 3-simplex that took more", Strength::always,
+                   [](const ShapeEffort& e) { return e.most_in_a_3simplex.between(0, 7); }),
+      about_shapes(counted, "the simplex needs “at most, four 3-D points”", "3.3", "simplices of at most 4 vertices",
+                   Strength::always,
+                   [](const ShapeEffort& e) {
+                     Rate all = e.shortcuts.nearest_was(2, 0);
+                     for (const std::size_t size : {3, 4}) all += e.shortcuts.nearest_was(size, 0);
+                     return Rate{e.shortcuts.largest_simplex <= 4 ? all.trials : 0, all.trials};
+                   }),
+  };
+}
+
+// -- Claims about skipped regions -------------------------------------------------------------------------------------
+
+std::vector<Claim> claims_of_skipped_regions(const Counted& counted) {
+  std::vector<Claim> claims;
+  for (const Skipped& skipped : skipped_regions())
+    claims.push_back(about_shapes(counted, skipped.words, skipped.section, "the origin lies elsewhere, exactly",
+                                  Strength::always,
+                                  [&](const ShapeEffort& e) { return not_nearest(e.shortcuts, skipped); }));
+  return claims;
+}
+
+std::vector<Claim> claims_of_extra_checks(const Counted& counted) {
+  const auto newest = [](const ShapeEffort& e) {
+    const ExtraChecks sum = sum_of(e.shortcuts.in_triangle);
+    return Rate{sum.edges - sum.newest_false, sum.edges};
+  };
+  const auto older = [](const ShapeEffort& e) {
+    const ExtraChecks sum = sum_of(e.shortcuts.in_triangle);
+    return Rate{sum.edges - sum.older_false, sum.edges};
+  };
+  const auto both_of_any_edge = [](const ShapeEffort& e) {
+    ExtraChecks sum = sum_of(e.shortcuts.in_triangle);
+    sum += sum_of(e.shortcuts.in_tetrahedron);
+    return Rate{sum.edges - sum.newest_false - sum.older_false, sum.edges};
+  };
+  return {
+      about_shapes(counted, "“That guarantees that AB·AO > 0”, said of A exactly in the direction searched (E7)",
+                   "3.2.3", "AB·AO > 0 where Eq. 12 is true, of any A", Strength::always, newest),
+      about_shapes(counted, "BA·BO > 0 is among the checks that “are almost always satisfied” (E7)", "3.2.3",
+                   "BA·BO > 0 where Eq. 12 is true", Strength::nearly_always, older),
+      about_shapes(counted, "“some peculiar cases that require these extra checks, though we never encountered any”",
+                   "3.2.3", "both checks, of edges kept by Algorithms 4 and 5", Strength::always, both_of_any_edge),
+      about_shapes(counted, "the new simplex is “the triangle face itself, or an edge, whichever feature is closer”",
+                   "3.2.4", "what Algorithm 5 keeps is the feature nearest to the origin", Strength::always,
+                   [](const ShapeEffort& e) { return e.shortcuts.kept_the_nearest; }),
+  };
+}
+
+// -- Claims about the comparison with Möller's test -------------------------------------------------------------------
+
+Rate gjk_was_right(const Comparison& c) { return {c.gjk_right(), c.disagreements()}; }
+Rate gjk_said_yes(const Comparison& c) { return {c.only_gjk.trials, c.disagreements()}; }
+
+std::vector<Claim> claims_of_disagreements(const Counted& counted) {
+  const Comparison fine = all_of(counted.moller.compared[0]);
+  const Comparison coarse = all_of(touches_of(counted, hundred).compared);
+  return {
+      {"where GJK and TriTri disagree, “our implementation was determined to operate correctly”",
+       "5",
+       "disagreements in which GJK is right",
+       Strength::always,
+       {{"random triangles", gjk_was_right(fine)}, {name_of(hundred), gjk_was_right(coarse)}}},
+      {"“In both cases, our GJK implementation reported that the triangles intersected whereas TriTri reported they "
+       "did "
+       "not”",
+       "4",
+       "disagreements in which only GJK says so",
+       Strength::always,
+       {{"random triangles", gjk_said_yes(fine)}, {name_of(hundred), gjk_said_yes(coarse)}}},
+  };
+}
+
+/// "All but 2" of a million: not refuted where the interval reaches down to 2 per million.
+void write_agreement_row(std::ostream& out, const Counted& counted) {
+  const auto rate = [&](GjkWay gjk) {
+    const Comparison& c = counted.moller.of(gjk, MollerWay::float_snapped);
+    return Rate{c.disagreements(), c.pairs()};
+  };
+  const Rate intended = rate(GjkWay::double_intended), printed = rate(GjkWay::double_printed);
+  const auto fits = [](const Rate& r) { return r.interval().low <= 2e-6; };
+  row(out, {"“agreed with TriTri for all but 2 pairs of triangles” of a million", "4",
+            "disagreements with Möller in float, snapped", rate_text(intended),
+            "Algorithm 1 as printed: " + rate_text(printed),
+            !fits(intended) ? "**does not hold**"
+            : fits(printed) ? "**holds**"
+                            : "holds only for the rules as intended"});
+}
+
+// -- The claim about mistakes -----------------------------------------------------------------------------------------
+
+void write_mistakes_row(std::ostream& out, const Counted& counted) {
+  const std::size_t all = mistakes().size();
+  const auto passing = [&](double pairs) {
+    return std::ranges::count_if(counted.triangles.counts,
+                                 [=](const MistakeCounts& m) { return passes(m.fails.share(), pairs) > 0.5; });
+  };
+  const auto healing = std::ranges::count_if(counted.triangles.counts, &MistakeCounts::mostly_heals);
+  const auto acting =
+      std::ranges::count_if(counted.triangles.counts, [](const MistakeCounts& m) { return m.changed.count > 0; });
+  const auto of_all = " of " + std::to_string(all);
+  row(out, {"“an implementation can have a bug, but still pass many test cases”", "1",
+            "mistakes that more likely than not pass 100 random pairs", std::to_string(passing(100)) + of_all,
+            std::to_string(passing(10'000)) + of_all + " pass 10,000",
+            passing(100) > 0 ? "**holds** for these " + std::to_string(passing(100)) : "**does not hold**"});
+  row(out, {"“the implementation can self-correct in later iterations”", "1",
+            "mistakes for which most changed runs end rightly, of pairs that meet and of pairs that do not",
+            std::to_string(healing) + " of the " + std::to_string(acting) + " that change any run", "–",
+            healing > 0 ? "**holds** for these " + std::to_string(healing) : "**does not hold**"});
+}
+
+// -- The table of claims ----------------------------------------------------------------------------------------------
+
+void write_claim(std::ostream& out, const Claim& claim) {
+  const Measured& first = claim.measured.front();
+  const Measured& least = worst(claim);
+  row(out,
+      {claim.words, claim.section, claim.counted, rate_text(first.holds),
+       &first == &least || least.holds.share() >= first.holds.share() ? "–"
+                                                                      : least.where + ": " + rate_text(least.holds),
+       verdict(claim)});
+}
+
+}  // namespace
+
+void write_claims_table(std::ostream& out, const Counted& counted) {
+  out << R"(## Claim by claim
+
+The share of cases in which the claim is true, with its 95 % interval. An *always* (“never”, “at most”, “cannot”) holds
+where no exception was seen; an *almost always* or *rarely* where the interval lies above 99 %; a *usually* or *generally*
+where it lies above one half. Sections are the report's.
+
+)";
+  heading(
+      out,
+      {"The report says", "Section", "Counted as true", "Random triangles", "Where it is true least often", "Verdict"},
+      6);
+  for (const auto& claims :
+       {claims_of_iterations(counted), claims_of_skipped_regions(counted), claims_of_extra_checks(counted)})
+    for (const Claim& claim : claims) write_claim(out, claim);
+  write_agreement_row(out, counted);
+  for (const Claim& claim : claims_of_disagreements(counted)) write_claim(out, claim);
+  write_mistakes_row(out, counted);
+  out << '\n';
+}
+
+}  // namespace study

@@ -1,0 +1,107 @@
+#include "tests/study/claims.hpp"
+
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/study/claims_verdict.hpp"
+
+namespace study {
+namespace {
+
+const ClaimsOptions few{.pairs = 2000, .seed = 1, .threads = 2};
+
+// -- Verdicts ---------------------------------------------------------------------------------------------------------
+
+std::string verdict_of(Strength strength, std::vector<Measured> measured) {
+  return verdict({"", "", "", strength, std::move(measured)});
+}
+
+TEST_CASE("One exception refutes an always and leaves an almost always standing", "[claims]") {
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {10000, 10000}}}) == "**holds**");
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {9999, 10000}}}) == "**does not hold**");
+  REQUIRE(verdict_of(Strength::nearly_always, {{"boxes", {9999, 10000}}}) == "**holds**");
+  REQUIRE(verdict_of(Strength::usually, {{"boxes", {4000, 10000}}}) == "**does not hold**");
+}
+
+TEST_CASE("A verdict names the shapes for which a claim holds and those that too few pairs leave open", "[claims]") {
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {5, 5}}, {"hulls", {4, 5}}}) == "holds only for boxes");
+  REQUIRE(verdict_of(Strength::usually, {{"boxes", {3, 5}}}) == "left open");
+  REQUIRE(verdict_of(Strength::usually, {{"boxes", {500, 500}}, {"hulls", {3, 5}}}) ==
+          "holds only for boxes; left open for hulls");
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {0, 0}}}) == "nothing to look at");
+}
+
+TEST_CASE("Rates are told with as many digits as say something and with their interval", "[claims]") {
+  REQUIRE(grouped(1234567) == "1,234,567");
+  REQUIRE(grouped(123) == "123");
+  REQUIRE(rate_text({123, 1000}) == "12.3 % (10.4–14.5)");
+  REQUIRE(rate_text({0, 1000000}) == "0 (at most 3.84 per million)");
+  REQUIRE(rate_text({2, 1000000}) == "2 (0.548–7.29) per million");
+  REQUIRE(rate_text({999, 1000}) == "99.90 % (99.44–99.982)");
+  REQUIRE(joined({"a", "b", "c"}) == "a, b and c");
+}
+
+// -- Counts -----------------------------------------------------------------------------------------------------------
+
+TEST_CASE("Effort for a small seed is pinned", "[claims]") {
+  const ShapeEffort e = measure_effort(claim_shapes()[0], few);
+  REQUIRE(e.hits.iterations.queries() == 555);
+  REQUIRE(e.misses.iterations.queries() == 1445);
+  REQUIRE(e.undecided.iterations.queries() == 0);
+  REQUIRE(e.all_iterations().max() == 10);
+  REQUIRE(e.hits.cross_products.max() == 23);
+  REQUIRE(e.most_in_a_3simplex.max() == 6);
+  REQUIRE(e.shortcuts.in_triangle[3].edges == 160);
+  REQUIRE(e.shortcuts.kept_the_nearest.trials == 427);
+  REQUIRE(e.shortcuts.kept_the_nearest.count == 376);
+  REQUIRE(e.shortcuts.nearest_was(4, 15).count == 555);
+}
+
+TEST_CASE("Moeller's test and GJK agree on random triangles; Algorithm 1 as printed does not", "[claims]") {
+  const MollerCounts counts = measure_moller(few);
+  REQUIRE(counts.meet == 555);
+  REQUIRE(counts.disagreements.empty());
+  REQUIRE(counts.of(GjkWay::double_intended, MollerWay::double_computed).both_yes == counts.meet);
+  const Comparison& printed = counts.of(GjkWay::double_printed, MollerWay::float_snapped);
+  REQUIRE(printed.only_gjk.trials == 45);
+  REQUIRE(printed.only_gjk.count == 0);
+}
+
+TEST_CASE("Of triangles on a coarse grid Moeller's test misses some that touch along edges; GJK does not", "[claims]") {
+  const TouchCounts counts = measure_touches({6, 1}, few);
+  REQUIRE(counts.edges_touch.count == 43);
+  const Comparison& c = counts.compared[0];
+  REQUIRE(c.only_gjk.count == 5);
+  REQUIRE(c.only_gjk.trials == c.only_gjk.count);
+  REQUIRE(c.only_moller.trials == 0);
+  REQUIRE(counts.edges_touch_only_gjk[0] == 5);
+}
+
+TEST_CASE("A sign that is flipped shows in the table; an order that is wrong hides", "[claims]") {
+  const MistakeTable table = measure_mistakes(TestPairs::triangles, few);
+  const auto of = [&](const std::string& part) -> const MistakeCounts& {
+    for (std::size_t i = 0; i < mistakes().size(); ++i)
+      if (mistakes()[i].name.find(part) != std::string::npos) return table.counts[i];
+    throw std::invalid_argument("no mistake is called " + part);
+  };
+  REQUIRE(of("ABn of the triangle points inward").fails.count == 492);
+  REQUIRE(of("wrong order, and").undecided == 1196);
+  REQUIRE(of("ADB is kept in the wrong order").fails.count == 0);
+  REQUIRE(of("ADB is kept in the wrong order").changed.count == 42);
+}
+
+TEST_CASE("The text is the same with one thread and with three", "[claims]") {
+  const auto text = [](unsigned threads) {
+    std::ostringstream out;
+    write_claims(out, {.pairs = 600, .seed = 3, .threads = threads});
+    return out.str();
+  };
+  const std::string one = text(1);
+  REQUIRE(one == text(3));
+  for (const char* const section : {"## Claim by claim", "## Iterations", "## The checks", "## The report's two pairs",
+                                    "## How many tests does a mistake survive?"})
+    REQUIRE(one.find(section) != std::string::npos);
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,66 @@
+/// The parts of the text that `gjkstep-study claims` writes.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "tests/study/claims_measured.hpp"
+#include "tests/study/claims_verdict.hpp"
+
+namespace study {
+
+/// All that was counted, once.
+struct Counted {
+  std::vector<ShapeEffort> efforts;  ///< by claim_shapes()
+  MollerCounts moller;
+  std::vector<TouchCounts> touches;  ///< by coarsenesses()
+  MistakeTable triangles, tetrahedra, grid;
+};
+
+// -- Tables in Markdown -----------------------------------------------------------------------------------------------
+
+using Cells = std::vector<std::string>;
+
+void row(std::ostream& out, const Cells& cells);
+
+/// `left`: how many columns, from the first, hold words; the others hold numbers.
+void heading(std::ostream& out, const Cells& cells, std::size_t left);
+
+std::string decimals(double x, int digits);
+
+// -- Sections ---------------------------------------------------------------------------------------------------------
+
+void write_claims_table(std::ostream& out, const Counted& counted);
+void write_effort(std::ostream& out, const Counted& counted);
+void write_moller(std::ostream& out, const Counted& counted);
+void write_mistakes(std::ostream& out, const Counted& counted);
+
+// -- What sections share ----------------------------------------------------------------------------------------------
+
+/// A feature, or some that lie alike, that the report skips when it looks for the origin.
+struct Skipped {
+  std::string words, section;
+  std::size_t size;  ///< of the simplex
+  std::vector<Feature> features;
+};
+const std::vector<Skipped>& skipped_regions();
+
+/// Returns: how often the nearest feature was none of these.
+Rate not_nearest(const Shortcuts& shortcuts, const Skipped& skipped);
+
+ExtraChecks sum_of(const std::array<ExtraChecks, Shortcuts::iterations>& by_iteration);
+
+/// GJK in double, as intended, against all four ways of Möller's test.
+Comparison all_of(const std::array<Comparison, ways>& compared);
+
+std::string name_of(const Coarseness& coarseness);
+
+/// The coarse coordinates that are quoted: about as many values as give the report's two pairs in a million.
+inline constexpr Coarseness hundred{101, 1};
+const TouchCounts& touches_of(const Counted& counted, const Coarseness& coarseness);
+
+/// Returns: the probability that so many random pairs show nothing, where each fails with probability `p`.
+double passes(double p, double pairs);
+
+}  // namespace study

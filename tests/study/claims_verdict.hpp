@@ -1,0 +1,48 @@
+/// Whether a claim of the report holds, found from what was counted.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/study/rate.hpp"
+
+namespace study {
+
+/// How strong the report's words are.
+enum class Strength {
+  always,         ///< "never", "at most", "cannot": one exception refutes it
+  nearly_always,  ///< "almost always", "rarely": in 99 % at least
+  usually,        ///< "usually", "generally": in more than half
+};
+
+/// How often a claim was true where it could be looked at: for one shape.
+struct Measured {
+  std::string where;  ///< "boxes"
+  Rate holds;
+};
+
+struct Claim {
+  std::string words, section;  ///< the report's
+  std::string counted;         ///< what is counted as true
+  Strength strength;
+  std::vector<Measured> measured;  ///< the report's own shape, or the first one, in front
+};
+
+/// Returns: whether the claim holds there; nothing where the interval leaves it open.
+std::optional<bool> holds(Strength strength, const Rate& rate);
+
+/// Returns: "holds", "does not hold", "holds only for boxes and spheres", "left open by so few pairs".
+std::string verdict(const Claim& claim);
+
+/// Returns: the place where the claim is true least often. Requires: something was measured.
+const Measured& worst(const Claim& claim);
+
+// -- Words and numbers ------------------------------------------------------------------------------------------------
+
+std::string grouped(std::uint64_t number);            ///< 1,234,567
+std::string share_text(double share);                 ///< 12.3 %, 99.983 %, or 1.7 per million
+std::string rate_text(const Rate& rate);              ///< with its interval
+std::string joined(const std::vector<std::string>&);  ///< "a, b and c"
+
+}  // namespace study

@@ -1,0 +1,32 @@
+/// Every mistake with its name, and how to ask it about a pair.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/gjk.hpp"
+
+namespace study {
+
+/// How one run ended, and what is needed to see whether two runs went the same way.
+struct Run {
+  gjk::Status status = gjk::Status::undecided;
+  int iterations = 0;
+  std::uint64_t way = 0;  ///< a hash of all directions in which the first set was asked, in their order
+};
+
+/// One line of the table: an implementation of the report with one mistake in it.
+struct Mistake {
+  std::string name;     ///< "the order is not changed when moving below the triangle"
+  std::string section;  ///< of the report, where it says how it is done
+  Run (*ask)(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b);
+};
+
+/// Returns: the report's algorithm, without a mistake.
+Run ask_faithfully(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b);
+
+/// Returns: all of them, in the report's order.
+const std::vector<Mistake>& mistakes();
+
+}  // namespace study
