@@ -38,9 +38,7 @@ std::string passes_text(const Rate& fails, double pairs) {
   return at_least + decimals(100 * p, 1) + " %";
 }
 
-std::string healed(const Rate& heals) {
-  return heals.trials == 0 ? "–" : share_text(heals.share()) + " of " + grouped(heals.trials);
-}
+std::string healed(const Rate& heals) { return heals.trials == 0 ? "–" : share_text(heals.share()); }
 
 std::string signed_decimals(double x) { return (x < 0 ? "−" : "+") + decimals(std::fabs(x), 2); }
 

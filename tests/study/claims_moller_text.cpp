@@ -43,30 +43,23 @@ the truth of )"
   out << '\n';
 }
 
+/// In words: there are few, and all are of one kind or two.
 void write_disagreements(std::ostream& out, const Counted& counted) {
   const auto& list = counted.moller.disagreements;
-  if (list.empty()) {
-    out << "GJK in double, as intended, disagrees with none of them.\n\n";
-    return;
-  }
-  constexpr std::size_t most = 12;
-  out << "The disagreements of GJK in double, as intended" << (list.size() > most ? ", the first twelve" : "")
-      << R"(. Where the intervals of Möller's test exist in exact
-arithmetic, their gap is given as a share of the shorter one; where they do not, all of one triangle lies on one side of the
-other's plane.
-
-)";
-  heading(out, {"Pair", "Möller", "GJK", "Truth", "Gap"}, 4);
-  for (std::size_t i = 0; i < std::min(list.size(), most); ++i) {
-    const Disagreement& d = list[i];
-    const auto word = [](bool meet) { return meet ? "they meet" : "they do not"; };
+  const auto beyond = std::ranges::count_if(list, [](const Disagreement& d) { return std::isnan(d.depth); });
+  double widest = 0;
+  for (const Disagreement& d : list)
+    if (!std::isnan(d.depth)) widest = std::max(widest, std::fabs(d.depth));
+  out << "GJK in double, as intended, and the four ways of Möller's test disagree " << list.size() << " times. In "
+      << beyond
+      << " of them all of one triangle lies on one side of the other's plane, and snap or rounding puts it on the "
+         "plane";
+  if (widest > 0) {
     char gap[32];
-    std::snprintf(gap, sizeof gap, "%.1e", -d.depth);
-    row(out,
-        {grouped(d.index), moller_names[static_cast<std::size_t>(d.moller)],
-         d.undecided ? "undecided" : word(d.gjk_says), word(d.truth), std::isnan(d.depth) ? "beyond the plane" : gap});
+    std::snprintf(gap, sizeof gap, "%.0e", widest);
+    out << "; in the others the intervals overlap, or are apart, by at most " << gap << " of the shorter one";
   }
-  out << '\n';
+  out << ".\n\n";
 }
 
 void write_touches(std::ostream& out, const Counted& counted) {
