@@ -47,17 +47,19 @@ Step<S> process(const Simplex<S>& simplex, Teller<Obs>& tell) {
   }
 }
 
-/// One run of Algorithm 1.
+/// One run of Algorithm 1. Its result is written where the caller will have it: a copy of the evidence costs as much as an
+/// iteration.
 template <class S, class Rules, class A, class B, class Obs>
 class Search {
  public:
-  Search(const A& a, const B& b, const Options<S>& options, Obs& observer)
+  Search(const A& a, const B& b, const Options<S>& options, Obs& observer, Result<S>& result)
       : difference_(a, b),
         options_(options),
         tell_(observer, options.crossing_test),
-        direction_(options.first_direction) {}
+        direction_(options.first_direction),
+        result_(result) {}
 
-  Result<S> run() {
+  void run() {
     tell_([&] { return SearchStarted<S>{.direction = direction_, .why = why_first_direction()}; });
     while (result_.iterations < options_.iteration_limit) {
       if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
@@ -107,7 +109,7 @@ class Search {
 
   /// The rules find the origin in the simplex. Where a segment points at the origin or a triangle is flat they rely on
   /// the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
-  Result<S> finish_with_origin_in_simplex(const Vertex<S>& vertex) {
+  void finish_with_origin_in_simplex(const Vertex<S>& vertex) {
     if (options_.crossing_test == CrossingTest::off && !crossed(vertex))
       return finish_outside(vertex, Reason::origin_not_crossed);
     return finish(Status::intersecting, Reason::simplex_contains_origin);
@@ -116,7 +118,7 @@ class Search {
   bool crossed(const Vertex<S>& vertex) const { return Rules::crossed(vertex.w.dot(direction_), vertex, direction_); }
 
   /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart.
-  Result<S> finish_outside(const Vertex<S>& vertex, Reason reason) {
+  void finish_outside(const Vertex<S>& vertex, Reason reason) {
     const S support_value = vertex.w.dot(direction_);
     if (!is_finite(support_value)) return finish(Status::undecided, Reason::unusable_direction);
     if (Rules::crossed(support_value, vertex, direction_)) return finish(Status::undecided, reason);
@@ -124,11 +126,10 @@ class Search {
     return finish(Status::separated, reason);
   }
 
-  Result<S> finish(Status status, Reason reason) {
+  void finish(Status status, Reason reason) {
     result_.status = status;
     result_.reason = reason;
     tell_([&] { return Finished<S>{.result = result_}; });
-    return result_;
   }
 
   /// Earlier vertices are kept only where somebody needs to know of them.
@@ -158,7 +159,7 @@ class Search {
   Teller<Obs> tell_;
   Vec3<S> direction_;
   std::vector<Vec3<S>> seen_;
-  Result<S> result_;
+  Result<S>& result_;
 };
 
 /// Algorithm 1: do the convex sets `a` and `b` have a point in common?
@@ -175,7 +176,9 @@ class Search {
 template <class S = double, class Rules = AsIntended, Shape<S> A, Shape<S> B, class Obs = const NobodyListens>
 requires Observer<Obs, S> Result<S> collision(const A& a, const B& b, const Options<S>& options = {},
                                               Obs&& observer = NobodyListens{}) {
-  return Search<S, Rules, A, B, std::remove_reference_t<Obs>>(a, b, options, observer).run();
+  Result<S> result;
+  Search<S, Rules, A, B, std::remove_reference_t<Obs>>(a, b, options, observer, result).run();
+  return result;
 }
 
 }  // namespace gjk

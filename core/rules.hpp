@@ -100,7 +100,8 @@ void skip_beyond_A(const Simplex<S>& simplex, std::string_view label, Teller<Obs
 template <class S, class Obs>
 Step<S> keep(const Simplex<S>& simplex, std::initializer_list<Role> roles, std::string_view why,
              const Vec3<S>& direction, std::string_view expression, Teller<Obs>& tell) {
-  Simplex<S> kept;
+  Step<S> step{{}, direction};
+  Simplex<S>& kept = step.simplex;
   for (const Role role : roles) kept.add(simplex[role]);
   tell([&] {
     SimplexReduced<S> event{.before = simplex, .after = kept, .kept = {}, .dropped = {}, .why = std::string(why)};
@@ -112,7 +113,7 @@ Step<S> keep(const Simplex<S>& simplex, std::initializer_list<Role> roles, std::
     return event;
   });
   tell([&] { return DirectionChosen<S>{.expression = std::string(expression), .direction = direction}; });
-  return {kept, direction};
+  return step;
 }
 
 /// Keeps the whole simplex as it is.

@@ -24,7 +24,7 @@ struct SupportPoint {
   SupportPoint() = default;
   SupportPoint(Vec3<S> p, std::optional<int> i = std::nullopt) : point(std::move(p)), index(i) {}
 
-  Vec3<S> point = Vec3<S>::Zero();
+  Vec3<S> point;
   std::optional<int> index;  ///< position in the list of vertices; empty for sets that have no such list
 };
 
@@ -205,7 +205,7 @@ class MinkowskiSum {
 template <class S>
 struct Vertex {
   SupportPoint<S> a, b;
-  Vec3<S> w = Vec3<S>::Zero();
+  Vec3<S> w;
 };
 
 /// Eq. 4: { X - Y }. Refers to its two sets, which must outlive it. It contains the origin exactly when the sets have

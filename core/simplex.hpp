@@ -1,6 +1,7 @@
 /// The simplex of GJK: one to four vertices of the Minkowski difference, in the report's order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -14,9 +15,20 @@ enum class Role { A, B, C, D };
 constexpr char letter(Role role) { return "ABCD"[static_cast<int>(role)]; }
 
 /// Vertices in the report's order, oldest first: Simplex([C, B, A]) of the report is {C, B, A} here, A being newest.
+///
+/// Copies take what is there and no more. A search copies a few simplices in each iteration, most of them small, and in
+/// floating point that is a good part of its time.
 template <class S>
 class Simplex {
  public:
+  Simplex() {}
+  Simplex(const Simplex& other) { *this = other; }
+  Simplex& operator=(const Simplex& other) {
+    std::copy_n(other.vertices_.begin(), other.size_, vertices_.begin());
+    size_ = other.size_;
+    return *this;
+  }
+
   int size() const { return size_; }
 
   /// Requires: 0 <= i < size(). Counted from the oldest.

@@ -60,6 +60,10 @@ void write_file(const std::filesystem::path& path, std::span<const std::uint8_t>
   file.rename_to_target();
 }
 
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
   const auto fail = [&](int error_number) {
     throw ReadError("cannot read " + path.string() + ": " + reason(error_number) +

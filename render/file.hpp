@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace render {
@@ -22,6 +23,7 @@ struct ReadError : FileError {
 /// Writes under a temporary name beside `path` and renames, so that an interrupted run leaves either the old file or the
 /// whole new one. Errors: FileError; no temporary file is left behind.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// Errors: ReadError.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path);

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <span>
 #include <vector>
 
 #include "render/compare_report.hpp"
@@ -93,8 +92,7 @@ fs::path write_report(const render::CompareReport& report, const fs::path& folde
     throw render::FileError("cannot create the folder " + folder.string() + ": " + error.message() +
                             "; choose another with --report");
   const fs::path page = folder / "index.html";
-  const std::string html = report.html();
-  render::write_file(page, std::span(reinterpret_cast<const std::uint8_t*>(html.data()), html.size()));
+  render::write_file(page, report.html());
   return page;
 }
 

@@ -85,16 +85,16 @@ class RegionPicture {
 
   void tetrahedron() {
     const Region& now = shown_.now.regions.back();
-    const std::string face = !now.face.empty() ? now.face : "";
-    faces(face);
+    faces();
     edges_looking_back();
-    if (face.empty())
-      normal(now);
+    if (edges_shown())
+      edges_of_face(now.face);
     else
-      edges_of_face(face);
+      normal(now);
   }
 
   void name_rejected_faces() {
+    if (edges_shown()) return;
     render::TextStyle text = style_.small_label();
     text.size *= 0.85;
     for (const char* face : {"ABC", "ACD", "ADB"}) {
@@ -227,43 +227,44 @@ class RegionPicture {
 
   // -- A tetrahedron --
 
+  /// Whether the last test was of an edge in the plane of a face, so that the regions beside that face are drawn.
+  bool edges_shown() const { return !shown_.now.regions.back().face.empty(); }
+
   /// The faces from back to front. Of the three that meet A each may have been tested; BCD is behind the search.
-  void faces(const std::string& edges_shown_of) {
+  void faces() {
     const std::string names[] = {"ABC", "ACD", "ADB", "BCD"};
     std::vector<render::Face> list;
     for (const std::string& name : names) list.push_back({{vertex(name[0]), vertex(name[1]), vertex(name[2])}});
-    for (const std::size_t i : render::back_to_front(list, *pencil_.lens().camera))
-      face(names[i], list[i], !edges_shown_of.empty());
+    for (const std::size_t i : render::back_to_front(list, *pencil_.lens().camera)) face(names[i], list[i]);
     if (const Region* inside = find("", "ABCD"); inside != nullptr)
       for (const render::Face& face : list) pencil_.panel().polygon(pencil_.at(face.corners), style_.chosen_fill);
     outline_tested(names, list);
   }
 
-  void face(const std::string& feature, const render::Face& face, bool edges_shown) {
+  void face(const std::string& feature, const render::Face& face) {
     const std::vector<Vec2> corners = pencil_.at(face.corners);
     const RegionState state = state_of(find("", feature));
     const bool rejected = state == RegionState::rejected || state == RegionState::just_rejected;
     render::Panel& panel = pencil_.panel();
     switch (state) {
       case RegionState::pending: panel.polygon(corners, style_.simplex_fill); break;
-      case RegionState::skipped:
-        panel.hatch(corners, style_.hatch_spacing, is_behind(feature) ? style_.hidden_hatching : style_.hatching);
+      case RegionState::skipped:  // only BCD
+        panel.hatch(corners, style_.hatch_spacing, bcd_is_behind() ? style_.hidden_hatching : style_.hatching);
         break;
       case RegionState::rejected: panel.polygon(corners, style_.rejected_fill); break;
       case RegionState::just_rejected: panel.polygon(corners, style_.tested_fill); break;
       case RegionState::chosen:
-        if (!edges_shown) panel.polygon(corners, style_.chosen_fill);
+        if (!edges_shown()) panel.polygon(corners, style_.chosen_fill);
         break;
     }
     if (rejected) pencil_.cross(middle_of(face.corners), 11);
   }
 
-  /// Whether the viewer looks at the inside of a face, through the others.
-  bool is_behind(const std::string& feature) const {
-    const Point P = vertex(feature[0]), normal = (vertex(feature[1]) - P).cross(vertex(feature[2]) - P);
-    double inward = 0;  // how far the fourth vertex lies on the side of the normal
-    for (const char letter : {'A', 'B', 'C', 'D'}) inward += normal.dot(vertex(letter) - P);
-    return !pencil_.lens().camera->sees(inward > 0 ? Point(-normal) : normal);
+  /// Whether the viewer looks at the inside of BCD, through the other faces. Its outward normal is BD×BC: A lies in the
+  /// direction BC×BD (Section 3.2.4).
+  bool bcd_is_behind() const {
+    const Point B = vertex('B');
+    return !pencil_.lens().camera->sees((vertex('D') - B).cross(vertex('C') - B));
   }
 
   void outline_tested(std::span<const std::string> names, const std::vector<render::Face>& list) {
@@ -348,8 +349,7 @@ void draw_regions(Pencil& pencil, const Shown& shown) {
 
 void name_rejected_faces(Pencil& pencil, const Shown& shown) {
   if (shown.now.simplex.size() != 4 || shown.now.regions.empty()) return;
-  const bool edges_shown = !shown.now.regions.back().face.empty();
-  if (!edges_shown) RegionPicture(pencil, shown).name_rejected_faces();
+  RegionPicture(pencil, shown).name_rejected_faces();
 }
 
 }  // namespace walkthroughs

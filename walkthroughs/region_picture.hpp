@@ -10,12 +10,12 @@ namespace walkthroughs {
 /// hatched, rejected ones named with ✗, the chosen one with ✓, and the one just tested has a strong border and its normal.
 enum class RegionState { pending, skipped, rejected, just_rejected, chosen };
 
-/// Draws the regions of the simplex that is being processed (of one face and its edges, where Algorithm 5 has come to them).
-/// Nothing where no region has been tested in this iteration.
+/// Draws the regions of the simplex that is being processed (of one face and its edges, where Algorithm 5 has come to
+/// them). Nothing where no region has been tested in this iteration.
 void draw_regions(Pencil& pencil, const Shown& shown);
 
-/// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are shown. To be asked for
-/// after the vertices have their names, which are more important.
+/// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are
+/// shown. To be asked for after the vertices have their names, which are more important.
 void name_rejected_faces(Pencil& pencil, const Shown& shown);
 
 /// The regions of a triangle ABC as Fig. 7 numbers them: R1 inside, R2 beyond A, R3 beyond AB, R4 beyond B, R5 beyond

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "render/file.hpp"
 #include "render/rendered_by.hpp"
 #include "walkthroughs/alternative_text.hpp"
 #include "walkthroughs/command_line.hpp"
@@ -20,11 +21,6 @@
 
 namespace walkthroughs {
 namespace {
-
-const render::Theme& theme_named(const std::string& name) {
-  if (name == "slides") return render::themes::slides;
-  return name == "dark" ? render::themes::dark : render::themes::report;
-}
 
 /// The walkthroughs that the words of a command choose, each once, in the order named. Keeps those that files describe.
 class Selection {
@@ -158,13 +154,13 @@ class Rendering {
   static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {
     const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
     const std::filesystem::path file = folder / render::rendered_by_file;
-    render::write_file(file, std::vector<std::uint8_t>(text.begin(), text.end()));
+    render::write_file(file, text);
     std::cout << file.string() << "  what drew these pictures\n";
   }
 
   void write_captions(const std::vector<FrameFile>& written) const {
     const std::string text = captions_json(written);
-    render::write_file(*command_.captions, std::vector<std::uint8_t>(text.begin(), text.end()));
+    render::write_file(*command_.captions, text);
     std::cout << *command_.captions << "  captions and descriptions of the frames\n";
   }
 

@@ -5,6 +5,11 @@ namespace walkthroughs {
 using render::Stroke;
 using render::TextStyle;
 
+const render::Theme& theme_named(const std::string& name) {
+  if (name == "slides") return render::themes::slides;
+  return name == "dark" ? render::themes::dark : render::themes::report;
+}
+
 Style::Style(const render::Theme& t)
     : theme(t),
       grid{t.faint, 1},

@@ -7,6 +7,9 @@
 
 namespace walkthroughs {
 
+/// Requires: "report", "slides" or "dark".
+const render::Theme& theme_named(const std::string& name);
+
 struct Style {
   explicit Style(const render::Theme& theme);
 

@@ -27,8 +27,8 @@ render::RenderedBy notes_of(const walkthroughs::Studio& studio) {
 }
 
 void accept_notes(const walkthroughs::Studio& studio) {
-  const std::string text = render::rendered_by_json(notes_of(studio));
-  accept("images/" + std::string(render::rendered_by_file), Bytes(text.begin(), text.end()), "what drew the goldens");
+  accept("images/" + std::string(render::rendered_by_file), render::rendered_by_json(notes_of(studio)),
+         "what drew the goldens");
 }
 
 /// Returns: what drew the goldens and what draws now, line by line.
@@ -44,15 +44,24 @@ std::string both_notes(const walkthroughs::Studio& studio) {
 /// One picture, drawn now and compared. Returns: nothing where it passes or was accepted.
 std::optional<render::ComparedFiles> check(const Picture& picture, walkthroughs::Studio& studio) {
   const std::string name = picture.name() + ".png";
-  const Bytes png = render::encode_png(draw(picture, studio), {.title = picture.name(), .description = picture.reason});
+  const std::vector<std::uint8_t> png =
+      render::encode_png(draw(picture, studio), {.title = picture.name(), .description = picture.reason});
   const fs::path candidate = leave_candidate("images/" + name, png);
   const fs::path golden = folder() / "images" / name;
   const render::Sides sides = fs::exists(golden) ? render::Sides::both : render::Sides::only_actual;
   render::ComparedFiles compared = render::compare_files({name, golden, candidate, sides});
+  if (compared.verdict == render::Verdict::extra) compared.words = "there is no accepted picture";
   if (render::passes(compared.verdict)) return std::nullopt;
   if (!accepting()) return compared;
   accept("images/" + name, png, compared.words);
   return std::nullopt;
+}
+
+/// Returns: the picture's name, what is wrong, and what to do where there is nothing to compare with.
+std::string in_words(const Picture& picture, const render::ComparedFiles& failed) {
+  const std::string words = picture.name() + ": " + failed.words + "\n(" + picture.reason + ")";
+  if (failed.verdict != render::Verdict::extra) return words;
+  return words + "\nTo accept " + failed.files.actual.string() + ": " + command_to_accept("golden-tests: images");
 }
 
 }  // namespace
@@ -69,12 +78,11 @@ TEST_CASE("images of the chosen frames are the accepted ones") {
     if (!failed) continue;
     ++failures;
     report.add(*failed, command_to_accept("golden-tests: images"));
-    FAIL_CHECK(picture.name() << ": " << failed->words << "\n(" << picture.reason << ")");
+    FAIL_CHECK(in_words(picture, *failed));
   }
   if (accepting()) accept_notes(studio);
   if (failures == 0) return;
-  const std::string html = report.html();
-  const fs::path page = leave_candidate("index.html", Bytes(html.begin(), html.end()));
+  const fs::path page = leave_candidate("index.html", report.html());
   WARN("Look at: " << page.string() << "\nTo accept: " << command_to_accept("golden-tests: images") << "\nDrawn by:\n"
                    << both_notes(studio));
 }

@@ -27,8 +27,6 @@ std::string name_of_part(const Walkthrough& w, int part) {
   return "traces/" + w.name + (part == 1 ? "" : "." + std::to_string(part)) + ".jsonl";
 }
 
-Bytes bytes(const std::string& text) { return {text.begin(), text.end()}; }
-
 /// Returns: `trace` in parts of whole lines.
 std::vector<std::string> parts(const std::string& trace) {
   std::vector<std::string> all = {""};
@@ -44,7 +42,7 @@ std::vector<std::string> parts(const std::string& trace) {
 std::string accepted(const Walkthrough& w) {
   std::string trace;
   for (int part = 1; fs::exists(folder() / name_of_part(w, part)); ++part) {
-    const Bytes read = render::read_file(folder() / name_of_part(w, part));
+    const auto read = render::read_file(folder() / name_of_part(w, part));
     trace.append(read.begin(), read.end());
   }
   return trace;
@@ -52,7 +50,7 @@ std::string accepted(const Walkthrough& w) {
 
 void accept_trace(const Walkthrough& w, const std::string& trace, const std::string& why) {
   const std::vector<std::string> all = parts(trace);
-  for (std::size_t i = 0; i < all.size(); ++i) accept(name_of_part(w, static_cast<int>(i) + 1), bytes(all[i]), why);
+  for (std::size_t i = 0; i < all.size(); ++i) accept(name_of_part(w, static_cast<int>(i) + 1), all[i], why);
   for (int stale = static_cast<int>(all.size()) + 1; fs::remove(folder() / name_of_part(w, stale)); ++stale) {
   }
 }
@@ -63,7 +61,7 @@ void check(const Walkthrough& w) {
   if (!difference) return;
   const std::string words = golden.empty() ? "there is no accepted trace" : in_words(*difference);
   if (accepting()) return accept_trace(w, trace, words);
-  const fs::path candidate = leave_candidate("traces/" + w.name + ".jsonl", bytes(trace));
+  const fs::path candidate = leave_candidate("traces/" + w.name + ".jsonl", trace);
   FAIL_CHECK(w.name << ": " << words << "\nThe trace of now: " << candidate.string()
                     << "\nTo accept it: " << command_to_accept("golden-tests: traces"));
 }

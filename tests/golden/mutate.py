@@ -27,16 +27,15 @@ def build(folder):
 
 
 def noticed(folder):
-    """The first trace and picture that differ, and how many of each."""
+    """The traces and the pictures that differ, by name."""
     says = {}
-    for kind, mark in (("traces", ": the traces part"), ("images", "-report: ")):
-        test = "traces of all*" if kind == "traces" else "images of*"
+    for kind, test, marks in (("traces", "traces of all*", [": the traces part"]),
+                              ("images", "images of*", ["-report: ", "-dark: ", "-slides: ", "-no-captions: "])):
         try:
             out = subprocess.run(["build/golden-tests", test], cwd=folder, capture_output=True, text=True, timeout=120)
         except subprocess.TimeoutExpired:
             says[kind] = ["does not end"]
             continue
-        marks = [mark] if kind == "traces" else ["-report: ", "-dark: ", "-slides: ", "-no-captions: "]
         names = [l.strip() for l in out.stdout.splitlines() if any(m in l for m in marks)]
         if out.returncode and not names:
             names = ["crashes"]

@@ -12,11 +12,6 @@ constexpr render::Size pixels{640, 360};
 constexpr Text around = Text::around, none = Text::none;
 constexpr Letters drawn = Letters::drawn, left_out = Letters::left_out;
 
-const render::Theme& theme_named(const std::string& name) {
-  if (name == "slides") return render::themes::slides;
-  return name == "dark" ? render::themes::dark : render::themes::report;
-}
-
 }  // namespace
 
 const std::vector<Picture>& pictures() {
@@ -72,7 +67,7 @@ std::string Picture::name() const {
 }
 
 walkthroughs::Look look_of(const Picture& picture) {
-  return {.style = walkthroughs::Style(theme_named(picture.theme)), .text = picture.text};
+  return {.style = walkthroughs::Style(walkthroughs::theme_named(picture.theme)), .text = picture.text};
 }
 
 render::Canvas canvas_of(const Picture& picture, const walkthroughs::Look& look, walkthroughs::Studio& studio) {

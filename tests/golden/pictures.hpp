@@ -28,9 +28,13 @@ struct Picture {
 
 const std::vector<Picture>& pictures();
 
-/// Returns: what the picture looks like now, before and after drawing.
+// From the list to pixels as they come out now, in three steps, so that a control can spoil what is between two of them.
+
+/// Returns: the picture's theme, and whether it has captions.
 walkthroughs::Look look_of(const Picture& picture);
+/// Returns: the triangles to be drawn; letters that are left out are fully transparent.
 render::Canvas canvas_of(const Picture& picture, const walkthroughs::Look& look, walkthroughs::Studio& studio);
+/// Returns: the pixels.
 render::Image draw(const Picture& picture, walkthroughs::Studio& studio);
 
 }  // namespace golden

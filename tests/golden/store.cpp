@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
-#include <string_view>
 
 #include "render/file.hpp"
 
@@ -15,6 +14,16 @@ namespace fs = std::filesystem;
 bool is_set(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != '\0' && std::string_view(value) != "0" && std::string_view(value) != "false";
+}
+
+fs::path write(const fs::path& file, const auto& contents) {
+  fs::create_directories(file.parent_path());
+  render::write_file(file, contents);
+  return file;
+}
+
+void announce(const std::string& name, const std::string& why) {
+  std::cout << "accepted " << name << ": " << why << std::endl;
 }
 
 }  // namespace
@@ -30,18 +39,18 @@ bool accepting() {
   return true;
 }
 
-fs::path leave_candidate(const std::string& name, const Bytes& bytes) {
-  const fs::path file = candidates() / name;
-  fs::create_directories(file.parent_path());
-  render::write_file(file, bytes);
-  return file;
+fs::path leave_candidate(const std::string& name, std::span<const std::uint8_t> bytes) {
+  return write(candidates() / name, bytes);
 }
+fs::path leave_candidate(const std::string& name, std::string_view text) { return write(candidates() / name, text); }
 
-void accept(const std::string& name, const Bytes& bytes, const std::string& why) {
-  const fs::path file = folder() / name;
-  fs::create_directories(file.parent_path());
-  render::write_file(file, bytes);
-  std::cout << "accepted " << name << ": " << why << std::endl;
+void accept(const std::string& name, std::span<const std::uint8_t> bytes, const std::string& why) {
+  write(folder() / name, bytes);
+  announce(name, why);
+}
+void accept(const std::string& name, std::string_view text, const std::string& why) {
+  write(folder() / name, text);
+  announce(name, why);
 }
 
 std::string command_to_accept(const std::string& tests) {

@@ -3,12 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace golden {
-
-using Bytes = std::vector<std::uint8_t>;
 
 /// tests/golden in the source tree, and a folder of the build for candidates and reports.
 std::filesystem::path folder();
@@ -18,11 +17,13 @@ std::filesystem::path candidates();
 /// Errors: std::runtime_error where CI is set as well: nobody looks at what CI would accept.
 bool accepting();
 
-/// Writes `bytes` to candidates()/`name`. Returns: the file.
-std::filesystem::path leave_candidate(const std::string& name, const Bytes& bytes);
+/// Writes to candidates()/`name`. Returns: the file.
+std::filesystem::path leave_candidate(const std::string& name, std::span<const std::uint8_t> bytes);
+std::filesystem::path leave_candidate(const std::string& name, std::string_view text);
 
-/// Writes `bytes` to folder()/`name` and prints `why`.
-void accept(const std::string& name, const Bytes& bytes, const std::string& why);
+/// Writes to folder()/`name` and prints `why`.
+void accept(const std::string& name, std::span<const std::uint8_t> bytes, const std::string& why);
+void accept(const std::string& name, std::string_view text, const std::string& why);
 
 /// Returns: the command that accepts what the tests of that name draw now.
 std::string command_to_accept(const std::string& tests);

@@ -72,7 +72,7 @@ std::string written(const std::string& type, const std::string& data) {
 
 Image decoded(const std::string& bytes) {
   const fs::path path = fs::temp_directory_path() / ("gjkstep-apng-test-" + std::to_string(getpid()) + ".png");
-  write_file(path, std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+  write_file(path, bytes);
   const Image image = read_png(path);
   fs::remove(path);
   return image;

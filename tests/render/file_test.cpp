@@ -30,6 +30,13 @@ TEST_CASE("What was written is read, and replaces what was there") {
   REQUIRE(std::distance(fs::directory_iterator(folder.path), {}) == 1);
 }
 
+TEST_CASE("A text is written byte by byte") {
+  const Folder folder;
+  const fs::path file = folder.path / "file";
+  write_file(file, std::string("\x01\0\xFF\n\r", 5));
+  REQUIRE(read_file(file) == bytes);
+}
+
 TEST_CASE("A file that cannot be written names itself, and the old one stays") {
   const Folder folder;
   fs::create_directories(folder.path / "folder" / "in the way");

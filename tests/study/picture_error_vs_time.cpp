@@ -75,7 +75,8 @@ class Panel {
       slowest_ = std::max(slowest_, p.nanoseconds);
       worst_ = std::max(worst_, p.rate);
       points << p.nanoseconds << ' ' << p.rate << '\n';
-      if (is_labelled(limit)) words << p.nanoseconds << ' ' << p.rate << ' ' << limit << '\n';
+      if (const std::string label = label_of(limit); !label.empty())
+        words << p.nanoseconds << ' ' << p.rate << ' ' << label << '\n';
     }
     data_ << curve << " << EOD\n" << points.str() << "EOD\n" << labels << " << EOD\n" << words.str() << "EOD\n";
     lines_ += (lines_.empty() ? "" : ", \\\n  ") + curve + " using ($1/per):2 with linespoints " +
@@ -93,17 +94,19 @@ class Panel {
     return std::string("lc rgb ") + vermilion + " dt '-' lw 1.5 ps 1.4 pt " + (is_filled ? "9" : "8");
   }
 
-  /// Points of limits in between may lie on each other.
-  bool is_labelled(int limit) const {
-    return limit == settings_.limits().front() || limit == settings_.usual().limit ||
-           limit == settings_.limits().back();
+  /// Returns: the words beside the point. Where more iterations no longer help points lie on each other, and share a label.
+  std::string label_of(int limit) const {
+    const std::vector<int>& all = settings_.limits();
+    if (limit == all.front()) return std::to_string(limit);
+    if (limit != settings_.usual().limit) return "";
+    return all.size() == 2 ? std::to_string(limit) : std::to_string(all[1]) + "–" + std::to_string(all.back());
   }
 
-  /// Returns: a round distance of marks on an axis from 0 to `end`, about five of them.
+  /// Returns: a round distance of marks on an axis from 0 to `end`, at most five of them.
   static double step(double end) {
     const double power = std::pow(10, std::floor(std::log10(end / 4)));
     const double first = end / 4 / power;
-    return power * (first < 2 ? 1 : first < 5 ? 2 : 5);
+    return power * (first <= 1 ? 1 : first <= 2 ? 2 : first <= 5 ? 5 : 10);
   }
 
   const Settings& settings_;

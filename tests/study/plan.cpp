@@ -14,23 +14,27 @@ namespace {
 
 // -- How many pairs ---------------------------------------------------------------------------------------------------
 
+/// Returns: 0 for a body that has no corners.
 std::size_t points_in(const Body& body) {
   const Points* const points = std::get_if<Points>(&body);
-  return points ? points->size() : 1;
+  return points ? points->size() : 0;
 }
 
-/// How many pairs of triangles cost about as much time as one pair of a family: finding the truth costs the most.
+/// About how many pairs of triangles take as long as a pair of this family. Round bodies that nearly touch take all the
+/// iterations that there are.
 std::uint64_t weight_of(const Family& family, std::uint64_t seed) {
   const Pair first = family.make(seed, 0);
-  const std::size_t points = std::max(points_in(first.a), points_in(first.b));
-  return points <= 8 ? 1 : points <= 32 ? 4 : 10;
+  const std::size_t least = std::min(points_in(first.a), points_in(first.b));
+  const std::size_t most = std::max(points_in(first.a), points_in(first.b));
+  return least == 0 ? 5 : most <= 8 ? 1 : most <= 32 ? 4 : 10;
 }
 
 struct Amount {
   std::uint64_t pairs, slow_pairs;
 };
 
-Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{200000, 4000} : Amount{2000, 60}; }
+/// The full study asks about as many triangles as the report.
+Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{1000000, 20000} : Amount{3000, 60}; }
 
 Part part_of(const Family& family, const Request& request) {
   const Amount amount = amount_of(request.effort);
@@ -122,6 +126,34 @@ std::vector<std::string> words_of(const std::vector<int>& numbers) {
   return words;
 }
 
+// -- How long it will take ----------------------------------------------------------------------------------------------
+
+std::vector<const Method*> methods_where(const Plan& plan, bool is_slow) {
+  std::vector<const Method*> some = plan.methods;
+  std::erase_if(some, [=](const Method* method) { return method->scalar.is_slow != is_slow; });
+  return some;
+}
+
+double seconds_of(const Plan& plan) {
+  const auto start = std::chrono::steady_clock::now();
+  sweep(plan);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Returns: about how long one thread takes for so many pairs of the family, from asking the first `few`.
+double seconds_of(const Plan& plan, const std::vector<const Method*>& methods, const Family* family,
+                  std::uint64_t pairs, std::uint64_t few) {
+  if (methods.empty() || pairs == 0) return 0;
+  few = std::min(few, pairs);
+  Plan sample{.seed = plan.seed, .parts = {{family, few, few}}, .methods = methods, .limits = plan.limits};
+  sample.timed_pairs = 0;
+  const double untimed = seconds_of(sample) / static_cast<double>(few);
+  sample.timed_pairs = few;
+  const double timed = seconds_of(sample) / static_cast<double>(few);
+  return untimed * static_cast<double>(pairs) +
+         std::max(timed - untimed, 0.0) * static_cast<double>(std::min(pairs, plan.timed_pairs));
+}
+
 }  // namespace
 
 Plan plan_of(const Request& request) {
@@ -168,21 +200,10 @@ Shard parse_shard(const std::string& text) {
 }
 
 double estimated_seconds(const Plan& plan) {
-  constexpr std::uint64_t fast = 24, slow = 3;
   double seconds = 0;
   for (const Part& part : plan.parts) {
-    Plan sample = plan;
-    sample.shard = {};
-    sample.threads = 1;
-    const auto cost = [&](std::uint64_t pairs, std::uint64_t slow_pairs) {
-      sample.parts = {{part.family, std::min(pairs, part.pairs), std::min(slow_pairs, part.slow_pairs)}};
-      const auto start = std::chrono::steady_clock::now();
-      sweep(sample);
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    const double without = cost(fast, 0), with = cost(fast, slow);
-    seconds += without / fast * static_cast<double>(part.pairs) +
-               std::max(with - without, 0.0) / slow * static_cast<double>(part.slow_pairs);
+    seconds += seconds_of(plan, methods_where(plan, false), part.family, part.pairs, 64);
+    seconds += seconds_of(plan, methods_where(plan, true), part.family, part.slow_pairs, 4);
   }
   return seconds / static_cast<double>(plan.threads) / static_cast<double>(plan.shard.count);
 }

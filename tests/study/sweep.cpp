@@ -14,7 +14,6 @@ namespace study {
 namespace {
 
 constexpr std::uint64_t job_size = 256;       // pairs of one job; also of one timed batch
-constexpr std::uint64_t timed_jobs = 8;       // of each family
 constexpr std::size_t slow_batch = 16;        // questions of a timed batch of a slow scalar
 constexpr int repeats = 5, slow_repeats = 3;  // odd: the median is one of them
 
@@ -129,7 +128,7 @@ class Worker {
       else if (const auto kind = ask(method, view, cell.tally))
         if (kept[static_cast<std::size_t>(*kind)]++ < plan_.failures_kept) keep(method, view, *kind);
     }
-    if (job_.first < timed_jobs * job_size) cell.timings = timings_of(method);
+    if (job_.first < plan_.timed_pairs) cell.timings = timings_of(method);
     return cell;
   }
 

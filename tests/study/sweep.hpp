@@ -30,8 +30,9 @@ struct Plan {
   std::vector<int> limits;  ///< ascending; pairs are asked with the last
   Shard shard = {};
   unsigned threads = 1;
-  std::uint64_t failures_kept = 0;  ///< of each family, method and kind
-  int failure_limit = 20;           ///< the iteration limit at which they failed; not above the last of `limits`
+  std::uint64_t timed_pairs = 2048;  ///< of each family, besides being asked once
+  std::uint64_t failures_kept = 0;   ///< of each family, method and kind
+  int failure_limit = 20;            ///< the iteration limit at which they failed; not above the last of `limits`
 };
 
 /// How a query went wrong.

@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,29 @@ inline void check_failure(const std::string& arguments, int exit_code, const std
   CHECK(outcome.out.empty());
   for (const std::string& part : expected) CHECK(has(outcome.err, part));
   CHECK(lines(outcome.err).size() <= 2);
+}
+
+/// A folder that must not come into being.
+struct Untouched {
+  Folder parent;
+  std::filesystem::path folder = parent.path() / "out";
+  std::string option = " --out " + quoted(folder.string());
+  ~Untouched() { CHECK_FALSE(std::filesystem::exists(folder)); }
+};
+
+/// A scene file of that name: a square and a triangle in the plane, to be drawn at 48x27.
+inline std::filesystem::path scene_file(const std::filesystem::path& file) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << R"({"dimension": 2, "size": "48x27",
+    "a": {"points": [[0, 0], [2, 0], [2, 2], [0, 2]]}, "b": {"points": [[1, 1], [3, 1], [3, 3]]}})";
+  return file;
+}
+
+/// Returns: a folder of the catalogue, or nothing where it has none.
+inline std::string some_folder() {
+  for (const Walkthrough& w : catalogue())
+    if (const std::size_t slash = w.name.find('/'); slash != std::string::npos) return w.name.substr(0, slash);
+  return "";
 }
 
 }  // namespace walkthroughs::test

@@ -1,0 +1,24 @@
+/// The plain call: no observer, doubles, every option as it is by default.
+#pragma once
+
+#include "core/gjk.hpp"
+#include "tests/bench/peers/contender.hpp"
+#include "tests/bench/peers/shapes.hpp"
+
+namespace peers {
+
+template <class A, class B>
+Answer asked(const A& a, const B& b) {
+  switch (gjk::collision<double>(a, b).status) {
+    case gjk::Status::intersecting: return Answer::intersecting;
+    case gjk::Status::separated: return Answer::separated;
+    case gjk::Status::undecided: break;
+  }
+  return Answer::undecided;
+}
+
+/// Compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
+/// the rules between them in place of inlining them.
+Answer asked_of_point_sets(const PointSet& a, const PointSet& b);
+
+}  // namespace peers

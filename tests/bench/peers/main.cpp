@@ -1,0 +1,66 @@
+/// The plain call beside libccd, FCL and Bullet: how long does a query take, and how often is the answer wrong?
+///
+///     build/gjkstep-peers                          every family, as Markdown
+///     build/gjkstep-peers --everyday               triangles, tetrahedra, boxes, hulls of 32 and 256 points only
+///     build/gjkstep-peers --csv peers.csv          the numbers in a file as well
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "tests/bench/peers/report.hpp"
+
+namespace {
+
+std::string joined(int argc, char** argv) {
+  std::string command = "build/gjkstep-peers";
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  return command;
+}
+
+std::vector<peers::Match> played(const std::vector<study::Family>& families,
+                                 const std::vector<peers::Contender>& contenders,
+                                 const peers::MatchSettings& settings) {
+  std::vector<peers::Match> matches;
+  for (const study::Family& family : families) {
+    std::cerr << family.name << "…\n";
+    matches.push_back(peers::play(family, contenders, settings));
+  }
+  return matches;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  peers::Circumstances circumstances{.command = joined(argc, argv),
+                                     .compiler = GJKSTEP_COMPILER,
+                                     .flags = GJKSTEP_FLAGS,
+                                     .processor = peers::processor(),
+                                     .settings = {}};
+  std::string csv;
+  bool everyday_only = false;
+  CLI::App app("The plain call of gjkstep beside other libraries: nanoseconds per query and wrong answers.");
+  app.add_option("--seed", circumstances.settings.seed, "Of the dice")->capture_default_str();
+  app.add_option("--pairs", circumstances.settings.pairs, "Of each family")->capture_default_str();
+  app.add_option("--repeats", circumstances.settings.repeats, "Turns of which the median counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--csv", csv, "Write the numbers to this file as well");
+  app.add_flag("--everyday", everyday_only, "Triangles, tetrahedra, boxes, hulls of 32 and 256 points only");
+  CLI11_PARSE(app, argc, argv);
+
+  const std::vector<peers::Contender> contenders = peers::contenders();
+  peers::write_head(std::cout, circumstances, contenders);
+  std::vector<peers::Match> matches = played(peers::everyday_families(), contenders, circumstances.settings);
+  peers::write_markdown(std::cout, "Everyday shapes", matches, contenders);
+  if (!everyday_only) {
+    const std::vector<peers::Match> hard = played(peers::hard_families(), contenders, circumstances.settings);
+    peers::write_markdown(std::cout, "The study's families", hard, contenders);
+    matches.insert(matches.end(), hard.begin(), hard.end());
+  }
+  if (csv.empty()) return 0;
+  std::ofstream file(csv);
+  peers::write_csv(file, circumstances, matches, contenders);
+  if (file.flush()) return 0;
+  std::cerr << "gjkstep-peers: cannot write '" << csv << "'\n";
+  return 1;
+}

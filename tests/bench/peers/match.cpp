@@ -1,0 +1,121 @@
+#include "tests/bench/peers/match.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "tests/bench/peers/trial.hpp"
+#include "tests/study/dice.hpp"
+
+namespace peers {
+namespace {
+
+std::vector<study::Pair> pairs_of(const study::Family& family, const MatchSettings& settings) {
+  const std::uint64_t most = family.size.value_or(std::numeric_limits<std::uint64_t>::max());
+  std::vector<study::Pair> pairs;
+  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(settings.pairs, most); ++i)
+    pairs.push_back(family.make(settings.seed, i));
+  return pairs;
+}
+
+std::string told(Answer failure, std::size_t pair) {
+  return "pair " + std::to_string(pair) +
+         (failure == Answer::timed_out ? ": no answer within " + std::to_string(seconds_for_a_pair) + " s"
+                                       : ": crashed");
+}
+
+Score score(const std::vector<Answer>& answers, const std::vector<study::Truth>& truths) {
+  Score score;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const bool meet = truths[i] == study::Truth::intersecting;
+    switch (answers[i]) {
+      case Answer::intersecting: score.false_positives += !meet; break;
+      case Answer::separated: score.false_negatives += meet; break;
+      case Answer::undecided:
+      case Answer::threw: ++score.undecided; break;
+      case Answer::crashed:
+      case Answer::timed_out:
+        if (score.first_failure.empty()) score.first_failure = told(answers[i], i);
+        [[fallthrough]];
+      case Answer::not_asked: ++score.failed; break;
+    }
+  }
+  return score;
+}
+
+bool is_right(Answer answer, study::Truth truth) {
+  return answer == (truth == study::Truth::intersecting ? Answer::intersecting : Answer::separated);
+}
+
+/// Returns: the positions of the pairs that got an answer of any kind, and got it in time.
+std::vector<std::size_t> answered(const std::vector<Answer>& answers) {
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    if (answers[i] <= Answer::undecided) positions.push_back(i);
+  return positions;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// One contender's part of the race.
+struct Runner {
+  Batch& batch;
+  std::vector<std::size_t> pairs;
+  std::vector<Answer> answers;
+  std::vector<double> nanoseconds = {};  ///< per query, one for each repeat
+
+  void run() {
+    if (pairs.empty()) return;
+    const auto start = std::chrono::steady_clock::now();
+    batch.ask_all(pairs, answers);
+    const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - start;
+    nanoseconds.push_back(taken.count() / static_cast<double>(pairs.size()));
+  }
+};
+
+/// The runners take turns, so that what slows the machine for a while slows all of them. The first turn warms up.
+void race(std::vector<Runner>& runners, int repeats) {
+  for (Runner& runner : runners) runner.run();
+  for (Runner& runner : runners) runner.nanoseconds.clear();
+  for (int i = 0; i < repeats; ++i)
+    for (Runner& runner : runners) runner.run();
+}
+
+std::size_t lost(const std::vector<Runner>& runners, const std::vector<study::Truth>& truths) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    const auto right = [&](const Runner& runner) { return is_right(runner.answers[i], truths[i]); };
+    count += !right(runners[0]) && std::any_of(runners.begin() + 1, runners.end(), right);
+  }
+  return count;
+}
+
+}  // namespace
+
+Match play(const study::Family& family, const std::vector<Contender>& contenders, const MatchSettings& settings) {
+  const std::vector<study::Pair> pairs = pairs_of(family, settings);
+  std::vector<study::Truth> truths;
+  for (const study::Pair& pair : pairs) truths.push_back(study::truth(pair));
+
+  Match match{.family = family.name, .what = family.what, .pairs = pairs.size()};
+  match.meet = static_cast<std::size_t>(std::count(truths.begin(), truths.end(), study::Truth::intersecting));
+  std::vector<std::unique_ptr<Batch>> batches;
+  std::vector<Runner> runners;
+  for (const Contender& contender : contenders) {
+    batches.push_back(contender.prepare(pairs));
+    const std::vector<Answer> answers = tried(*batches.back(), pairs.size());
+    match.scores.push_back(score(answers, truths));
+    runners.push_back({*batches.back(), answered(answers), answers});
+  }
+  match.lost = lost(runners, truths);
+  race(runners, settings.repeats);
+  for (std::size_t i = 0; i < runners.size(); ++i)
+    if (!runners[i].nanoseconds.empty()) match.scores[i].nanoseconds = median(runners[i].nanoseconds);
+  return match;
+}
+
+}  // namespace peers

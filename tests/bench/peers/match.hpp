@@ -1,0 +1,45 @@
+/// One family of pairs, asked of all contenders.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/bench/peers/contender.hpp"
+#include "tests/study/families.hpp"
+#include "tests/study/oracle.hpp"
+
+namespace peers {
+
+struct Score {
+  int false_positives = 0, false_negatives = 0;
+  int undecided = 0;          ///< or an exception
+  int failed = 0;             ///< crashed or timed out, with the pairs not asked after too many of these
+  std::string first_failure;  ///< "pair 17: no answer within 1 s"; empty where nothing failed
+  double nanoseconds = 0;     ///< per query: the median of the repeats; 0 where no pair was answered
+
+  int wrong() const { return false_positives + false_negatives; }
+};
+
+struct Match {
+  std::string family, what;
+  std::size_t pairs = 0, meet = 0;
+  std::vector<Score> scores = {};  ///< in the order of the contenders
+  std::size_t lost = 0;            ///< pairs on which the first contender is not right though another one is
+};
+
+struct MatchSettings {
+  std::uint64_t seed = 7474;
+  std::size_t pairs = 1000;  ///< at most; a family may have fewer
+  int repeats = 15;
+};
+
+Match play(const study::Family& family, const std::vector<Contender>& contenders, const MatchSettings& settings);
+
+/// The shapes that the aim is about: triangles, tetrahedra, boxes, hulls of 32 and of 256 points.
+std::vector<study::Family> everyday_families();
+
+/// The study's other families.
+std::vector<study::Family> hard_families();
+
+}  // namespace peers

@@ -1,0 +1,25 @@
+/// The bodies of the study as this project's shapes. Libraries that leave the support function to their user get these too,
+/// so that everybody scans points in the same way.
+#pragma once
+
+#include <variant>
+
+#include "core/shapes.hpp"
+#include "tests/study/pair.hpp"
+
+namespace peers {
+
+using PointSet = gjk::PointSet<double>;
+using Sphere = gjk::Sphere<double>;
+using Cylinder = gjk::Cylinder<double>;
+
+inline PointSet shape(const study::Points& points) { return PointSet(points); }
+inline Sphere shape(const study::Ball& ball) { return {ball.center, ball.radius}; }
+inline Cylinder shape(const study::Can& can) { return {can.center, can.axis, can.radius, can.height}; }
+
+using AnyShape = std::variant<PointSet, Sphere, Cylinder>;
+inline AnyShape any_shape(const study::Body& body) {
+  return std::visit([](const auto& one) { return AnyShape(shape(one)); }, body);
+}
+
+}  // namespace peers
