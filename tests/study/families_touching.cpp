@@ -167,7 +167,13 @@ struct PlainAwayFromZero {
   }
 };
 
-/// A corner of B, or of A, on the given side of the plane of `face` and clearly off it.
+/// Whether the plane through these corners leaves room in the unit ball on both of its sides.
+bool parts_the_ball(const Points& face) {
+  const Vec normal = (face[1] - face[0]).cross(face[2] - face[0]);
+  return std::abs(normal.dot(face[0])) < 0.8 * std::sqrt(normal.squaredNorm());
+}
+
+/// A corner of B, or of A, on the given side of the plane of `face` and clearly off it. Requires: parts_the_ball(face).
 Vec clearly_beside(Dice& dice, const Points& face, double side) {
   const Vec normal = (face[1] - face[0]).cross(face[2] - face[0]);
   for (;;) {
@@ -178,7 +184,7 @@ Vec clearly_beside(Dice& dice, const Points& face, double side) {
 
 Pair rounded_vertex_on_face(Dice& dice) {
   Points b = points_in_ball(dice, 3);
-  while ((b[1] - b[0]).cross(b[2] - b[0]).squaredNorm() < 0.04) b = points_in_ball(dice, 3);
+  while ((b[1] - b[0]).cross(b[2] - b[0]).squaredNorm() < 0.04 || !parts_the_ball(b)) b = points_in_ball(dice, 3);
   Points a{point_within(dice, b)};
   for (int i = 0; i < 3; ++i) a.push_back(clearly_beside(dice, b, 1));
   b.push_back(clearly_beside(dice, b, -1));

@@ -202,10 +202,10 @@ Shard parse_shard(const std::string& text) {
 double estimated_seconds(const Plan& plan) {
   double seconds = 0;
   for (const Part& part : plan.parts) {
-    seconds += seconds_of(plan, methods_where(plan, false), part.family, part.pairs, 64);
-    seconds += seconds_of(plan, methods_where(plan, true), part.family, part.slow_pairs, 4);
+    seconds += seconds_of(plan, methods_where(plan, false), part.family, part.pairs / plan.shard.count, 64);
+    seconds += seconds_of(plan, methods_where(plan, true), part.family, part.slow_pairs / plan.shard.count, 4);
   }
-  return seconds / static_cast<double>(plan.threads) / static_cast<double>(plan.shard.count);
+  return seconds / static_cast<double>(plan.threads);
 }
 
 }  // namespace study

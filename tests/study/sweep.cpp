@@ -153,19 +153,23 @@ class Worker {
     std::vector<const Question*> batch;
     for (const View& view : views_)
       if (view.question && (!method.scalar.is_slow || batch.size() < slow_batch)) batch.push_back(view.question.get());
+    return batch.empty() ? Timings{} : timings_of(method, batch);
+  }
+
+  /// The limits take turns, so that none profits more than another from what the processor has learned of the batch.
+  Timings timings_of(const Method& method, const std::vector<const Question*>& batch) const {
+    std::map<int, std::vector<std::chrono::nanoseconds>> times;
+    for (int i = 0; i < (method.scalar.is_slow ? slow_repeats : repeats); ++i)
+      for (const int limit : plan_.limits) times[limit].push_back(method.time(batch, limit));
     Timings timings;
-    if (batch.empty()) return timings;
-    for (const int limit : plan_.limits) timings[limit] = median_time(method, batch, limit);
+    for (auto& [limit, all] : times) timings[limit] = {batch.size(), median_of(all)};
     return timings;
   }
 
-  static Timing median_time(const Method& method, const std::vector<const Question*>& batch, int limit) {
-    std::vector<std::chrono::nanoseconds> times;
-    for (int i = 0; i < (method.scalar.is_slow ? slow_repeats : repeats); ++i)
-      times.push_back(method.time(batch, limit));
+  static std::uint64_t median_of(std::vector<std::chrono::nanoseconds>& times) {
     const auto median = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::nth_element(times.begin(), median, times.end());
-    return {batch.size(), static_cast<std::uint64_t>(median->count())};
+    return static_cast<std::uint64_t>(median->count());
   }
 
   const Plan& plan_;

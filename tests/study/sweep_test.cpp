@@ -38,7 +38,7 @@ TEST_CASE("A rule with a sign flipped shows in its tally and the intended rule d
   const std::vector<const Family*> families{&family_named("tetrahedra")};
   const Counts flipped = counts_of(plan_for(families, {&wrong}, 500));
   const Counts intended = counts_of(plan_for(families, {&method_named("as-intended double exact")}, 500));
-  CHECK(flipped.false_positives > 25);
+  CHECK(flipped.false_positives > 10);
   CHECK(intended.wrong() == 0);
   CHECK(intended.undecided == 0);
 }
@@ -136,7 +136,7 @@ TEST_CASE("Counts for small fixed seeds are pinned", "[sweep]") {
       {"flat-1e-9-turned as-intended float exact", {400, 180, 67, 29, 14, 1864}},
       {"near-parallel-edges as-intended double exact", {400, 188, 52, 0, 14, 2209}},
       {"scale-1e100 as-intended double exact", {400, 259, 10, 0, 65, 1713}},
-      {"cycles-turned as-intended double exact", {192, 96, 0, 0, 88, 2472}},
+      {"cycles-turned as-intended double exact", {400, 200, 0, 0, 181, 5116}},
       {"spheres-gap-1e-6 as-intended double exact", {400, 207, 0, 0, 273, 7462}},
       {"cylinders as-intended float exact", {400, 236, 0, 0, 0, 1469}},
   };
