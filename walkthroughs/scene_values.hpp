@@ -48,4 +48,7 @@ struct Space {
 Value shape_of(const Value& object);
 std::variant<Points, Ball, Cylinder> read_form(const Value& shape, const Space& space);
 
+/// Returns: the scene in the scalar that `declared` asks for with its key "scalar"; in doubles where there is none.
+Scene in_its_scalar(Scene scene, const Value& declared);
+
 }  // namespace walkthroughs::reading

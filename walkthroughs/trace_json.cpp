@@ -1,7 +1,6 @@
 #include "walkthroughs/trace_json.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -57,17 +56,10 @@ struct FormJson {
   }
 };
 
-/// The sign of zero counts: it decides that of the points found.
-bool is_at_rest(const Pose& pose) {
-  const Pose rest;
-  return std::memcmp(pose.rotation.data(), rest.rotation.data(), sizeof(double[9])) == 0 &&
-         std::memcmp(pose.translation.data(), rest.translation.data(), sizeof(double[3])) == 0;
-}
-
 Json json(const Object& object) {
   Json j{{"name", object.name}};
   j.update(std::visit(FormJson{}, object.form));
-  if (!is_at_rest(object.pose)) {
+  if (!object.is_at_rest()) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
     j["pose"] = {{"rotation", rows}, {"translation", json(object.pose.translation)}};
@@ -76,14 +68,16 @@ Json json(const Object& object) {
 }
 
 Json json(const Scene& scene) {
-  return {{"name", scene.name},
-          {"dimension", scene.dimension == Dimension::plane ? 2 : 3},
-          {"a", json(scene.a)},
-          {"b", json(scene.b)},
-          {"first_direction", json(scene.options.first_direction)},
-          {"iteration_limit", scene.options.iteration_limit},
-          {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
-          {"rules", words_of::of(words_of::rules, scene.rules)}};
+  Json j{{"name", scene.name},
+         {"dimension", scene.dimension == Dimension::plane ? 2 : 3},
+         {"a", json(scene.a)},
+         {"b", json(scene.b)},
+         {"first_direction", json(scene.options.first_direction)},
+         {"iteration_limit", scene.options.iteration_limit},
+         {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
+         {"rules", words_of::of(words_of::rules, scene.rules)}};
+  if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
+  return j;
 }
 
 /// One overload for each event: its name and what it carries. What an event does not have is left out.
