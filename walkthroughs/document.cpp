@@ -239,7 +239,7 @@ void require_text(std::string_view text) {
   if (const auto at = std::ranges::find_if(text, is_control); at != text.end()) {
     const auto lines = std::count(text.begin(), at, '\n');
     throw DocumentError(1 + static_cast<int>(lines), "",
-                        "there is a byte " + std::to_string(*at) + ", which no text has; save the scene as UTF-8");
+                        "there is a byte " + std::to_string(*at) + ", which no text has; save it as UTF-8");
   }
 }
 
@@ -267,15 +267,19 @@ std::string Document::path(Index index) const {
 }
 
 std::vector<Value> Value::children() const {
+  std::size_t count = 0;
+  for (Document::Index i = index_ + 1; i < node().end; i = document_->nodes_[i].end) ++count;
   std::vector<Value> children;
+  children.reserve(count);
   for (Document::Index i = index_ + 1; i < node().end; i = document_->nodes_[i].end)
     children.push_back({*document_, i});
   return children;
 }
 
 std::optional<Value> Value::member(std::string_view key) const {
-  for (const Value& child : children())
-    if (is(Document::Kind::object) && child.key() == key) return child;
+  if (!is(Document::Kind::object)) return std::nullopt;
+  for (Document::Index i = index_ + 1; i < node().end; i = document_->nodes_[i].end)
+    if (const Value child{*document_, i}; child.key() == key) return child;
   return std::nullopt;
 }
 

@@ -40,11 +40,15 @@ class Document {
   /// Errors: DocumentError where `text` is not JSON, goes beyond the limits, or names a key twice in one object.
   explicit Document(std::string_view text, Comments comments = Comments::allowed);
 
+  /// One line of JSON Lines, without comments: the same as the constructor, several times as fast where the line is plain.
+  static Document of_line(std::string_view text);
+
   Value root() const;
 
  private:
   friend class Value;
   friend class DocumentBuilder;
+  friend class PlainReader;
   using Index = std::uint32_t;
   static constexpr Index none = ~Index{0};
 
@@ -57,6 +61,7 @@ class Document {
     Kind kind = Kind::null;
   };
 
+  Document() = default;
   std::string path(Index index) const;
 
   std::vector<Node> nodes_;

@@ -10,6 +10,7 @@
 #include "walkthroughs/compare_command.hpp"
 #include "walkthroughs/listing.hpp"
 #include "walkthroughs/nearest.hpp"
+#include "walkthroughs/query_command.hpp"
 #include "walkthroughs/render_command.hpp"
 #include "walkthroughs/scene_file.hpp"
 #include "walkthroughs/trace_json.hpp"
@@ -22,7 +23,8 @@ using walkthroughs::Walkthrough;
 enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
 
 constexpr const char* footer =
-    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace; also: a missing font), 4 no OpenGL context,\n"
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace, a query; also: a missing font), 4 no OpenGL "
+    "context,\n"
     "5 cannot write, 1 anything else (of compare: pictures differ).\n"
     "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
 
@@ -128,6 +130,8 @@ int run(int argc, char** argv) {
   scene_command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
   walkthroughs::CompareCommand compare;
   CLI::App* const compare_command = walkthroughs::add_compare_command(app, compare);
+  walkthroughs::QueryCommand query;
+  CLI::App* const query_command = walkthroughs::add_query_command(app, query);
 
   try {
     app.parse(argc, argv);
@@ -150,6 +154,8 @@ int run(int argc, char** argv) {
     scene.run();
   else if (*compare_command)
     answer = compare.run();
+  else if (*query_command)
+    answer = query.run();
   else
     throw UsageError("what to do? 'gjkstep --help' shows the commands");
   flush_output();

@@ -103,7 +103,7 @@ std::string words(const Value& value, std::size_t longest) {
 namespace {
 
 [[noreturn]] void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
-  const char* const hint = !space.is_plane() && count == 2 ? "; for a scene of the plane say \"dimension\": 2" : "";
+  const std::string hint(!space.is_plane() && count == 2 ? space.if_two_numbers : "");
   value.fail("expected " + space.point_words() + ", found a list of " + std::to_string(count) + hint);
 }
 
@@ -147,7 +147,7 @@ Ball read_sphere(const Value& value, const Space& space) {
   return {center, length(value, "radius")};
 }
 
-Cylinder read_cylinder(const Value& value, const Space& space) {
+CylinderAsWritten read_cylinder(const Value& value, const Space& space) {
   if (space.is_plane())
     value.fail(
         "a scene with \"dimension\": 2 has no cylinders; use a sphere (a disc) or points, or say \"dimension\": 3");
@@ -174,10 +174,21 @@ Value shape_of(const Value& object) {
   return *found;
 }
 
-decltype(Object::form) read_form(const Value& shape, const Space& space) {
+FormAsWritten read_form_as_written(const Value& shape, const Space& space) {
   if (shape.key() == "points") return read_points(shape, space);
   if (shape.key() == "sphere") return read_sphere(shape, space);
   return read_cylinder(shape, space);
+}
+
+decltype(Object::form) form_of(FormAsWritten written) {
+  if (auto* points = std::get_if<Points>(&written)) return std::move(*points);
+  if (const auto* ball = std::get_if<Ball>(&written)) return *ball;
+  const auto& [center, axis, radius, height] = std::get<CylinderAsWritten>(written);
+  return Cylinder(center, axis, radius, height);
+}
+
+decltype(Object::form) read_form(const Value& shape, const Space& space) {
+  return form_of(read_form_as_written(shape, space));
 }
 
 // -- Scalars ---------------------------------------------------------------------------------------------------------

@@ -37,6 +37,7 @@ std::string words(const Value& value, std::size_t longest);
 /// Where a scene lies decides what a point looks like.
 struct Space {
   Dimension dimension;
+  std::string_view if_two_numbers = "; for a scene of the plane say \"dimension\": 2";  ///< what to do, in space
 
   bool is_plane() const { return dimension == Dimension::plane; }
   std::string point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }
@@ -46,7 +47,18 @@ struct Space {
 
 /// Returns: the one member of an object that gives its shape.
 Value shape_of(const Value& object);
-std::variant<Points, Ball, Cylinder> read_form(const Value& shape, const Space& space);
+
+/// gjk::Cylinder divides its axis by the largest component, which rounds: the numbers here are those of the text.
+struct CylinderAsWritten {
+  Point center, axis;
+  double radius, height;
+};
+using FormAsWritten = std::variant<Points, Ball, CylinderAsWritten>;
+
+FormAsWritten read_form_as_written(const Value& shape, const Space& space);
+decltype(Object::form) form_of(FormAsWritten written);
+/// Both in one.
+decltype(Object::form) read_form(const Value& shape, const Space& space);
 
 /// Returns: the scene in the scalar that `declared` asks for with its key "scalar"; in doubles where there is none.
 Scene in_its_scalar(Scene scene, const Value& declared);

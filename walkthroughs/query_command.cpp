@@ -1,0 +1,106 @@
+#include "walkthroughs/query_command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <iostream>
+#include <span>
+#include <string_view>
+
+#include "render/file.hpp"
+#include "walkthroughs/command_line.hpp"
+#include "walkthroughs/nearest.hpp"
+#include "walkthroughs/query.hpp"
+#include "walkthroughs/words_of.hpp"
+
+namespace walkthroughs {
+namespace {
+
+enum ExitCode { all_answered = 0, bad_lines = 3 };
+
+std::size_t read_some(std::span<char> bytes) {
+  for (;;) {
+    const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (errno != EINTR)
+      throw InputError(std::string("standard input cannot be read: ") + std::strerror(errno) +
+                       "; give it pairs, one a line");
+  }
+}
+
+void write_all(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(errno));
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+/// Returns: the enumerator at the position of the word. Errors: UsageError.
+template <class Enumerator, std::size_t count>
+Enumerator choice(const std::string& option, const std::string& word,
+                  const std::array<std::string_view, count>& words) {
+  const auto found = std::ranges::find(words, word);
+  if (found != words.end()) return static_cast<Enumerator>(found - words.begin());
+  const std::vector<std::string> known(words.begin(), words.end());
+  throw UsageError(option + " '" + word + "' is not known; did you mean '" + nearest(word, known) +
+                   "'? 'gjkstep query --help' shows all");
+}
+
+}  // namespace
+
+int QueryCommand::run() const {
+  QueryOptions options{.scalar = choice<QueryScalar>("--scalar", scalar, query_scalars),
+                       .rules = choice<RuleSet>("--rules", rules, words_of::rules)};
+  if (max_iterations < 1 || max_iterations > scene_limits::iterations)
+    throw UsageError("--max-iterations " + std::to_string(max_iterations) + ": expected a whole number from 1 to " +
+                     std::to_string(scene_limits::iterations));
+  options.iteration_limit = max_iterations;
+  std::signal(SIGPIPE, SIG_IGN);  // so that a reader who leaves is an error of writing, told like others
+  const QueryTally tally = answer_lines(options, read_some, write_all);
+  if (tally.bad == 0) return all_answered;
+  std::cerr << "gjkstep: " << tally.bad << " of " << tally.lines << (tally.lines == 1 ? " line is" : " lines are")
+            << " not answered; the first is line " << tally.first_bad << ", and its \"error\" says why\n";
+  return bad_lines;
+}
+
+CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
+  CLI::App* const command =
+      app.add_subcommand("query", "answer pairs of objects: one pair a line in, one answer a line out");
+  command->add_option("--scalar", query.scalar, "compute in float, double, long-double or exact fractions")
+      ->capture_default_str();
+  command->add_option("--rules", query.rules, "as-intended, or as-printed: Algorithm 1 read literally")
+      ->capture_default_str();
+  command->add_option("--max-iterations", query.max_iterations, "1 to 1000; then the answer is undecided")
+      ->capture_default_str();
+  command->footer(
+      "Standard input: JSON Lines, each {\"a\": OBJECT, \"b\": OBJECT}. An object is as in scene files\n"
+      "('gjkstep scene --example'), one of\n"
+      "  {\"points\": [[x, y, z], ...]}\n"
+      "  {\"sphere\": {\"center\": [x, y, z], \"radius\": r}}\n"
+      "  {\"cylinder\": {\"center\": [x, y, z], \"axis\": [x, y, z], \"radius\": r, \"height\": h}}\n"
+      "with a \"pose\" and a \"name\" if you like; exact takes points only. A number is read as the nearest double and "
+      "then\n"
+      "converted. A line may have 16 MiB, and end in CR LF.\n"
+      "Standard output: for each line one, in the same order,\n"
+      "  {\"status\": \"intersecting\", \"separated\" or \"undecided\", \"iterations\": n, \"reason\": \"...\", "
+      "\"evidence\": "
+      "{...}}\n"
+      "Evidence: where separated, a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0; else "
+      "the\n"
+      "simplex, its newest vertex last, each w = a - b. An index is the position in \"points\", from 0. Numbers are "
+      "the\n"
+      "shortest that read back the same in the scalar; those of exact are strings, \"1/3\"; \"inf\", \"-inf\", \"nan\" "
+      "too.\n"
+      "A bad line, also a blank one, gives {\"error\": \"...\", \"line\": n}, and the others are answered.\n"
+      "Answers are written before more is read, so a program may ask one pair and wait.\n"
+      "Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot "
+      "write.");
+  return command;
+}
+
+}  // namespace walkthroughs
