@@ -165,12 +165,13 @@ std::vector<Remark> read_remarks(const Value& value) {
   std::vector<Remark> remarks;
   for (const Value& each : value.children()) {
     if (remarks.size() == trace_limits::remarks) each.fail("is one remark too many; there may be 100");
-    expect_object(each, {"at", "iteration", "text", "only_for"}, "an object with 'at', 'iteration' and 'text'");
+    expect_object(each, {"at", "iteration", "text", "only_for", "fact"}, "an object with 'at', 'iteration' and 'text'");
     const auto at = enumerator<Remark::At>(member(each, "at"), words_of::remark_at);
     const int in_iteration = iteration(member(each, "iteration"));
     const std::string text = sentence(each, "text");
     const std::string only_for = each.member("only_for") ? sentence(each, "only_for") : "";
-    remarks.push_back({at, in_iteration, text, only_for});
+    const std::string fact = each.member("fact") ? sentence(each, "fact") : "";
+    remarks.push_back({at, in_iteration, text, only_for, fact});
   }
   return remarks;
 }
