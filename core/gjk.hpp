@@ -90,7 +90,7 @@ class Search {
     tell_([&] { return SupportFound<S>{.direction = direction_, .vertex = vertex, .is_new = is_new}; });
     if (options_.crossing_test == CrossingTest::off) {
       tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::switched_off}; });
-      const bool ran_out = !is_new && (has(vertex.w) || vertex.w.dot(direction_) < S(0));
+      const bool ran_out = !is_new && (has(vertex.w) || !crossed(vertex));
       return ran_out ? std::optional(Reason::no_new_vertex) : std::nullopt;
     }
     if (result_.simplex.size() == 0) {  // nothing to cross from yet
@@ -98,7 +98,7 @@ class Search {
       return std::nullopt;
     }
     const S value = vertex.w.dot(direction_);
-    const bool crossed = !(value < S(0));  // Eq. 9: touching the origin proves nothing, so it counts as crossed
+    const bool crossed = Rules::crossed(value, vertex, direction_);
     tell_([&] {
       return CrossingTested<S>{.value = value, .verdict = crossed ? Crossing::crossed : Crossing::not_crossed};
     });
@@ -108,16 +108,18 @@ class Search {
   /// The rules find the origin in the simplex. Where a segment points at the origin or a triangle is flat they rely on
   /// the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
   Result<S> finish_with_origin_in_simplex(const Vertex<S>& vertex) {
-    if (options_.crossing_test == CrossingTest::off && vertex.w.dot(direction_) < S(0))
+    if (options_.crossing_test == CrossingTest::off && !crossed(vertex))
       return finish_outside(vertex, Reason::origin_not_crossed);
     return finish(Status::intersecting, Reason::simplex_contains_origin);
   }
+
+  bool crossed(const Vertex<S>& vertex) const { return Rules::crossed(vertex.w.dot(direction_), vertex, direction_); }
 
   /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart.
   Result<S> finish_outside(const Vertex<S>& vertex, Reason reason) {
     const S support_value = vertex.w.dot(direction_);
     if (!is_finite(support_value)) return finish(Status::undecided, Reason::unusable_direction);
-    if (!(support_value < S(0))) return finish(Status::undecided, reason);
+    if (Rules::crossed(support_value, vertex, direction_)) return finish(Status::undecided, reason);
     result_.separation = Separation<S>{direction_, vertex, support_value};
     return finish(Status::separated, reason);
   }

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/events.hpp"
+#include "core/zero_test.hpp"
 
 namespace gjk {
 
@@ -43,10 +44,12 @@ struct RegionWords {
 };
 
 /// The sign test behind nearly all regions: does the origin lie on the side of A's feature that `normal` points to?
-template <class S, class Obs>
-bool sees_origin(const Vec3<S>& normal, const Simplex<S>& simplex, const RegionWords& words, Teller<Obs>& tell) {
+/// `sides`: the factors of the normal, of which the zero test needs to know.
+template <class ZeroTest, class S, class Obs, class... Sides>
+bool sees_origin(const Vec3<S>& normal, const Simplex<S>& simplex, const RegionWords& words, Teller<Obs>& tell,
+                 const Sides&... sides) {
   const S value = -normal.dot(simplex.point(Role::A));
-  const bool chosen = value > S(0);
+  const bool chosen = ZeroTest::snap(value, simplex[Role::A], sides...) > S(0);
   tell([&] {
     const std::string where =
         std::string(words.normal) + (chosen ? " points" : " does not point") + " toward the origin";
@@ -160,10 +163,19 @@ inline constexpr Face face_ADB{.P = Role::D,
 enum class NotCrossed { answer_at_once, process_the_simplex };
 
 /// The report's rules as its text means them. A variant derives from this class and hides one of its functions; it may
-/// build on the protected parts.
-struct AsIntended {
+/// build on the protected parts. Values are told as they were computed, relations and verdicts as the zero test has them.
+template <class ZeroTest = ExactZeroTest>
+struct Intended {
   /// Section 3.1.3: "the origin is not located within Mdiff. GJK can report no intersection for this case."
   static constexpr NotCrossed not_crossed() { return NotCrossed::answer_at_once; }
+
+  /// Eq. 9 for the vertex found along `direction`, with `value` = w·d. Touching the origin proves nothing, so it counts as
+  /// crossed; and so does a value that the zero test cannot tell from zero, or sets that touch would be found apart here
+  /// before Algorithms 2-5 could find them touching.
+  template <class S>
+  static bool crossed(const S& value, const Vertex<S>& vertex, const Vec3<S>& direction) {
+    return !(ZeroTest::snap(value, vertex, direction) < S(0));
+  }
 
   /// Algorithm 2. Not a test for regions: a point has none. Called with the first vertex of the search.
   ///
@@ -171,7 +183,7 @@ struct AsIntended {
   template <class S, class Obs>
   static Step<S> process_0simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
     const Vec3<S> AO = -simplex.point(Role::A);
-    const bool at_origin = is_zero(AO);
+    const bool at_origin = is_zero(ZeroTest::snap(AO, simplex[Role::A]));
     tell([&] {
       return RegionTested<S>{.simplex_size = 1,
                              .feature = "A",
@@ -202,7 +214,7 @@ struct AsIntended {
     skip(simplex, "B", "R1", "the search has just moved away from B, toward the origin", tell);
     skip_beyond_A(simplex, "R2", tell);
     const Vec3<S> direction = triple(AB, AO);
-    const bool on_segment = is_zero(direction);
+    const bool on_segment = is_zero(ZeroTest::snap(direction, simplex[Role::A], AB, AB));
     tell([&] {
       return RegionTested<S>{.simplex_size = 2,
                              .feature = "AB",
@@ -242,9 +254,11 @@ struct AsIntended {
     skip(simplex, "BC", "R5", "the search has just moved away from BC, toward the origin", tell);
     skip(simplex, "C", "R6", "the search has just moved away from BC, toward the origin", tell);
     skip_beyond_A(simplex, "R2", tell);
-    if (sees_origin(ABn, simplex, {"AB", "R3", "ABn", "AB×ABCn"}, tell)) return keep_edge(simplex, Role::B, tell);
-    if (sees_origin(ACn, simplex, {"AC", "R7", "ACn", "ABCn×AC"}, tell)) return keep_edge(simplex, Role::C, tell);
-    return process_inside_triangle(simplex, ABCn, tell);
+    if (sees_origin<ZeroTest>(ABn, simplex, {"AB", "R3", "ABn", "AB×ABCn"}, tell, AB, AB, AC))
+      return keep_edge(simplex, Role::B, tell);
+    if (sees_origin<ZeroTest>(ACn, simplex, {"AC", "R7", "ACn", "ABCn×AC"}, tell, AC, AC, AB))
+      return keep_edge(simplex, Role::C, tell);
+    return process_inside_triangle(simplex, ABCn, AB, AC, tell);
   }
 
   /// Algorithm 5. Not a closest-feature test: the first face that sees the origin is taken. Seven features lie on the
@@ -268,11 +282,14 @@ struct AsIntended {
       skip(simplex, feature, "", "the search has just moved away from BCD, toward the origin", tell);
     skip_beyond_A(simplex, "", tell);
     const Vec3<S> ABCn = AB.cross(AC);  // Eq. 14, as are ACDn and ADBn
-    if (sees_origin(ABCn, simplex, face_ABC.words, tell)) return process_face(simplex, face_ABC, ABCn, AB, AC, tell);
+    if (sees_origin<ZeroTest>(ABCn, simplex, face_ABC.words, tell, AB, AC))
+      return process_face(simplex, face_ABC, ABCn, AB, AC, tell);
     const Vec3<S> ACDn = AC.cross(AD);
-    if (sees_origin(ACDn, simplex, face_ACD.words, tell)) return process_face(simplex, face_ACD, ACDn, AC, AD, tell);
+    if (sees_origin<ZeroTest>(ACDn, simplex, face_ACD.words, tell, AC, AD))
+      return process_face(simplex, face_ACD, ACDn, AC, AD, tell);
     const Vec3<S> ADBn = AD.cross(AB);
-    if (sees_origin(ADBn, simplex, face_ADB.words, tell)) return process_face(simplex, face_ADB, ADBn, AD, AB, tell);
+    if (sees_origin<ZeroTest>(ADBn, simplex, face_ADB.words, tell, AD, AB))
+      return process_face(simplex, face_ADB, ADBn, AD, AB, tell);
     tell([&] {
       return RegionTested<S>{.simplex_size = 4,
                              .feature = "ABCD",
@@ -285,8 +302,10 @@ struct AsIntended {
  protected:
   /// R1 of Algorithm 4: the origin lies in the prism above and below the triangle.
   template <class S, class Obs>
-  static Step<S> process_inside_triangle(const Simplex<S>& simplex, const Vec3<S>& ABCn, Teller<Obs>& tell) {
-    const S v = -ABCn.dot(simplex.point(Role::A));
+  static Step<S> process_inside_triangle(const Simplex<S>& simplex, const Vec3<S>& ABCn, const Vec3<S>& AB,
+                                         const Vec3<S>& AC, Teller<Obs>& tell) {
+    const S value = -ABCn.dot(simplex.point(Role::A));
+    const S v = ZeroTest::snap(value, simplex[Role::A], AB, AC);
     tell([&] {
       return RegionTested<S>{
           .simplex_size = 3,
@@ -295,7 +314,7 @@ struct AsIntended {
           .expression = "ABCn·AO",
           .formula = "AB×AC",
           .normal = ABCn,
-          .value = v,
+          .value = value,
           .relation = v == S(0)  ? Relation::zero
                       : v > S(0) ? Relation::positive
                                  : Relation::negative,
@@ -320,8 +339,8 @@ struct AsIntended {
   static Step<S> process_face(const Simplex<S>& simplex, const Face& face, const Vec3<S>& APQn, const Vec3<S>& AP,
                               const Vec3<S>& AQ, Teller<Obs>& tell) {
     const Vec3<S> AQn = APQn.cross(AQ), APn = AP.cross(APQn);
-    if (sees_origin(AQn, simplex, face.edge_AQ, tell)) return keep_edge(simplex, face.Q, tell);
-    if (sees_origin(APn, simplex, face.edge_AP, tell)) return keep_edge(simplex, face.P, tell);
+    if (sees_origin<ZeroTest>(AQn, simplex, face.edge_AQ, tell, AQ, AQ, AP)) return keep_edge(simplex, face.Q, tell);
+    if (sees_origin<ZeroTest>(APn, simplex, face.edge_AP, tell, AP, AP, AQ)) return keep_edge(simplex, face.P, tell);
     return keep(simplex, {face.Q, face.P, Role::A}, "in this order the face's normal will point to the next vertex",
                 APQn, face.words.normal, tell);
   }
@@ -330,8 +349,12 @@ struct AsIntended {
 /// Algorithm 1 read literally: it adds the vertex and processes the simplex after it has found P·dir < 0, and
 /// contains_origin() may overwrite the answer. Wrong: for two balls side by side the same vertex comes back, the segment
 /// AB has no length, and AB×AO×AB = 0 reads as "the origin lies on AB".
-struct AsPrinted : AsIntended {
+template <class ZeroTest = ExactZeroTest>
+struct Printed : Intended<ZeroTest> {
   static constexpr NotCrossed not_crossed() { return NotCrossed::process_the_simplex; }
 };
+
+using AsIntended = Intended<>;
+using AsPrinted = Printed<>;
 
 }  // namespace gjk

@@ -1,0 +1,149 @@
+/// What counts as zero, and what that changes: sets that touch askew (READING, E5) are found touching.
+#include "core/zero_test.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/core/rules_support.hpp"
+
+namespace gjk::test {
+namespace {
+
+using Relative = Intended<RelativeZeroTest>;
+
+const Points cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
+
+/// Two cubes of edge 2, their centers `apart`, turned askew and moved far from where the origin of coordinates is, with
+/// everything rounded on the way: number `i` of many.
+template <class S>
+std::pair<PointSet<S>, PointSet<S>> cubes_askew(int i, const Vec3<S>& apart) {
+  const Eigen::Matrix<S, 3, 3> turn =
+      Eigen::AngleAxis<S>(S(0.1) + S(i), Vec3<S>(1, -2, 3).normalized()).toRotationMatrix();
+  const Vec3<S> center(30, -50, 70), other_center = turn * apart + center;
+  std::vector<Vec3<S>> a, b;
+  for (const Point& p : cube) {
+    a.push_back(turn * vec<S>(p) + center);
+    b.push_back(turn * vec<S>(p) + other_center);
+  }
+  return {PointSet<S>(a), PointSet<S>(b)};
+}
+
+template <class S, class Rules>
+int found_together(const Vec3<S>& apart, const Options<S>& options = {}) {
+  int together = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto [a, b] = cubes_askew<S>(i, apart);
+    together += collision<S, Rules>(Watched<S, PointSet<S>>(a), Watched<S, PointSet<S>>(b), options).status ==
+                Status::intersecting;
+  }
+  return together;
+}
+
+TEMPLATE_TEST_CASE("E5. Cubes that share a face, an edge or a corner askew: the relative zero test finds them touching",
+                   "[zero]", float, double, long double) {
+  using V = Vec3<TestType>;
+  for (const auto& apart : {V(2, 0, 0), V(2, 2, 0), V(2, 2, 2)}) {
+    INFO("centers " << apart.transpose() << " apart");
+    REQUIRE(found_together<TestType, AsIntended>(apart) < 200);
+    REQUIRE(found_together<TestType, Relative>(apart) == 200);
+    REQUIRE(found_together<TestType, Relative>(apart, without_crossing_test<TestType>()) == 200);
+  }
+}
+
+TEMPLATE_TEST_CASE("Sets that are clearly apart stay apart under the relative zero test", "[zero]", float, double) {
+  using V = Vec3<TestType>;
+  const TestType gap =
+      50000 * std::numeric_limits<TestType>::epsilon();  // twenty times 16ε (|a| + |b|), the cubes being 2 wide
+  for (const auto& apart : {V(2, 0, 0), V(2, 2, 0), V(2, 2, 2)}) {
+    INFO("centers " << apart.transpose() << " apart");
+    REQUIRE(found_together<TestType, Relative>(apart * (1 + gap)) == 0);
+  }
+}
+
+TEST_CASE("An exact number has no rounding to forgive: the relative zero test is the exact one", "[zero]") {
+  Dice dice(41);
+  for (int i = 0; i < 300; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const auto a = point_set<Rational>(t.a), b = point_set<Rational>(t.b);
+    INFO("pair " << i);
+    REQUIRE(same_result(collision<Rational, Relative>(a, b), collision<Rational>(a, b)));
+  }
+}
+
+TEST_CASE("Small integers are never within rounding of zero unless they are zero", "[zero]") {
+  Dice dice(42);
+  for (int i = 0; i < 2000; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const auto a = point_set<double>(t.a), b = point_set<double>(t.b);
+    INFO("pair " << i);
+    REQUIRE(same_result(collision<double, Relative>(a, b), collision<double>(a, b)));
+  }
+}
+
+TEMPLATE_TEST_CASE("A product counts as zero below 16ε times the lengths of its factors, and not from there on",
+                   "[zero]", float, double, long double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  const S tolerance = 16 * std::numeric_limits<S>::epsilon() * 3 * 5;
+  const V three(1, -1, 1), five(0, 0, -5);
+  const S below = std::nextafter(tolerance, S(0));
+  REQUIRE(RelativeZeroTest::snap(below, three, five) == 0);
+  REQUIRE(RelativeZeroTest::snap(-below, three, five) == 0);
+  REQUIRE(RelativeZeroTest::snap(tolerance, three, five) == tolerance);
+  REQUIRE(RelativeZeroTest::snap(-tolerance, three, five) == -tolerance);
+  REQUIRE(RelativeZeroTest::snap(V(0, -below, 0), three, five) == V(0, 0, 0));
+  REQUIRE(RelativeZeroTest::snap(V(0, -tolerance, 0), three, five) == V(0, -tolerance, 0));
+  REQUIRE(ExactZeroTest::snap(below, three, five) == below);
+}
+
+TEST_CASE("The length of a vertex is that of the points it was subtracted from", "[zero]") {
+  using V = Vec3<double>;
+  const Vertex<double> far_out{{V(0, 3e6, 0)}, {V(0, 3e6, 1e-10)}, V(0, 0, -1e-10)};
+  const Vertex<double> near_by{{V(0, 0, 0)}, {V(0, 0, 1e-10)}, V(0, 0, -1e-10)};
+  REQUIRE(RelativeZeroTest::snap(far_out.w, far_out) == V(0, 0, 0));
+  REQUIRE(RelativeZeroTest::snap(near_by.w, near_by) == near_by.w);
+}
+
+TEST_CASE("What overflowed or is not a number does not count as zero", "[zero]") {
+  using V = Vec3<double>;
+  const V huge(1e300, 0, 0);
+  const double infinite = std::numeric_limits<double>::infinity();
+  REQUIRE(RelativeZeroTest::snap(infinite, huge, huge) == infinite);
+  REQUIRE(RelativeZeroTest::snap(-infinite, huge, huge) == -infinite);
+  REQUIRE(RelativeZeroTest::snap(V(infinite, 0, 0), huge, huge) == V(infinite, 0, 0));
+  REQUIRE(std::isnan(RelativeZeroTest::snap(std::nan(""), huge, huge)));
+  REQUIRE(RelativeZeroTest::snap(1e305, V(1e160, 0, 0), V(1e160, 0, 0)) == 0);  // though 1e160² overflows
+  REQUIRE(RelativeZeroTest::snap(1e306, V(1e160, 0, 0), V(1e160, 0, 0)) == 1e306);
+}
+
+/// Runs the rules for one simplex, the last point being A.
+template <class Rules>
+std::vector<RegionTested<double>> regions_told(const std::vector<Vec3<double>>& oldest_first) {
+  Trace<double> trace;
+  Teller<Trace<double>> teller(trace, CrossingTest::on);
+  process<Rules>(simplex_of(oldest_first), teller);
+  return events_of_kind<RegionTested<double>>(trace.events);
+}
+
+TEST_CASE("A product that counts as zero is told as it was computed, with the verdict and relation of a zero",
+          "[zero]") {
+  using V = Vec3<double>;
+  const double speck = 0x1p-52;
+  const auto in_the_plane = regions_told<Relative>({V(-1, -1, speck), V(1, -1, speck), V(0, 1, speck)}).back();
+  REQUIRE(in_the_plane.feature == "ABC");
+  REQUIRE(in_the_plane.relation == Relation::zero);
+  REQUIRE(std::abs(std::get<double>(in_the_plane.value)) == 4 * speck);
+  const auto on_the_segment = regions_told<Relative>({V(-1, 0, speck), V(1, 0, speck)}).back();
+  REQUIRE(on_the_segment.relation == Relation::zero);
+  REQUIRE(std::get<V>(on_the_segment.value) == V(0, 0, -4 * speck));
+  const auto at_the_point = regions_told<Relative>({V(speck, 0, 0)}).back();  // whose length is its own: 1, not 1/ε
+  REQUIRE(at_the_point.relation == Relation::not_zero);
+  REQUIRE(regions_told<AsIntended>({V(-1, -1, speck), V(1, -1, speck), V(0, 1, speck)}).back().relation !=
+          Relation::zero);
+}
+
+TEST_CASE("As printed and as intended, the rules by name are those with the exact zero test", "[zero]") {
+  STATIC_REQUIRE(std::same_as<AsIntended, Intended<ExactZeroTest>>);
+  STATIC_REQUIRE(std::same_as<AsPrinted, Printed<ExactZeroTest>>);
+}
+
+}  // namespace
+}  // namespace gjk::test
