@@ -22,10 +22,18 @@ std::vector<Walkthrough> all_walkthroughs() {
                              regions_of_3_simplex(), vehicle_and_threat()})
     all.insert(all.end(), folder.begin(), folder.end());
   for (const Walkthrough& each : {cycle_separated(), cycle_intersecting(), as_printed_spheres()}) all.push_back(each);
+  for (const Walkthrough& each : failures()) all.push_back(each);
   return all;
 }
 
 }  // namespace
+
+std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces) {
+  std::vector<Remark> remarks = walkthrough.remarks;
+  if (walkthrough.findings)
+    for (const Remark& each : walkthrough.findings(traces.front())) remarks.push_back(each);
+  return remarks;
+}
 
 const std::vector<Walkthrough>& catalogue() {
   static const std::vector<Walkthrough> all = all_walkthroughs();

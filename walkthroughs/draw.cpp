@@ -58,6 +58,7 @@ void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark, const Style& sty
   text.color = mark == Fact::Mark::yes ? style.theme.green : style.theme.vermillion;
   if (mark == Fact::Mark::yes) canvas.text(at, "✓", text);
   if (mark == Fact::Mark::no) canvas.text(at, "✗", text);
+  if (mark == Fact::Mark::truth) canvas.text(at, "≠", text);
 }
 
 /// Lines below each other, as far as the page goes.
@@ -85,7 +86,7 @@ void draw_facts(Canvas& canvas, Column& column, const Frame& frame, const Style&
     if (column.is_full()) return;
     draw_mark(canvas, column.next(), fact.mark, style);
     TextStyle text = style.fact;
-    if (fact.mark == Fact::Mark::answer) text.weight = render::Weight::bold;
+    if (fact.mark == Fact::Mark::answer || fact.mark == Fact::Mark::truth) text.weight = render::Weight::bold;
     if (fact.mark == Fact::Mark::skipped)
       column.write("skipped " + fact.text, style.skipped, mark_width, small_pitch);
     else
@@ -101,7 +102,9 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index, const St
   progress.write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold, 0,
                  line_pitch);
   if (!frame.moments.empty()) {
-    progress.write("iteration " + std::to_string(frame.moments[0].iteration), style.small, 0, line_pitch);
+    const bool in_float = story.tellings[0].scene.scalar == Scalar::binary32;
+    progress.write("iteration " + std::to_string(frame.moments[0].iteration) + (in_float ? ", in float" : ""),
+                   style.small, 0, line_pitch);
     if (frame.moments.size() == 1) {
       const Simplex& simplex = frame.moments[0].simplex;
       progress.write(simplex.size() == 0 ? "no simplex yet" : "simplex " + story.names(index, 0).list(simplex),

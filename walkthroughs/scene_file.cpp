@@ -132,7 +132,7 @@ std::string title_from(const std::string& file_name) {
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_object(root,
                 {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "panels", "size"},
+                 "scalar", "panels", "size"},
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from(file_name);
@@ -153,7 +153,8 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   file.walkthrough.layout = Layout::search;
   file.walkthrough.panels = panels;
   file.walkthrough.naming = Naming::roles;
-  file.walkthrough.scenes.push_back({"scene", std::move(a), std::move(b), options, space.dimension, rules});
+  file.walkthrough.scenes.push_back(
+      in_its_scalar({"scene", std::move(a), std::move(b), options, space.dimension, rules}, root));
   return file;
 }
 
@@ -208,6 +209,7 @@ std::string_view example_scene() {
   "iteration_limit": 20,
   "crossing_test": "on",   // "off": go on until there are no new points
   "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake
+  "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
 
   // What is shown beside the search. What is left out is not computed.
   "panels": ["objects", "hull", "algorithm"],
@@ -232,7 +234,7 @@ std::string summary(const SceneFile& file) {
   if (walkthrough.panels.hull) panels += ", hull";
   if (walkthrough.panels.algorithm) panels += ", algorithm";
   return "'" + walkthrough.title + "', " + (space.is_plane() ? "plane" : "space") + ", " + object(scene.a) + " and " +
-         object(scene.b) + ", panels: search" + panels;
+         object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") + ", panels: search" + panels;
 }
 
 }  // namespace walkthroughs

@@ -37,6 +37,12 @@ void require_identical(const Point& found, const Point& expected, const std::str
     fail(quoted(key) + " is " + written(found) + ", but " + source + " is " + written(expected));
 }
 
+/// Returns: a - b in numbers of that scalar.
+Point difference(const Point& a, const Point& b, Scalar scalar) {
+  const Point w = a - b;
+  return scalar == Scalar::binary32 ? Point(w.cast<float>().cast<double>()) : w;  // rounding twice does no harm here
+}
+
 // -- Comparing --------------------------------------------------------------------------------------------------------
 
 bool is_identical(const gjk::SupportPoint<double>& p, const gjk::SupportPoint<double>& q) {
@@ -125,17 +131,17 @@ void TraceCheck::check(const gjk::SupportFound<double>& event) {
   ++iteration_;
   require_identical(event.direction, direction_, "direction", "the direction chosen last");
   const gjk::Vertex<double>& v = event.vertex;
-  require_identical(v.w, v.a.point - v.b.point, "w", "a - b");
-  const std::string against_a = objection_to(v.a, scene_.a, direction_);
+  require_identical(v.w, difference(v.a.point, v.b.point, scene_.scalar), "w", "a - b");
+  const std::string against_a = objection_to(v.a, scene_.a, direction_, scene_.scalar);
   require(against_a.empty(), "'a' " + against_a);
-  const std::string against_b = objection_to(v.b, scene_.b, -direction_);
+  const std::string against_b = objection_to(v.b, scene_.b, -direction_, scene_.scalar);
   require(against_b.empty(), "'b' " + against_b);
   require(event.is_new == !is_known(v.w), event.is_new ? "'new' is true, but an earlier w of this scene is the same"
                                                        : "'new' is false, but no earlier w of this scene is the same");
   if (event.is_new) known_.push_back(v.w);
   vertex_ = v;
   is_new_ = event.is_new;
-  reach_ = dot({v.w}, {direction_});
+  reach_ = dot({v.w}, {direction_}, scene_.scalar);
   expected_ = {Kind::crossing};
 }
 
@@ -221,17 +227,17 @@ void TraceCheck::check_value(const gjk::RegionTested<double>& event) const {
   require(has_right_kind, "'value' is not of the kind that 'expression' has");
   require(event.normal.has_value() == !event.formula.empty(), "'normal' and 'formula' belong together");
   if (event.normal) {
-    const RoundedVector normal = evaluate(event.formula, simplex_);
+    const RoundedVector normal = evaluate(event.formula, simplex_, scene_.scalar);
     require(agrees(*event.normal, normal),
             "'normal' is " + written(*event.normal) + ", but " + event.formula + " is " + written(normal.value));
   }
   if (const double* value = std::get_if<double>(&event.value)) {
-    const RoundedScalar expected = dot({*event.normal}, evaluate("AO", simplex_));
+    const RoundedScalar expected = dot({*event.normal}, evaluate("AO", simplex_, scene_.scalar), scene_.scalar);
     require(agrees(*value, expected), "'value' is " + reading::written(*value) + ", but " + event.expression + " is " +
                                           reading::written(expected.value));
   }
   if (const Point* value = std::get_if<Point>(&event.value)) {
-    const RoundedVector expected = evaluate(event.expression, simplex_);
+    const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
     require(agrees(*value, expected),
             "'value' is " + written(*value) + ", but " + event.expression + " is " + written(expected.value));
   }
@@ -297,7 +303,7 @@ void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
 void TraceCheck::check(const gjk::DirectionChosen<double>& event) {
   require(event.expression == step_.direction,
           "'expression' is " + quoted(event.expression) + "; after this region it is " + quoted(step_.direction));
-  const RoundedVector expected = evaluate(event.expression, simplex_);
+  const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
   require(agrees(event.direction, expected), "'direction' is " + written(event.direction) + ", but " +
                                                  event.expression + " is " + written(expected.value));
   if (!step_.kept.empty()) {

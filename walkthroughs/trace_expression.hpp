@@ -3,16 +3,11 @@
 /// number in a trace is held to this bound and not to its last bit.
 #pragma once
 
-#include <limits>
 #include <string_view>
 
 #include "walkthroughs/scene.hpp"
 
 namespace walkthroughs {
-
-/// Relative error of a sum or product of doubles, doubled; and what is lost where one vanishes.
-inline constexpr double rounding = std::numeric_limits<double>::epsilon();
-inline constexpr double vanishing = 8 * std::numeric_limits<double>::denorm_min();
 
 /// A vector; `error` bounds that of each component.
 struct RoundedVector {
@@ -28,11 +23,13 @@ struct RoundedScalar {
   bool may_be_positive_or_zero() const { return value + error >= 0; }
 };
 
-RoundedScalar dot(const RoundedVector& u, const RoundedVector& v);
+/// Computed in `scalar`, of which u and v are.
+RoundedScalar dot(const RoundedVector& u, const RoundedVector& v, Scalar scalar);
 
 /// `expression`: differences XY of the letters of `simplex` and O, normals XYZn = XY×XZ, their products from left to right,
-/// with a minus before them or not. Requires: all its letters are roles in `simplex`.
-RoundedVector evaluate(std::string_view expression, const gjk::Simplex<double>& simplex);
+/// with a minus before them or not; computed in `scalar`, of which the vertices are. Requires: all its letters are roles in
+/// `simplex`.
+RoundedVector evaluate(std::string_view expression, const gjk::Simplex<double>& simplex, Scalar scalar);
 
 /// Returns: whether a recorded number may be that value. Both were rounded, so twice the bound is allowed; a number that is
 /// not finite can only stand for another such.
