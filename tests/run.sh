@@ -10,9 +10,10 @@ run_tests() {
 }
 
 # chromium: the report of differing pictures is looked at in a real browser.
+# libccd-dev, libfcl-dev and libbullet-dev: what gjkstep-peers times the plain call beside.
 # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
 require_packages $program_packages catch2 libbenchmark-dev libboost-dev python3 python3-jsonschema \
-  chromium
+  chromium libccd-dev libfcl-dev libbullet-dev
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
 printf '\nPlain and observed calls\n'
