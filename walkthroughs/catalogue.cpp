@@ -28,13 +28,6 @@ std::vector<Walkthrough> all_walkthroughs() {
 
 }  // namespace
 
-std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces) {
-  std::vector<Remark> remarks = walkthrough.remarks;
-  if (walkthrough.findings)
-    for (const Remark& each : walkthrough.findings(traces.front())) remarks.push_back(each);
-  return remarks;
-}
-
 const std::vector<Walkthrough>& catalogue() {
   static const std::vector<Walkthrough> all = all_walkthroughs();
   return all;

@@ -18,7 +18,7 @@ struct Score {
   std::string first_failure;  ///< "pair 17: no answer within 1 s"; empty where nothing failed
   double nanoseconds = 0;     ///< per query: the median of the repeats; 0 where no pair was answered
 
-  int wrong() const { return false_positives + false_negatives; }
+  int not_right() const { return false_positives + false_negatives + undecided + failed; }
 };
 
 struct Match {
