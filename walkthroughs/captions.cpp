@@ -72,7 +72,8 @@ class Captions {
                                                   (event.is_new ? "" : " again, so there is no new point"));
     if (walkthrough_.naming == Naming::roles && !event.is_new)
       frame = frame_about(Focus::support, along + " the farthest point, P, is one that was found before");
-    frame.facts = {{Mark::none, "d = " + vec(event.direction) + "; " + farthest_two(event)},
+    const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
+    frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
                    {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
                                     " = " + vec(event.vertex.w)}};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
@@ -211,7 +212,8 @@ class Captions {
     if (result.separation)
       facts.push_back({Mark::none, "with d = " + vec(result.separation->direction) + ": w·d ≤ " +
                                        names_.of(result.separation->vertex.w) +
-                                       "·d = " + number(result.separation->support_value) + " < 0 for every w"});
+                                       "·d = " + number(result.separation->support_value) + " < 0 for every w" +
+                                       (scene_.scalar == Scalar::binary32 ? ", as far as floats tell" : "")});
     if (result.status != gjk::Status::intersecting) return;
     for (const auto& region : now_.regions)
       if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});

@@ -36,7 +36,7 @@ Walkthrough vanished_product() {
                 .source = "Section 3.1.3",
                 .summary = "lengths of 1e-12: w·d, a product of four of them, becomes 0",
                 .turn = {.cause = "it has not, but w·d is a product of four lengths of 1e−12, and becomes 0",
-                         .truth = "every product of four lengths that would have told otherwise has become 0"}},
+                         .truth = "it does not"}},
                in_float({.name = "vanished-product",
                          .a = {"triangle a", in_plane({{-1, 0}, {-1, 3}, {1, 3}}, 1e-12)},
                          .b = {"triangle b", in_plane({{-2, -3}, {3, -3}, {2, -1}}, 1e-12)}}));
@@ -85,7 +85,7 @@ Walkthrough coplanar_askew() {
 /// The support function: far from the origin the roundings of P·d are larger than the objects.
 Walkthrough far_from_the_origin() {
   return about({.name = "far-from-the-origin",
-                .title = "Together, and found apart: a support function that misses the farthest point",
+                .title = "Together, and found apart: the farthest point is missed",
                 .source = "Section 2.4",
                 .summary = "coordinates of 16,000,000: dot products are rounded by more than the objects are wide",
                 .turn = {.cause = "it is not: a·d and b·d are near −592,000,000, where floats lie 64 apart",
