@@ -13,12 +13,15 @@ using gjk::Crossing;
 using gjk::Relation;
 using gjk::Verdict;
 
+/// What is said of a number that only the zero test takes for zero.
+std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 0"; }
+
 /// What follows the number that decides. A zero speaks for itself.
-std::string sign(Relation relation) {
+std::string sign(Relation relation, double value) {
   switch (relation) {
     case Relation::positive: return " > 0";
     case Relation::negative: return " < 0";
-    case Relation::zero: return "";
+    case Relation::zero: return as_zero(value);
     case Relation::not_zero: return " ≠ 0";
   }
   return "";
@@ -69,7 +72,8 @@ class Captions {
                                                   (event.is_new ? "" : " again, so there is no new point"));
     if (walkthrough_.naming == Naming::roles && !event.is_new)
       frame = frame_about(Focus::support, along + " the farthest point, P, is one that was found before");
-    frame.facts = {{Mark::none, "d = " + vec(event.direction) + "; " + farthest_two(event)},
+    const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
+    frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
                    {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
                                     " = " + vec(event.vertex.w)}};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
@@ -88,10 +92,10 @@ class Captions {
       return frame;
     }
     Frame frame =
-        *event.value == 0
+        !(*event.value > 0)
             ? frame_about(Focus::crossing,
                           "The move to " + name + " just reached the origin's level, so the search goes on",
-                          {{Mark::none, value + ": this proves nothing"}})
+                          {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}})
             : frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
                           {{Mark::yes, value + " > 0: the origin was crossed"}});
     return frame;
@@ -208,7 +212,8 @@ class Captions {
     if (result.separation)
       facts.push_back({Mark::none, "with d = " + vec(result.separation->direction) + ": w·d ≤ " +
                                        names_.of(result.separation->vertex.w) +
-                                       "·d = " + number(result.separation->support_value) + " < 0 for every w"});
+                                       "·d = " + number(result.separation->support_value) + " < 0 for every w" +
+                                       (scene_.scalar == Scalar::binary32 ? ", as far as floats tell" : "")});
     if (result.status != gjk::Status::intersecting) return;
     for (const auto& region : now_.regions)
       if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});
@@ -252,8 +257,9 @@ class Captions {
     if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";
     text += names_.translate(event.expression);
     if (const double* value = std::get_if<double>(&event.value))
-      text += " = " + number(*value) + (chosen ? sign(event.relation) : " ≤ 0");
-    if (const Point* value = std::get_if<Point>(&event.value)) text += " = " + vec(*value) + sign(event.relation);
+      text += " = " + number(*value) + (chosen ? sign(event.relation, *value) : *value > 0 ? as_zero(*value) : " ≤ 0");
+    if (const Point* value = std::get_if<Point>(&event.value))
+      text += " = " + vec(*value) + sign(event.relation, value->cwiseAbs().maxCoeff());
     if (event.simplex_size == 1 || (event.simplex_size == 2 && without_crossing_test())) return {Mark::none, text};
     return {chosen ? Mark::yes : Mark::no, text};
   }

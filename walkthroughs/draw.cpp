@@ -1,6 +1,7 @@
 #include "walkthroughs/draw.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ constexpr double panels_top = 72, panels_height = 448, margin_without_text = 20;
 constexpr double objects_width = 300, algorithm_width = 372;
 constexpr double text_left = 250, mark_width = 34;
 constexpr double first_line = 556, line_pitch = 30, small_pitch = 26, last_line = 714;
-constexpr double max_scale = 1e9;                              // for a scene that is a single point
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double most_page_units =
+    1e12;  // from the zero of a scene to its points, so that these are placed to a thousandth
 constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
 constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
 
@@ -139,7 +142,12 @@ Columns columns(const Panels& panels, double top) {
   return all;
 }
 
-View fit(const Bounds& bounds, const Box& room) { return View::fit(bounds.low, bounds.high, room, max_scale); }
+/// At most at that scale, and no larger than what doubles can place.
+View fit(const Bounds& bounds, const Box& room, double max_scale = unlimited) {
+  const double farthest = std::max(bounds.low.cwiseAbs().maxCoeff(), bounds.high.cwiseAbs().maxCoeff());
+  const double sharp = most_page_units / (farthest > 0 ? farthest : 1);
+  return View::fit(bounds.low, bounds.high, room, std::min(max_scale, sharp));
+}
 
 /// Where a simplex would be small in the whole set, its regions are shown close up.
 bool is_close_up(const Shown& what, const Box& room) {
@@ -165,12 +173,12 @@ int draw_search(Canvas& canvas, const Story& story, std::size_t index, double to
   if (boxes.objects) {
     const Bounds objects = bounds_of_objects(telling, lens);
     const Box room_left = below_title(*boxes.objects).grown(-objects_margin);
-    View left = View::fit(objects.low, objects.high, room_left, max_scale);
+    View left = fit(objects, room_left);
     if (!lens.camera &&
         !is_close_up(what,
                      room)) {  // One scale for both, so that a length in one panel is the same length in the other.
       const double scale = std::min(left.scale(), view.scale());
-      left = View::fit(objects.low, objects.high, room_left, scale);
+      left = fit(objects, room_left, scale);
       view = view.with_scale(scale);
     }
     crowded += draw_objects(canvas, {*boxes.objects, "", left}, what);
@@ -209,10 +217,10 @@ int draw_pair(Canvas& canvas, const Story& story, std::size_t index, double top,
   const auto view = [&](std::size_t s, const Lens& lens, double scale) {
     const Bounds box =
         bounds_of_scene(story, s, story.frames.back(), lens);  // of the last frame, so that nothing jumps
-    return View::fit(box.low, box.high, below_title(boxes[s]).grown(-difference_margin), scale);
+    return fit(box, below_title(boxes[s]).grown(-difference_margin), scale);
   };
   const Lens lenses[] = {turned(story.tellings[0].lens, look.turn), turned(story.tellings[1].lens, look.turn)};
-  const double scale = std::min(view(0, lenses[0], max_scale).scale(), view(1, lenses[1], max_scale).scale());
+  const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());
   int crowded = 0;
   for (std::size_t s = 0; s < 2; ++s) {
     const Names names = story.names(index, s);
@@ -264,7 +272,7 @@ int draw_cell_picture(Canvas& canvas, const Story& story, const Cell& cell, cons
   const Lens lens = turned(story.tellings[cell.scene].lens, look.turn);
   const Names names = story.names(cell.frame, cell.scene);
   const Bounds box = bounds_of_scene(story, cell.scene, shown_frame, lens);
-  const Place place{frame, cell.title, View::fit(box.low, box.high, below_title(frame).grown(-cell_margin), max_scale)};
+  const Place place{frame, cell.title, fit(box, below_title(frame).grown(-cell_margin))};
   return draw_scene(canvas, story, place, shown(story, names, cell.scene, shown_frame, lens, look.style));
 }
 

@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_dec_float.hpp>
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "core/gjk.hpp"
@@ -92,9 +93,26 @@ std::string written(const Exact& x) {
   return text;
 }
 
+/// Returns: with two digits behind the point.
+std::string fixed(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%s%.2f", x < 0 ? "−" : "", std::abs(x));
+  return text;
+}
+
 std::string written(const Vec& v, Dimension dimension) {
   std::string text = "(" + written(v.x()) + ", " + written(v.y());
   return text + (dimension == Dimension::plane ? ")" : ", " + written(v.z()) + ")");
+}
+
+/// A place, to six digits and in any case to a hundredth.
+std::string place(const Vec& v, Dimension dimension) {
+  const auto rounded = [](const Exact& x) {
+    const double near = x.convert_to<double>();
+    return std::abs(near) < 1e4 || std::abs(near) >= 1e12 ? written(x) : fixed(near);
+  };
+  std::string text = "(" + rounded(v.x()) + ", " + rounded(v.y());
+  return text + (dimension == Dimension::plane ? ")" : ", " + rounded(v.z()) + ")");
 }
 
 Exact largest(const Vec& v) {
@@ -195,24 +213,29 @@ Vec shared_point(const gjk::Simplex<Exact>& simplex) {
 
 std::string truth(const gjk::Result<Exact>& result, Dimension dimension) {
   if (result.status == gjk::Status::intersecting)
-    return "in truth both objects hold the point " + written(shared_point(result.simplex), dimension);
+    return "in truth both objects hold the point " + place(shared_point(result.simplex), dimension);
   if (result.status == gjk::Status::separated)
     return "in truth the objects are at least " +
            quotient_with_length(-result.separation->support_value, result.separation->direction) + " apart";
   throw std::logic_error("exact arithmetic finds no answer");
 }
 
+const gjk::Result<Exact>& result_of(const ExactTrace& trace) {
+  return std::get<gjk::Finished<Exact>>(trace.events.back()).result;
+}
+
 }  // namespace
+
+gjk::Status exact_answer(const Scene& scene) { return result_of(run_exactly(scene)).status; }
 
 std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace) {
   const ExactTrace exact_trace = run_exactly(scene);
   const std::size_t i = first_other_decision(trace, exact_trace);
   Remark wrong = std::visit(ExactFinding(scene, trace.events[i]), exact_trace.events[i]);
   wrong.text = turn.cause;
-  const auto& result = std::get<gjk::Finished<Exact>>(exact_trace.events.back()).result;
   const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;
   return {wrong,
-          {.at = Remark::At::end, .iteration = last, .text = turn.truth, .fact = truth(result, scene.dimension)}};
+          {.at = Remark::At::end, .iteration = last, .text = turn.truth, .fact = truth(result_of(exact_trace), scene.dimension)}};
 }
 
 }  // namespace walkthroughs

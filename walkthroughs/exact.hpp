@@ -15,6 +15,9 @@ struct WrongTurn {
   std::string truth;  ///< what this means for the pair: a clause for the last caption
 };
 
+/// Returns: what exact arithmetic answers about the scene's numbers as they stand. Requires: two sets of points.
+gjk::Status exact_answer(const Scene& scene);
+
 /// Returns: remarks on `trace`, the search of `scene`: one at the first decision that exact arithmetic makes otherwise, with
 /// the exact number; one at the end, with a point that both objects hold, or how far apart they are at least.
 ///

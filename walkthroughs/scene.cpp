@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
-#include <type_traits>
 
 #include "core/gjk.hpp"
 #include "walkthroughs/scene_values.hpp"
@@ -129,15 +128,21 @@ void round_to_float(Object& object) {
 /// The one place where what a scene says becomes template arguments: calls run<S, Rules>().
 template <class Run>
 void with_types_of(const Scene& scene, Run&& run) {
-  const auto in = [&]<class S>(std::type_identity<S>) {
+  const auto with_zero_test = [&]<class S, class Zero>(S, Zero) {
     switch (scene.rules) {
-      case RuleSet::as_intended: return run.template operator()<S, gjk::AsIntended>();
-      case RuleSet::as_printed: return run.template operator()<S, gjk::AsPrinted>();
+      case RuleSet::as_intended: return run.template operator()<S, gjk::Intended<Zero>>();
+      case RuleSet::as_printed: return run.template operator()<S, gjk::Printed<Zero>>();
+    }
+  };
+  const auto in = [&]<class S>(S scalar) {
+    switch (scene.zero_test) {
+      case ZeroTest::exact: return with_zero_test(scalar, gjk::ExactZeroTest{});
+      case ZeroTest::relative: return with_zero_test(scalar, gjk::RelativeZeroTest{});
     }
   };
   switch (scene.scalar) {
-    case Scalar::binary64: return in(std::type_identity<double>{});
-    case Scalar::binary32: return in(std::type_identity<float>{});
+    case Scalar::binary64: return in(double{});
+    case Scalar::binary32: return in(float{});
   }
 }
 

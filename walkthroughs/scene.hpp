@@ -40,6 +40,9 @@ std::vector<Point> vertices_of(const Object& object);
 /// Which functions of core/rules.hpp run.
 enum class RuleSet { as_intended, as_printed };
 
+/// What counts as zero, see core/zero_test.hpp.
+enum class ZeroTest { exact, relative };
+
 /// In which numbers the search computes: double or float. The words are those of IEEE 754.
 enum class Scalar { binary64, binary32 };
 
@@ -53,6 +56,7 @@ struct Scene {
   gjk::Options<double> options = {};
   Dimension dimension = Dimension::plane;
   RuleSet rules = RuleSet::as_intended;
+  ZeroTest zero_test = ZeroTest::exact;
   Scalar scalar = Scalar::binary64;  ///< binary32: every number of the scene is a float, see in_float()
 };
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "walkthroughs/precision.hpp"
+
 namespace walkthroughs {
 namespace {
 
@@ -80,6 +82,36 @@ RoundedVector evaluate(std::string_view expression, const gjk::Simplex<double>& 
       scalar == Scalar::binary32 ? Arithmetic<float>(simplex)(expression) : Arithmetic<double>(simplex)(expression);
   if (is_negated) product.value = -product.value;
   return product;
+}
+
+double length_of(const gjk::Vertex<double>& vertex) { return vertex.a.point.lpNorm<1>() + vertex.b.point.lpNorm<1>(); }
+
+double size_of(std::string_view expression, const gjk::Simplex<double>& simplex) {
+  const auto vertex = [&](char letter) { return simplex[static_cast<gjk::Role>(letter - 'A')]; };
+  const auto length = [&](char from, char to) {
+    return to == 'O' ? length_of(vertex(from)) : (vertex(to).w - vertex(from).w).lpNorm<1>();
+  };
+  double size = 1;
+  const auto multiply = [&](std::string_view word) {
+    size *= length(word[0], word[1]);
+    if (word.ends_with('n')) size *= length(word[0], word[2]);
+  };
+  std::size_t end = expression.find(times);
+  multiply(expression.substr(0, end));
+  while (end != std::string_view::npos) {
+    expression.remove_prefix(end + times.size());
+    end = expression.find(times);
+    multiply(expression.substr(0, end));
+  }
+  return size;
+}
+
+bool may_count_as_zero(double product, double size, Scalar scalar) {
+  return std::abs(product) <= 16.01 * precision_of(scalar).epsilon * size;  // the lengths are rounded too
+}
+
+bool may_count_as_zero(const Point& product, double size, Scalar scalar) {
+  return may_count_as_zero(product.lpNorm<1>(), size, scalar);
 }
 
 bool agrees(double recorded, const RoundedScalar& value) {

@@ -31,6 +31,16 @@ RoundedScalar dot(const RoundedVector& u, const RoundedVector& v, Scalar scalar)
 /// `simplex`.
 RoundedVector evaluate(std::string_view expression, const gjk::Simplex<double>& simplex, Scalar scalar);
 
+/// Returns: |w| as a zero test takes it: the lengths of a and b, which w = a - b has its rounding from.
+double length_of(const gjk::Vertex<double>& vertex);
+
+/// Returns: the product of the lengths of all vectors in an expression; that of AO is the length of A.
+double size_of(std::string_view expression, const gjk::Simplex<double>& simplex);
+
+/// Returns: whether a product of that size, computed in `scalar`, may count as zero by the relative zero test.
+bool may_count_as_zero(double product, double size, Scalar scalar);
+bool may_count_as_zero(const Point& product, double size, Scalar scalar);
+
 /// Returns: whether a recorded number may be that value. Both were rounded, so twice the bound is allowed; a number that is
 /// not finite can only stand for another such.
 bool agrees(double recorded, const RoundedScalar& value);

@@ -120,20 +120,23 @@ Object read_object(const Value& value, const Space& space, Scalar scalar) {
 }
 
 Scene read_scene(const Value& value) {
-  expect_object(
-      value, {"name", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules", "scalar"},
-      "an object that describes a scene");
+  expect_object(value,
+                {"name", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
+                 "zero_test", "scalar"},
+                "an object that describes a scene");
   const std::string name = words(member(value, "name"), scene_limits::name);
   const Space space{whole_number(member(value, "dimension"), 2, 3) == 2 ? Dimension::plane : Dimension::space};
-  const Scalar scalar =
-      value.member("scalar") ? enumerator<Scalar>(*value.member("scalar"), words_of::scalar) : Scalar::binary64;
+  const auto in = value.member("scalar");
+  const Scalar scalar = in ? enumerator<Scalar>(*in, words_of::scalar) : Scalar::binary64;
   Object a = read_object(member(value, "a"), space, scalar), b = read_object(member(value, "b"), space, scalar);
   const gjk::Options<double> options{
       .first_direction = space.direction(member(value, "first_direction")),
       .iteration_limit = whole_number(member(value, "iteration_limit"), 1, scene_limits::iterations),
       .crossing_test = enumerator<gjk::CrossingTest>(member(value, "crossing_test"), words_of::crossing_test)};
   const auto rules = enumerator<RuleSet>(member(value, "rules"), words_of::rules);
-  return in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules}, value);
+  const auto zero = value.member("zero_test");
+  const ZeroTest zero_test = zero ? enumerator<ZeroTest>(*zero, words_of::zero_test) : ZeroTest::exact;
+  return in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules, zero_test}, value);
 }
 
 std::vector<Scene> read_scenes(const Value& value) {

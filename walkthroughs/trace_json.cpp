@@ -76,6 +76,7 @@ Json json(const Scene& scene) {
          {"iteration_limit", scene.options.iteration_limit},
          {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
          {"rules", words_of::of(words_of::rules, scene.rules)}};
+  if (scene.zero_test != ZeroTest::exact) j["zero_test"] = words_of::of(words_of::zero_test, scene.zero_test);
   if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
   return j;
 }

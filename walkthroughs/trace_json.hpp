@@ -6,7 +6,7 @@
 ///
 /// Vectors are arrays of three numbers in scene units. Every finite number reads back as the same double; any other is one
 /// of the words "inf", "-inf" and "nan". The scalar of the first line is that of these numbers; a scene that was searched in
-/// another says so by a "scalar" of its own, which readers of this version that do not know it refuse. trace_schema() says
+/// another, or with another zero test, says so by a key of its own, and readers that do not know the key refuse it. trace_schema() says
 /// which keys and words a line may have.
 #pragma once
 

@@ -23,7 +23,9 @@ TEST_CASE("The catalogue has the figures in the order of the report, then the re
                                  "vehicle-and-threat/vehicle-hit", "vehicle-and-threat/vehicle-near-miss",
                                  "vehicle-and-threat/counter-munition-hit",
                                  "vehicle-and-threat/counter-munition-near-miss", "cycle-separated",
-                                 "cycle-intersecting", "as-printed-spheres"});
+                                 "cycle-intersecting", "as-printed-spheres", "failures/vanished-product",
+                                 "failures/overflowed-product", "failures/beyond-an-edge", "failures/coplanar-askew",
+                                 "failures/far-from-the-origin"});
   std::string simplices;  // of the regions, by their dimension
   for (const Walkthrough* w : find_walkthroughs("regions")) simplices += w->name.at(std::string("regions/").size());
   CHECK(std::ranges::is_sorted(simplices));
