@@ -19,9 +19,13 @@ Answer asked(const A& a, const B& b) {
   return Answer::undecided;
 }
 
-/// Compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
+/// Each compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
 /// the rules between them in place of inlining them.
 template <class Rules>
 Answer asked_of_point_sets(const PointSet& a, const PointSet& b);
+template <>
+Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b);
+template <>
+Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b);
 
 }  // namespace peers

@@ -2,12 +2,9 @@
 
 namespace peers {
 
-template <class Rules>
-Answer asked_of_point_sets(const PointSet& a, const PointSet& b) {
-  return asked<Rules>(a, b);
+template <>
+Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b) {
+  return asked<gjk::AsIntended>(a, b);
 }
-
-template Answer asked_of_point_sets<gjk::AsIntended>(const PointSet&, const PointSet&);
-template Answer asked_of_point_sets<Relative>(const PointSet&, const PointSet&);
 
 }  // namespace peers
