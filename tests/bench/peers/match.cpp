@@ -91,11 +91,14 @@ void race(std::vector<Runner>& runners, int repeats) {
     for (Runner& runner : runners) runner.run();
 }
 
-std::size_t lost(const std::vector<Runner>& runners, const std::vector<study::Truth>& truths) {
+std::size_t lost(const std::vector<Runner>& runners, const std::vector<Contender>& contenders,
+                 const std::vector<study::Truth>& truths) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < truths.size(); ++i) {
-    const auto right = [&](const Runner& runner) { return is_right(runner.answers[i], truths[i]); };
-    count += !right(runners[0]) && std::any_of(runners.begin() + 1, runners.end(), right);
+    bool a_peer_is_right = false;
+    for (std::size_t k = 0; k < runners.size(); ++k)
+      a_peer_is_right |= contenders[k].is_peer && is_right(runners[k].answers[i], truths[i]);
+    count += a_peer_is_right && !is_right(runners[0].answers[i], truths[i]);
   }
   return count;
 }
@@ -117,7 +120,7 @@ Match play(const study::Family& family, const std::vector<Contender>& contenders
     match.scores.push_back(score(answers, truths));
     runners.push_back({*batches.back(), answered(answers), answers});
   }
-  match.lost = lost(runners, truths);
+  match.lost = lost(runners, contenders, truths);
   race(runners, settings.repeats);
   for (std::size_t i = 0; i < runners.size(); ++i)
     if (!runners[i].nanoseconds.empty()) match.scores[i].nanoseconds = median(runners[i].nanoseconds);

@@ -25,7 +25,7 @@ struct Match {
   std::string family, what;
   std::size_t pairs = 0, meet = 0;
   std::vector<Score> scores = {};  ///< in the order of the contenders
-  std::size_t lost = 0;            ///< pairs on which the first contender is not right though another one is
+  std::size_t lost = 0;            ///< pairs on which the first contender is not right though a peer is
 };
 
 struct MatchSettings {

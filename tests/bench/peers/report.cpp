@@ -28,12 +28,12 @@ std::string mistakes(const Score& score) {
   return text.empty() ? "0" : text;
 }
 
-/// The fastest of the others beside the first; "–" where there is none. `counts` says which are looked at.
+/// The fastest peer beside the plain call; "–" where there is none. `counts` says which peers are looked at.
 template <class Counts>
-std::string speed_up(const Match& match, Counts&& counts) {
+std::string speed_up(const Match& match, const std::vector<Contender>& contenders, Counts&& counts) {
   double fastest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < match.scores.size(); ++i)
-    if (match.scores[i].nanoseconds > 0 && counts(match.scores[i]))
+    if (contenders[i].is_peer && match.scores[i].nanoseconds > 0 && counts(match.scores[i]))
       fastest = std::min(fastest, match.scores[i].nanoseconds);
   return std::isinf(fastest) ? "–" : fixed(fastest / match.scores[0].nanoseconds, 2);
 }
@@ -59,9 +59,9 @@ void write_times(std::ostream& out, const std::vector<Match>& matches, const std
   for (const Match& match : matches) {
     std::vector<std::string> cells{match.family, std::to_string(match.pairs), std::to_string(match.meet)};
     for (const Score& score : match.scores) cells.push_back(score.nanoseconds > 0 ? fixed(score.nanoseconds, 0) : "–");
-    cells.push_back(speed_up(match, [](const Score&) { return true; }));
-    cells.push_back(
-        speed_up(match, [&](const Score& peer) { return peer.not_right() <= match.scores[0].not_right(); }));
+    cells.push_back(speed_up(match, contenders, [](const Score&) { return true; }));
+    cells.push_back(speed_up(match, contenders,
+                             [&](const Score& peer) { return peer.not_right() <= match.scores[0].not_right(); }));
     write_row(out, cells);
   }
 }
