@@ -13,7 +13,8 @@ std::string counts_csv(const Settings& settings);
 std::string timings_csv(const Settings& settings);
 
 /// Returns: Markdown; each table varies one thing.
-std::string counts_markdown(const Settings& settings);
+std::string counts_markdown(const Settings& settings);    ///< families and scalars
+std::string settings_markdown(const Settings& settings);  ///< rules, zero tests, iteration limits
 std::string timings_markdown(const Settings& settings);
 
 /// Returns: what the timings were taken on.

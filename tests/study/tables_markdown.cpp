@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
@@ -20,19 +21,41 @@ std::string line(const Names& cells) {
   return text + "\n";
 }
 
-std::string table(const Settings& settings, const std::vector<Column>& columns) {
-  Names heading{"family"}, rule{"---"};
+std::string heading(const std::vector<Column>& columns) {
+  Names names{"family"}, rule{"---"};
   for (const Column& column : columns) {
-    heading.push_back(column.heading);
+    names.push_back(column.heading);
     rule.push_back("---");
   }
-  std::string text = line(heading) + line(rule);
-  for (const FamilyNote& family : settings.study().families) {
-    Names cells{family.name};
-    for (const Column& column : columns) cells.push_back(column.cell(family));
-    text += line(cells);
-  }
+  return line(names) + line(rule);
+}
+
+Names row(const FamilyNote& family, const std::vector<Column>& columns) {
+  Names cells{family.name};
+  for (const Column& column : columns) cells.push_back(column.cell(family));
+  return cells;
+}
+
+std::string table(const Settings& settings, const std::vector<Column>& columns) {
+  std::string text = heading(columns);
+  for (const FamilyNote& family : settings.study().families) text += line(row(family, columns));
   return text;
+}
+
+/// Whether a cell says that nothing was seen, or nothing at all.
+bool is_nothing(const std::string& cell) { return cell.empty() || cell.starts_with("0 ("); }
+
+/// As table(); families in which nothing was seen in any column are named below it.
+std::string rate_table(const Settings& settings, const std::vector<Column>& columns) {
+  std::string text = heading(columns), nothing;
+  for (const FamilyNote& family : settings.study().families) {
+    const Names cells = row(family, columns);
+    if (std::all_of(cells.begin() + 1, cells.end(), is_nothing))
+      nothing += (nothing.empty() ? "" : ", ") + family.name;
+    else
+      text += line(cells);
+  }
+  return text + (nothing.empty() ? "" : "\nNothing was seen in: " + nothing + ".\n");
 }
 
 std::string described(const Setting& setting) { return setting.scalar + ", " + all_but_scalar(setting); }
@@ -100,7 +123,7 @@ std::string scalars_table(const Settings& settings, const std::function<std::str
     setting.scalar = scalar;
     columns.push_back(column(settings, scalar, setting, words));
   }
-  return table(settings, columns);
+  return rate_table(settings, columns);
 }
 
 std::string rules_table(const Settings& settings) {
@@ -110,7 +133,7 @@ std::string rules_table(const Settings& settings) {
     setting.rules = rules;
     columns.push_back(column(settings, rules, setting, words_of_wrong));
   }
-  return table(settings, columns);
+  return rate_table(settings, columns);
 }
 
 std::string zero_tests_table(const Settings& settings) {
@@ -122,7 +145,7 @@ std::string zero_tests_table(const Settings& settings) {
       setting.zero_test = zero_test;
       if (scalar != "exact") columns.push_back(column(settings, scalar + ", " + zero_test, setting, words_of_failures));
     }
-  return table(settings, columns);
+  return rate_table(settings, columns);
 }
 
 std::string limits_table(const Settings& settings) {
@@ -130,9 +153,10 @@ std::string limits_table(const Settings& settings) {
   for (const int limit : settings.limits()) {
     Setting setting = settings.usual();
     setting.limit = limit;
-    columns.push_back(column(settings, "at most " + std::to_string(limit), setting, words_of_undecided));
+    columns.push_back(column(settings, "at most " + std::to_string(limit), setting,
+                             [](const Counts& counts) { return in_words(undecided_rate(counts)); }));
   }
-  return table(settings, columns);
+  return rate_table(settings, columns);
 }
 
 std::string iterations_table(const Settings& settings) {
@@ -147,6 +171,13 @@ std::string head(const Settings& settings, const std::string& title) {
   const Header& header = settings.study().header;
   return "# " + title + "\n\nMade by `" + header.command + "` with seed " + std::to_string(header.seed) +
          ", gjkstep-study " + header.version + ", compiled by " + header.compiler + ".\n\n";
+}
+
+std::string how_to_read(const Settings& settings) {
+  return "Rates are shares of the pairs asked, with the ends of their 95 % score intervals (Wilson 1927); where "
+         "nothing "
+         "was seen, only the upper end. Unless a table says otherwise: " +
+         described(settings.usual()) + ". Every combination is in study.csv.\n\n";
 }
 
 // -- Timings ----------------------------------------------------------------------------------------------------------
@@ -198,21 +229,20 @@ std::string in_words(const Rate& rate) {
 }
 
 std::string counts_markdown(const Settings& settings) {
-  const std::string usual = described(settings.usual());
-  return head(settings, "Accuracy") +
-         "Rates are shares of the pairs asked, with the ends of their 95 % score intervals (Wilson 1927); where "
-         "nothing "
-         "was seen, only the upper end. Unless a table says otherwise: " +
-         usual + ". Every combination is in study.csv.\n\n" + families_table(settings) +
+  return head(settings, "Accuracy") + how_to_read(settings) + families_table(settings) +
          "\n## Wrong answers, by scalar\n\n" + scalars_table(settings, words_of_wrong) +
          "\n## Undecided, by scalar\n\nIn circles: a simplex and a direction came back, so no limit would have "
          "helped.\n\n" +
-         scalars_table(settings, words_of_undecided) + "\n## Wrong answers, by rules\n\n" + rules_table(settings) +
-         "\n## Wrong or undecided, by zero test\n\n" + zero_tests_table(settings) +
-         "\n## Undecided, by iteration limit\n\n" + limits_table(settings) +
+         scalars_table(settings, words_of_undecided) +
          "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it "
          "took.\n\n" +
          iterations_table(settings);
+}
+
+std::string settings_markdown(const Settings& settings) {
+  return head(settings, "What the other settings change") + how_to_read(settings) + "## Wrong answers, by rules\n\n" +
+         rules_table(settings) + "\n## Wrong or undecided, by zero test\n\n" + zero_tests_table(settings) +
+         "\n## Undecided, by iteration limit\n\n" + limits_table(settings);
 }
 
 std::string timings_markdown(const Settings& settings) {

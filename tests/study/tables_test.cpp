@@ -60,8 +60,14 @@ TEST_CASE("The tables name the command and the seed and have a row for each fami
   for (const char* const family : {"| triangles |", "| spheres |"}) {
     std::size_t rows = 0;
     for (const std::string& line : lines_of(text)) rows += line.starts_with(family);
-    CHECK(rows == 7);  // one in each table
+    CHECK(rows == 2);  // one each in the tables of families and of iterations
   }
+}
+
+TEST_CASE("Families in which nothing was seen are named below the table", "[tables]") {
+  const Study study = small_study(two_families());
+  const std::string text = counts_markdown(Settings(study));
+  CHECK(text.find("Nothing was seen in: triangles, spheres.") != std::string::npos);
 }
 
 TEST_CASE("A study of few settings has tables of these", "[tables]") {
@@ -74,7 +80,7 @@ TEST_CASE("A study of few settings has tables of these", "[tables]") {
   CHECK(settings.usual().rules == "as-printed");
   CHECK(settings.usual().scalar == "float");
   CHECK(settings.usual().limit == 6);
-  CHECK(counts_markdown(settings).find("| family | at most 3 | at most 6 |") != std::string::npos);
+  CHECK(settings_markdown(settings).find("| family | at most 3 | at most 6 |") != std::string::npos);
 }
 
 }  // namespace
