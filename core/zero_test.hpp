@@ -54,7 +54,7 @@ struct RelativeZeroTest {
   }
   template <class S>
   static S length(const S& number) {
-    return number < S(0) ? S(-number) : number;
+    return std::abs(number);
   }
 };
 

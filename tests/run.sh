@@ -11,10 +11,10 @@ run_tests() {
 
 # chromium: the report of differing pictures is looked at in a real browser.
 # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
-# libcgal-dev and libgmp-dev find the truth that the study measures against; gnuplot-nox draws its pictures.
-# libccd-dev, libfcl-dev and libbullet-dev are what others use, which the peers benchmark measures beside this project.
-require_packages $program_packages catch2 libbenchmark-dev libboost-dev python3 python3-jsonschema \
-  chromium libcgal-dev libgmp-dev gnuplot-nox libccd-dev libfcl-dev libbullet-dev
+# libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
+# libccd-dev, libfcl-dev and libbullet-dev: what gjkstep-peers times the plain call beside.
+require_packages $program_packages catch2 libbenchmark-dev python3 python3-jsonschema chromium libcgal-dev gnuplot-nox \
+  libccd-dev libfcl-dev libbullet-dev
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
 printf '\nPlain and observed calls\n'

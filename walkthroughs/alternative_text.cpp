@@ -47,6 +47,7 @@ std::string mark_in_words(Fact::Mark mark) {
     case Fact::Mark::no: return "Not so: ";
     case Fact::Mark::skipped: return "Skipped: ";
     case Fact::Mark::answer: return "Answer: ";
+    case Fact::Mark::truth:  // says so itself
     case Fact::Mark::none: return "";
   }
   return "";

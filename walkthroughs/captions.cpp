@@ -13,23 +13,55 @@ using gjk::Crossing;
 using gjk::Relation;
 using gjk::Verdict;
 
+/// What is said of a number that only the zero test takes for zero.
+std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 0"; }
+
 /// What follows the number that decides. A zero speaks for itself.
-std::string sign(Relation relation) {
+std::string sign(Relation relation, double value) {
   switch (relation) {
     case Relation::positive: return " > 0";
     case Relation::negative: return " < 0";
-    case Relation::zero: return "";
+    case Relation::zero: return as_zero(value);
     case Relation::not_zero: return " ≠ 0";
   }
   return "";
 }
 
+// -- Remarks ----------------------------------------------------------------------------------------------------------
+
+bool is_about(const Remark& remark, const gjk::RegionTested<double>& region) {
+  const std::string& wanted = remark.only_for;
+  return wanted.empty() || wanted == region.label || wanted == region.feature ||
+         wanted == region.face + " " + region.feature;
+}
+
+bool is_about(const Remark& remark, const gjk::Event<double>& event) {
+  if (std::visit([](const auto& e) { return e.iteration; }, event) != remark.iteration) return false;
+  switch (remark.at) {
+    case Remark::At::support_found: return std::holds_alternative<gjk::SupportFound<double>>(event);
+    case Remark::At::crossing_tested: return std::holds_alternative<gjk::CrossingTested<double>>(event);
+    case Remark::At::reduced: return std::holds_alternative<gjk::SimplexReduced<double>>(event);
+    case Remark::At::direction_chosen: return std::holds_alternative<gjk::DirectionChosen<double>>(event);
+    case Remark::At::end: return std::holds_alternative<gjk::Finished<double>>(event);
+    case Remark::At::region_tested: break;
+  }
+  const auto* region = std::get_if<gjk::RegionTested<double>>(&event);
+  return region && is_about(remark, *region);
+}
+
+// -- Captions ---------------------------------------------------------------------------------------------------------
+
 /// Writes caption and facts for one event; `now` is the moment after it. Events that do not change the picture, or that
 /// are told together with the next one, give nothing.
 class Captions {
  public:
-  Captions(const Walkthrough& walkthrough, const Scene& scene, const LabelledHull& hull, const Moment& now)
-      : walkthrough_(walkthrough), scene_(scene), hull_(hull), now_(now), names_(walkthrough.naming, hull, now) {}
+  Captions(const Story& story, const Telling& telling, const Moment& now)
+      : walkthrough_(story.walkthrough),
+        remarks_(story.remarks),
+        scene_(telling.scene),
+        hull_(telling.hull),
+        now_(now),
+        names_(walkthrough_.naming, hull_, now) {}
 
   std::optional<Frame> operator()(const gjk::SearchStarted<double>&) const { return std::nullopt; }
 
@@ -40,8 +72,8 @@ class Captions {
                                                   (event.is_new ? "" : " again, so there is no new point"));
     if (walkthrough_.naming == Naming::roles && !event.is_new)
       frame = frame_about(Focus::support, along + " the farthest point, P, is one that was found before");
-    add_remark(frame, Remark::At::support_found, event.iteration);
-    frame.facts = {{Mark::none, "d = " + vec(event.direction) + "; " + farthest_two(event)},
+    const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
+    frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
                    {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
                                     " = " + vec(event.vertex.w)}};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
@@ -57,18 +89,25 @@ class Captions {
           Focus::crossing,
           "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d",
           {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}});
-      add_remark(frame, Remark::At::crossing_tested, event.iteration);
       return frame;
     }
     Frame frame =
-        *event.value == 0
+        !(*event.value > 0)
             ? frame_about(Focus::crossing,
                           "The move to " + name + " just reached the origin's level, so the search goes on",
-                          {{Mark::none, value + ": this proves nothing"}})
+                          {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}})
             : frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
                           {{Mark::yes, value + " > 0: the origin was crossed"}});
-    add_remark(frame, Remark::At::crossing_tested, event.iteration);
     return frame;
+  }
+
+  /// Joins to a frame what the walkthrough has to say about its event.
+  void add_remarks(Frame& frame, const gjk::Event<double>& event) const {
+    for (const Remark& remark : remarks_) {
+      if (!is_about(remark, event)) continue;
+      frame.caption.replace(frame.caption.size() - 1, 1, "; " + in_letters(remark.text) + ".");
+      if (!remark.fact.empty()) frame.facts.insert(frame.facts.begin() + 1, {Mark::truth, in_letters(remark.fact)});
+    }
   }
 
   /// Corners keep their names, so there is nothing to tell; roles move on.
@@ -81,7 +120,6 @@ class Captions {
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == Verdict::skipped) return std::nullopt;
     Frame frame = frame_about(Focus::region, region_caption(event), {decision(event)});
-    add_remark(frame, Remark::At::region_tested, event.iteration, &event);
     if (event.normal)
       frame.facts.push_back({Mark::none, names_.translate(event.expression.substr(0, event.expression.find("·")) +
                                                           " = " + event.formula) +
@@ -93,7 +131,6 @@ class Captions {
   std::optional<Frame> operator()(const gjk::SimplexReduced<double>& event) const {
     Frame frame = frame_about(Focus::reduction, event.dropped.empty() ? "The simplex stays, but its order changes"
                                                                       : dropped_caption(event.dropped));
-    add_remark(frame, Remark::At::reduced, event.iteration);
     frame.facts = {{Mark::none, names_.list(event.before) + " becomes " + names_.list(event.after) + " (oldest first)"},
                    {Mark::none, names_.translate(event.why)}};
     return frame;
@@ -103,7 +140,6 @@ class Captions {
     Frame frame = frame_about(
         Focus::direction, "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
         {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
-    add_remark(frame, Remark::At::direction_chosen, event.iteration);
     return frame;
   }
 
@@ -113,7 +149,6 @@ class Captions {
         " after " + std::to_string(result.iterations) + (result.iterations == 1 ? " iteration" : " iterations");
     Frame frame = frame_about(Focus::end, answer_caption(result),
                               {{Mark::answer, std::string(gjk::to_string(result.status)) + count}});
-    add_remark(frame, Remark::At::end, result.iterations);
     append_evidence(result, frame.facts);
     return frame;
   }
@@ -124,22 +159,9 @@ class Captions {
     return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
   }
 
-  /// `region`: what was tested, if anything was.
-  void add_remark(Frame& frame, Remark::At at, int iteration, const gjk::RegionTested<double>* region = nullptr) const {
-    for (const Remark& remark : walkthrough_.remarks)
-      if (remark.at == at && remark.iteration == iteration && (!region || is_about(remark, *region)))
-        frame.caption.replace(frame.caption.size() - 1, 1, "; " + in_letters(remark.text) + ".");
-  }
-
   /// Remarks are written in the letters of the picture already; where these are roles, normals get their subscript.
   std::string in_letters(const std::string& text) const {
     return walkthrough_.naming == Naming::roles ? names_.translate(text) : text;
-  }
-
-  static bool is_about(const Remark& remark, const gjk::RegionTested<double>& region) {
-    const std::string& wanted = remark.only_for;
-    return wanted.empty() || wanted == region.label || wanted == region.feature ||
-           wanted == region.face + " " + region.feature;
   }
 
   std::string vec(const Point& value) const { return vector(value, scene_.dimension); }
@@ -190,7 +212,8 @@ class Captions {
     if (result.separation)
       facts.push_back({Mark::none, "with d = " + vec(result.separation->direction) + ": w·d ≤ " +
                                        names_.of(result.separation->vertex.w) +
-                                       "·d = " + number(result.separation->support_value) + " < 0 for every w"});
+                                       "·d = " + number(result.separation->support_value) + " < 0 for every w" +
+                                       (scene_.scalar == Scalar::binary32 ? ", as far as floats tell" : "")});
     if (result.status != gjk::Status::intersecting) return;
     for (const auto& region : now_.regions)
       if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});
@@ -234,8 +257,9 @@ class Captions {
     if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";
     text += names_.translate(event.expression);
     if (const double* value = std::get_if<double>(&event.value))
-      text += " = " + number(*value) + (chosen ? sign(event.relation) : " ≤ 0");
-    if (const Point* value = std::get_if<Point>(&event.value)) text += " = " + vec(*value) + sign(event.relation);
+      text += " = " + number(*value) + (chosen ? sign(event.relation, *value) : *value > 0 ? as_zero(*value) : " ≤ 0");
+    if (const Point* value = std::get_if<Point>(&event.value))
+      text += " = " + vec(*value) + sign(event.relation, value->cwiseAbs().maxCoeff());
     if (event.simplex_size == 1 || (event.simplex_size == 2 && without_crossing_test())) return {Mark::none, text};
     return {chosen ? Mark::yes : Mark::no, text};
   }
@@ -257,6 +281,7 @@ class Captions {
   }
 
   const Walkthrough& walkthrough_;
+  const std::vector<Remark>& remarks_;
   const Scene& scene_;
   const LabelledHull& hull_;
   const Moment& now_;
@@ -265,9 +290,12 @@ class Captions {
 
 }  // namespace
 
-std::optional<Frame> caption(const gjk::Event<double>& event, const Walkthrough& walkthrough, const Scene& scene,
-                             const LabelledHull& hull, const Moment& now) {
-  return std::visit(Captions(walkthrough, scene, hull, now), event);
+std::optional<Frame> caption(const gjk::Event<double>& event, const Story& story, const Telling& telling,
+                             const Moment& now) {
+  const Captions captions(story, telling, now);
+  std::optional<Frame> frame = std::visit(captions, event);
+  if (frame) captions.add_remarks(*frame, event);
+  return frame;
 }
 
 Frame repetition(Frame frame, int earlier) {

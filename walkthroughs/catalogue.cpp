@@ -22,6 +22,7 @@ std::vector<Walkthrough> all_walkthroughs() {
                              regions_of_3_simplex(), vehicle_and_threat()})
     all.insert(all.end(), folder.begin(), folder.end());
   for (const Walkthrough& each : {cycle_separated(), cycle_intersecting(), as_printed_spheres()}) all.push_back(each);
+  for (const Walkthrough& each : failures()) all.push_back(each);
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include "walkthroughs/draw.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ constexpr double panels_top = 72, panels_height = 448, margin_without_text = 20;
 constexpr double objects_width = 300, algorithm_width = 372;
 constexpr double text_left = 250, mark_width = 34;
 constexpr double first_line = 556, line_pitch = 30, small_pitch = 26, last_line = 714;
-constexpr double max_scale = 1e9;                              // for a scene that is a single point
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double most_page_units =
+    1e12;  // from the zero of a scene to its points, so that these are placed to a thousandth
 constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
 constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
 
@@ -58,6 +61,7 @@ void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark, const Style& sty
   text.color = mark == Fact::Mark::yes ? style.theme.green : style.theme.vermillion;
   if (mark == Fact::Mark::yes) canvas.text(at, "✓", text);
   if (mark == Fact::Mark::no) canvas.text(at, "✗", text);
+  if (mark == Fact::Mark::truth) canvas.text(at, "≠", text);
 }
 
 /// Lines below each other, as far as the page goes.
@@ -85,7 +89,7 @@ void draw_facts(Canvas& canvas, Column& column, const Frame& frame, const Style&
     if (column.is_full()) return;
     draw_mark(canvas, column.next(), fact.mark, style);
     TextStyle text = style.fact;
-    if (fact.mark == Fact::Mark::answer) text.weight = render::Weight::bold;
+    if (fact.mark == Fact::Mark::answer || fact.mark == Fact::Mark::truth) text.weight = render::Weight::bold;
     if (fact.mark == Fact::Mark::skipped)
       column.write("skipped " + fact.text, style.skipped, mark_width, small_pitch);
     else
@@ -101,7 +105,9 @@ void draw_footer(Canvas& canvas, const Story& story, std::size_t index, const St
   progress.write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold, 0,
                  line_pitch);
   if (!frame.moments.empty()) {
-    progress.write("iteration " + std::to_string(frame.moments[0].iteration), style.small, 0, line_pitch);
+    const bool in_float = story.tellings[0].scene.scalar == Scalar::binary32;
+    progress.write("iteration " + std::to_string(frame.moments[0].iteration) + (in_float ? ", in float" : ""),
+                   style.small, 0, line_pitch);
     if (frame.moments.size() == 1) {
       const Simplex& simplex = frame.moments[0].simplex;
       progress.write(simplex.size() == 0 ? "no simplex yet" : "simplex " + story.names(index, 0).list(simplex),
@@ -136,7 +142,12 @@ Columns columns(const Panels& panels, double top) {
   return all;
 }
 
-View fit(const Bounds& bounds, const Box& room) { return View::fit(bounds.low, bounds.high, room, max_scale); }
+/// At most at that scale, and no larger than what doubles can place.
+View fit(const Bounds& bounds, const Box& room, double max_scale = unlimited) {
+  const double farthest = std::max(bounds.low.cwiseAbs().maxCoeff(), bounds.high.cwiseAbs().maxCoeff());
+  const double sharp = most_page_units / (farthest > 0 ? farthest : 1);
+  return View::fit(bounds.low, bounds.high, room, std::min(max_scale, sharp));
+}
 
 /// Where a simplex would be small in the whole set, its regions are shown close up.
 bool is_close_up(const Shown& what, const Box& room) {
@@ -162,12 +173,12 @@ int draw_search(Canvas& canvas, const Story& story, std::size_t index, double to
   if (boxes.objects) {
     const Bounds objects = bounds_of_objects(telling, lens);
     const Box room_left = below_title(*boxes.objects).grown(-objects_margin);
-    View left = View::fit(objects.low, objects.high, room_left, max_scale);
+    View left = fit(objects, room_left);
     if (!lens.camera &&
         !is_close_up(what,
                      room)) {  // One scale for both, so that a length in one panel is the same length in the other.
       const double scale = std::min(left.scale(), view.scale());
-      left = View::fit(objects.low, objects.high, room_left, scale);
+      left = fit(objects, room_left, scale);
       view = view.with_scale(scale);
     }
     crowded += draw_objects(canvas, {*boxes.objects, "", left}, what);
@@ -206,10 +217,10 @@ int draw_pair(Canvas& canvas, const Story& story, std::size_t index, double top,
   const auto view = [&](std::size_t s, const Lens& lens, double scale) {
     const Bounds box =
         bounds_of_scene(story, s, story.frames.back(), lens);  // of the last frame, so that nothing jumps
-    return View::fit(box.low, box.high, below_title(boxes[s]).grown(-difference_margin), scale);
+    return fit(box, below_title(boxes[s]).grown(-difference_margin), scale);
   };
   const Lens lenses[] = {turned(story.tellings[0].lens, look.turn), turned(story.tellings[1].lens, look.turn)};
-  const double scale = std::min(view(0, lenses[0], max_scale).scale(), view(1, lenses[1], max_scale).scale());
+  const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());
   int crowded = 0;
   for (std::size_t s = 0; s < 2; ++s) {
     const Names names = story.names(index, s);
@@ -261,7 +272,7 @@ int draw_cell_picture(Canvas& canvas, const Story& story, const Cell& cell, cons
   const Lens lens = turned(story.tellings[cell.scene].lens, look.turn);
   const Names names = story.names(cell.frame, cell.scene);
   const Bounds box = bounds_of_scene(story, cell.scene, shown_frame, lens);
-  const Place place{frame, cell.title, View::fit(box.low, box.high, below_title(frame).grown(-cell_margin), max_scale)};
+  const Place place{frame, cell.title, fit(box, below_title(frame).grown(-cell_margin))};
   return draw_scene(canvas, story, place, shown(story, names, cell.scene, shown_frame, lens, look.style));
 }
 

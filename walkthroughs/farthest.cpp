@@ -2,21 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "walkthroughs/precision.hpp"
 
 namespace walkthroughs {
 namespace {
 
 /// A share of the largest coordinate: a few dozen roundings, and what a pose may lack of being a rotation.
-constexpr double tolerance = 1024 * std::numeric_limits<double>::epsilon();
+constexpr double roundings = 1024;
 
 double largest(const Point& p) { return p.cwiseAbs().maxCoeff(); }
 
 /// One overload for each form.
 class Objection {
  public:
-  Objection(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction)
-      : found_(found), pose_(object.pose), along_(direction / largest(direction)) {}
+  Objection(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
+            const Precision& precision)
+      : found_(found),
+        pose_(object.pose),
+        length_(largest(direction)),
+        along_(direction / length_),
+        precision_(precision) {}
 
   std::string operator()(const Points& set) const {
     const std::vector<Point>& points = set.points();
@@ -30,8 +36,10 @@ class Objection {
     const Point claimed = pose_(points[static_cast<std::size_t>(*found_.index)]);
     if (!(largest(found_.point - claimed) <= allowed))
       return "is not where the point of index " + std::to_string(*found_.index) + " lies";
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (pose_(points[i]).dot(along_) > found_.point.dot(along_) + 3 * allowed)
+    const double vanished = 4 * precision_.least / length_;  // of the products with the direction itself
+    const bool may_overflow = !(3 * (size * length_) <= precision_.largest);
+    for (std::size_t i = 0; i < points.size() && !may_overflow; ++i)
+      if (pose_(points[i]).dot(along_) > found_.point.dot(along_) + 3 * allowed + vanished)
         return "is not the farthest: the point of index " + std::to_string(i) + " reaches farther";
     return "";
   }
@@ -61,19 +69,22 @@ class Objection {
   static std::string on_a_round_object() { return "has an index, but spheres and cylinders have no list of points"; }
 
   double allowance(double size) const {
-    return tolerance * (3 * size + largest(pose_.translation)) + std::numeric_limits<double>::min();
+    return roundings * precision_.epsilon * (3 * size + largest(pose_.translation)) + precision_.least_normal;
   }
   Point turned(const Point& p) const { return Pose{pose_.rotation, Point::Zero()}(p); }
 
   const gjk::SupportPoint<double>& found_;
   const Pose& pose_;
+  const double length_;
   const Point along_;  // its largest component is 1 or -1, so that nothing overflows
+  const Precision precision_;
 };
 
 }  // namespace
 
-std::string objection_to(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction) {
-  return std::visit(Objection(found, object, direction), object.form);
+std::string objection_to(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
+                         Scalar scalar) {
+  return std::visit(Objection(found, object, direction, precision_of(scalar)), object.form);
 }
 
 }  // namespace walkthroughs

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "walkthroughs/exact.hpp"
 #include "walkthroughs/storyboard.hpp"
 #include "walkthroughs/words.hpp"
 
@@ -34,10 +35,15 @@ std::string how_it_ends(const Story& story) {
   return ends.empty() ? "-" : ends;
 }
 
+/// What is true, where the walkthrough is about an answer that is not.
+std::string in_truth(const Walkthrough& w) {
+  return w.findings ? " (in truth " + std::string(to_string(exact_answer(w.scenes[0]))) + ")" : "";
+}
+
 Row row_of(const Walkthrough& w) {
   const Story story = tell(w);
   return {w.name, plain(w.region_case ? w.region_case->text : w.summary),
-          w.region_case ? w.region_case->section : w.source, how_it_ends(story), std::to_string(story.frames.size())};
+          w.region_case ? w.region_case->section : w.source, how_it_ends(story) + in_truth(w), std::to_string(story.frames.size())};
 }
 
 void write_row(std::ostream& out, const Row& row, const std::array<std::size_t, 5>& widths) {

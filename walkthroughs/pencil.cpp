@@ -35,6 +35,7 @@ void Pencil::point(const Point& p, render::Color color) {
 }
 
 void Pencil::direction(const Point& from, const Point& d, const Stroke& stroke, const std::string& name) {
+  if (d.isZero(0) || !d.allFinite()) return;  // it leads nowhere
   const Point to = from + d.stableNormalized() * length(style_.arrow_length);
   const Vec2 tail = at(from), tip = at(to), along = tip - tail;
   panel_.arrow(tail, tip, stroke);

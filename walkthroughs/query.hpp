@@ -8,7 +8,7 @@
 /// (A) last: the one that contains the origin where intersecting, the last one where undecided.
 ///
 /// Numbers are the shortest that read back the same in the scalar; -0.0 keeps its sign. In exact numbers they are strings,
-/// "p/q" in lowest terms or "p". What is not finite is "inf", "-inf" or "nan".
+/// "p/q" in lowest terms or "p". What is not finite is "inf", "-inf" or "nan", and a long double beyond all doubles a string.
 #pragma once
 
 #include <array>

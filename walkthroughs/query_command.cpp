@@ -19,6 +19,24 @@
 namespace walkthroughs {
 namespace {
 
+constexpr const char* footer =
+    R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
+('gjkstep scene --example'), one of
+  {"points": [[x, y, z], ...]}
+  {"sphere": {"center": [x, y, z], "radius": r}}
+  {"cylinder": {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}}
+with a "pose" and a "name" if you like; exact takes points only. A number is read as the nearest double and then
+converted. A line may have 16 MiB, and end in CR LF.
+Standard output: one line for each, in the same order,
+  {"status": "intersecting", "separated" or "undecided", "iterations": n, "reason": "...", "evidence": {...}}
+Evidence: where separated, a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0; else the
+simplex, its newest vertex last, each w = a - b. An index is the position in "points", from 0. Numbers are the
+shortest that read back the same in the scalar. Strings are: the fractions of exact ("1/3"), long doubles beyond all
+doubles, "inf", "-inf" and "nan".
+A bad line, also a blank one, gives {"error": "...", "line": n}, and the others are answered.
+Answers are written before more is read, so a program may ask one pair and wait.
+Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
+
 enum ExitCode { all_answered = 0, bad_lines = 3 };
 
 std::size_t read_some(std::span<char> bytes) {
@@ -77,29 +95,7 @@ CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
       ->capture_default_str();
   command->add_option("--max-iterations", query.max_iterations, "1 to 1000; then the answer is undecided")
       ->capture_default_str();
-  command->footer(
-      "Standard input: JSON Lines, each {\"a\": OBJECT, \"b\": OBJECT}. An object is as in scene files\n"
-      "('gjkstep scene --example'), one of\n"
-      "  {\"points\": [[x, y, z], ...]}\n"
-      "  {\"sphere\": {\"center\": [x, y, z], \"radius\": r}}\n"
-      "  {\"cylinder\": {\"center\": [x, y, z], \"axis\": [x, y, z], \"radius\": r, \"height\": h}}\n"
-      "with a \"pose\" and a \"name\" if you like; exact takes points only. A number is read as the nearest double and "
-      "then\n"
-      "converted. A line may have 16 MiB, and end in CR LF.\n"
-      "Standard output: for each line one, in the same order,\n"
-      "  {\"status\": \"intersecting\", \"separated\" or \"undecided\", \"iterations\": n, \"reason\": \"...\", "
-      "\"evidence\": "
-      "{...}}\n"
-      "Evidence: where separated, a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0; else "
-      "the\n"
-      "simplex, its newest vertex last, each w = a - b. An index is the position in \"points\", from 0. Numbers are "
-      "the\n"
-      "shortest that read back the same in the scalar; those of exact are strings, \"1/3\"; \"inf\", \"-inf\", \"nan\" "
-      "too.\n"
-      "A bad line, also a blank one, gives {\"error\": \"...\", \"line\": n}, and the others are answered.\n"
-      "Answers are written before more is read, so a program may ask one pair and wait.\n"
-      "Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot "
-      "write.");
+  command->footer(footer);
   return command;
 }
 

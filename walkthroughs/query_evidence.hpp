@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,13 @@ void write(const S& x, std::string& out) {
     return;
   }
   char text[64];
-  out.append(text, std::to_chars(text, text + sizeof text, x).ptr);
+  const std::string_view digits(text, std::to_chars(text, text + sizeof text, x).ptr);
+  if (static_cast<long double>(std::fabs(x)) >
+      std::numeric_limits<double>::max()) {  // many readers of JSON would stop at such a number
+    out.append("\"").append(digits).append("\"");
+    return;
+  }
+  out += digits;
   if (x == 0 && std::signbit(x)) out += ".0";  // readers take "-0" for a whole number, which has no sign
 }
 

@@ -23,6 +23,9 @@ struct Object {
   std::variant<Points, Ball, Cylinder> form;
   Pose pose = {};
 
+  /// Returns: whether the pose leaves everything where it is. The sign of zero counts: it decides that of the points found.
+  bool is_at_rest() const;
+
   /// Counts itself, so that a test can see who asks.
   gjk::SupportPoint<double> support(const Point& d) const;
   mutable std::size_t support_calls = 0;
@@ -37,6 +40,12 @@ std::vector<Point> vertices_of(const Object& object);
 /// Which functions of core/rules.hpp run.
 enum class RuleSet { as_intended, as_printed };
 
+/// What counts as zero, see core/zero_test.hpp.
+enum class ZeroTest { exact, relative };
+
+/// In which numbers the search computes: double or float. The words are those of IEEE 754.
+enum class Scalar { binary64, binary32 };
+
 /// Scenes of the plane z = 0 are drawn flat; those of space through a camera.
 enum class Dimension { plane, space };
 
@@ -47,11 +56,18 @@ struct Scene {
   gjk::Options<double> options = {};
   Dimension dimension = Dimension::plane;
   RuleSet rules = RuleSet::as_intended;
+  ZeroTest zero_test = ZeroTest::exact;
+  Scalar scalar = Scalar::binary64;  ///< binary32: every number of the scene is a float, see in_float()
 };
+
+/// Returns: the scene with every number rounded to the nearest float, to be searched in float. So the objects that are
+/// drawn are those that are searched, and what goes wrong is the search's doing.
+/// Errors: std::range_error, with the number, where one is beyond all floats or a length or direction vanishes.
+Scene in_float(Scene scene);
 
 using Trace = gjk::Trace<double>;
 
-/// Returns: every event of GJK on the two objects.
+/// Returns: every event of GJK on the two objects, computed in the scene's scalar; a double holds every float.
 Trace run(const Scene& scene);
 
 }  // namespace walkthroughs

@@ -56,6 +56,11 @@ RuleSet read_rules(const Value& root) {
   return rules ? static_cast<RuleSet>(choice(*rules, words_of::rules)) : RuleSet::as_intended;
 }
 
+ZeroTest read_zero_test(const Value& root) {
+  const auto test = root.member("zero_test");
+  return test ? static_cast<ZeroTest>(choice(*test, words_of::zero_test)) : ZeroTest::exact;
+}
+
 Panels read_panels(const Value& root) {
   Panels panels;
   const auto list = root.member("panels");
@@ -132,7 +137,7 @@ std::string title_from(const std::string& file_name) {
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_object(root,
                 {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "panels", "size"},
+                 "zero_test", "scalar", "panels", "size"},
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from(file_name);
@@ -142,6 +147,7 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   name_the_nameless(a, b, space);
   const gjk::Options<double> options = read_options(root, space);
   const RuleSet rules = read_rules(root);
+  const ZeroTest zero_test = read_zero_test(root);
   const Panels panels = read_panels(root);
   const std::optional<render::Size> size = read_size(root);
 
@@ -153,7 +159,8 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   file.walkthrough.layout = Layout::search;
   file.walkthrough.panels = panels;
   file.walkthrough.naming = Naming::roles;
-  file.walkthrough.scenes.push_back({"scene", std::move(a), std::move(b), options, space.dimension, rules});
+  file.walkthrough.scenes.push_back(
+      in_its_scalar({"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test}, root));
   return file;
 }
 
@@ -208,6 +215,8 @@ std::string_view example_scene() {
   "iteration_limit": 20,
   "crossing_test": "on",   // "off": go on until there are no new points
   "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake
+  "zero_test": "exact",    // "relative": products that rounding may have made count as zero
+  "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
 
   // What is shown beside the search. What is left out is not computed.
   "panels": ["objects", "hull", "algorithm"],
@@ -232,7 +241,8 @@ std::string summary(const SceneFile& file) {
   if (walkthrough.panels.hull) panels += ", hull";
   if (walkthrough.panels.algorithm) panels += ", algorithm";
   return "'" + walkthrough.title + "', " + (space.is_plane() ? "plane" : "space") + ", " + object(scene.a) + " and " +
-         object(scene.b) + ", panels: search" + panels;
+         object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
+         (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") + ", panels: search" + panels;
 }
 
 }  // namespace walkthroughs

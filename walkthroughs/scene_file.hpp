@@ -10,6 +10,8 @@
 ///     iteration_limit  1 to 1000                                                                       20
 ///     crossing_test    "on", "off" (Section 3.1.3)                                                     "on"
 ///     rules            "as-intended", "as-printed" (Algorithm 1)                                       "as-intended"
+///     zero_test        "exact", "relative" (core/zero_test.hpp)                                        "exact"
+///     scalar           "double", "float"; numbers are rounded to the nearest float and computed with    "double"
 ///     panels           those of "objects", "hull", "algorithm" to show beside the search               all three
 ///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
 ///

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 #include "walkthroughs/nearest.hpp"
 #include "walkthroughs/scene_file.hpp"
+#include "walkthroughs/words_of.hpp"
 
 namespace walkthroughs::reading {
 
@@ -187,6 +189,18 @@ decltype(Object::form) form_of(FormAsWritten written) {
 
 decltype(Object::form) read_form(const Value& shape, const Space& space) {
   return form_of(read_form_as_written(shape, space));
+}
+
+// -- Scalars ---------------------------------------------------------------------------------------------------------
+
+Scene in_its_scalar(Scene scene, const Value& declared) {
+  const auto scalar = declared.member("scalar");
+  if (!scalar || static_cast<Scalar>(choice(*scalar, words_of::scalar)) == Scalar::binary64) return scene;
+  try {
+    return in_float(std::move(scene));
+  } catch (const std::range_error& error) {
+    scalar->fail(std::string(error.what()) + "; choose another unit of length, or \"double\"");
+  }
 }
 
 }  // namespace walkthroughs::reading

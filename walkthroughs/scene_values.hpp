@@ -60,4 +60,7 @@ decltype(Object::form) form_of(FormAsWritten written);
 /// Both in one.
 decltype(Object::form) read_form(const Value& shape, const Space& space);
 
+/// Returns: the scene in the scalar that `declared` asks for with its key "scalar"; in doubles where there is none.
+Scene in_its_scalar(Scene scene, const Value& declared);
+
 }  // namespace walkthroughs::reading

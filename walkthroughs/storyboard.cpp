@@ -15,13 +15,14 @@ namespace {
 // -- One scene --------------------------------------------------------------------------------------------------------
 
 /// Returns: the first iteration that the walkthrough has something to say about.
-std::optional<int> decisive_iteration(const Walkthrough& walkthrough) {
-  for (const Remark& remark : walkthrough.remarks)
+std::optional<int> decisive_iteration(const std::vector<Remark>& remarks) {
+  for (const Remark& remark : remarks)
     if (remark.at == Remark::At::region_tested || remark.at == Remark::At::reduced) return remark.iteration;
   return std::nullopt;
 }
 
-Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene, Trace trace) {
+Telling tell_scene(const Story& story, const Scene& scene, Trace trace) {
+  const Walkthrough& walkthrough = story.walkthrough;
   Telling telling{scene, std::move(trace), {}, {}, {}, {}, walkthrough.panels, {}};
   const Panels& panels = walkthrough.panels;
   if (walkthrough.naming == Naming::corners) telling.hull = difference_hull(scene);
@@ -31,7 +32,7 @@ Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene, Trace tra
   }
   if (panels.hull) telling.difference = body_of_difference(scene, telling.a, telling.b);
   if (scene.dimension == Dimension::space)
-    telling.lens.camera = choose_camera(telling.trace, decisive_iteration(walkthrough));
+    telling.lens.camera = choose_camera(telling.trace, decisive_iteration(story.remarks));
   return telling;
 }
 
@@ -58,7 +59,7 @@ void tell_whole_search(Story& story) {
     if (repeats && i + 1 < events.size()) continue;
     if (const auto* found = std::get_if<gjk::SupportFound<double>>(&events[i]); found && found->is_new) ++known_points;
     Moment now = replay(telling.trace, i + 1);
-    std::optional<Frame> frame = caption(events[i], story.walkthrough, telling.scene, telling.hull, now);
+    std::optional<Frame> frame = caption(events[i], story, telling, now);
     if (!frame) continue;
     if (frame->focus == Focus::direction) {
       const auto [state, is_new] = states.emplace(state_of(now, known_points), now.iteration);
@@ -85,7 +86,7 @@ std::size_t find_event(const Trace& trace, int iteration) {
 std::optional<Frame> frame_of(const Story& story, std::size_t scene, std::size_t at) {
   const Telling& telling = story.tellings[scene];
   Moment now = replay(telling.trace, at + 1);
-  std::optional<Frame> frame = caption(telling.trace.events[at], story.walkthrough, telling.scene, telling.hull, now);
+  std::optional<Frame> frame = caption(telling.trace.events[at], story, telling, now);
   if (!frame) return std::nullopt;
   frame->moments = {std::move(now)};
   frame->events = {{0, at}};
@@ -236,9 +237,9 @@ Story tell(const Walkthrough& walkthrough, Detail detail) {
 }
 
 Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail detail) {
-  Story story{walkthrough, {}, {}, {}};
+  Story story{walkthrough, {}, remarks_of(walkthrough, traces), {}, {}};
   for (std::size_t s = 0; s < walkthrough.scenes.size(); ++s)
-    story.tellings.push_back(tell_scene(walkthrough, walkthrough.scenes[s], std::move(traces[s])));
+    story.tellings.push_back(tell_scene(story, walkthrough.scenes[s], std::move(traces[s])));
   switch (walkthrough.layout) {
     case Layout::search: tell_whole_search(story); break;
     case Layout::close_ups: tell_move(story, walkthrough.close_up.value()); break;

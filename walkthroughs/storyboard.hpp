@@ -17,7 +17,7 @@ enum class Focus { support, crossing, added, region, reduction, direction, repet
 
 /// A number that decides, or a reason, in one line.
 struct Fact {
-  enum class Mark { none, yes, no, skipped, answer };
+  enum class Mark { none, yes, no, skipped, answer, truth };
   Mark mark = Mark::none;
   std::string text;  ///< with the markup of render/font.hpp
 };
@@ -53,6 +53,7 @@ struct Telling {
 struct Story {
   const Walkthrough& walkthrough;
   std::vector<Telling> tellings;  ///< one for each scene
+  std::vector<Remark> remarks;    ///< all, the findings included
   std::vector<Diagram> diagrams;  ///< Layout::diagrams: one for each frame
   std::vector<Frame> frames;
 

@@ -37,6 +37,14 @@ void require_identical(const Point& found, const Point& expected, const std::str
     fail(quoted(key) + " is " + written(found) + ", but " + source + " is " + written(expected));
 }
 
+/// Returns: a - b in numbers of that scalar. Subtracted in floats, not in doubles that are rounded after: GCC 12 leaves out
+/// the roundings of x.cast<float>().cast<double>().
+Point difference(const Point& a, const Point& b, Scalar scalar) {
+  if (scalar == Scalar::binary64) return a - b;
+  const gjk::Vec3<float> w = a.cast<float>() - b.cast<float>();
+  return w.cast<double>();
+}
+
 // -- Comparing --------------------------------------------------------------------------------------------------------
 
 bool is_identical(const gjk::SupportPoint<double>& p, const gjk::SupportPoint<double>& q) {
@@ -125,28 +133,30 @@ void TraceCheck::check(const gjk::SupportFound<double>& event) {
   ++iteration_;
   require_identical(event.direction, direction_, "direction", "the direction chosen last");
   const gjk::Vertex<double>& v = event.vertex;
-  require_identical(v.w, v.a.point - v.b.point, "w", "a - b");
-  const std::string against_a = objection_to(v.a, scene_.a, direction_);
+  require_identical(v.w, difference(v.a.point, v.b.point, scene_.scalar), "w", "a - b");
+  const std::string against_a = objection_to(v.a, scene_.a, direction_, scene_.scalar);
   require(against_a.empty(), "'a' " + against_a);
-  const std::string against_b = objection_to(v.b, scene_.b, -direction_);
+  const std::string against_b = objection_to(v.b, scene_.b, -direction_, scene_.scalar);
   require(against_b.empty(), "'b' " + against_b);
   require(event.is_new == !is_known(v.w), event.is_new ? "'new' is true, but an earlier w of this scene is the same"
                                                        : "'new' is false, but no earlier w of this scene is the same");
   if (event.is_new) known_.push_back(v.w);
   vertex_ = v;
   is_new_ = event.is_new;
-  reach_ = dot({v.w}, {direction_});
+  reach_ = dot({v.w}, {direction_}, scene_.scalar);
   expected_ = {Kind::crossing};
 }
 
-Crossing TraceCheck::crossing_that_follows(const std::optional<double>& value) const {
+Crossing TraceCheck::crossing_that_follows(const gjk::CrossingTested<double>& event) const {
   if (scene_.options.crossing_test == CrossingTest::off) return Crossing::switched_off;
   if (simplex_.size() == 0) return Crossing::first_point;
-  return value && *value < 0 ? Crossing::not_crossed : Crossing::crossed;
+  const bool is_negative = event.value && *event.value < 0;
+  return is_negative && !(event.verdict == Crossing::crossed && reach_counts_as_zero()) ? Crossing::not_crossed
+                                                                                        : Crossing::crossed;
 }
 
 void TraceCheck::check(const gjk::CrossingTested<double>& event) {
-  const Crossing verdict = crossing_that_follows(event.value);
+  const Crossing verdict = crossing_that_follows(event);
   const bool is_applied = verdict == Crossing::crossed || verdict == Crossing::not_crossed;
   require(event.value.has_value() == is_applied, is_applied
                                                      ? "'value' is missing: the crossing test applies here"
@@ -173,7 +183,7 @@ void TraceCheck::decide_after_crossing(const gjk::CrossingTested<double>& event)
     end_outside(Reason::origin_not_crossed);
   } else if (event.verdict == Crossing::switched_off && !is_new_) {
     if (!has(vertex_.w) && !reach_.may_be_negative()) return;
-    const bool must_end = has(vertex_.w) || !reach_.may_be_positive_or_zero();
+    const bool must_end = has(vertex_.w) || !reach_may_be_crossed();
     expected_ = must_end ? std::vector{Kind::finished} : std::vector{Kind::added, Kind::finished};
     end_outside(Reason::no_new_vertex);
   }
@@ -221,17 +231,17 @@ void TraceCheck::check_value(const gjk::RegionTested<double>& event) const {
   require(has_right_kind, "'value' is not of the kind that 'expression' has");
   require(event.normal.has_value() == !event.formula.empty(), "'normal' and 'formula' belong together");
   if (event.normal) {
-    const RoundedVector normal = evaluate(event.formula, simplex_);
+    const RoundedVector normal = evaluate(event.formula, simplex_, scene_.scalar);
     require(agrees(*event.normal, normal),
             "'normal' is " + written(*event.normal) + ", but " + event.formula + " is " + written(normal.value));
   }
   if (const double* value = std::get_if<double>(&event.value)) {
-    const RoundedScalar expected = dot({*event.normal}, evaluate("AO", simplex_));
+    const RoundedScalar expected = dot({*event.normal}, evaluate("AO", simplex_, scene_.scalar), scene_.scalar);
     require(agrees(*value, expected), "'value' is " + reading::written(*value) + ", but " + event.expression + " is " +
                                           reading::written(expected.value));
   }
   if (const Point* value = std::get_if<Point>(&event.value)) {
-    const RoundedVector expected = evaluate(event.expression, simplex_);
+    const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
     require(agrees(*value, expected),
             "'value' is " + written(*value) + ", but " + event.expression + " is " + written(expected.value));
   }
@@ -251,12 +261,28 @@ void TraceCheck::check(const gjk::RegionTested<double>& event) {
   if (has_value && event.verdict != Verdict::skipped) {
     const double* value = std::get_if<double>(&event.value);
     const bool holds = value ? stands(*value, event.relation) : stands(std::get<Point>(event.value), event.relation);
-    require(holds == (event.verdict == Verdict::chosen),
+    const bool is_as_zero = counts_as_zero(event) && stands(0.0, event.relation) == (event.verdict == Verdict::chosen);
+    require(is_as_zero || holds == (event.verdict == Verdict::chosen),
             verdict + ", but 'value' is " + written(event.value) + " and " + (holds ? "stands" : "does not stand") +
                 " in the relation " + quoted(words_of::of(words_of::relation, event.relation)));
   }
   require(step.has_value(), verdict + ", which is not possible for the feature " + quoted(row.feature) + " here");
   go_on(*step);
+}
+
+/// Returns: whether its value may count as zero, though it may not be zero.
+bool TraceCheck::counts_as_zero(const gjk::RegionTested<double>& event) const {
+  if (scene_.zero_test == ZeroTest::exact) return false;
+  if (const Point* value = std::get_if<Point>(&event.value))
+    return may_count_as_zero(*value, size_of(event.expression, simplex_), scene_.scalar);
+  const double size = size_of(event.formula, simplex_) * size_of("AO", simplex_);
+  return may_count_as_zero(std::get<double>(event.value), size, scene_.scalar);
+}
+
+/// Returns: whether w·d may count as zero, though it may not be zero.
+bool TraceCheck::reach_counts_as_zero() const {
+  return scene_.zero_test == ZeroTest::relative &&
+         may_count_as_zero(reach_.value, length_of(vertex_) * direction_.lpNorm<1>(), scene_.scalar);
 }
 
 void TraceCheck::go_on(const RuleStep& step) {
@@ -270,7 +296,7 @@ void TraceCheck::go_on(const RuleStep& step) {
   const bool is_tested = scene_.options.crossing_test == CrossingTest::on;
   endings_.clear();
   if (!is_tested && reach_.may_be_negative()) end_outside(Reason::origin_not_crossed);
-  if (is_tested || reach_.may_be_positive_or_zero() || std::isnan(reach_.value))
+  if (is_tested || reach_may_be_crossed() || std::isnan(reach_.value))
     endings_.push_back({Status::intersecting, Reason::simplex_contains_origin});
 }
 
@@ -297,7 +323,7 @@ void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
 void TraceCheck::check(const gjk::DirectionChosen<double>& event) {
   require(event.expression == step_.direction,
           "'expression' is " + quoted(event.expression) + "; after this region it is " + quoted(step_.direction));
-  const RoundedVector expected = evaluate(event.expression, simplex_);
+  const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
   require(agrees(event.direction, expected), "'direction' is " + written(event.direction) + ", but " +
                                                  event.expression + " is " + written(expected.value));
   if (!step_.kept.empty()) {
@@ -323,7 +349,7 @@ void TraceCheck::end_outside(Reason reason) {
     return;
   }
   if (reach_.may_be_negative()) endings_.push_back({Status::separated, reason});
-  if (reach_.may_be_positive_or_zero()) endings_.push_back({Status::undecided, reason});
+  if (reach_may_be_crossed()) endings_.push_back({Status::undecided, reason});
 }
 
 void TraceCheck::check(const gjk::Finished<double>& event) {
@@ -358,6 +384,8 @@ void TraceCheck::check_separation(const gjk::Result<double>& result) const {
                                                    reading::written(proof.support_value) + ", but w·direction is " +
                                                    reading::written(reach_.value));
 }
+
+bool TraceCheck::reach_may_be_crossed() const { return reach_.may_be_positive_or_zero() || reach_counts_as_zero(); }
 
 bool TraceCheck::is_known(const Point& w) const {
   return std::ranges::any_of(known_, [&](const Point& earlier) { return earlier == w; });

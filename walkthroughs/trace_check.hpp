@@ -65,10 +65,13 @@ class TraceCheck {
   void check(const gjk::DirectionChosen<double>& event);
   void check(const gjk::Finished<double>& event);
 
-  gjk::Crossing crossing_that_follows(const std::optional<double>& value) const;
+  gjk::Crossing crossing_that_follows(const gjk::CrossingTested<double>& event) const;
   void decide_after_crossing(const gjk::CrossingTested<double>& event);
   const RuleRow& row_of(const gjk::RegionTested<double>& event) const;
   void check_value(const gjk::RegionTested<double>& event) const;
+  bool counts_as_zero(const gjk::RegionTested<double>& event) const;
+  bool reach_counts_as_zero() const;
+  bool reach_may_be_crossed() const;
   void go_on(const RuleStep& step);
   void begin_search();
   void end_outside(gjk::Reason reason);

@@ -3,16 +3,11 @@
 /// number in a trace is held to this bound and not to its last bit.
 #pragma once
 
-#include <limits>
 #include <string_view>
 
 #include "walkthroughs/scene.hpp"
 
 namespace walkthroughs {
-
-/// Relative error of a sum or product of doubles, doubled; and what is lost where one vanishes.
-inline constexpr double rounding = std::numeric_limits<double>::epsilon();
-inline constexpr double vanishing = 8 * std::numeric_limits<double>::denorm_min();
 
 /// A vector; `error` bounds that of each component.
 struct RoundedVector {
@@ -28,11 +23,23 @@ struct RoundedScalar {
   bool may_be_positive_or_zero() const { return value + error >= 0; }
 };
 
-RoundedScalar dot(const RoundedVector& u, const RoundedVector& v);
+/// Computed in `scalar`, of which u and v are.
+RoundedScalar dot(const RoundedVector& u, const RoundedVector& v, Scalar scalar);
 
 /// `expression`: differences XY of the letters of `simplex` and O, normals XYZn = XY×XZ, their products from left to right,
-/// with a minus before them or not. Requires: all its letters are roles in `simplex`.
-RoundedVector evaluate(std::string_view expression, const gjk::Simplex<double>& simplex);
+/// with a minus before them or not; computed in `scalar`, of which the vertices are. Requires: all its letters are roles in
+/// `simplex`.
+RoundedVector evaluate(std::string_view expression, const gjk::Simplex<double>& simplex, Scalar scalar);
+
+/// Returns: |w| as a zero test takes it: the lengths of a and b, which w = a - b has its rounding from.
+double length_of(const gjk::Vertex<double>& vertex);
+
+/// Returns: the product of the lengths of all vectors in an expression; that of AO is the length of A.
+double size_of(std::string_view expression, const gjk::Simplex<double>& simplex);
+
+/// Returns: whether a product of that size, computed in `scalar`, may count as zero by the relative zero test.
+bool may_count_as_zero(double product, double size, Scalar scalar);
+bool may_count_as_zero(const Point& product, double size, Scalar scalar);
 
 /// Returns: whether a recorded number may be that value. Both were rounded, so twice the bound is allowed; a number that is
 /// not finite can only stand for another such.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "walkthroughs/hull.hpp"
+#include "walkthroughs/precision.hpp"
 #include "walkthroughs/scene_file.hpp"
 #include "walkthroughs/scene_values.hpp"
 #include "walkthroughs/trace_check.hpp"
@@ -89,7 +90,7 @@ gjk::Simplex<double> simplex(const Value& value) {
 
 // -- The first line ---------------------------------------------------------------------------------------------------
 
-Pose read_pose(const Value& value, const Space& space) {
+Pose read_pose(const Value& value, const Space& space, Scalar scalar) {
   expect_object(value, {"rotation", "translation"}, "an object with 'rotation' and 'translation'");
   const Value rotation = member(value, "rotation");
   expect(rotation, Kind::list, "a matrix of three rows");
@@ -98,7 +99,7 @@ Pose read_pose(const Value& value, const Space& space) {
   Pose pose;
   for (int row = 0; row < 3; ++row)
     pose.rotation.row(row) = Space{Dimension::space}.point(rows[static_cast<std::size_t>(row)]);
-  constexpr double allowed = 64 * std::numeric_limits<double>::epsilon();  // some roundings of sines and cosines
+  const double allowed = 64 * precision_of(scalar).epsilon;  // some roundings of sines and cosines
   const Eigen::Matrix3d product = pose.rotation * pose.rotation.transpose();
   if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= allowed && pose.rotation.determinant() > 0))
     rotation.fail("is not a rotation: its rows are not perpendicular unit vectors in right-handed order");
@@ -109,27 +110,33 @@ Pose read_pose(const Value& value, const Space& space) {
 }
 
 // What may throw is computed before an aggregate is begun: GCC 12 destroys members of unfinished aggregates twice.
-Object read_object(const Value& value, const Space& space) {
+Object read_object(const Value& value, const Space& space, Scalar scalar) {
   expect_object(value, {"name", "points", "sphere", "cylinder", "pose"}, "an object with a shape");
   auto form = read_form(shape_of(value), space);
   Object object{.name = {}, .form = std::move(form)};
   object.name = words(member(value, "name"), scene_limits::name);
-  if (const auto pose = value.member("pose")) object.pose = read_pose(*pose, space);
+  if (const auto pose = value.member("pose")) object.pose = read_pose(*pose, space, scalar);
   return object;
 }
 
 Scene read_scene(const Value& value) {
-  expect_object(value, {"name", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules"},
+  expect_object(value,
+                {"name", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
+                 "zero_test", "scalar"},
                 "an object that describes a scene");
   const std::string name = words(member(value, "name"), scene_limits::name);
   const Space space{whole_number(member(value, "dimension"), 2, 3) == 2 ? Dimension::plane : Dimension::space};
-  Object a = read_object(member(value, "a"), space), b = read_object(member(value, "b"), space);
+  const auto in = value.member("scalar");
+  const Scalar scalar = in ? enumerator<Scalar>(*in, words_of::scalar) : Scalar::binary64;
+  Object a = read_object(member(value, "a"), space, scalar), b = read_object(member(value, "b"), space, scalar);
   const gjk::Options<double> options{
       .first_direction = space.direction(member(value, "first_direction")),
       .iteration_limit = whole_number(member(value, "iteration_limit"), 1, scene_limits::iterations),
       .crossing_test = enumerator<gjk::CrossingTest>(member(value, "crossing_test"), words_of::crossing_test)};
   const auto rules = enumerator<RuleSet>(member(value, "rules"), words_of::rules);
-  return {name, std::move(a), std::move(b), options, space.dimension, rules};
+  const auto zero = value.member("zero_test");
+  const ZeroTest zero_test = zero ? enumerator<ZeroTest>(*zero, words_of::zero_test) : ZeroTest::exact;
+  return in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules, zero_test}, value);
 }
 
 std::vector<Scene> read_scenes(const Value& value) {
@@ -161,12 +168,13 @@ std::vector<Remark> read_remarks(const Value& value) {
   std::vector<Remark> remarks;
   for (const Value& each : value.children()) {
     if (remarks.size() == trace_limits::remarks) each.fail("is one remark too many; there may be 100");
-    expect_object(each, {"at", "iteration", "text", "only_for"}, "an object with 'at', 'iteration' and 'text'");
+    expect_object(each, {"at", "iteration", "text", "only_for", "fact"}, "an object with 'at', 'iteration' and 'text'");
     const auto at = enumerator<Remark::At>(member(each, "at"), words_of::remark_at);
     const int in_iteration = iteration(member(each, "iteration"));
     const std::string text = sentence(each, "text");
     const std::string only_for = each.member("only_for") ? sentence(each, "only_for") : "";
-    remarks.push_back({at, in_iteration, text, only_for});
+    const std::string fact = each.member("fact") ? sentence(each, "fact") : "";
+    remarks.push_back({at, in_iteration, text, only_for, fact});
   }
   return remarks;
 }

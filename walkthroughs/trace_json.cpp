@@ -1,7 +1,6 @@
 #include "walkthroughs/trace_json.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -57,17 +56,10 @@ struct FormJson {
   }
 };
 
-/// The sign of zero counts: it decides that of the points found.
-bool is_at_rest(const Pose& pose) {
-  const Pose rest;
-  return std::memcmp(pose.rotation.data(), rest.rotation.data(), sizeof(double[9])) == 0 &&
-         std::memcmp(pose.translation.data(), rest.translation.data(), sizeof(double[3])) == 0;
-}
-
 Json json(const Object& object) {
   Json j{{"name", object.name}};
   j.update(std::visit(FormJson{}, object.form));
-  if (!is_at_rest(object.pose)) {
+  if (!object.is_at_rest()) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
     j["pose"] = {{"rotation", rows}, {"translation", json(object.pose.translation)}};
@@ -76,14 +68,17 @@ Json json(const Object& object) {
 }
 
 Json json(const Scene& scene) {
-  return {{"name", scene.name},
-          {"dimension", scene.dimension == Dimension::plane ? 2 : 3},
-          {"a", json(scene.a)},
-          {"b", json(scene.b)},
-          {"first_direction", json(scene.options.first_direction)},
-          {"iteration_limit", scene.options.iteration_limit},
-          {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
-          {"rules", words_of::of(words_of::rules, scene.rules)}};
+  Json j{{"name", scene.name},
+         {"dimension", scene.dimension == Dimension::plane ? 2 : 3},
+         {"a", json(scene.a)},
+         {"b", json(scene.b)},
+         {"first_direction", json(scene.options.first_direction)},
+         {"iteration_limit", scene.options.iteration_limit},
+         {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
+         {"rules", words_of::of(words_of::rules, scene.rules)}};
+  if (scene.zero_test != ZeroTest::exact) j["zero_test"] = words_of::of(words_of::zero_test, scene.zero_test);
+  if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
+  return j;
 }
 
 /// One overload for each event: its name and what it carries. What an event does not have is left out.
@@ -155,15 +150,16 @@ Json json(const Panels& panels) {
 Json json(const Remark& remark) {
   Json j{{"at", words_of::of(words_of::remark_at, remark.at)}, {"iteration", remark.iteration}, {"text", remark.text}};
   if (!remark.only_for.empty()) j["only_for"] = remark.only_for;
+  if (!remark.fact.empty()) j["fact"] = remark.fact;
   return j;
 }
 
-Json presentation(const Walkthrough& walkthrough) {
+Json presentation(const Walkthrough& walkthrough, const std::vector<Remark>& remarks) {
   Json j{{"title", walkthrough.title},         {"source", walkthrough.source},
          {"summary", walkthrough.summary},     {"layout", words_of::of(words_of::layout, walkthrough.layout)},
          {"panels", json(walkthrough.panels)}, {"naming", words_of::of(words_of::naming, walkthrough.naming)}};
-  if (!walkthrough.remarks.empty()) j["remarks"] = Json::array();
-  for (const Remark& remark : walkthrough.remarks) j["remarks"].push_back(json(remark));
+  if (!remarks.empty()) j["remarks"] = Json::array();
+  for (const Remark& remark : remarks) j["remarks"].push_back(json(remark));
   if (const auto& move = walkthrough.close_up)
     j["close_up"] = {{"iteration", move->iteration},
                      {"direction", move->direction},
@@ -183,17 +179,19 @@ Json json(const gjk::Event<double>& event) {
 std::string event_json(const gjk::Event<double>& event) { return json(event).dump(); }
 
 void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
+  std::vector<Trace> traces;
+  for (const Scene& scene : walkthrough.scenes) traces.push_back(run(scene));
   Json header{{"schema", "gjkstep-trace"},
               {"version", trace_version},
               {"walkthrough", walkthrough.name},
               {"scalar", "double"},
-              {"presentation", presentation(walkthrough)},
+              {"presentation", presentation(walkthrough, remarks_of(walkthrough, traces))},
               {"scenes", Json::array()}};
   for (const Scene& scene : walkthrough.scenes) header["scenes"].push_back(json(scene));
   out << header.dump() << '\n';
-  for (const Scene& scene : walkthrough.scenes) {
-    for (const gjk::Event<double>& event : run(scene).events) {
-      Json line{{"scene", scene.name}};
+  for (std::size_t s = 0; s < traces.size(); ++s) {
+    for (const gjk::Event<double>& event : traces[s].events) {
+      Json line{{"scene", walkthrough.scenes[s].name}};
       line.update(json(event));
       out << line.dump() << '\n';
     }

@@ -5,7 +5,9 @@
 /// without a search, and without this program's catalogue.
 ///
 /// Vectors are arrays of three numbers in scene units. Every finite number reads back as the same double; any other is one
-/// of the words "inf", "-inf" and "nan". trace_schema() says which keys and words a line may have.
+/// of the words "inf", "-inf" and "nan". The scalar of the first line is that of these numbers; a scene that was searched in
+/// another, or with another zero test, says so by a key of its own, and readers that do not know the key refuse it. trace_schema() says
+/// which keys and words a line may have.
 #pragma once
 
 #include <ostream>

@@ -43,7 +43,8 @@ struct Remark {
   int iteration;
   std::string text;
   std::string only_for =
-      {};  ///< region_tested: the label, feature or "face feature" meant, such as "R3", "AB" or "ACD AC"
+      {};                 ///< region_tested: the label, feature or "face feature" meant, such as "R3", "AB" or "ACD AC"
+  std::string fact = {};  ///< a line of its own below the caption; empty where there is none
 };
 
 /// The move that close-ups show: the one that iteration `iteration` makes, in three sentences.
@@ -77,10 +78,14 @@ struct Walkthrough {
   Naming naming = Naming::corners;
   std::vector<Scene> scenes = {};
   std::vector<Remark> remarks = {};
-  std::optional<CloseUp> close_up = {};                 ///< Layout::close_ups only
-  std::function<std::vector<Diagram>()> diagrams = {};  ///< Layout::diagrams only
-  std::optional<RegionCase> region_case = {};           ///< walkthroughs regions/… only
+  std::function<std::vector<Remark>(const Trace&)> findings = {};  ///< remarks that come from the first scene's trace
+  std::optional<CloseUp> close_up = {};                            ///< Layout::close_ups only
+  std::function<std::vector<Diagram>()> diagrams = {};             ///< Layout::diagrams only
+  std::optional<RegionCase> region_case = {};                      ///< walkthroughs regions/… only
 };
+
+/// Returns: the remarks of a walkthrough, and those that its findings make. Requires: the traces of its scenes.
+std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces);
 
 /// Returns: all walkthroughs, in the order of the report.
 const std::vector<Walkthrough>& catalogue();
@@ -113,5 +118,6 @@ std::vector<Walkthrough> vehicle_and_threat();
 Walkthrough cycle_separated();
 Walkthrough cycle_intersecting();
 Walkthrough as_printed_spheres();
+std::vector<Walkthrough> failures();
 
 }  // namespace walkthroughs

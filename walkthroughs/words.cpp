@@ -39,7 +39,9 @@ std::string with_digits(double value, int digits) {
 
 }  // namespace
 
-std::string number(double value) { return with_digits(value, value == std::round(value) ? 8 : 6); }
+std::string number(double value) {
+  return with_digits(value, value == std::round(value) && std::abs(value) < 1e8 ? 8 : 6);
+}
 
 std::string short_number(double value) { return with_digits(value, value == std::round(value) ? 6 : 4); }
 

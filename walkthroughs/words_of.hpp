@@ -10,6 +10,8 @@ namespace walkthroughs::words_of {
 
 inline constexpr std::array<std::string_view, 2> crossing_test{"on", "off"};
 inline constexpr std::array<std::string_view, 2> rules{"as-intended", "as-printed"};
+inline constexpr std::array<std::string_view, 2> zero_test{"exact", "relative"};
+inline constexpr std::array<std::string_view, 2> scalar{"double", "float"};
 inline constexpr std::array<std::string_view, 3> panels{"objects", "hull", "algorithm"};
 inline constexpr std::array<std::string_view, 4> layout{"search", "close-ups", "in-step", "until-they-part"};
 inline constexpr std::array<std::string_view, 2> naming{"corners", "roles"};

@@ -72,7 +72,7 @@ Section 3.2.3: “`AB·AO > 0` and `BA·BO > 0` in addition to Eq. 12”. False 
 triangle (Algorithm 4); the edges of a tetrahedron (Algorithm 5) are kept without these checks, too.
 
 )";
-  heading(out, {"Shape", "Simplex", "Iteration 3", "4", "5", "6", "7 and later", "All"}, 2);
+  heading(out, {"Shape", "Simplex", "Iteration 3", "4", "5 and later", "All"}, 2);
   const auto text = [](const ExtraChecks& c) {
     return c.edges == 0 ? std::string("–")
                         : grouped(c.newest_false) + " + " + grouped(c.older_false) + " of " + grouped(c.edges);
@@ -81,9 +81,9 @@ triangle (Algorithm 4); the edges of a tetrahedron (Algorithm 5) are kept withou
     const Shortcuts& s = counted.efforts[i].shortcuts;
     for (const auto* const by_iteration : {&s.in_triangle, &s.in_tetrahedron}) {
       Cells cells{claim_shapes()[i].name, by_iteration == &s.in_triangle ? "triangle" : "tetrahedron"};
-      for (std::size_t k = 3; k < 7; ++k) cells.push_back(text((*by_iteration)[k]));
+      for (std::size_t k = 3; k < 5; ++k) cells.push_back(text((*by_iteration)[k]));
       ExtraChecks later;
-      for (std::size_t k = 7; k < Shortcuts::iterations; ++k) later += (*by_iteration)[k];
+      for (std::size_t k = 5; k < Shortcuts::iterations; ++k) later += (*by_iteration)[k];
       cells.push_back(text(later));
       cells.push_back(text(sum_of(*by_iteration)));
       row(out, cells);
@@ -100,8 +100,10 @@ const std::vector<Skipped>& skipped_regions() {
       {"1-simplex: “The origin also cannot be in R2”, beyond A", "3.2.2", 2, {A}},
       {"2-simplex: “R4, R5 and R6, so the origin cannot be in those regions” (B, BC, C)", "3.2.3", 3, {B, B | C, C}},
       {"2-simplex: “We can also eliminate region R2”, beyond A", "3.2.3", 3, {A}},
-      {"3-simplex: “we can eliminate … the points B, C, and D”", "3.2.4", 4, {B, C, D}},
-      {"3-simplex: “… the line segments BC, CD and DB”", "3.2.4", 4, {B | C, C | D, D | B}},
+      {"3-simplex: “the points B, C, and D, the line segments BC, CD and DB”",
+       "3.2.4",
+       4,
+       {B, C, D, B | C, C | D, D | B}},
       {"3-simplex: “… and the triangle BCD”", "3.2.4", 4, {B | C | D}},
       {"3-simplex: “we can eliminate the region beyond A”", "3.2.4", 4, {A}},
   };

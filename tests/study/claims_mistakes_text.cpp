@@ -38,9 +38,12 @@ std::string passes_text(const Rate& fails, double pairs) {
   return at_least + decimals(100 * p, 1) + " %";
 }
 
-std::string healed(const Rate& heals) {
-  return heals.trials == 0 ? "–" : share_text(heals.share()) + " of " + grouped(heals.trials);
-}
+std::string healed(const Rate& heals) { return heals.trials == 0 ? "–" : share_text(heals.share()); }
+
+std::string signed_decimals(double x) { return (x < 0 ? "−" : "+") + decimals(std::fabs(x), 2); }
+
+/// What stands for a mistake after it has been named.
+std::string number(std::size_t i) { return "M" + std::to_string(i + 1); }
 
 void write_what_happens(std::ostream& out, const Counted& counted, std::uint64_t pairs) {
   out << R"(## How many tests does a mistake survive?
@@ -55,15 +58,15 @@ runs, on average.
 
 )";
   heading(out,
-          {"Mistake", "Section", "Wrong yes", "Wrong no", "Undecided", "Changed", "Healed: pairs that meet",
+          {"", "Mistake", "Section", "Wrong yes", "Wrong no", "Undecided", "Changed", "Healed: pairs that meet",
            "Healed: pairs that do not", "More iterations"},
-          2);
+          3);
   for (std::size_t i = 0; i < mistakes().size(); ++i) {
     const MistakeCounts& m = counted.triangles.counts[i];
     const bool heals = m.heals_meeting.count + m.heals_apart.count > 0;
-    row(out, {mistakes()[i].name, mistakes()[i].section, grouped(m.wrong_yes), grouped(m.wrong_no),
+    row(out, {number(i), mistakes()[i].name, mistakes()[i].section, grouped(m.wrong_yes), grouped(m.wrong_no),
               grouped(m.undecided), share_text(m.changed.share()), healed(m.heals_meeting), healed(m.heals_apart),
-              heals ? decimals(m.mean_extra(), 2) : "–"});
+              heals ? signed_decimals(m.mean_extra()) : "–"});
   }
   out << '\n';
 }
@@ -75,29 +78,24 @@ many random triangle pairs shows nothing. *Needed*: how many random pairs show t
 
 )";
   heading(out,
-          {"Mistake", "Fails", "Passes 100", "Passes 10,000", "Passes 1,000,000", "Needed: random triangles",
+          {"", "Fails", "Passes 100", "Passes 10,000", "Passes 1,000,000", "Needed: random triangles",
            "Random tetrahedra", "Triangles on a grid of 6 × 6 × 6"},
           1);
   for (std::size_t i = 0; i < mistakes().size(); ++i) {
     const Rate& fails = counted.triangles.counts[i].fails;
-    row(out, {mistakes()[i].name, rate_text(fails), passes_text(fails, 1e2), passes_text(fails, 1e4),
-              passes_text(fails, 1e6), needed_between(fails), needed(counted.tetrahedra.counts[i].fails),
-              needed(counted.grid.counts[i].fails)});
+    row(out, {number(i), rate_text(fails), passes_text(fails, 1e2), passes_text(fails, 1e4), passes_text(fails, 1e6),
+              needed_between(fails), needed(counted.tetrahedra.counts[i].fails), needed(counted.grid.counts[i].fails)});
   }
   out << '\n';
 }
 
-/// The names of those mistakes for which `is_so` holds, as a list in Markdown.
+/// Those mistakes for which `is_so` holds, after the words for what they have in common.
 template <class IsSo>
 void list(std::ostream& out, const std::string& what, IsSo is_so) {
-  out << what << "\n\n";
-  bool any = false;
-  for (std::size_t i = 0; i < mistakes().size(); ++i) {
-    if (!is_so(i)) continue;
-    out << "* " << mistakes()[i].name << '\n';
-    any = true;
-  }
-  out << (any ? "\n" : "* none\n\n");
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < mistakes().size(); ++i)
+    if (is_so(i)) numbers.push_back(number(i));
+  out << "* " << what << ' ' << (numbers.empty() ? "none" : joined(numbers)) << ".\n";
 }
 
 void write_what_it_means(std::ostream& out, const Counted& counted) {
@@ -114,10 +112,12 @@ void write_what_it_means(std::ostream& out, const Counted& counted) {
     const MistakeCounts& m = counted.triangles.counts[i];
     return m.undecided > m.fails.count && m.fails.count > 0;
   });
-  out << R"(Why mistakes heal: however a search direction was found, `P·d < 0` proves separation (Eq. 9 needs nothing else,
+  out << R"(
+Why mistakes heal: however a search direction was found, `P·d < 0` proves separation (Eq. 9 needs nothing else,
 which is also why it may be asked of the very first point). A wrong direction or order therefore costs iterations, and makes
-a wrong *no* only through the iteration limit, where Algorithm 1 says no without proof; a wrong *yes* takes a normal or an
-order that puts the origin into a simplex that it is not in. So: tell *undecided* apart from *no*, look at the number of
+a wrong *no* only through the iteration limit, where Algorithm 1 says no without proof; a wrong *yes* takes a normal
+or an order that puts the origin into a simplex that it is not in, or a vertex that comes back: the normals of a flat simplex
+are zero, and zero reads as “contains the origin”. So: tell *undecided* apart from *no*, look at the number of
 iterations, and test with sets that touch.
 )";
 }

@@ -176,8 +176,8 @@ MollerCounts measure_moller(const ClaimsOptions& options) {
 }
 
 const std::vector<Coarseness>& coarsenesses() {
-  static const std::vector<Coarseness> all{{11, 1},    {31, 1},  {101, 1},   {131, 1},     {201, 1},      {1001, 1},
-                                           {32768, 1}, {11, 10}, {101, 100}, {1001, 1000}, {32768, 32767}};
+  static const std::vector<Coarseness> all{{11, 1},   {31, 1},    {101, 1},     {131, 1},      {201, 1},
+                                           {1001, 1}, {101, 100}, {1001, 1000}, {32768, 32767}};
   return all;
 }
 

@@ -98,17 +98,16 @@ std::array<S, 3> distances(const Triangle<S>& t, const Plane<S>& plane, Distance
   return result;
 }
 
-/// The vertex from which both edges that meet the plane start: the one without another on its side; where there is
-/// none such (one or two vertices in the plane), any that is off the plane.
+/// The vertex from which both edges that meet the plane start: the one that the other two are both on the far side of,
+/// or both in the plane; where all three differ, one of the two that are off the plane.
 ///
 /// Requires: not all distances are zero, nor all on one side.
 template <class S>
 std::size_t vertex_alone_on_its_side(const std::array<S, 3>& d) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const int others = sign(d[(i + 1) % 3]);
-    if (others != 0 && others == sign(d[(i + 2) % 3])) return i;
+    if (sign(d[(i + 1) % 3]) == sign(d[(i + 2) % 3])) return i;
   }
-  return sign(d[0]) != 0 ? 0 : sign(d[1]) != 0 ? 1 : 2;
+  return sign(d[0]) != 0 ? 0 : 1;
 }
 
 /// Where the triangle's two edges meet the other's plane, as places on `axis`: the line L is replaced by its projection

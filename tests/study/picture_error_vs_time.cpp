@@ -35,7 +35,7 @@ Point point_of(const Settings& settings, const std::vector<std::string>& familie
   for (const std::string& family : families) {
     const Row& row = *settings.find(family, setting);
     point.nanoseconds += row.timings.at(setting.limit).per_query() / n;
-    point.rate += failure_rate(counts_at(row.tally, setting.limit)).value() / n;
+    point.rate += failure_rate(counts_at(row.tally, setting.limit)).share() / n;
   }
   return point;
 }

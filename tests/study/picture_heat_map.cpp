@@ -14,7 +14,7 @@ constexpr double least_shade = 1e-6;  // rates from here to 1 have a shade; none
 
 /// Returns: the label in a cell, and its colour, so that the shade is not all that tells the rate.
 std::string cell_label(std::size_t column, std::size_t row, const std::optional<Counts>& counts) {
-  const double rate = counts ? failure_rate(*counts).value() : 0;
+  const double rate = counts ? failure_rate(*counts).share() : 0;
   const std::string text = counts ? in_short(rate) : "not asked";
   const char* const colour = !counts ? "#777777" : rate > 0.005 ? "#FFFFFF" : "#000000";
   return "set label " + in_quotes(text) + " at " + std::to_string(column) + "," + std::to_string(row) +
@@ -41,7 +41,7 @@ Picture heat_map(const Settings& settings) {
       setting.scalar = settings.scalars()[s];
       const auto counts = settings.counts(family.name, setting);
       labels << cell_label(s, families.size(), counts);
-      const double rate = counts ? failure_rate(*counts).value() : 0;
+      const double rate = counts ? failure_rate(*counts).share() : 0;
       if (rate > 0) cells << s << ' ' << families.size() << ' ' << std::log10(std::max(rate, least_shade)) << '\n';
     }
     families.push_back(family.name);

@@ -52,7 +52,7 @@ std::optional<double> mean_failure_rate(const Settings& settings, const Setting&
   int families = 0;
   for (const FamilyNote& family : settings.study().families)
     if (const auto counts = settings.counts(family.name, setting)) {
-      sum += failure_rate(*counts).value();
+      sum += failure_rate(*counts).share();
       ++families;
     }
   return families == 0 ? std::nullopt : std::optional(sum / families);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/interval.hpp"
+#include "tests/study/rate.hpp"
 #include "tests/study/study.hpp"
 
 namespace study {
@@ -47,13 +47,6 @@ class Settings {
   const Study& study_;
   std::vector<std::string> rules_, scalars_, zero_tests_;
   Setting usual_;
-};
-
-/// How many of how many.
-struct Rate {
-  std::uint64_t count, trials;
-  double value() const { return static_cast<double>(count) / static_cast<double>(trials); }
-  Interval interval() const { return wilson(count, trials); }
 };
 
 inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs}; }

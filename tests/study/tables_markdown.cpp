@@ -110,7 +110,7 @@ std::string families_table(const Settings& settings) {
                 {"of these exact", [](const FamilyNote& family) { return std::to_string(family.slow_pairs); }},
                 column(settings, "hits", usual,
                        [](const Counts& c) {
-                         return in_short(Rate{c.hits, c.pairs}.value());
+                         return in_short(Rate{c.hits, c.pairs}.share());
                        }),
                 {"changed by float", rounding(&Tally::truth_changed)},
                 {"beyond float's range", rounding(&Tally::out_of_range)}});
@@ -225,7 +225,7 @@ std::string in_short(double value) {
 std::string in_words(const Rate& rate) {
   const Interval interval = rate.interval();
   if (rate.count == 0) return "0 (< " + in_short(interval.high) + ")";
-  return in_short(rate.value()) + " (" + in_short(interval.low) + " – " + in_short(interval.high) + ")";
+  return in_short(rate.share()) + " (" + in_short(interval.low) + " – " + in_short(interval.high) + ")";
 }
 
 std::string counts_markdown(const Settings& settings) {

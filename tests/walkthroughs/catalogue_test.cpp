@@ -17,13 +17,29 @@ std::vector<std::string> names() {
 TEST_CASE("The catalogue has the figures in the order of the report, then the regions, then what goes wrong") {
   std::vector<std::string> outside_of_folders = names();
   std::erase_if(outside_of_folders, [](const std::string& name) { return name.starts_with("regions/"); });
-  CHECK(outside_of_folders ==
-        std::vector<std::string>{"figure-1", "figure-2", "figure-3", "figure-4", "figure-4-left", "figure-4-right",
-                                 "figure-4-right-no-crossing-test", "figure-5", "figure-6", "figure-7", "figure-8",
-                                 "vehicle-and-threat/vehicle-hit", "vehicle-and-threat/vehicle-near-miss",
-                                 "vehicle-and-threat/counter-munition-hit",
-                                 "vehicle-and-threat/counter-munition-near-miss", "cycle-separated",
-                                 "cycle-intersecting", "as-printed-spheres"});
+  CHECK(outside_of_folders == std::vector<std::string>{"figure-1",
+                                                       "figure-2",
+                                                       "figure-3",
+                                                       "figure-4",
+                                                       "figure-4-left",
+                                                       "figure-4-right",
+                                                       "figure-4-right-no-crossing-test",
+                                                       "figure-5",
+                                                       "figure-6",
+                                                       "figure-7",
+                                                       "figure-8",
+                                                       "vehicle-and-threat/vehicle-hit",
+                                                       "vehicle-and-threat/vehicle-near-miss",
+                                                       "vehicle-and-threat/counter-munition-hit",
+                                                       "vehicle-and-threat/counter-munition-near-miss",
+                                                       "cycle-separated",
+                                                       "cycle-intersecting",
+                                                       "as-printed-spheres",
+                                                       "failures/vanished-product",
+                                                       "failures/overflowed-product",
+                                                       "failures/beyond-an-edge",
+                                                       "failures/coplanar-askew",
+                                                       "failures/far-from-the-origin"});
   std::string simplices;  // of the regions, by their dimension
   for (const Walkthrough* w : find_walkthroughs("regions")) simplices += w->name.at(std::string("regions/").size());
   CHECK(std::ranges::is_sorted(simplices));

@@ -276,15 +276,19 @@ TEST_CASE("Evidence in exact numbers is written as fractions in lowest terms") {
 }
 
 TEST_CASE("What is not finite is a word") {
-  const std::string huge = R"({"points":[[1e150,1e150,1e150],[-1e150,2,1e150]]})";
-  const std::string other = R"({"points":[[-1e150,-1e150,1e150],[3,-1e150,1e149],[1e150,4,-1e150]]})";
-  const std::string text = answer_text(pair_of(huge, other));
-  CHECK(Json::parse(text).contains("status"));
-  const std::string beyond_float = R"({"points":[[3e38,3e38,3e38],[-3e38,1,3e38]]})";
   const Json said =
-      answer(pair_of(beyond_float, R"({"points":[[-3e38,-3e38,-3e38]]})"), {.scalar = QueryScalar::binary32});
+      answer(pair_of(R"({"points":[[3e38,3e38,3e38],[-3e38,1,3e38]]})", R"({"points":[[-3e38,-3e38,-3e38]]})"),
+             {.scalar = QueryScalar::binary32});
   CHECK(said["status"] == "undecided");
-  CHECK(said["evidence"].dump().find("\"inf\"") != std::string::npos);
+  CHECK(has(said["evidence"].dump(), "\"inf\""));
+}
+
+TEST_CASE("A long double beyond all doubles is a string that reads back the same") {
+  const Corners a{{1e150, -1e150, 1}, {1e-320, 5e-324, -1e150}}, b{{1e29, 1e-300, 0}};
+  const QueryOptions options{.scalar = QueryScalar::long_double};
+  const std::string text = answer_text(pair_of(json(a), json(b)), options);
+  CHECK(has(text, "e+449\""));
+  check_says(text, called<long double>(in_scalar<long double>(a), in_scalar<long double>(b), options));
 }
 
 TEST_CASE("Numbers keep the sign of zero where they are written with a fraction") {

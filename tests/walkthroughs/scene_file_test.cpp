@@ -109,6 +109,8 @@ TEST_CASE("The example reads without complaint, runs, and shows every key", "[sc
                           "iteration_limit",
                           "crossing_test",
                           "rules",
+                          "zero_test",
+                          "scalar",
                           "panels",
                           "size"})
     CHECK(example_scene().find("\"" + std::string(key) + "\"") != std::string_view::npos);
@@ -129,6 +131,8 @@ TEST_CASE("The smallest scene is two objects and everything else has a default",
   CHECK(scene.name == "scene");
   CHECK(scene.dimension == Dimension::space);
   CHECK(scene.rules == RuleSet::as_intended);
+  CHECK(scene.scalar == Scalar::binary64);
+  CHECK(scene.zero_test == ZeroTest::exact);
   CHECK(scene.options.first_direction == Point(1, 0, 0));
   CHECK(scene.options.iteration_limit == 20);
   CHECK(scene.options.crossing_test == gjk::CrossingTest::on);
@@ -276,6 +280,24 @@ TEST_CASE("A scene file says which rules run", "[scene-file]") {
   };
   CHECK(status(R"("rules": "as-intended")") == gjk::Status::separated);
   CHECK(status(R"("rules": "as-printed")") == gjk::Status::intersecting);
+}
+
+TEST_CASE("A scene file says in which numbers the search computes, and rounds its own to them", "[scene-file]") {
+  const Scene scene = scene_of(scene_text(R"({"points": [[0.1, 0, 0]]})", ball, R"("scalar": "float")"));
+  CHECK(scene.scalar == Scalar::binary32);
+  CHECK(vertices_of(scene.a).at(0).x() == double{0.1f});
+  CHECK(scene_of(scene_text(corner, ball, R"("scalar": "double")")).scalar == Scalar::binary64);
+}
+
+TEST_CASE("A scene file says what counts as zero", "[scene-file]") {
+  CHECK(scene_of(scene_text(corner, ball, R"("zero_test": "relative")")).zero_test == ZeroTest::relative);
+  CHECK(scene_of(scene_text(corner, ball, R"("zero_test": "exact")")).zero_test == ZeroTest::exact);
+}
+
+TEST_CASE("Numbers that do not fit into floats are named, and what to do", "[scene-file]") {
+  const std::string far_away = R"({"sphere": {"center": [1e40, 0, 0], "radius": 1}})";
+  check_complaint(scene_text(corner, far_away, R"("scalar": "float")"), "4: scalar",
+                  {"1e+40 is beyond all floats; choose another unit of length, or \"double\""});
 }
 
 TEST_CASE("The summary says in one line what a scene declares", "[scene-file]") {
@@ -473,6 +495,8 @@ TEST_CASE("Whole numbers and words are among those that there are", "[scene-file
   check_rest(R"("iteration_limit": 18446744073709551616)", "4: iteration_limit", {"found 18446744073709551616"});
   check_rest(R"("crossing_test": "yes")", "4: crossing_test", {"'yes' is not known", "'on' and 'off'"});
   check_rest(R"("rules": "as-print")", "4: rules", {"did you mean 'as-printed'?"});
+  check_rest(R"("scalar": "single")", "4: scalar", {"'single' is not known", "'double' and 'float'"});
+  check_rest(R"("zero_test": "absolute")", "4: zero_test", {"did you mean", "'exact' and 'relative'"});
   check_rest(R"("panels": ["hull", "camera"])", "4: panels[1]", {"'camera' is not known"});
   check_rest(R"("panels": ["hull", "hull"])", "4: panels[1]", {"'hull' appears twice"});
 }

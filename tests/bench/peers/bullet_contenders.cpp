@@ -6,6 +6,9 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <cmath>
+#include <limits>
+
 #include "tests/bench/peers/contender.hpp"
 
 namespace peers {
@@ -41,18 +44,24 @@ Placed placed(const study::Body& body) {
   return std::visit([](const auto& one) { return placed(one); }, body);
 }
 
+/// How far the two reach beyond what GJK is shown of them: 0, but for balls, of which GJK sees the center only.
+btScalar margins(const Placed& a, const Placed& b) { return a.shape->getMargin() + b.shape->getMargin(); }
+
 /// What Bullet's collision algorithms call: GJK, and EPA where shapes overlap.
 class PairDetector {
  public:
   explicit PairDetector(const study::Pair& pair)
-      : a_(placed(pair.a)), b_(placed(pair.b)), solvers_(std::make_unique<Solvers>()) {}
+      : a_(placed(pair.a)), b_(placed(pair.b)), solvers_(std::make_unique<Solvers>()) {
+    // Touching is a contact. A distance is not asked for: GJK may stop as soon as it knows that there is one.
+    farthest_contact_ = std::pow(margins(a_, b_), 2) + std::numeric_limits<btScalar>::min();
+  }
 
   Answer operator()() const {
     btGjkPairDetector detector(a_.shape.get(), b_.shape.get(), &solvers_->simplex, &solvers_->penetration);
     btGjkPairDetector::ClosestPointInput input;
     input.m_transformA = a_.place;
     input.m_transformB = b_.place;
-    input.m_maximumDistanceSquared = 0;  // a distance is not asked for
+    input.m_maximumDistanceSquared = farthest_contact_;
     Contact contact;
     detector.getClosestPoints(input, contact, nullptr);
     return contact.touches ? Answer::intersecting : Answer::separated;
@@ -72,6 +81,7 @@ class PairDetector {
 
   Placed a_, b_;
   std::unique_ptr<Solvers> solvers_;
+  btScalar farthest_contact_;  ///< squared, between the shapes without their margins
 };
 
 /// GJK alone, which ends as soon as the origin is enclosed.
@@ -83,7 +93,7 @@ class GjkAlone {
     btGjkEpaSolver2::sResults results;
     const bool apart =
         btGjkEpaSolver2::Distance(a_.shape.get(), a_.place, b_.shape.get(), b_.place, btVector3(1, 0, 0), results);
-    if (apart) return results.distance > 0 ? Answer::separated : Answer::intersecting;
+    if (apart) return results.distance > margins(a_, b_) ? Answer::separated : Answer::intersecting;
     return results.status == btGjkEpaSolver2::sResults::Penetrating ? Answer::intersecting : Answer::undecided;
   }
 
@@ -96,7 +106,7 @@ class GjkAlone {
 std::vector<Contender> bullet_contenders() {
   return {{"Bullet GJK+EPA",
            "Bullet " GJKSTEP_BULLET_VERSION " in double, `btGjkPairDetector` with `btVoronoiSimplexSolver` and "
-           "`btGjkEpaPenetrationDepthSolver`, no margins, no distance asked for (`m_maximumDistanceSquared` = 0)",
+           "`btGjkEpaPenetrationDepthSolver`, no margins, no distance asked for (`m_maximumDistanceSquared` next to 0)",
            batch_of<PairDetector>},
           {"Bullet GJK",
            "Bullet " GJKSTEP_BULLET_VERSION " in double, `btGjkEpaSolver2::Distance`, which is GJK without EPA; its "

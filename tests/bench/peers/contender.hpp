@@ -39,6 +39,7 @@ struct Contender {
   std::string name;  ///< "libccd GJK"
   std::string how;   ///< version, call and settings, for the table's foot
   std::unique_ptr<Batch> (*prepare)(const std::vector<study::Pair>& pairs);
+  bool is_peer = true;  ///< somebody else's
 };
 
 /// A batch of queries of one kind: Query is made from a pair and called without arguments. Where it cannot be made,
@@ -76,7 +77,7 @@ std::unique_ptr<Batch> batch_of(const std::vector<study::Pair>& pairs) {
   return std::make_unique<BatchOf<Query>>(pairs);
 }
 
-/// Every contender of this build, this project's own first.
+/// Every contender of this build, the plain call first.
 std::vector<Contender> contenders();
 
 }  // namespace peers

@@ -14,7 +14,7 @@ using Sphere = fcl::Sphere<double>;
 using Cylinder = fcl::Cylinder<double>;
 using Place = fcl::Transform3<double>;
 
-/// Without faces FCL scans all points. With them it would climb along edges where there are more than 32: that takes ten
+/// Without faces FCL scans all points. With them it would climb along edges where there are more than 32, which takes ten
 /// times as long for 256 points.
 Convex shape(const study::Points& points) {
   return {std::make_shared<const std::vector<study::Vec>>(points), 0, std::make_shared<std::vector<int>>()};

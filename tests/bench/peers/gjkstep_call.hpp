@@ -1,4 +1,4 @@
-/// The plain call: no observer, doubles, every option as it is by default.
+/// This project's calls: no observer, doubles, every option as it is by default.
 #pragma once
 
 #include "core/gjk.hpp"
@@ -7,9 +7,11 @@
 
 namespace peers {
 
-template <class A, class B>
+using Relative = gjk::Intended<gjk::RelativeZeroTest>;
+
+template <class Rules, class A, class B>
 Answer asked(const A& a, const B& b) {
-  switch (gjk::collision<double>(a, b).status) {
+  switch (gjk::collision<double, Rules>(a, b).status) {
     case gjk::Status::intersecting: return Answer::intersecting;
     case gjk::Status::separated: return Answer::separated;
     case gjk::Status::undecided: break;
@@ -17,8 +19,13 @@ Answer asked(const A& a, const B& b) {
   return Answer::undecided;
 }
 
-/// Compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
+/// Each compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
 /// the rules between them in place of inlining them.
+template <class Rules>
 Answer asked_of_point_sets(const PointSet& a, const PointSet& b);
+template <>
+Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b);
+template <>
+Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b);
 
 }  // namespace peers

@@ -3,18 +3,21 @@
 namespace peers {
 namespace {
 
-template <class A, class B>
+template <class Rules, class A, class B>
 Answer answer(const A& a, const B& b) {
-  return asked(a, b);
+  if constexpr (std::same_as<A, PointSet> && std::same_as<B, PointSet>)
+    return asked_of_point_sets<Rules>(a, b);
+  else
+    return asked<Rules>(a, b);
 }
-Answer answer(const PointSet& a, const PointSet& b) { return asked_of_point_sets(a, b); }
 
+template <class Rules>
 class Query {
  public:
   explicit Query(const study::Pair& pair) : a_(any_shape(pair.a)), b_(any_shape(pair.b)) {}
 
   Answer operator()() const {
-    return std::visit([](const auto& one, const auto& other) { return answer(one, other); }, a_, b_);
+    return std::visit([](const auto& one, const auto& other) { return answer<Rules>(one, other); }, a_, b_);
   }
 
  private:
@@ -24,7 +27,16 @@ class Query {
 }  // namespace
 
 std::vector<Contender> gjkstep_contenders() {
-  return {{"gjkstep", "`gjk::collision<double>(a, b)`, at most 20 iterations", batch_of<Query>}};
+  return {
+      {.name = "gjkstep",
+       .how = "`gjk::collision<double>(a, b)`, the plain call: at most 20 iterations",
+       .prepare = batch_of<Query<gjk::AsIntended>>,
+       .is_peer = false},
+      {.name = "gjkstep relative",
+       .how =
+           "`gjk::collision<double, gjk::Intended<gjk::RelativeZeroTest>>(a, b)`, the same with the relative zero test",
+       .prepare = batch_of<Query<Relative>>,
+       .is_peer = false}};
 }
 
 }  // namespace peers

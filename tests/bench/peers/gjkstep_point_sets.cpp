@@ -2,6 +2,9 @@
 
 namespace peers {
 
-Answer asked_of_point_sets(const PointSet& a, const PointSet& b) { return asked(a, b); }
+template <>
+Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b) {
+  return asked<gjk::AsIntended>(a, b);
+}
 
 }  // namespace peers

@@ -18,14 +18,14 @@ struct Score {
   std::string first_failure;  ///< "pair 17: no answer within 1 s"; empty where nothing failed
   double nanoseconds = 0;     ///< per query: the median of the repeats; 0 where no pair was answered
 
-  int wrong() const { return false_positives + false_negatives; }
+  int not_right() const { return false_positives + false_negatives + undecided + failed; }
 };
 
 struct Match {
   std::string family, what;
   std::size_t pairs = 0, meet = 0;
   std::vector<Score> scores = {};  ///< in the order of the contenders
-  std::size_t lost = 0;            ///< pairs on which the first contender is not right though another one is
+  std::size_t lost = 0;            ///< pairs on which the first contender is not right though a peer is
 };
 
 struct MatchSettings {

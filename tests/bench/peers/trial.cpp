@@ -1,6 +1,7 @@
 #include "tests/bench/peers/trial.hpp"
 
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,9 +37,10 @@ class SharedAnswers {
 };
 
 [[noreturn]] void ask_in_child(Batch& batch, std::size_t pairs, SharedAnswers& answers) {
+  const itimerval limit{.it_interval = {}, .it_value = {.tv_sec = seconds_for_a_pair, .tv_usec = 0}};
   for (std::size_t i = answers.next(); i < pairs; ++i) {
     answers.next() = i;
-    alarm(seconds_for_a_pair);  // SIGALRM ends this process
+    setitimer(ITIMER_VIRTUAL, &limit, nullptr);  // SIGVTALRM ends this process
     answers[i] = batch.ask(i);
   }
   answers.next() = pairs;
@@ -62,7 +64,7 @@ std::vector<Answer> tried(Batch& batch, std::size_t pairs) {
     if (child == 0) ask_in_child(batch, pairs, answers);
     const int status = status_of_child(child);
     if (answers.next() == pairs) break;
-    const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
+    const bool late = WIFSIGNALED(status) && WTERMSIG(status) == SIGVTALRM;
     answers[answers.next()] = late ? Answer::timed_out : Answer::crashed;
     answers.next() = answers.next() + 1;
   }

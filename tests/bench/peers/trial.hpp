@@ -7,7 +7,7 @@
 
 namespace peers {
 
-inline constexpr int seconds_for_a_pair = 1;
+inline constexpr int seconds_for_a_pair = 1;         ///< of the processor
 inline constexpr int failures_before_giving_up = 3;  ///< crashes and time-outs; the pairs left are not asked
 
 /// Returns: the answer to each pair.

@@ -1,0 +1,78 @@
+/// How many pairs a second does gjkstep query answer on one core: lines read, asked about and answered with all evidence,
+/// without the system's share of reading and writing? The column "items_per_second".
+///
+///     build/gjkstep-query-bench                                      double, all shapes
+///     build/gjkstep query <pairs.jsonl >/dev/null                    the whole program, by the shell's `time`
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <random>
+#include <span>
+#include <string>
+
+#include "walkthroughs/query.hpp"
+#include "walkthroughs/scene_values.hpp"
+
+namespace {
+
+using namespace walkthroughs;
+
+constexpr std::uint64_t seed = 7474;
+constexpr int pairs = 1000;
+
+/// Uniform in [-1, 1) with all digits, the same with every standard library.
+std::string number(std::mt19937_64& generator) {
+  return reading::written(static_cast<double>(generator() >> 11) * 0x1p-52 - 1);
+}
+
+std::string point(std::mt19937_64& generator) {
+  std::string text = "[" + number(generator);
+  for (int i = 0; i < 2; ++i) text += "," + number(generator);
+  return text + "]";
+}
+
+template <int count>
+std::string points(std::mt19937_64& generator) {
+  std::string text = R"({"points":[)" + point(generator);
+  for (int i = 1; i < count; ++i) text += "," + point(generator);
+  return text + "]}";
+}
+
+std::string sphere(std::mt19937_64& generator) {
+  return R"({"sphere":{"center":)" + point(generator) + R"(,"radius":0.5}})";
+}
+
+std::string cylinder(std::mt19937_64& generator) {
+  const std::string center = point(generator);
+  return R"({"cylinder":{"center":)" + center + R"(,"axis":)" + point(generator) + R"(,"radius":0.4,"height":0.8}})";
+}
+
+template <std::string (*object)(std::mt19937_64&)>
+void answers(benchmark::State& state) {
+  std::mt19937_64 generator(seed);
+  std::string text;
+  for (int i = 0; i < pairs; ++i) {
+    const std::string a = object(generator);
+    text += R"({"a":)" + a + R"(,"b":)" + object(generator) + "}\n";
+  }
+  for (auto _ : state) {
+    std::string_view rest = text;
+    const auto read = [&](std::span<char> bytes) {
+      const std::size_t count = std::min(bytes.size(), rest.size());
+      std::memcpy(bytes.data(), rest.data(), count);
+      rest.remove_prefix(count);
+      return count;
+    };
+    const QueryTally tally = answer_lines({}, read, [](std::string_view out) { benchmark::DoNotOptimize(out.data()); });
+    if (tally.bad != 0) state.SkipWithError("a line is bad");
+  }
+  state.SetItemsProcessed(state.iterations() * pairs);
+}
+
+BENCHMARK(answers<points<3>>)->Name("triangles");
+BENCHMARK(answers<points<4>>)->Name("tetrahedra");
+BENCHMARK(answers<points<32>>)->Name("hulls-of-32-points");
+BENCHMARK(answers<sphere>)->Name("spheres");
+BENCHMARK(answers<cylinder>)->Name("cylinders");
+
+}  // namespace
