@@ -1,5 +1,6 @@
 // What is said under the pictures, in the letters of the picture.
 
+#include <cmath>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -94,6 +95,10 @@ std::vector<std::string> regions_listed(const std::string& fact) {
 
 void check_numbers(const std::string& fact, const std::vector<double>& expected) {
   INFO(fact);
+  if (fact.find("inf") != std::string::npos) {
+    CHECK(std::ranges::any_of(expected, [](double x) { return std::isinf(x); }));
+    return;
+  }
   const std::vector<double> printed = numbers_at_the_end(fact);
   REQUIRE(printed.size() <= expected.size());
   REQUIRE(printed.size() >= std::min<std::size_t>(expected.size(), 2));
@@ -148,10 +153,12 @@ TEST_CASE("The numbers in the facts are those of the events") {
     const auto events = shown(story);
     REQUIRE(events.size() == story.frames.size());
     for (std::size_t i = 0; i < events.size(); ++i) {
-      const std::vector<Fact>& list = story.frames.at(i).facts;
+      std::vector<Fact> list = story.frames.at(i).facts;
+      std::erase_if(list, [](const Fact& fact) { return fact.mark == Mark::truth; });  // not of the event
       if (const auto* e = std::get_if<gjk::SupportFound<double>>(&events[i])) {
         check_numbers(list.at(0).text.substr(0, list[0].text.find(';')), components(e->direction));
-        check_numbers(list.at(0).text.substr(0, list[0].text.find(", then")), {e->vertex.w.dot(e->direction)});
+        if (story.tellings[0].scene.scalar == Scalar::binary64)
+          check_numbers(list.at(0).text.substr(0, list[0].text.find(", then")), {e->vertex.w.dot(e->direction)});
         check_numbers(list.at(1).text, components(e->vertex.w));
         const bool by_role = story.walkthrough.naming == Naming::roles;
         CHECK(list[1].text.starts_with((by_role ? "P" : story.tellings[0].hull.name(e->vertex.w)) + " = a − b = ("));

@@ -1,6 +1,7 @@
 #include "walkthroughs/trace_json.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -43,6 +44,10 @@ std::vector<gjk::Event<double>> events_of(const Walkthrough& w) {
 
 /// The identical double: the sign of zero counts.
 void check_same(const Json& json, double value) {
+  if (std::isinf(value)) {
+    CHECK(json == (value > 0 ? "inf" : "-inf"));
+    return;
+  }
   REQUIRE(json.is_number_float());
   CHECK(std::bit_cast<std::uint64_t>(json.get<double>()) == std::bit_cast<std::uint64_t>(value));
 }
@@ -144,7 +149,8 @@ struct CheckLine {
 };
 
 Point point(const Json& json) {
-  return Point(json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>());
+  const auto number = [](const Json& j) { return j == "inf" ? HUGE_VAL : j == "-inf" ? -HUGE_VAL : j.get<double>(); };
+  return Point(number(json.at(0)), number(json.at(1)), number(json.at(2)));
 }
 
 std::variant<Points, Ball, Cylinder> form(const Json& json) {
@@ -178,7 +184,9 @@ Scene scene(const Json& json) {
                   .iteration_limit = json.at("iteration_limit"),
                   .crossing_test = json.at("crossing_test") == "on" ? gjk::CrossingTest::on : gjk::CrossingTest::off},
       .dimension = json.at("dimension") == 2 ? Dimension::plane : Dimension::space,
-      .rules = json.at("rules") == "as-printed" ? RuleSet::as_printed : RuleSet::as_intended};
+      .rules = json.at("rules") == "as-printed" ? RuleSet::as_printed : RuleSet::as_intended,
+      .zero_test = json.value("zero_test", "exact") == "exact" ? ZeroTest::exact : ZeroTest::relative,
+      .scalar = json.value("scalar", "double") == "double" ? Scalar::binary64 : Scalar::binary32};
 }
 
 }  // namespace
