@@ -57,7 +57,7 @@ TEST_CASE("Effort for a small seed is pinned", "[claims]") {
   REQUIRE(e.shortcuts.nearest_was(4, 15).count == 555);
 }
 
-TEST_CASE("Moeller's test and GJK agree on random triangles; Algorithm 1 as printed does not", "[claims]") {
+TEST_CASE("Moeller's test and GJK agree on random triangles and Algorithm 1 as printed does not", "[claims]") {
   const MollerCounts counts = measure_moller(few);
   REQUIRE(counts.meet == 555);
   REQUIRE(counts.disagreements.empty());
@@ -67,7 +67,8 @@ TEST_CASE("Moeller's test and GJK agree on random triangles; Algorithm 1 as prin
   REQUIRE(printed.only_gjk.count == 0);
 }
 
-TEST_CASE("Of triangles on a coarse grid Moeller's test misses some that touch along edges; GJK does not", "[claims]") {
+TEST_CASE("Of triangles on a coarse grid Moeller's test misses some that touch along edges and GJK does not",
+          "[claims]") {
   const TouchCounts counts = measure_touches({6, 1}, few);
   REQUIRE(counts.edges_touch.count == 43);
   const Comparison& c = counts.compared[0];
@@ -77,7 +78,7 @@ TEST_CASE("Of triangles on a coarse grid Moeller's test misses some that touch a
   REQUIRE(counts.edges_touch_only_gjk[0] == 5);
 }
 
-TEST_CASE("A sign that is flipped shows in the table; an order that is wrong hides", "[claims]") {
+TEST_CASE("A sign that is flipped shows in the table and an order that is wrong hides", "[claims]") {
   const MistakeTable table = measure_mistakes(TestPairs::triangles, few);
   const auto of = [&](const std::string& part) -> const MistakeCounts& {
     for (std::size_t i = 0; i < mistakes().size(); ++i)

@@ -72,7 +72,8 @@ struct Both {
   }
 };
 
-TEST_CASE("Cross products are counted right: six multiplications each; all others belong to dot products", "[effort]") {
+TEST_CASE("Cross products are counted right: six multiplications each and all others belong to dot products",
+          "[effort]") {
   for (const char* const name : {"triangles", "tetrahedra"}) {
     const Family& family = family_named(name);
     for (std::uint64_t i = 0; i < 500; ++i) {
