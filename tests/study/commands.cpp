@@ -4,10 +4,10 @@
 #include <thread>
 
 #include "tests/study/failure_files.hpp"
+#include "tests/study/folder.hpp"
 #include "tests/study/methods.hpp"
 #include "tests/study/progress.hpp"
 #include "tests/study/results.hpp"
-#include "tests/study/write_text.hpp"
 
 namespace study {
 namespace {

@@ -4,7 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "tests/study/write_text.hpp"
+#include "render/file.hpp"
+#include "tests/study/folder.hpp"
 #include "walkthroughs/scene_file.hpp"
 
 namespace study {
@@ -114,7 +115,7 @@ std::size_t write_failures(const std::filesystem::path& folder, const std::vecto
   std::size_t written = 0;
   for (const Failure& failure : failures) {
     if (!fits_scene(failure)) continue;
-    write_text(folder / scene_name(failure), scene_of(failure, seed));
+    render::write_file(folder / scene_name(failure), scene_of(failure, seed));
     ++written;
   }
   return written;

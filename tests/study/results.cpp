@@ -2,15 +2,16 @@
 
 #include <iostream>
 
+#include "render/file.hpp"
+#include "tests/study/folder.hpp"
 #include "tests/study/pictures.hpp"
 #include "tests/study/tables.hpp"
-#include "tests/study/write_text.hpp"
 
 namespace study {
 namespace {
 
 void write(const std::filesystem::path& file, const std::string& text) {
-  write_text(file, text);
+  render::write_file(file, text);
   std::cout << file.string() << '\n';
 }
 
