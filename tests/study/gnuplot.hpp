@@ -13,10 +13,10 @@ inline std::string canvas(int width, int height) {
          " noenhanced background rgb 'white' font 'DejaVu Sans,11'\nset encoding utf8\n";
 }
 
-/// Returns: the text as gnuplot reads it.
+/// Returns: the text as gnuplot reads it. A line feed would end the text, and what follows would be a command.
 inline std::string in_quotes(const std::string& text) {
   std::string inside;
-  for (const char c : text) inside += c == '\'' ? "''" : std::string(1, c);
+  for (const char c : text) inside += c == '\'' ? "''" : std::string(1, static_cast<unsigned char>(c) < 0x20 ? ' ' : c);
   return "'" + inside + "'";
 }
 

@@ -1,5 +1,6 @@
 // gjkstep-study: measure the trade of speed against accuracy. Reads the command line, turns failures into exit codes.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 
 #include "render/file.hpp"
@@ -13,6 +14,11 @@ constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (shards that do not go together, an unreadable file),\n"
     "5 cannot write, 1 anything else.";
 
+int flush_output() {
+  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
+  return ok;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Measures how often GJK is wrong or undecided, and how long it takes, against an exact oracle.");
   app.footer(footer);
@@ -23,14 +29,13 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
-    return ok;
+    return flush_output();
   } catch (const CLI::ParseError& error) {
     throw study::UsageError(std::string(error.what()) + "; 'gjkstep-study --help' and 'gjkstep-study COMMAND --help' " +
                             "show what there is");
   }
   commands.run();
-  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
-  return ok;
+  return flush_output();
 }
 
 int fail(ExitCode code, const std::exception& error) {
@@ -41,6 +46,7 @@ int fail(ExitCode code, const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that is not there, or a reader who leaves, is an error of writing
   try {
     return run(argc, argv);
   } catch (const study::UsageError& error) {

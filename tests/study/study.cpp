@@ -1,7 +1,10 @@
 #include "tests/study/study.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace study {
 namespace {
@@ -45,37 +48,91 @@ Json json_of(const FamilyNote& family) {
 
 // -- In ---------------------------------------------------------------------------------------------------------------
 
+/// The library would read -1 and 1.7 as whole numbers, too.
+std::uint64_t whole(const Json& json) {
+  if (!json.is_number_unsigned()) throw std::invalid_argument("a count is no whole number from 0");
+  return json.get<std::uint64_t>();
+}
+
+Histogram histogram_of(const Json& json) {
+  Histogram histogram;
+  for (const Json& each : json) histogram.push_back(whole(each));
+  return histogram;
+}
+
+/// Words go into tables, and into what gnuplot is told to do.
+std::string words_of(const Json& json) {
+  std::string words = json.get<std::string>();
+  if (std::ranges::any_of(words, [](unsigned char c) { return c < 0x20; }))
+    throw std::invalid_argument("a text has control characters");
+  return words;
+}
+
 Tally tally_of(const Json& json) {
   Tally tally;
   for (std::size_t truth = 0; truth < 2; ++truth)
     for (std::size_t answer = 0; answer < answers; ++answer)
-      json.at(truth_names[truth]).at(answer_names[answer]).get_to(tally.queries[truth][answer]);
-  json.at("returns").get_to(tally.returns);
-  json.at("out_of_range").get_to(tally.out_of_range);
-  json.at("not_askable").get_to(tally.not_askable);
-  json.at("truth_changed").get_to(tally.truth_changed);
-  json.at("exceptions").get_to(tally.exceptions);
+      tally.queries[truth][answer] = histogram_of(json.at(truth_names[truth]).at(answer_names[answer]));
+  tally.returns = histogram_of(json.at("returns"));
+  tally.out_of_range = whole(json.at("out_of_range"));
+  tally.not_askable = whole(json.at("not_askable"));
+  tally.truth_changed = whole(json.at("truth_changed"));
+  tally.exceptions = whole(json.at("exceptions"));
   return tally;
 }
 
-Row row_of(const Json& json) {
-  Row row{json.at("family"), json.at("rules"), json.at("scalar"), json.at("zero_test"), tally_of(json.at("tally")), {}};
-  for (const auto& [limit, timing] : json.at("timings").items())
-    row.timings[std::stoi(limit)] = {timing.at("queries"), timing.at("nanoseconds")};
-  return row;
+Timings timings_of(const Json& json, const std::vector<int>& limits) {
+  Timings timings;
+  if (json.empty()) return timings;  // nothing was asked
+  for (const int limit : limits) {
+    const Json& timing = json.at(std::to_string(limit));
+    timings[limit] = {whole(timing.at("queries")), whole(timing.at("nanoseconds"))};
+    if (timings[limit].queries == 0) throw std::invalid_argument("a time is of no query");
+  }
+  return timings;
+}
+
+Row row_of(const Json& json, const std::vector<int>& limits) {
+  return {words_of(json.at("family")),    words_of(json.at("rules")), words_of(json.at("scalar")),
+          words_of(json.at("zero_test")), tally_of(json.at("tally")), timings_of(json.at("timings"), limits)};
+}
+
+Header header_of(const Json& json) {
+  Header header{words_of(json.at("command")), words_of(json.at("version")), words_of(json.at("compiler")),
+                whole(json.at("seed")), json.at("limits").get<std::vector<int>>()};
+  const std::vector<int>& limits = header.limits;
+  if (limits.empty() || limits.front() < 1 || limits.back() > 1000 ||
+      std::ranges::adjacent_find(limits, std::greater_equal{}) != limits.end())
+    throw std::invalid_argument("the iteration limits are not ascending from 1 to 1000");
+  return header;
+}
+
+/// Tables look rows up: there is one for each family and each setting, family by family.
+void expect_each_row_once(const Study& study) {
+  const std::size_t methods = study.families.empty() ? 0 : study.rows.size() / study.families.size();
+  if (methods == 0 || study.rows.size() != methods * study.families.size())
+    throw std::invalid_argument("rows are missing");
+  std::set<std::array<std::string, 4>> seen;
+  for (std::size_t r = 0; r < study.rows.size(); ++r) {
+    const Row &row = study.rows[r], &setting = study.rows[r % methods];
+    const bool fits = row.family == study.families[r / methods].name && row.rules == setting.rules &&
+                      row.scalar == setting.scalar && row.zero_test == setting.zero_test;
+    if (!fits || !seen.insert({row.family, row.rules, row.scalar, row.zero_test}).second)
+      throw std::invalid_argument("row " + std::to_string(r) + " is not the one that stands there");
+  }
 }
 
 Study study_of(const Json& json) {
   Study study;
-  const Json& header = json.at("header");
-  study.header = {header.at("command"), header.at("version"), header.at("compiler"), header.at("seed"),
-                  header.at("limits").get<std::vector<int>>()};
-  study.shard = {json.at("shard").at("index"), json.at("shard").at("count")};
+  study.header = header_of(json.at("header"));
+  study.shard = {whole(json.at("shard").at("index")), whole(json.at("shard").at("count"))};
   if (study.shard.index >= study.shard.count) throw std::out_of_range("there is no such shard");
-  json.at("processors").get_to(study.processors);
+  for (const Json& each : json.at("processors")) study.processors.push_back(words_of(each));
   for (const Json& each : json.at("families"))
-    study.families.push_back({each.at("name"), each.at("what"), each.at("pairs"), each.at("slow_pairs")});
-  for (const Json& each : json.at("rows")) study.rows.push_back(row_of(each));
+    study.families.push_back(
+        {words_of(each.at("name")), words_of(each.at("what")), whole(each.at("pairs")), whole(each.at("slow_pairs"))});
+  for (const Json& each : json.at("rows")) study.rows.push_back(row_of(each, study.header.limits));
+  expect_each_row_once(study);
   return study;
 }
 
@@ -145,13 +202,14 @@ Study from_json(std::string_view text, const std::string& name) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) throw StudyError(name + " is not JSON, or is cut off");
   if (!json.is_object() || !json.contains("gjkstep_study")) throw StudyError(name + " is not a file of gjkstep-study");
-  if (json["gjkstep_study"] != format)
-    throw StudyError(name + " is of format " + json["gjkstep_study"].dump() + ", this program reads format " +
-                     std::to_string(format));
+  const Json& found = json["gjkstep_study"];
+  if (found != format)
+    throw StudyError(name + " is of " + (found.is_number() ? "format " + found.dump() : "an unknown format") +
+                     ", this program reads format " + std::to_string(format));
   try {
     return study_of(json);
   } catch (const std::exception& error) {
-    throw StudyError(name + " is damaged: " + error.what());
+    throw StudyError(name + " is damaged: " + error.what() + "; make it again with 'gjkstep-study run'");
   }
 }
 

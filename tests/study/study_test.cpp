@@ -95,6 +95,34 @@ TEST_CASE("A shard that is missing or there twice is refused by its number", "[s
   CHECK_THAT(refusal(shards), Contains("both are shard 1"));
 }
 
+TEST_CASE("A file that was changed by hand is refused", "[study]") {
+  Request request = small_request();
+  request.families = {"triangles"};
+  request.scalars = {"double"};
+  const std::string sound = to_json(made(request));
+  struct Change {
+    std::string from, to, said;
+  };
+  const std::vector<Change> changes{
+      {"\"limits\":[5,8,10,20,50]", "\"limits\":[]", "not ascending"},
+      {"\"limits\":[5,8,10,20,50]", "\"limits\":[5,8,10,20,2000000000]", "not ascending"},
+      {"\"limits\":[5,8,10,20,50]", "\"limits\":[5,8,10,20,49]", "49"},
+      {"\"out_of_range\":0", "\"out_of_range\":-5", "no whole number"},
+      {"\"out_of_range\":0", "\"out_of_range\":1.7", "no whole number"},
+      {"\"seed\":3", "\"seed\":-1", "no whole number"},
+      {"\"family\":\"triangles\"", "\"family\":\"boxes\"", "row 0"},
+      {"\"rules\":\"as-intended\"", "\"rules\":\"as-printed\"", "row"},
+      {"gjkstep-study run", "x\\n!touch here\\n#", "control characters"},
+  };
+  for (const Change& change : changes) {
+    INFO(change.from << " becomes " << change.to);
+    std::string text = sound;
+    REQUIRE(text.find(change.from) != std::string::npos);
+    text.replace(text.find(change.from), change.from.size(), change.to);
+    CHECK_THAT(refusal(text), Contains("a.json is damaged") && Contains(change.said));
+  }
+}
+
 TEST_CASE("Files that are none of the study's are refused with their name", "[study]") {
   const std::string good = to_json(made(small_request()));
   CHECK(refusal(good).empty());
