@@ -1,5 +1,6 @@
 #include "tests/study/commands.hpp"
 
+#include <cmath>
 #include <iostream>
 #include <thread>
 
@@ -40,9 +41,11 @@ void announce_time(const Plan& plan) {
   const double seconds = estimated_seconds(plan);
   std::cerr << "this will take about ";
   if (seconds < 90)
-    std::cerr << static_cast<int>(seconds + 1) << " s\n";
+    std::cerr << std::ceil(seconds) << " s\n";
+  else if (seconds < 36 * 3600)
+    std::cerr << std::ceil(seconds / 60) << " min\n";
   else
-    std::cerr << static_cast<int>(seconds / 60 + 1) << " min\n";
+    std::cerr << std::ceil(seconds / 86400) << " days; --shard splits it\n";
 }
 
 }  // namespace
@@ -52,7 +55,7 @@ void RunCommand::add_to(CLI::App& app) {
   CLI::Option* const is_full = app.add_flag("--full", full, "says first how long it will take")->excludes(is_quick);
   app.add_option("--seed", request.seed, "which pairs are made")->capture_default_str();
   app.add_option("--pairs", request.pairs, "so many of each family, a 50th of them in exact numbers")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(std::uint64_t{1}, most_pairs))
       ->excludes(is_quick)
       ->excludes(is_full);
   add_list(app, "--families", request.families, "only these, such as triangles,boxes");
@@ -61,7 +64,9 @@ void RunCommand::add_to(CLI::App& app) {
   add_list(app, "--zero-test", request.zero_tests, "only these");
   add_list(app, "--limit", request.limits, "these iteration limits");
   app.add_option("--shard", shard, "I/N: one N-th of the pairs, I from 0; leaves a file for merge");
-  app.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str();
+  app.add_option("--threads", threads, "0: as many as there are processors")
+      ->check(CLI::Range(0u, most_threads))
+      ->capture_default_str();
   app.add_option("--out", out, "folder of the results")->capture_default_str();
   CLI::Option* const saves = app.add_option("--save-failures", failures, "folder for scene files of what went wrong");
   app.add_option("--max-failures", max_failures, "of each family, method and kind")
@@ -77,7 +82,7 @@ void RunCommand::run() const {
   plan.threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
   for (const std::string& folder : {out, failures.value_or(out)}) make_folder(folder);  // before the work, not after it
   announce(plan);
-  if (full) announce_time(plan);
+  if (full || request.pairs) announce_time(plan);
   plan.failures_kept = failures ? max_failures : 0;
   ProgressLine line;
   Findings findings = sweep(plan, std::ref(line));

@@ -8,11 +8,14 @@
 
 namespace study {
 
-/// Errors: render::FileError.
+/// Makes sure that the folder is there and can be written to. Errors: render::FileError.
 inline void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw render::FileError("cannot make the folder " + folder.string() + ": " + error.message());
+  if (error) throw render::FileError("cannot make the folder '" + folder.string() + "': " + error.message() + "");
+  const std::filesystem::path probe = folder / ".can-be-written";
+  render::write_file(probe, "");
+  std::filesystem::remove(probe, error);
 }
 
 }  // namespace study

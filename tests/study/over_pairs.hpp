@@ -36,10 +36,11 @@ Tally over_pairs(std::uint64_t pairs, unsigned threads, const Count& count) {
     const std::lock_guard lock(mutex);
     sum += own;
   };
-  std::vector<std::thread> workers;
-  for (unsigned i = 1; i < threads; ++i) workers.emplace_back(work);
-  work();
-  for (std::thread& worker : workers) worker.join();
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 1; i < threads; ++i) workers.emplace_back(work);
+    work();
+  }
   if (error) std::rethrow_exception(error);
   return sum;
 }

@@ -36,11 +36,16 @@ struct Amount {
 /// On two cores: about twelve minutes, and less than one.
 Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{500000, 10000} : Amount{3000, 60}; }
 
+constexpr std::uint64_t worth_exhausting = 600'000;  // a full run asks all pairs of a list up to this length
+
 Part part_of(const Family& family, const Request& request) {
   const Amount amount = amount_of(request.effort);
   const std::uint64_t weight = weight_of(family, request.seed);
   std::uint64_t pairs = request.pairs.value_or(amount.pairs / weight);
-  if (family.size) pairs = std::min(pairs, *family.size);
+  if (family.size) {
+    const bool to_the_last = request.effort == Effort::full && !request.pairs && *family.size <= worth_exhausting;
+    pairs = to_the_last ? *family.size : std::min(pairs, *family.size);
+  }
   const std::uint64_t slow = request.pairs ? std::max<std::uint64_t>(pairs / 50, 1) : amount.slow_pairs / weight;
   return {&family, pairs, std::min(slow, pairs)};
 }

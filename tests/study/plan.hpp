@@ -16,6 +16,10 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a command line may ask for.
+inline constexpr std::uint64_t most_pairs = 1'000'000'000'000;  ///< of each family
+inline constexpr unsigned most_threads = 1024;
+
 enum class Effort { quick, full };
 
 /// What belongs to the study itself, whoever runs it and in how many shards. Empty lists: all that there are.

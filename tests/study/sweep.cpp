@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <tuple>
@@ -47,15 +48,28 @@ std::uint64_t pairs_of_shard(std::uint64_t pairs, const Shard& shard) {
   return pairs > shard.index ? (pairs - shard.index - 1) / shard.count + 1 : 0;
 }
 
-std::vector<Job> jobs_of(const Plan& plan) {
-  std::vector<Job> jobs;
-  for (std::size_t part = 0; part < plan.parts.size(); ++part) {
-    const std::uint64_t all = pairs_of_shard(plan.parts[part].pairs, plan.shard);
-    for (std::uint64_t first = 0; first < all; first += job_size)
-      jobs.push_back({part, first, std::min(first + job_size, all)});
+/// All jobs of a plan, in order. There may be more of them than memory for a list.
+class Jobs {
+ public:
+  explicit Jobs(const Plan& plan) {
+    for (const Part& part : plan.parts) {
+      pairs_.push_back(pairs_of_shard(part.pairs, plan.shard));
+      ends_.push_back(size() + (pairs_.back() + job_size - 1) / job_size);
+    }
   }
-  return jobs;
-}
+  std::uint64_t size() const { return ends_.empty() ? 0 : ends_.back(); }
+  std::uint64_t pairs() const { return std::accumulate(pairs_.begin(), pairs_.end(), std::uint64_t{0}); }
+
+  /// Requires: j < size().
+  Job operator[](std::uint64_t j) const {
+    const auto part = static_cast<std::size_t>(std::ranges::upper_bound(ends_, j) - ends_.begin());
+    const std::uint64_t first = (j - (part == 0 ? 0 : ends_[part - 1])) * job_size;
+    return {part, first, std::min(first + job_size, pairs_[part])};
+  }
+
+ private:
+  std::vector<std::uint64_t> pairs_, ends_;  // by part: of the shard; how many jobs there are up to its end
+};
 
 std::optional<Kind> failure_kind(Truth truth, const Outcome& outcome, int limit) {
   const bool in_time = outcome.iterations <= limit;
@@ -228,14 +242,14 @@ class Collector {
 /// Hands out jobs until there are none left or one has failed.
 class Queue {
  public:
-  Queue(const Plan& plan, const std::vector<Job>& jobs, Collector& collector)
-      : plan_(plan), jobs_(jobs), collector_(collector) {}
+  Queue(const Plan& plan, const Jobs& jobs, Collector& collector) : plan_(plan), jobs_(jobs), collector_(collector) {}
 
   void work() try {
-    for (std::size_t j = next_++; j < jobs_.size() && !failed_; j = next_++) {
-      Worker worker(plan_, jobs_[j]);
+    for (std::uint64_t j = next_++; j < jobs_.size() && !failed_; j = next_++) {
+      const Job job = jobs_[j];
+      Worker worker(plan_, job);
       worker.run();
-      collector_.take(jobs_[j], worker);
+      collector_.take(job, worker);
     }
   } catch (...) {
     if (!failed_.exchange(true)) error_ = std::current_exception();
@@ -247,9 +261,9 @@ class Queue {
 
  private:
   const Plan& plan_;
-  const std::vector<Job>& jobs_;
+  const Jobs& jobs_;
   Collector& collector_;
-  std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::uint64_t> next_ = 0;
   std::atomic<bool> failed_ = false;
   std::exception_ptr error_;
 };
@@ -257,10 +271,8 @@ class Queue {
 }  // namespace
 
 Findings sweep(const Plan& plan, const Progress& progress) {
-  const std::vector<Job> jobs = jobs_of(plan);
-  std::uint64_t all = 0;
-  for (const Job& job : jobs) all += job.last - job.first;
-  Collector collector(plan, progress, all);
+  const Jobs jobs(plan);
+  Collector collector(plan, progress, jobs.pairs());
   Queue queue(plan, jobs, collector);
   {
     std::vector<std::jthread> others;
