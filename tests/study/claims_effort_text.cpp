@@ -59,7 +59,7 @@ How often the nearest feature, found exactly for the vertices as they stand, was
   out << R"(
 The difference of two spheres is a sphere: the first three vertices lie in one plane with the origin, and `ABCn·AO`, which
 should be zero, is a rounding error. Where its sign is the wrong one, the search goes to the wrong side of the triangle, and
-the origin lies behind BCD, by that rounding error. The answer is right all the same.
+the origin lies behind BCD, by that rounding error.
 
 )";
 }

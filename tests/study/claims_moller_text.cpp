@@ -113,14 +113,14 @@ void write_explanation(std::ostream& out, const Counted& counted) {
       << " (float, snapped), of which " << grouped(coarse.edges_touch_only_gjk[most_used]) << R"( touch just as
 the report says. GJK is right there, for products of such numbers are exact, and zero is seen as zero. Möller's test
 divides, `p + (q − p)·d/(d − e)`, and compares two rounded quotients that ought to be equal. The snap does not help: it is
-done to distances, before the division. A common vertex is found all the same, because nothing has to be divided for it.
+done to distances, before the division.
 Decimal fractions such as k/100 are rounded before anything is asked: then neither test is always right.
 
 **Conjecture.** The report does not say how its triangles were made. Pairs of which only GJK says that they meet (float,
 snapped), for whole numbers )"
-      << of_the_reports_kind(counted) << R"(. Two in a million are what about
-a hundred values give, and random numbers of many digits do not. If the report's coordinates were such numbers, then TriTri
-has no unknown bug but a rounding error, and both pairs are of the only kind on which the two tests disagree. Not excluded:
+      << of_the_reports_kind(counted) << R"(. Two in a million fit
+coordinates of about a hundred values, and do not fit random numbers of many digits. If the report's coordinates were such
+numbers, then TriTri has no unknown bug but a rounding error. Not excluded:
 coordinates in float, whose triangles only nearly touch (last line of the table).
 
 **Also known.** The program that agreed with TriTri was not Algorithm 1 as printed, which goes on after Eq. 9 has said no: it

@@ -14,8 +14,8 @@ struct Point {
   double nanoseconds, rate;
 };
 
-/// Returns: the families that every method was asked about, so that all points speak of the same pairs. Those that consist
-/// of pairs known to cycle are left out: no setting helps there.
+/// Returns: the families that every method was asked about, so that all points speak of the same families. Those that
+/// consist of pairs known to cycle are left out: no setting helps there.
 std::vector<std::string> shared_families(const Settings& settings) {
   std::vector<std::string> shared;
   for (const FamilyNote& family : settings.study().families) {
@@ -121,8 +121,9 @@ class Panel {
 std::string heading(const Settings& settings, std::size_t families) {
   std::string limits;
   for (const int limit : settings.limits()) limits += (limits.empty() ? "" : ", ") + std::to_string(limit);
-  return "Wrong or undecided against time, mean of " + std::to_string(families) +
-         " families; along each line the iteration limit is " + limits;
+  return "Wrong or undecided against time, means of " + std::to_string(families) + " of " +
+         std::to_string(settings.study().families.size()) +
+         " families (those that every scalar can hold); along each line the iteration limit is " + limits;
 }
 
 }  // namespace
