@@ -131,7 +131,7 @@ std::string heading(const Settings& settings, std::size_t families) {
 Picture error_vs_time(const Settings& settings) {
   const std::vector<std::string> families = shared_families(settings);
   std::ostringstream script;
-  script << canvas(1400, 720);
+  script << canvas(1180, 600);
   if (families.empty())
     return {"error-vs-time.png",
             script.str() + "set title 'no family was asked in every setting'\nplot [0:1] [0:1] NaN notitle\n"};
@@ -141,8 +141,8 @@ Picture error_vs_time(const Settings& settings) {
   script
       << "set multiplot layout 1," << settings.scalars().size()
       << " margins 0.055,0.985,0.13,0.76 spacing 0.04,0.1 title " << in_quotes(heading(settings, families.size()))
-      << " font ',13'\nset yrange [" << -0.05 * worst << ":" << 1.12 * worst << "]\nset grid\n"
-      << "set ylabel 'share of pairs wrong or undecided'\nset key at screen 0.5,0.925 center top vertical samplen 4\n"
+      << " font ',11'\nset yrange [" << -0.05 * worst << ":" << 1.12 * worst << "]\nset grid\n"
+      << "set ylabel 'share wrong or undecided, mean of families'\nset key at screen 0.5,0.925 center top vertical maxrows 2 samplen 4\n"
       << "set label 1 " << in_quotes(small_print(settings) + "; " + processors_of(settings.study()))
       << " at screen 0.985,0.02 right font ',9'\n";
   for (const std::string& scalar : settings.scalars())
