@@ -84,21 +84,17 @@ class Captions {
     if (!event.value) return std::nullopt;
     const std::string name = names_.of(now_.found->w);
     const std::string value = name + "·d = " + number(*event.value);
-    if (event.verdict == Crossing::not_crossed) {
-      Frame frame = frame_about(
+    if (event.verdict == Crossing::not_crossed)
+      return frame_about(
           Focus::crossing,
           "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d",
           {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}});
-      return frame;
-    }
-    Frame frame =
-        !(*event.value > 0)
-            ? frame_about(Focus::crossing,
-                          "The move to " + name + " just reached the origin's level, so the search goes on",
-                          {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}})
-            : frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
-                          {{Mark::yes, value + " > 0: the origin was crossed"}});
-    return frame;
+    if (!(*event.value > 0))
+      return frame_about(Focus::crossing,
+                         "The move to " + name + " just reached the origin's level, so the search goes on",
+                         {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}});
+    return frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
+                       {{Mark::yes, value + " > 0: the origin was crossed"}});
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
@@ -137,10 +133,9 @@ class Captions {
   }
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
-    Frame frame = frame_about(
-        Focus::direction, "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
-        {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
-    return frame;
+    return frame_about(Focus::direction,
+                       "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
+                       {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
   }
 
   std::optional<Frame> operator()(const gjk::Finished<double>& event) const {

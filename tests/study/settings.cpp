@@ -47,15 +47,4 @@ std::optional<Counts> Settings::counts(const std::string& family, const Setting&
   return counts.pairs == 0 ? std::nullopt : std::optional(std::move(counts));
 }
 
-std::optional<double> mean_failure_rate(const Settings& settings, const Setting& setting) {
-  double sum = 0;
-  int families = 0;
-  for (const FamilyNote& family : settings.study().families)
-    if (const auto counts = settings.counts(family.name, setting)) {
-      sum += failure_rate(*counts).share();
-      ++families;
-    }
-  return families == 0 ? std::nullopt : std::optional(sum / families);
-}
-
 }  // namespace study

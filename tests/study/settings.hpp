@@ -53,8 +53,4 @@ inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pa
 inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs}; }
 inline Rate failure_rate(const Counts& counts) { return {counts.wrong() + counts.undecided, counts.pairs}; }
 
-/// Returns: the mean of the families' rates of wrong or undecided answers, each family counting alike; empty where none
-/// was asked.
-std::optional<double> mean_failure_rate(const Settings& settings, const Setting& setting);
-
 }  // namespace study

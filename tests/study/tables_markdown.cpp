@@ -116,24 +116,24 @@ std::string families_table(const Settings& settings) {
                 {"beyond float's range", rounding(&Tally::out_of_range)}});
 }
 
-std::string scalars_table(const Settings& settings, const std::function<std::string(const Counts&)>& words) {
+/// A column for each of the names: the usual setting with that name in place of its own.
+std::string varied_table(const Settings& settings, std::string Setting::*varied, const std::vector<std::string>& names,
+                         const std::function<std::string(const Counts&)>& words) {
   std::vector<Column> columns;
-  for (const std::string& scalar : settings.scalars()) {
+  for (const std::string& name : names) {
     Setting setting = settings.usual();
-    setting.scalar = scalar;
-    columns.push_back(column(settings, scalar, setting, words));
+    setting.*varied = name;
+    columns.push_back(column(settings, name, setting, words));
   }
   return rate_table(settings, columns);
 }
 
+std::string scalars_table(const Settings& settings, const std::function<std::string(const Counts&)>& words) {
+  return varied_table(settings, &Setting::scalar, settings.scalars(), words);
+}
+
 std::string rules_table(const Settings& settings) {
-  std::vector<Column> columns;
-  for (const std::string& rules : settings.rules()) {
-    Setting setting = settings.usual();
-    setting.rules = rules;
-    columns.push_back(column(settings, rules, setting, words_of_wrong));
-  }
-  return rate_table(settings, columns);
+  return varied_table(settings, &Setting::rules, settings.rules(), words_of_wrong);
 }
 
 std::string zero_tests_table(const Settings& settings) {
