@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -36,33 +37,91 @@ concept Shape = requires(const T& shape, const Vec3<S>& d) {
   { shape.support(d) } -> std::convertible_to<SupportPoint<S>>;
 };
 
+/// Points in blocks of eight: all x first, then all y, then all z, so that a processor multiplies several at a time. On
+/// larger sets this takes half the time of asking point by point.
+template <class S>
+class PointBlocks {
+ public:
+  /// Whether blocks answer sooner than the points one by one, for so many points of this scalar.
+  static constexpr bool pay_off(std::size_t points) { return fit_processor && points >= 2 * size; }
+
+  explicit PointBlocks(const std::vector<Vec3<S>>& points) {
+    if (!pay_off(points.size())) return;
+    for (std::size_t first = 0; first < points.size(); first += size) {
+      Block& block = blocks_.emplace_back();
+      for (std::size_t i = 0; i < size; ++i)  // the last point fills up the last block
+        block.row(static_cast<Eigen::Index>(i)) = points[std::min(first + i, points.size() - 1)].transpose();
+    }
+  }
+
+  bool empty() const { return blocks_.empty(); }
+
+  /// Returns: where in the list the first of the farthest points is, as PointSet::support() says.
+  std::size_t farthest(const Vec3<S>& d) const {
+    std::size_t best = 0;
+    S most = reach(blocks_[0], d).maxCoeff();
+    for (std::size_t i = 1; i < blocks_.size(); ++i) {
+      const S here = reach(blocks_[i], d).maxCoeff();
+      if (here > most) {
+        most = here;
+        best = i;
+      }
+    }
+    const Eigen::Array<S, size, 1> reaches = reach(blocks_[best], d);
+    std::size_t row = 0;
+    while (row < size - 1 && reaches[static_cast<Eigen::Index>(row)] != most) ++row;
+    return best * size + row;
+  }
+
+ private:
+  static constexpr std::size_t size = 8;
+  static constexpr bool fit_processor = std::same_as<S, float> || std::same_as<S, double>;
+  using Block = Eigen::Array<S, size, 3>;
+
+  /// In the order of PointSet::reach(), so that the same point is farthest.
+  static auto reach(const Block& block, const Vec3<S>& d) {
+    return (block.col(0) * d.x() + block.col(1) * d.y()) + block.col(2) * d.z();
+  }
+
+  std::vector<Block> blocks_;
+};
+
 /// The convex hull of finitely many points. The hull itself is never computed.
 template <class S>
 class PointSet {
  public:
   /// Errors: std::invalid_argument where `points` is empty.
-  explicit PointSet(std::vector<Vec3<S>> points) : points_(std::move(points)) {
+  explicit PointSet(std::vector<Vec3<S>> points) : points_(std::move(points)), blocks_(points_) {
     if (points_.empty()) throw std::invalid_argument("a point set needs at least one point");
   }
 
   /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
   SupportPoint<S> support(const Vec3<S>& d) const {
-    std::size_t farthest = 0;
-    S most = points_[0].dot(d);
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-      const S reach = points_[i].dot(d);
-      if (reach > most) {
-        most = reach;
-        farthest = i;
-      }
-    }
+    const std::size_t farthest = blocks_.empty() ? one_by_one(d) : blocks_.farthest(d);
     return {points_[farthest], static_cast<int>(farthest)};
   }
 
   const std::vector<Vec3<S>>& points() const { return points_; }
 
  private:
+  std::size_t one_by_one(const Vec3<S>& d) const {
+    std::size_t farthest = 0;
+    S most = reach(points_[0], d);
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      const S here = reach(points_[i], d);
+      if (here > most) {
+        most = here;
+        farthest = i;
+      }
+    }
+    return farthest;
+  }
+
+  /// P·d, added up from the left: the order that Eigen's dot() takes depends on the scalar and on the processor.
+  static S reach(const Vec3<S>& p, const Vec3<S>& d) { return (p.x() * d.x() + p.y() * d.y()) + p.z() * d.z(); }
+
   std::vector<Vec3<S>> points_;
+  PointBlocks<S> blocks_;
 };
 
 /// A solid ball.

@@ -1,7 +1,9 @@
 /// Support functions: Eqs. 5-8.
 #include "core/shapes.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <random>
 
 #include "tests/catch.hpp"
 #include "tests/core/support.hpp"
@@ -33,6 +35,41 @@ TEST_CASE("Eq. 5: among equally far points the first in the list is the answer",
 TEST_CASE("Eq. 5: the length of the direction does not matter, from 1e-200 to 1e200", "[shapes]") {
   const auto points = point_set<double>({{0, 0, 0}, {3, 1, 0}, {-1, 4, 2}});
   for (const double length : {1e-200, 1e-3, 1.0, 1e3, 1e200}) REQUIRE(points.support(V(-1, 2, 1) * length).index == 2);
+}
+
+/// Small whole numbers: many points are equally far, and every sum is exact.
+TEMPLATE_TEST_CASE("Eq. 5: of many points the first of the farthest is the answer", "[shapes]", float, double,
+                   long double, Rational) {
+  using S = TestType;
+  std::mt19937 random(7474);
+  std::uniform_int_distribution<int> coordinate(-4, 4);
+  const auto any_vector = [&] { return Vec3<S>(S(coordinate(random)), S(coordinate(random)), S(coordinate(random))); };
+  for (int count = 1; count <= 70; ++count) {
+    std::vector<Vec3<S>> list(static_cast<std::size_t>(count));
+    std::generate(list.begin(), list.end(), any_vector);
+    const Vec3<S> d = any_vector() + Vec3<S>(S(9), S(0), S(0));
+    const auto nearer = [&](const Vec3<S>& p, const Vec3<S>& q) { return p.dot(d) < q.dot(d); };
+    const SupportPoint<S> found = PointSet<S>(list).support(d);
+    INFO(count << " points");
+    REQUIRE(found.index == std::max_element(list.begin(), list.end(), nearer) - list.begin());
+    REQUIRE(found.point == list[static_cast<std::size_t>(*found.index)]);
+  }
+}
+
+TEMPLATE_TEST_CASE("Eq. 5: many points are added up as few are, to the last bit", "[shapes]", float, double) {
+  using S = TestType;
+  std::mt19937 random(7474);
+  std::uniform_real_distribution<S> coordinate(-1, 1);
+  const auto any_vector = [&] { return Vec3<S>(coordinate(random), coordinate(random), coordinate(random)); };
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3<S> d = any_vector(), p = any_vector();
+    // Points in the plane p·d: which of them comes first is decided by rounding alone.
+    std::vector<Vec3<S>> list(20);
+    for (Vec3<S>& q : list) q = p + any_vector().cross(d);
+    const auto reach = [&](const Vec3<S>& q) { return (q.x() * d.x() + q.y() * d.y()) + q.z() * d.z(); };
+    const auto nearer = [&](const Vec3<S>& q, const Vec3<S>& r) { return reach(q) < reach(r); };
+    REQUIRE(PointSet<S>(list).support(d).index == std::max_element(list.begin(), list.end(), nearer) - list.begin());
+  }
 }
 
 TEST_CASE("A point set needs at least one point", "[shapes]") {
