@@ -38,7 +38,7 @@ bool is_usable_direction(const Vec3<S>& d) {
 
 /// Chooses among Algorithms 2-5 by the size of the simplex. Requires: 1 <= size <= 4.
 template <class Rules, class S, class Obs>
-Step<S> process(const Simplex<S>& simplex, Teller<Obs>& tell) {
+Next<S> process(Simplex<S>& simplex, Teller<Obs>& tell) {
   switch (simplex.size()) {
     case 1: return Rules::process_0simplex(simplex, tell);
     case 2: return Rules::process_1simplex(simplex, tell);
@@ -65,15 +65,15 @@ class Search {
       if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
       tell_.enter_iteration(++result_.iterations);
       const Vertex<S> vertex = difference_.vertex(direction_);
-      const std::optional<Reason> reason = reason_to_stop_at(vertex);
-      if (reason && !goes_on_after(*reason)) return finish_outside(vertex, *reason);
+      const S reach = vertex.w.dot(direction_);
+      const std::optional<Reason> reason = reason_to_stop_at(vertex, reach);
+      if (reason && !goes_on_after(*reason)) return finish_outside(vertex, reach, *reason);
       result_.simplex.add(vertex);
       tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
-      const Step<S> step = process<Rules>(result_.simplex, tell_);
-      if (!step.direction) return finish_with_origin_in_simplex(vertex);
-      result_.simplex = step.simplex;
-      if (reason) return finish_outside(vertex, *reason);
-      direction_ = *step.direction;
+      const Next<S> next = process<Rules>(result_.simplex, tell_);
+      if (!next) return finish_with_origin_in_simplex(vertex, reach);
+      if (reason) return finish_outside(vertex, reach, *reason);
+      direction_ = *next;
     }
     return finish(Status::undecided, Reason::iteration_limit);
   }
@@ -87,42 +87,38 @@ class Search {
   ///
   /// Without the crossing test a vertex seen before ends the search, but for one exception: a vertex dropped earlier
   /// that comes back from across the origin is progress. Ending there would leave intersecting sets undecided.
-  std::optional<Reason> reason_to_stop_at(const Vertex<S>& vertex) {
+  std::optional<Reason> reason_to_stop_at(const Vertex<S>& vertex, const S& reach) {
     const bool is_new = !remembers() || remember(vertex.w);
     tell_([&] { return SupportFound<S>{.direction = direction_, .vertex = vertex, .is_new = is_new}; });
     if (options_.crossing_test == CrossingTest::off) {
       tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::switched_off}; });
-      const bool ran_out = !is_new && (has(vertex.w) || !crossed(vertex));
+      const bool ran_out = !is_new && (has(vertex.w) || !crossed(vertex, reach));
       return ran_out ? std::optional(Reason::no_new_vertex) : std::nullopt;
     }
-    if (result_.simplex.size() == 0) {  // nothing to cross from yet
+    if (result_.simplex.size() == 0 && Rules::first_point() == FirstPoint::taken_as_it_is) {
       tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::first_point}; });
       return std::nullopt;
     }
-    const S value = vertex.w.dot(direction_);
-    const bool crossed = Rules::crossed(value, vertex, direction_);
-    tell_([&] {
-      return CrossingTested<S>{.value = value, .verdict = crossed ? Crossing::crossed : Crossing::not_crossed};
-    });
-    return crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
+    const Crossing verdict = crossed(vertex, reach) ? Crossing::crossed : Crossing::not_crossed;
+    tell_([&] { return CrossingTested<S>{.value = reach, .verdict = verdict}; });
+    return verdict == Crossing::crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
   }
 
   /// The rules find the origin in the simplex. Where a segment points at the origin or a triangle is flat they rely on
   /// the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
-  void finish_with_origin_in_simplex(const Vertex<S>& vertex) {
-    if (options_.crossing_test == CrossingTest::off && !crossed(vertex))
-      return finish_outside(vertex, Reason::origin_not_crossed);
+  void finish_with_origin_in_simplex(const Vertex<S>& vertex, const S& reach) {
+    if (options_.crossing_test == CrossingTest::off && !crossed(vertex, reach))
+      return finish_outside(vertex, reach, Reason::origin_not_crossed);
     return finish(Status::intersecting, Reason::simplex_contains_origin);
   }
 
-  bool crossed(const Vertex<S>& vertex) const { return Rules::crossed(vertex.w.dot(direction_), vertex, direction_); }
+  bool crossed(const Vertex<S>& vertex, const S& reach) const { return Rules::crossed(reach, vertex, direction_); }
 
   /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart.
-  void finish_outside(const Vertex<S>& vertex, Reason reason) {
-    const S support_value = vertex.w.dot(direction_);
-    if (!is_finite(support_value)) return finish(Status::undecided, Reason::unusable_direction);
-    if (Rules::crossed(support_value, vertex, direction_)) return finish(Status::undecided, reason);
-    result_.separation = Separation<S>{direction_, vertex, support_value};
+  void finish_outside(const Vertex<S>& vertex, const S& reach, Reason reason) {
+    if (!is_finite(reach)) return finish(Status::undecided, Reason::unusable_direction);
+    if (crossed(vertex, reach)) return finish(Status::undecided, reason);
+    result_.separation = Separation<S>{direction_, vertex, reach};
     return finish(Status::separated, reason);
   }
 

@@ -31,6 +31,13 @@ struct Options {
   CrossingTest crossing_test = CrossingTest::on;
 };
 
+/// Returns: a first direction that often separates sets that are apart: from a point inside A to one inside B, such as
+/// their centers; +x where these coincide.
+template <class S>
+Vec3<S> first_direction_between(const Vec3<S>& center_a, const Vec3<S>& center_b) {
+  return center_a == center_b ? Options<S>{}.first_direction : Vec3<S>(center_b - center_a);
+}
+
 /// Proof of separation: every point w of the difference has w·direction <= support_value < 0. In floating point it is a
 /// proof as far as support_value is larger than its rounding error: sets that touch may be found a rounding error apart.
 template <class S>

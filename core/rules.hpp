@@ -16,12 +16,10 @@
 
 namespace gjk {
 
-/// The outcome of Algorithms 2-5.
+/// What Algorithms 2-5 return: where to search next; empty exactly when the simplex contains the origin. As in the
+/// report, those that drop vertices do so in the simplex they are given.
 template <class S>
-struct Step {
-  Simplex<S> simplex;                ///< for the next iteration
-  std::optional<Vec3<S>> direction;  ///< where to search next; empty exactly when the simplex contains the origin
-};
+using Next = std::optional<Vec3<S>>;
 
 // -- Vectors ----------------------------------------------------------------------------------------------------------
 
@@ -98,11 +96,9 @@ void skip_beyond_A(const Simplex<S>& simplex, std::string_view label, Teller<Obs
 
 /// Keeps the vertices of these roles, in this order (oldest first), and searches along `direction`.
 template <class S, class Obs>
-Step<S> keep(const Simplex<S>& simplex, std::initializer_list<Role> roles, std::string_view why,
-             const Vec3<S>& direction, std::string_view expression, Teller<Obs>& tell) {
-  Step<S> step{{}, direction};
-  Simplex<S>& kept = step.simplex;
-  for (const Role role : roles) kept.add(simplex[role]);
+Next<S> keep(Simplex<S>& simplex, std::initializer_list<Role> roles, std::string_view why, const Vec3<S>& direction,
+             std::string_view expression, Teller<Obs>& tell) {
+  const Simplex<S> kept = simplex.only(roles);
   tell([&] {
     SimplexReduced<S> event{.before = simplex, .after = kept, .kept = {}, .dropped = {}, .why = std::string(why)};
     for (const Role role : roles) event.kept += letter(role);
@@ -113,20 +109,21 @@ Step<S> keep(const Simplex<S>& simplex, std::initializer_list<Role> roles, std::
     return event;
   });
   tell([&] { return DirectionChosen<S>{.expression = std::string(expression), .direction = direction}; });
-  return step;
+  simplex = kept;
+  return direction;
 }
 
 /// Keeps the whole simplex as it is.
 template <class S, class Obs>
-Step<S> keep_all(const Simplex<S>& simplex, const Vec3<S>& direction, std::string_view expression, Teller<Obs>& tell) {
+Next<S> keep_all(const Vec3<S>& direction, std::string_view expression, Teller<Obs>& tell) {
   tell([&] { return DirectionChosen<S>{.expression = std::string(expression), .direction = direction}; });
-  return {simplex, direction};
+  return direction;
 }
 
 /// The origin lies beyond the edge from A to `other`: Simplex([other, A]), searched along AX×AO×AX. The direction is
 /// not the edge's normal in the plane of a triangle: the origin may lie above or below that plane (Section 3.2.3).
 template <class S, class Obs>
-Step<S> keep_edge(const Simplex<S>& simplex, Role other, Teller<Obs>& tell) {
+Next<S> keep_edge(Simplex<S>& simplex, Role other, Teller<Obs>& tell) {
   const Vec3<S> AX = simplex.point(other) - simplex.point(Role::A), AO = -simplex.point(Role::A);
   constexpr std::string_view expressions[] = {"", "AB×AO×AB", "AC×AO×AC", "AD×AO×AD"};
   return keep(simplex, {other, Role::A}, "the origin lies beyond this edge; A stays the newest", triple(AX, AO),
@@ -163,12 +160,17 @@ inline constexpr Face face_ADB{.P = Role::D,
 /// What Algorithm 1 does when it finds that the origin was not crossed (Eq. 9).
 enum class NotCrossed { answer_at_once, process_the_simplex };
 
+/// What Algorithm 1 does with the first point, which was found without a move that could have crossed the origin.
+enum class FirstPoint { taken_as_it_is, tested };
+
 /// The report's rules as its text means them. A variant derives from this class and hides one of its functions; it may
 /// build on the protected parts. Values are told as they were computed, relations and verdicts as the zero test has them.
 template <class ZeroTest = ExactZeroTest>
 struct Intended {
   /// Section 3.1.3: "the origin is not located within Mdiff. GJK can report no intersection for this case."
   static constexpr NotCrossed not_crossed() { return NotCrossed::answer_at_once; }
+
+  static constexpr FirstPoint first_point() { return FirstPoint::taken_as_it_is; }
 
   /// Eq. 9 for the vertex found along `direction`, with `value` = w·d. Touching the origin proves nothing, so it counts as
   /// crossed; and so does a value that the zero test cannot tell from zero, or sets that touch would be found apart here
@@ -182,7 +184,7 @@ struct Intended {
   ///
   /// Outcomes: A is the origin → contained. Else keep A, search along AO.
   template <class S, class Obs>
-  static Step<S> process_0simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
+  static Next<S> process_0simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
     const Vec3<S> AO = -simplex.point(Role::A);
     const bool at_origin = is_zero(ZeroTest::snap(AO, simplex[Role::A]));
     tell([&] {
@@ -194,8 +196,8 @@ struct Intended {
                              .verdict = Verdict::chosen,
                              .reason = at_origin ? "A is the origin" : "the origin lies elsewhere"};
     });
-    if (at_origin) return {simplex, std::nullopt};
-    return keep_all(simplex, AO, "AO", tell);
+    if (at_origin) return std::nullopt;
+    return keep_all(AO, "AO", tell);
   }
 
   /// Algorithm 3. Not a test for the ends of the segment: the origin cannot lie beyond them, because
@@ -209,7 +211,7 @@ struct Intended {
   /// Outcomes: AB×AO×AB = 0 (the origin is A, or lies on AB) → contained. Else (R3 or R4, one expression for both) keep
   /// both, search along AB×AO×AB. AO itself would not do: it may return B, then A, then B again.
   template <class S, class Obs>
-  static Step<S> process_1simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
+  static Next<S> process_1simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
     const Vec3<S> AO = -simplex.point(Role::A);
     const Vec3<S> AB = simplex.point(Role::B) - simplex.point(Role::A);
     skip(simplex, "B", "R1", "the search has just moved away from B, toward the origin", tell);
@@ -228,8 +230,8 @@ struct Intended {
                                                                                  "the origin lies on the line AB")
                                                               : "the origin lies to one side of AB")};
     });
-    if (on_segment) return {simplex, std::nullopt};
-    return keep_all(simplex, direction, "AB×AO×AB", tell);
+    if (on_segment) return std::nullopt;
+    return keep_all(direction, "AB×AO×AB", tell);
   }
 
   /// Algorithm 4. Not a test for the far side of BC or for the corners, because
@@ -246,7 +248,7 @@ struct Intended {
   /// Outcomes: R3 → keep [B, A]. R7 → keep [C, A]. Else R1: in the plane → contained; above → keep all, search along
   /// ABCn; below → search along −ABCn and swap A and B, so that BC×BD of the next simplex points to its A.
   template <class S, class Obs>
-  static Step<S> process_2simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
+  static Next<S> process_2simplex(Simplex<S>& simplex, Teller<Obs>& tell) {
     const Vec3<S>&A = simplex.point(Role::A), &B = simplex.point(Role::B), &C = simplex.point(Role::C);
     const Vec3<S> AB = B - A, AC = C - A;
     const Vec3<S> ABCn = AB.cross(AC);                         // Eq. 10
@@ -276,7 +278,7 @@ struct Intended {
   ///
   /// Outcomes: per face, in the order ABC, ACD, ADB: see process_face. No face sees the origin → contained.
   template <class S, class Obs>
-  static Step<S> process_3simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
+  static Next<S> process_3simplex(Simplex<S>& simplex, Teller<Obs>& tell) {
     const Vec3<S>& A = simplex.point(Role::A);
     const Vec3<S> AB = simplex.point(Role::B) - A, AC = simplex.point(Role::C) - A, AD = simplex.point(Role::D) - A;
     for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB", "BCD"})
@@ -297,14 +299,14 @@ struct Intended {
                              .verdict = Verdict::chosen,
                              .reason = "no face sees the origin: it lies in the tetrahedron"};
     });
-    return {simplex, std::nullopt};
+    return std::nullopt;
   }
 
  protected:
   /// R1 of Algorithm 4: the origin lies in the prism above and below the triangle.
   template <class S, class Obs>
-  static Step<S> process_inside_triangle(const Simplex<S>& simplex, const Vec3<S>& ABCn, const Vec3<S>& AB,
-                                         const Vec3<S>& AC, Teller<Obs>& tell) {
+  static Next<S> process_inside_triangle(Simplex<S>& simplex, const Vec3<S>& ABCn, const Vec3<S>& AB, const Vec3<S>& AC,
+                                         Teller<Obs>& tell) {
     const S value = -ABCn.dot(simplex.point(Role::A));
     const S v = ZeroTest::snap(value, simplex[Role::A], AB, AC);
     tell([&] {
@@ -325,8 +327,8 @@ struct Intended {
               : v > S(0) ? "the origin lies above the triangle, on the side of ABCn"
                          : "the origin lies below the triangle, on the side of −ABCn")};
     });
-    if (v == S(0)) return {simplex, std::nullopt};
-    if (v > S(0)) return keep_all(simplex, ABCn, "ABCn", tell);
+    if (v == S(0)) return std::nullopt;
+    if (v > S(0)) return keep_all(ABCn, "ABCn", tell);
     return keep(simplex, {Role::C, Role::A, Role::B},
                 "A and B change places, so that the triangle's normal will point to the next vertex", Vec3<S>(-ABCn),
                 "−ABCn", tell);
@@ -337,7 +339,7 @@ struct Intended {
   /// Outcomes: beyond AQ → keep [Q, A]. Beyond AP → keep [P, A]. Else keep [Q, P, A], search along APQn: in the next
   /// simplex Q, P, A have become D, C, B, and BC×BD is APQn again.
   template <class S, class Obs>
-  static Step<S> process_face(const Simplex<S>& simplex, const Face& face, const Vec3<S>& APQn, const Vec3<S>& AP,
+  static Next<S> process_face(Simplex<S>& simplex, const Face& face, const Vec3<S>& APQn, const Vec3<S>& AP,
                               const Vec3<S>& AQ, Teller<Obs>& tell) {
     const Vec3<S> AQn = APQn.cross(AQ), APn = AP.cross(APQn);
     if (sees_origin<ZeroTest>(AQn, simplex, face.edge_AQ, tell, AQ, AQ, AP)) return keep_edge(simplex, face.Q, tell);
@@ -353,6 +355,13 @@ struct Intended {
 template <class ZeroTest = ExactZeroTest>
 struct Printed : Intended<ZeroTest> {
   static constexpr NotCrossed not_crossed() { return NotCrossed::process_the_simplex; }
+};
+
+/// A faster variant that the report does not have: w·d < 0 proves at the first point, too, that the sets are apart. Worth
+/// having where the first direction is a good guess, such as first_direction_between(); tests/bench/peers measures it.
+template <class ZeroTest = ExactZeroTest>
+struct Eager : Intended<ZeroTest> {
+  static constexpr FirstPoint first_point() { return FirstPoint::tested; }
 };
 
 using AsIntended = Intended<>;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <initializer_list>
 
 #include "core/shapes.hpp"
 
@@ -40,6 +41,13 @@ class Simplex {
   const Vertex<S>& operator[](Role role) const { return (*this)[size_ - 1 - static_cast<int>(role)]; }
   /// Returns: the place of that vertex in the difference, the point that the report calls A, B, C or D.
   const Vec3<S>& point(Role role) const { return (*this)[role].w; }
+
+  /// Returns: the vertices of these roles, in this order (oldest first).
+  Simplex only(std::initializer_list<Role> roles) const {
+    Simplex kept;
+    for (const Role role : roles) kept.add((*this)[role]);
+    return kept;
+  }
 
   /// Makes `vertex` the newest. Requires: size() < 4.
   void add(const Vertex<S>& vertex) {

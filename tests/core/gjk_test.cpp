@@ -111,6 +111,33 @@ TEST_CASE("The crossing test is not applied to the first point: nothing was cros
   REQUIRE(run.result.iterations == 2);
 }
 
+TEST_CASE("The eager rules do test the first point: one support call proves sets apart", "[gjk]") {
+  const auto a = point_set<double>({{-1, 0, 0}}), b = point_set<double>(origin_only);
+  Trace<double> trace;
+  const auto result = collision<double, Eager<>>(a, b, {}, trace);
+  REQUIRE(result.status == Status::separated);
+  REQUIRE(result.iterations == 1);
+  REQUIRE(result.separation->support_value == -1);
+  REQUIRE(result.simplex.size() == 0);
+  const auto tests = events_of_kind<CrossingTested<double>>(trace.events);
+  REQUIRE(tests.size() == 1);
+  REQUIRE(tests[0].verdict == Crossing::not_crossed);
+  REQUIRE(tests[0].value == -1);
+}
+
+TEST_CASE("A first direction between two centers separates cubes that are apart along it", "[gjk]") {
+  const Points there = moved(cube, {-3, -4, -5});
+  Options<double> options;
+  options.first_direction = first_direction_between<double>(V(0, 0, 0), V(-3, -4, -5));
+  const auto result = collision<double, Eager<>>(point_set<double>(cube), point_set<double>(there), options);
+  REQUIRE(result.status == Status::separated);
+  REQUIRE(result.iterations == 1);
+}
+
+TEST_CASE("Between centers that coincide there is no direction: the first one is +x", "[gjk]") {
+  REQUIRE(first_direction_between<double>(V(1, 2, 3), V(1, 2, 3)) == V(1, 0, 0));
+}
+
 // -- Undecided --------------------------------------------------------------------------------------------------------
 
 // READING, E4: Algorithm 5 takes the first face that sees the origin, and comes back to the same simplex for ever.
@@ -296,8 +323,8 @@ TEST_CASE("Without the crossing test cubes that are apart along a diagonal are n
 /// Rules with the report's favourite mistake: the search direction of a segment is taken from its vertex.
 struct FromTheVertex : AsIntended {
   template <class S, class Obs>
-  static Step<S> process_1simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
-    return keep_all(simplex, Vec3<S>(-simplex.point(Role::A)), "AO", tell);
+  static Next<S> process_1simplex(const Simplex<S>& simplex, Teller<Obs>& tell) {
+    return keep_all(Vec3<S>(-simplex.point(Role::A)), "AO", tell);
   }
 };
 

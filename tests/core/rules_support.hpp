@@ -78,7 +78,8 @@ void require_consistent(const RegionTested<S>& region, const Simplex<S>& simplex
 
 /// What holds for every simplex: nothing is told twice, the step is what was told, and telling does not change it.
 template <class S>
-void require_consistent(const std::vector<Event<S>>& events, const Simplex<S>& simplex, const Step<S>& step) {
+void require_consistent(const std::vector<Event<S>>& events, const Simplex<S>& simplex, const Simplex<S>& kept,
+                        const Next<S>& next) {
   std::set<std::tuple<std::string, std::string, std::string>> told;
   std::string order;
   for (const Event<S>& event : events) {
@@ -89,26 +90,26 @@ void require_consistent(const std::vector<Event<S>>& events, const Simplex<S>& s
     } else if (const auto* reduced = std::get_if<SimplexReduced<S>>(&event)) {
       order += 's';
       REQUIRE(same_simplex(reduced->before, simplex));
-      REQUIRE(same_simplex(reduced->after, step.simplex));
-      REQUIRE(reduced->kept == roles(step.simplex, simplex.size()));
+      REQUIRE(same_simplex(reduced->after, kept));
+      REQUIRE(reduced->kept == roles(kept, simplex.size()));
       REQUIRE_FALSE(reduced->why.empty());
       std::string all = reduced->kept + reduced->dropped;
       std::sort(all.begin(), all.end());
       REQUIRE(all == std::string("ABCD").substr(0, static_cast<std::size_t>(simplex.size())));
     } else {
       order += 'd';
-      REQUIRE(std::get<DirectionChosen<S>>(event).direction == step.direction);
+      REQUIRE(std::get<DirectionChosen<S>>(event).direction == next);
     }
   }
-  const bool changed = !same_simplex(simplex, step.simplex);
-  REQUIRE(order.substr(order.find_last_of('r') + 1) == (!step.direction ? "" : changed ? "sd" : "d"));
-  REQUIRE(order.find_first_not_of('r') == (step.direction ? order.find_last_of('r') + 1 : std::string::npos));
+  const bool changed = !same_simplex(simplex, kept);
+  REQUIRE(order.substr(order.find_last_of('r') + 1) == (!next ? "" : changed ? "sd" : "d"));
+  REQUIRE(order.find_first_not_of('r') == (next ? order.find_last_of('r') + 1 : std::string::npos));
 
   const NobodyListens nobody;
   Teller<const NobodyListens> silent(nobody, CrossingTest::on);
-  const Step<S> plain = process<AsIntended>(simplex, silent);
-  REQUIRE(same_simplex(plain.simplex, step.simplex));
-  REQUIRE(plain.direction == step.direction);
+  Simplex<S> plain = simplex;
+  REQUIRE(process<AsIntended>(plain, silent) == next);
+  REQUIRE(same_simplex(plain, kept));
 }
 
 /// Runs the algorithm for this size of simplex, the last point being A.
@@ -117,12 +118,13 @@ Told<S> ask_rules(const std::vector<Vec3<S>>& oldest_first) {
   const Simplex<S> simplex = simplex_of(oldest_first);
   Trace<S> trace;
   Teller<Trace<S>> teller(trace, CrossingTest::on);
-  const Step<S> step = process<AsIntended>(simplex, teller);
-  require_consistent(trace.events, simplex, step);
+  Simplex<S> kept = simplex;
+  const Next<S> next = process<AsIntended>(kept, teller);
+  require_consistent(trace.events, simplex, kept, next);
 
   Told<S> told;
-  told.direction = step.direction;
-  if (step.direction) told.next = roles(step.simplex, simplex.size());
+  told.direction = next;
+  if (next) told.next = roles(kept, simplex.size());
   told.regions = events_of_kind<RegionTested<S>>(trace.events);
   for (const auto& r : told.regions) {
     const std::string name =

@@ -119,7 +119,8 @@ template <class Rules>
 std::vector<RegionTested<double>> regions_told(const std::vector<Vec3<double>>& oldest_first) {
   Trace<double> trace;
   Teller<Trace<double>> teller(trace, CrossingTest::on);
-  process<Rules>(simplex_of(oldest_first), teller);
+  auto simplex = simplex_of(oldest_first);
+  process<Rules>(simplex, teller);
   return events_of_kind<RegionTested<double>>(trace.events);
 }
 

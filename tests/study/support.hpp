@@ -40,7 +40,7 @@ inline Pair intersecting_pair_that_cycles() {
 /// A mistake that the report names: one normal points inward, because its cross product was taken in the wrong order.
 struct OneNormalInward : gjk::AsIntended {
   template <class S, class Obs>
-  static gjk::Step<S> process_3simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>& tell) {
+  static gjk::Next<S> process_3simplex(gjk::Simplex<S>& simplex, gjk::Teller<Obs>& tell) {
     using V = gjk::Vec3<S>;
     const V A = simplex.point(gjk::Role::A), AB = simplex.point(gjk::Role::B) - A, AC = simplex.point(gjk::Role::C) - A,
             AD = simplex.point(gjk::Role::D) - A;
@@ -48,7 +48,7 @@ struct OneNormalInward : gjk::AsIntended {
     if (ABCn.dot(A) < 0) return process_face(simplex, gjk::face_ABC, ABCn, AB, AC, tell);
     if (ACDn.dot(A) < 0) return process_face(simplex, gjk::face_ACD, ACDn, AC, AD, tell);
     if (ADBn.dot(A) < 0) return process_face(simplex, gjk::face_ADB, ADBn, AD, AB, tell);
-    return {simplex, std::nullopt};
+    return std::nullopt;
   }
 };
 

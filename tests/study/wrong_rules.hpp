@@ -95,34 +95,34 @@ struct Faithful {
 template <class Details>
 struct Rules : gjk::AsIntended {
   template <class S, class Obs>
-  static gjk::Step<S> process_0simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
+  static gjk::Next<S> process_0simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
     const gjk::Vec3<S> AO = -simplex.point(gjk::Role::A);
-    if (Details::at_origin(AO)) return contained(simplex);
-    return {simplex, AO};
+    if (Details::at_origin(AO)) return std::nullopt;
+    return AO;
   }
 
   template <class S, class Obs>
-  static gjk::Step<S> process_1simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
+  static gjk::Next<S> process_1simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
     const gjk::Vec3<S> direction = Details::from_segment(from_A(simplex, gjk::Role::B), AO(simplex));
-    if (Details::on_segment(direction)) return contained(simplex);
-    return {simplex, direction};
+    if (Details::on_segment(direction)) return std::nullopt;
+    return direction;
   }
 
   template <class S, class Obs>
-  static gjk::Step<S> process_2simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
+  static gjk::Next<S> process_2simplex(gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
     const gjk::Vec3<S> AB = from_A(simplex, gjk::Role::B), AC = from_A(simplex, gjk::Role::C), O = AO(simplex);
     const gjk::Vec3<S> n = Details::triangle_normal(AB, AC);
     const gjk::Vec3<S> ABn = Details::triangle_ABn(AB, n), ACn = Details::triangle_ACn(AC, n);
     if (ABn.dot(O) > S(0)) return edge(simplex, gjk::Role::B, AB, ABn);
     if (ACn.dot(O) > S(0)) return edge(simplex, gjk::Role::C, AC, ACn);
     const S height = n.dot(O);
-    if (!Details::triangle_reaches_above_and_below || Details::in_triangle(height)) return contained(simplex);
-    if (height > S(0)) return {simplex, n};
-    return {kept(simplex, Details::below_triangle()), gjk::Vec3<S>(-n)};
+    if (!Details::triangle_reaches_above_and_below || Details::in_triangle(height)) return std::nullopt;
+    if (height > S(0)) return n;
+    return keep(simplex, Details::below_triangle(), gjk::Vec3<S>(-n));
   }
 
   template <class S, class Obs>
-  static gjk::Step<S> process_3simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
+  static gjk::Next<S> process_3simplex(gjk::Simplex<S>& simplex, gjk::Teller<Obs>&) {
     using gjk::Role;
     const gjk::Vec3<S> AB = from_A(simplex, Role::B), AC = from_A(simplex, Role::C), AD = from_A(simplex, Role::D);
     const gjk::Vec3<S> O = AO(simplex);
@@ -136,7 +136,7 @@ struct Rules : gjk::AsIntended {
     if (Details::above_face(ADBn.dot(O)))
       return face(simplex, Details::above_ADB(), ADBn, {Role::B, AB, Details::AB_of_ADB(AB, ADBn, ABCn)},
                   {Role::D, AD, Details::shared_edge(AD, ADBn, ACDn)});
-    return contained(simplex);
+    return std::nullopt;
   }
 
  private:
@@ -154,30 +154,26 @@ struct Rules : gjk::AsIntended {
   static gjk::Vec3<S> from_A(const gjk::Simplex<S>& simplex, gjk::Role X) {
     return simplex.point(X) - simplex.point(gjk::Role::A);
   }
-  template <class S>
-  static gjk::Step<S> contained(const gjk::Simplex<S>& simplex) {
-    return {simplex, std::nullopt};
-  }
-
   template <class S, class Roles>
-  static gjk::Simplex<S> kept(const gjk::Simplex<S>& simplex, const Roles& roles) {
-    gjk::Simplex<S> result;
-    for (const gjk::Role role : roles) result.add(simplex[role]);
-    return result;
+  static gjk::Next<S> keep(gjk::Simplex<S>& simplex, const Roles& roles, const gjk::Vec3<S>& direction) {
+    gjk::Simplex<S> kept;
+    for (const gjk::Role role : roles) kept.add(simplex[role]);
+    simplex = kept;
+    return direction;
   }
 
   template <class S>
-  static gjk::Step<S> edge(const gjk::Simplex<S>& simplex, gjk::Role X, const gjk::Vec3<S>& AX,
-                           const gjk::Vec3<S>& AXn) {
-    return {kept(simplex, std::array{X, gjk::Role::A}), Details::from_edge(AX, AO(simplex), AXn)};
+  static gjk::Next<S> edge(gjk::Simplex<S>& simplex, gjk::Role X, const gjk::Vec3<S>& AX, const gjk::Vec3<S>& AXn) {
+    const gjk::Vec3<S> direction = Details::from_edge(AX, AO(simplex), AXn);
+    return keep(simplex, std::array{X, gjk::Role::A}, direction);
   }
 
   template <class S>
-  static gjk::Step<S> face(const gjk::Simplex<S>& simplex, const Faithful::Order& order, const gjk::Vec3<S>& normal,
+  static gjk::Next<S> face(gjk::Simplex<S>& simplex, const Faithful::Order& order, const gjk::Vec3<S>& normal,
                            const Edge<S>& one, const Edge<S>& two) {
     for (const Edge<S>& e : {one, two})
       if (e.AXn.dot(AO(simplex)) > S(0)) return edge(simplex, e.X, e.AX, e.AXn);
-    return {kept(simplex, order), normal};
+    return keep(simplex, order, normal);
   }
 };
 
