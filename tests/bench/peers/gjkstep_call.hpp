@@ -1,4 +1,4 @@
-/// This project's calls: no observer, doubles, every option as it is by default.
+/// This project's calls: no observer, doubles, at most 20 iterations.
 #pragma once
 
 #include "core/gjk.hpp"
@@ -10,8 +10,8 @@ namespace peers {
 using Relative = gjk::Intended<gjk::RelativeZeroTest>;
 
 template <class Rules, class A, class B>
-Answer asked(const A& a, const B& b) {
-  switch (gjk::collision<double, Rules>(a, b).status) {
+Answer asked(const A& a, const B& b, const gjk::Options<double>& options) {
+  switch (gjk::collision<double, Rules>(a, b, options).status) {
     case gjk::Status::intersecting: return Answer::intersecting;
     case gjk::Status::separated: return Answer::separated;
     case gjk::Status::undecided: break;
@@ -22,10 +22,12 @@ Answer asked(const A& a, const B& b) {
 /// Each compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
 /// the rules between them in place of inlining them.
 template <class Rules>
-Answer asked_of_point_sets(const PointSet& a, const PointSet& b);
+Answer asked_of_point_sets(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
 template <>
-Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b);
+Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
 template <>
-Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b);
+Answer asked_of_point_sets<gjk::Eager<>>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
+template <>
+Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
 
 }  // namespace peers

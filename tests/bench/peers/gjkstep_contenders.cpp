@@ -4,24 +4,31 @@ namespace peers {
 namespace {
 
 template <class Rules, class A, class B>
-Answer answer(const A& a, const B& b) {
+Answer answer(const A& a, const B& b, const gjk::Options<double>& options) {
   if constexpr (std::same_as<A, PointSet> && std::same_as<B, PointSet>)
-    return asked_of_point_sets<Rules>(a, b);
+    return asked_of_point_sets<Rules>(a, b, options);
   else
-    return asked<Rules>(a, b);
+    return asked<Rules>(a, b, options);
 }
 
-template <class Rules>
+gjk::Options<double> by_default(const study::Pair&) { return {}; }
+
+gjk::Options<double> between_centers(const study::Pair& pair) {
+  return {.first_direction = gjk::first_direction_between(center(pair.a), center(pair.b))};
+}
+
+template <class Rules, auto options_for = by_default>
 class Query {
  public:
-  explicit Query(const study::Pair& pair) : a_(any_shape(pair.a)), b_(any_shape(pair.b)) {}
+  explicit Query(const study::Pair& pair) : a_(any_shape(pair.a)), b_(any_shape(pair.b)), options_(options_for(pair)) {}
 
   Answer operator()() const {
-    return std::visit([](const auto& one, const auto& other) { return answer<Rules>(one, other); }, a_, b_);
+    return std::visit([&](const auto& one, const auto& other) { return answer<Rules>(one, other, options_); }, a_, b_);
   }
 
  private:
   AnyShape a_, b_;
+  gjk::Options<double> options_;
 };
 
 }  // namespace
@@ -32,9 +39,14 @@ std::vector<Contender> gjkstep_contenders() {
        .how = "`gjk::collision<double>(a, b)`, the plain call: at most 20 iterations",
        .prepare = batch_of<Query<gjk::AsIntended>>,
        .is_peer = false},
+      {.name = "gjkstep eager",
+       .how = "`gjk::collision<double, gjk::Eager<>>(a, b, options)`, which starts from one center to the other (MPR "
+              "is told the centers, too) and tests the first point",
+       .prepare = batch_of<Query<gjk::Eager<>, between_centers>>,
+       .is_peer = false},
       {.name = "gjkstep relative",
-       .how =
-           "`gjk::collision<double, gjk::Intended<gjk::RelativeZeroTest>>(a, b)`, the same with the relative zero test",
+       .how = "`gjk::collision<double, gjk::Intended<gjk::RelativeZeroTest>>(a, b)`, the plain call with the relative "
+              "zero test",
        .prepare = batch_of<Query<Relative>>,
        .is_peer = false}};
 }

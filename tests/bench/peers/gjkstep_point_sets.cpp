@@ -3,8 +3,8 @@
 namespace peers {
 
 template <>
-Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b) {
-  return asked<gjk::AsIntended>(a, b);
+Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options) {
+  return asked<gjk::AsIntended>(a, b, options);
 }
 
 }  // namespace peers

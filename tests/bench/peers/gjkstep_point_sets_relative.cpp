@@ -3,8 +3,8 @@
 namespace peers {
 
 template <>
-Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b) {
-  return asked<Relative>(a, b);
+Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options) {
+  return asked<Relative>(a, b, options);
 }
 
 }  // namespace peers

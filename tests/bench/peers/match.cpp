@@ -47,11 +47,25 @@ bool is_right(Answer answer, study::Truth truth) {
   return answer == (truth == study::Truth::intersecting ? Answer::intersecting : Answer::separated);
 }
 
-/// Returns: the positions of the pairs that got an answer of any kind, and got it in time.
-std::vector<std::size_t> answered(const std::vector<Answer>& answers) {
+/// Only who has an answer of any kind to every pair, in time, takes part in the race.
+bool may_race(const std::vector<Answer>& answers) {
+  return std::all_of(answers.begin(), answers.end(), [](Answer answer) { return answer <= Answer::undecided; });
+}
+
+std::size_t corners(const study::Body& body) {
+  const auto* points = std::get_if<study::Points>(&body);
+  return points ? points->size() : 1;
+}
+
+/// Returns: the first pairs, as many as fit a second-level cache: the queries are timed, and not the memory.
+std::vector<std::size_t> raced(const std::vector<study::Pair>& pairs) {
   std::vector<std::size_t> positions;
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    if (answers[i] <= Answer::undecided) positions.push_back(i);
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    sum += corners(pairs[i].a) + corners(pairs[i].b);
+    if (sum > corners_raced) break;
+    positions.push_back(i);
+  }
   return positions;
 }
 
@@ -71,24 +85,23 @@ double processor_time() {
 /// One contender's part of the race.
 struct Runner {
   Batch& batch;
-  std::vector<std::size_t> pairs;
   std::vector<Answer> answers;
   std::vector<double> nanoseconds = {};  ///< per query, one for each repeat
 
-  void run() {
-    if (pairs.empty()) return;
+  /// What the others have put in the caches since this runner's last turn is replaced before the clock starts.
+  void run(const std::vector<std::size_t>& pairs) {
+    batch.ask_all(pairs, answers);
     const double start = processor_time();
     batch.ask_all(pairs, answers);
     nanoseconds.push_back((processor_time() - start) / static_cast<double>(pairs.size()));
   }
 };
 
-/// The runners take turns, so that what slows the machine for a while slows all of them. The first turn warms up.
-void race(std::vector<Runner>& runners, int repeats) {
-  for (Runner& runner : runners) runner.run();
-  for (Runner& runner : runners) runner.nanoseconds.clear();
+/// The runners take turns, so that what slows the machine for a while slows all of them.
+void race(std::vector<Runner>& runners, const std::vector<std::size_t>& pairs, int repeats) {
   for (int i = 0; i < repeats; ++i)
-    for (Runner& runner : runners) runner.run();
+    for (Runner& runner : runners)
+      if (may_race(runner.answers)) runner.run(pairs);
 }
 
 std::size_t lost(const std::vector<Runner>& runners, const std::vector<Contender>& contenders,
@@ -118,10 +131,12 @@ Match play(const study::Family& family, const std::vector<Contender>& contenders
     batches.push_back(contender.prepare(pairs));
     const std::vector<Answer> answers = tried(*batches.back(), pairs.size());
     match.scores.push_back(score(answers, truths));
-    runners.push_back({*batches.back(), answered(answers), answers});
+    runners.push_back({*batches.back(), answers});
   }
   match.lost = lost(runners, contenders, truths);
-  race(runners, settings.repeats);
+  const std::vector<std::size_t> in_race = raced(pairs);
+  match.raced = in_race.size();
+  race(runners, in_race, settings.repeats);
   for (std::size_t i = 0; i < runners.size(); ++i)
     if (!runners[i].nanoseconds.empty()) match.scores[i].nanoseconds = median(runners[i].nanoseconds);
   return match;

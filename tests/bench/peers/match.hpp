@@ -16,7 +16,7 @@ struct Score {
   int undecided = 0;          ///< or an exception
   int failed = 0;             ///< crashed or timed out, with the pairs not asked after too many of these
   std::string first_failure;  ///< "pair 17: no answer within 1 s"; empty where nothing failed
-  double nanoseconds = 0;     ///< per query: the median of the repeats; 0 where no pair was answered
+  double nanoseconds = 0;     ///< per query: the median of the repeats; 0 where some pair had no answer
 
   int not_right() const { return false_positives + false_negatives + undecided + failed; }
 };
@@ -24,6 +24,7 @@ struct Score {
 struct Match {
   std::string family, what;
   std::size_t pairs = 0, meet = 0;
+  std::size_t raced = 0;           ///< pairs that were timed: the first ones
   std::vector<Score> scores = {};  ///< in the order of the contenders
   std::size_t lost = 0;            ///< pairs on which the first contender is not right though a peer is
 };
@@ -33,6 +34,9 @@ struct MatchSettings {
   std::size_t pairs = 1000;  ///< at most; a family may have fewer
   int repeats = 15;
 };
+
+/// So many corners of all pairs together, of 24 bytes each, stay in the cache of a core while they are timed.
+inline constexpr std::size_t corners_raced = std::size_t(1) << 14;
 
 Match play(const study::Family& family, const std::vector<Contender>& contenders, const MatchSettings& settings);
 

@@ -1,5 +1,4 @@
-/// The bodies of the study as this project's shapes. Libraries that leave the support function to their user get these too,
-/// so that everybody scans points in the same way.
+/// The bodies of the study as this project's shapes.
 #pragma once
 
 #include <variant>
@@ -20,6 +19,18 @@ inline Cylinder shape(const study::Can& can) { return {can.center, can.axis, can
 using AnyShape = std::variant<PointSet, Sphere, Cylinder>;
 inline AnyShape any_shape(const study::Body& body) {
   return std::visit([](const auto& one) { return AnyShape(shape(one)); }, body);
+}
+
+/// Some point well inside, from which some searches start.
+inline study::Vec center(const study::Points& points) {
+  study::Vec sum = study::Vec::Zero();
+  for (const study::Vec& point : points) sum += point;
+  return sum / static_cast<double>(points.size());
+}
+inline study::Vec center(const study::Ball& ball) { return ball.center; }
+inline study::Vec center(const study::Can& can) { return can.center; }
+inline study::Vec center(const study::Body& body) {
+  return std::visit([](const auto& one) { return center(one); }, body);
 }
 
 }  // namespace peers
