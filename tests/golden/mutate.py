@@ -8,7 +8,7 @@ Works on a copy in a temporary folder, without optimisation. Each line of mutant
 of them passes all golden tests, does not compile, or cannot be made: its text must be in its file exactly once, or another
 line than the one meant could be the one that is changed.
 """
-import pathlib, shutil, subprocess, sys, tempfile
+import pathlib, shutil, subprocess, sys, tempfile, time
 
 root = pathlib.Path(__file__).resolve().parents[2]
 
@@ -44,13 +44,13 @@ def build(folder):
     return run(["cmake", "--build", "build", "--parallel", "2", "--target", "golden-tests"], folder).returncode == 0
 
 
-def noticed(folder):
-    """The traces and the pictures that differ, by name."""
+def noticed(folder, patience):
+    """The traces and the pictures that differ, by name; each test may take so many seconds."""
     says = {}
     for kind, test, marks in (("traces", "traces of all*", [": the traces part"]),
                               ("images", "images of*", ["-report: ", "-dark: ", "-slides: ", "-no-captions: "])):
         try:
-            out = subprocess.run(["build/golden-tests", test], cwd=folder, capture_output=True, text=True, timeout=120)
+            out = subprocess.run(["build/golden-tests", test], cwd=folder, capture_output=True, text=True, timeout=patience)
         except subprocess.TimeoutExpired:
             says[kind] = ["does not end"]
             continue
@@ -61,14 +61,14 @@ def noticed(folder):
     return says
 
 
-def try_out(file, old, new, wrong, folder):
+def try_out(file, old, new, wrong, folder, patience):
     """Whether a golden noticed that mutant; prints which."""
     path = folder / file
     sound = path.read_text()
     path.write_text(sound.replace(old, new))
     verdict = ""
     if build(folder):
-        says = noticed(folder)
+        says = noticed(folder, patience)
         verdict = "; ".join(f"{len(found)} {kind}, first {found[0]}" for kind, found in says.items() if found)
     else:
         wrong += " (does not compile)"
@@ -97,9 +97,11 @@ def main():
     with tempfile.TemporaryDirectory(prefix="gjkstep-mutants-") as name:
         folder = pathlib.Path(name)
         copy_to(folder)
-        if not build(folder) or any(noticed(folder).values()):
+        built, start = build(folder), time.monotonic()
+        if not built or any(noticed(folder, 1800).values()):
             sys.exit("without any change the golden tests do not pass: nothing can be said of mutants")
-        survivors = sum(not try_out(*mutant, folder) for mutant in chosen)
+        patience = 60 + 10 * (time.monotonic() - start)  # a mutant that ends must not be taken for one that does not
+        survivors = sum(not try_out(*mutant, folder, patience) for mutant in chosen)
     print(f"{survivors} survived")
     sys.exit(1 if survivors else 0)
 
