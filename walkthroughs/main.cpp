@@ -85,7 +85,9 @@ void print_version(const std::optional<std::string>& gl) {
 }
 
 ExitCode flush_output() {
-  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
+  if (!std::cout.flush())
+    throw render::FileError(
+        "cannot write to standard output; check that the disk has space left, or that who reads has not left");
   return ok;
 }
 

@@ -49,11 +49,25 @@ std::size_t read_some(std::span<char> bytes) {
   }
 }
 
+std::string what_to_do(int error_number) {
+  switch (error_number) {
+    case EPIPE: return "who reads the answers has left before the last one; let it read to the end";
+    case ENOSPC:
+    case EDQUOT: return "make room, or write to another disk";
+    default: return "check where the output goes";
+  }
+}
+
+[[noreturn]] void fail_to_write(int error_number) {
+  throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(error_number) + "; " +
+                          what_to_do(error_number));
+}
+
 void write_all(std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(errno));
+    if (count < 0) fail_to_write(errno);
     text.remove_prefix(static_cast<std::size_t>(count));
   }
 }

@@ -71,11 +71,14 @@ TEST_CASE("Output that cannot be written is exit code 5, also where its reader l
   const std::string many = "yes " + quoted(pair_of(dot, dot)) + " | head -n 20000 | ";
   const Outcome full = shell(many + "$program query >/dev/full");
   CHECK(full.exit_code == 5);
-  CHECK(has(full.err, "cannot write to standard output: No space left on device"));
+  CHECK(has(full.err, "cannot write to standard output: No space left on device; make room"));
   const Outcome left = shell("{ " + many + "$program query; echo $? >$folder/code; } | head -n 1; cat $folder/code");
   REQUIRE(lines(left.out).size() == 2);
   CHECK(lines(left.out)[1] == "5");
-  CHECK(has(left.err, "Broken pipe"));
+  CHECK(has(left.err, "Broken pipe; who reads the answers has left"));
+  const Outcome closed = shell("echo x | $program query >&-");
+  CHECK(closed.exit_code == 5);
+  CHECK(has(closed.err, "Bad file descriptor; check where the output goes"));
 }
 
 TEST_CASE("gjkstep query answers one pair while it waits for the next") {
