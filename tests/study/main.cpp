@@ -51,6 +51,7 @@ int fail(ExitCode code, const std::exception& error) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that is not there, or a reader who leaves, is an error of writing
+  std::signal(SIGXFSZ, SIG_IGN);  // as is a file that may not grow
   try {
     return run(argc, argv);
   } catch (const study::UsageError& error) {
