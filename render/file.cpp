@@ -1,70 +1,117 @@
 #include "render/file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace render {
 namespace {
 
+namespace fs = std::filesystem;
+
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
+
+/// Returns: the descriptor of a file without a name in that folder; -1 where the file system has none (NFS, FAT).
+int open_unnamed(const fs::path& folder) {
+  if (::access("/proc/self/fd", X_OK) != 0) return -1;  // it could not be named later
+  return ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+/// A file that disappears unless it is put in place when it is whole. Without a name until then, it also does where the
+/// program is interrupted or killed. Where every file has a name, it has a temporary one, which an end by force leaves.
+class NewFile {
+ public:
+  explicit NewFile(const fs::path& target) : target_(target), temporary_(target) {
+    temporary_ += "." + std::to_string(getpid()) + ".tmp";
+    descriptor_ = open_unnamed(target.parent_path());
+    if (descriptor_ >= 0) return;
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) fail("create " + temporary_.string(), errno);
+    is_named_ = true;
+  }
+  ~NewFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (is_named_) ::unlink(temporary_.c_str());
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  void write(std::span<const std::uint8_t> bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail("write all of it", errno);
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+  }
+
+  /// A file that is there can only be replaced by one with a name.
+  void put_in_place() {
+    if (!is_named_ && name(target_)) return;
+    if (!is_named_ && errno != EEXIST) fail("give it its name", errno);
+    if (!is_named_) name_temporarily();
+    if (::close(std::exchange(descriptor_, -1)) != 0) fail("write all of it", errno);
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename " + temporary_.string() + " to it", errno);
+    is_named_ = false;
+  }
+
+ private:
+  /// Returns: whether it has got that name; otherwise errno says why not.
+  bool name(const fs::path& path) const {
+    const std::string self = "/proc/self/fd/" + std::to_string(descriptor_);
+    return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  }
+  void name_temporarily() {
+    ::unlink(temporary_.c_str());  // of a process of the same number that has been killed
+    if (!name(temporary_)) fail("create " + temporary_.string(), errno);
+    is_named_ = true;
+  }
+
+  [[noreturn]] void fail(const std::string& step, int error_number) const {
+    throw FileError("cannot write " + target_.string() + ": could not " + step + ": " + reason(error_number) +
+                    "; check that the folder exists, may be written to and has space left");
+  }
+
+  const fs::path target_;
+  fs::path temporary_;
+  int descriptor_ = -1;
+  bool is_named_ = false;  // by the temporary name
+};
+
+/// To be renamed to a device would replace it, where one may.
+void refuse_other_than_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw FileError("cannot write " + path.string() + ": it is " +
+                    (fs::is_directory(status) ? "a folder" : "not a regular file") +
+                    "; check that you mean it, and name a file");
+}
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using File = std::unique_ptr<std::FILE, FileCloser>;
 
-/// A file that disappears unless it is renamed to its final name.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::filesystem::path& target) : target_(target), path_(target) {
-    path_ += "." + std::to_string(getpid()) + ".tmp";
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  void write(std::span<const std::uint8_t> bytes) const {
-    File file(std::fopen(path_.c_str(), "wb"));
-    if (file == nullptr) fail("create " + path_.string(), errno);
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail("write " + path_.string(), errno);
-    if (std::fclose(file.release()) != 0) fail("write " + path_.string(), errno);
-  }
-
-  void rename_to_target() const {
-    std::error_code error;
-    std::filesystem::rename(path_, target_, error);
-    if (error) fail("rename " + path_.string() + " to it", error.value());
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& step, int error_number) const {
-    throw FileError("cannot write " + target_.string() + ": could not " + step + ": " + reason(error_number) +
-                    "; check that the folder exists, may be written to and has space left");
-  }
-
-  std::filesystem::path target_, path_;
-};
-
 }  // namespace
 
-void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  const TemporaryFile file(path);
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  refuse_other_than_file(path);
+  NewFile file(path);
   file.write(bytes);
-  file.rename_to_target();
+  file.put_in_place();
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
+void write_file(const fs::path& path, std::string_view text) {
   write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
+std::vector<std::uint8_t> read_file(const fs::path& path) {
   const auto fail = [&](int error_number) {
     throw ReadError("cannot read " + path.string() + ": " + reason(error_number) +
                     "; check that the file exists and may be read");

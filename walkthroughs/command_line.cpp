@@ -32,6 +32,10 @@ render::Size parse_size(const std::string& text) {
   return size;
 }
 
+void expect_named(const std::string& option, const std::string& name, const std::string& example) {
+  if (name.empty() || name.starts_with("--")) throw UsageError(option + " '" + name + "': name " + example);
+}
+
 // ---------------------------------------------------------------------------------------------- --gl
 
 namespace {

@@ -140,8 +140,7 @@ class Tally {
 }  // namespace
 
 int CompareCommand::run() const {
-  if (report && report->empty())
-    throw UsageError("--report '': name a folder to write to, for example --report differences");
+  if (report) expect_named("--report", *report, "a folder to write to, for example --report differences");
   const std::vector<render::FilePair> pairs = pairs_of(expected, actual);
   std::optional<render::CompareReport> page;
   if (report) page = empty_report(*this);

@@ -1,6 +1,7 @@
 // gjkstep: watch GJK decide. Reads the command line, calls the rest, turns failures into exit codes.
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <iostream>
 #include <optional>
 
@@ -85,7 +86,9 @@ void print_version(const std::optional<std::string>& gl) {
 }
 
 ExitCode flush_output() {
-  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
+  if (!std::cout.flush())
+    throw render::FileError(
+        "cannot write to standard output; check that the disk has space left, or that who reads has not left");
   return ok;
 }
 
@@ -171,6 +174,7 @@ int fail(ExitCode code, const std::exception& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, told like others
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {

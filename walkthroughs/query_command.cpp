@@ -1,5 +1,6 @@
 #include "walkthroughs/query_command.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -39,21 +40,48 @@ Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the inp
 
 enum ExitCode { all_answered = 0, bad_lines = 3 };
 
+/// A pipe may have been set, by another program that holds it, to fail rather than wait (O_NONBLOCK).
+/// Returns: whether errno says so; then it has waited. Keeps errno.
+bool wait_for(int descriptor, short event) {
+  const int reason = errno;
+  pollfd polled{descriptor, event, 0};
+  const bool waits = reason == EAGAIN || reason == EWOULDBLOCK;
+  if (waits) ::poll(&polled, 1, -1);
+  errno = reason;
+  return waits;
+}
+
 std::size_t read_some(std::span<char> bytes) {
   for (;;) {
     const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
     if (count >= 0) return static_cast<std::size_t>(count);
+    if (wait_for(STDIN_FILENO, POLLIN)) continue;
     if (errno != EINTR)
       throw InputError(std::string("standard input cannot be read: ") + std::strerror(errno) +
                        "; give it pairs, one a line");
   }
 }
 
+std::string what_to_do(int error_number) {
+  switch (error_number) {
+    case EPIPE: return "who reads the answers has left before the last one; let it read to the end";
+    case ENOSPC:
+    case EDQUOT: return "make room, or write to another disk";
+    default: return "check where the output goes";
+  }
+}
+
+[[noreturn]] void fail_to_write(int error_number) {
+  throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(error_number) + "; " +
+                          what_to_do(error_number));
+}
+
 void write_all(std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(errno));
+    if (count < 0 && wait_for(STDOUT_FILENO, POLLOUT)) continue;
+    if (count < 0) fail_to_write(errno);
     text.remove_prefix(static_cast<std::size_t>(count));
   }
 }

@@ -73,10 +73,10 @@ class InScalar {
   }
   gjk::Vec3<S> operator()(const Point& p) const { return {(*this)(p.x()), (*this)(p.y()), (*this)(p.z())}; }
   gjk::Vec3<S> direction(const Point& p) const {
-    const gjk::Vec3<S> converted = (*this)(p);
-    if (converted == gjk::Vec3<S>(S(0), S(0), S(0)))
-      fail(p.cwiseAbs().maxCoeff(), "is so small that it is 0 as a float");
-    return converted;
+    if constexpr (std::same_as<S, float>)
+      return reading::direction_in_float(p);
+    else
+      return (*this)(p);
   }
   gjk::Pose<S> operator()(const Pose& pose) const {
     gjk::Pose<S> converted;

@@ -100,7 +100,9 @@ class Rendering {
   static constexpr double shortest_frame = 0.02, longest_frame = 60;  // seconds
 
   Output checked_output() const {
-    if (command_.out.empty()) throw UsageError("--out '': name a folder to write to, for example --out pictures");
+    expect_named("--out", command_.out, "a folder to write to, for example --out pictures");
+    if (command_.captions)
+      expect_named("--captions", *command_.captions, "a file to write, for example --captions captions.json");
     if (!(shortest_frame <= command_.frame_time && command_.frame_time <= longest_frame))
       throw UsageError("--frame-time: expected seconds from 0.02 to 60, for example 2");
     const Look look{.style = Style(theme_named(command_.theme)),

@@ -74,17 +74,19 @@ class ObjectIn {
   explicit ObjectIn(const Object& object)
       : object_(object),
         form_(std::visit(FormIn<S>{}, object.form)),
-        pose_{object.pose.rotation.cast<S>(), object.pose.translation.cast<S>()} {}
+        pose_{object.pose.rotation.cast<S>(), object.pose.translation.cast<S>()},
+        is_at_rest_(object.is_at_rest()) {}
 
   gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
     ++object_.support_calls;
-    return support_of(form_, object_.is_at_rest() ? nullptr : &pose_, d);
+    return support_of(form_, is_at_rest_ ? nullptr : &pose_, d);
   }
 
  private:
   const Object& object_;
   typename FormIn<S>::Any form_;
   gjk::Pose<S> pose_;
+  bool is_at_rest_;
 };
 
 double nearest_float(double x) {

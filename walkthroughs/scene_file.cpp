@@ -15,9 +15,9 @@ using namespace reading;
 
 // -- Objects -----------------------------------------------------------------------------------------------------------
 
-Object scene_object(const Value& value, const Space& space) {
+Object scene_object(const Value& value, const Space& space, Scalar scalar) {
   ObjectAsWritten written = read_object(value, space);
-  auto form = form_of(std::move(written.form));
+  auto form = form_of(std::move(written.form), scalar);
   return {.name = std::move(written.name), .form = std::move(form), .pose = written.pose.value_or(Pose{})};
 }
 
@@ -142,8 +142,9 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from(file_name);
   const Space space = read_dimension(root);
-  Object a = scene_object(required(root, "a", "give the first object"), space);
-  Object b = scene_object(required(root, "b", "give the second object"), space);
+  const Scalar scalar = scalar_of(root);
+  Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
+  Object b = scene_object(required(root, "b", "give the second object"), space, scalar);
   name_the_nameless(a, b, space);
   const gjk::Options<double> options = read_options(root, space);
   const RuleSet rules = read_rules(root);

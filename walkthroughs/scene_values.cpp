@@ -180,26 +180,38 @@ FormAsWritten read_form_as_written(const Value& shape, const Space& space) {
   return read_cylinder(shape, space);
 }
 
-decltype(Object::form) form_of(FormAsWritten written) {
+decltype(Object::form) form_of(FormAsWritten written, Scalar scalar) {
   if (auto* points = std::get_if<Points>(&written)) return std::move(*points);
   if (const auto* ball = std::get_if<Ball>(&written)) return *ball;
   const auto& [center, axis, radius, height] = std::get<CylinderAsWritten>(written);
-  return Cylinder(center, axis, radius, height);
+  if (scalar == Scalar::binary64) return Cylinder(center, axis, radius, height);
+  const gjk::Cylinder<float> in_float(gjk::Vec3<float>::Zero(), direction_in_float(axis), 1, 1);
+  return Cylinder(center, in_float.axis().cast<double>(), radius, height);
 }
 
 decltype(Object::form) read_form(const Value& shape, const Space& space) {
-  return form_of(read_form_as_written(shape, space));
+  return form_of(read_form_as_written(shape, space), Scalar::binary64);
 }
 
 // -- Scalars ---------------------------------------------------------------------------------------------------------
 
-Scene in_its_scalar(Scene scene, const Value& declared) {
+gjk::Vec3<float> direction_in_float(const Point& direction) {
+  const int exponent = std::ilogb(direction.cwiseAbs().maxCoeff());
+  const auto scaled = [=](double x) { return static_cast<float>(std::scalbn(x, -exponent)); };
+  return {scaled(direction.x()), scaled(direction.y()), scaled(direction.z())};
+}
+
+Scalar scalar_of(const Value& declared) {
   const auto scalar = declared.member("scalar");
-  if (!scalar || static_cast<Scalar>(choice(*scalar, words_of::scalar)) == Scalar::binary64) return scene;
+  return scalar ? static_cast<Scalar>(choice(*scalar, words_of::scalar)) : Scalar::binary64;
+}
+
+Scene in_its_scalar(Scene scene, const Value& declared) {
+  if (scalar_of(declared) == Scalar::binary64) return scene;
   try {
     return in_float(std::move(scene));
   } catch (const std::range_error& error) {
-    scalar->fail(std::string(error.what()) + "; choose another unit of length, or \"double\"");
+    declared.member("scalar")->fail(std::string(error.what()) + "; choose another unit of length, or \"double\"");
   }
 }
 

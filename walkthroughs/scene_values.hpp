@@ -56,10 +56,16 @@ struct CylinderAsWritten {
 using FormAsWritten = std::variant<Points, Ball, CylinderAsWritten>;
 
 FormAsWritten read_form_as_written(const Value& shape, const Space& space);
-decltype(Object::form) form_of(FormAsWritten written);
-/// Both in one.
+/// Returns: the form; of a scene in floats with the axis that its numbers have as floats, before any is divided.
+decltype(Object::form) form_of(FormAsWritten written, Scalar scalar);
+/// Both in one, in doubles.
 decltype(Object::form) read_form(const Value& shape, const Space& space);
 
+/// Returns: the direction in floats. Only the ratios matter: where floats have no such powers of two, another is taken.
+gjk::Vec3<float> direction_in_float(const Point& direction);
+
+/// Returns: what `declared` says with its key "scalar"; double where there is none.
+Scalar scalar_of(const Value& declared);
 /// Returns: the scene in the scalar that `declared` asks for with its key "scalar"; in doubles where there is none.
 Scene in_its_scalar(Scene scene, const Value& declared);
 

@@ -1,5 +1,12 @@
 #include "render/file.hpp"
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <cstdlib>
 #include <string>
 
@@ -19,6 +26,30 @@ struct Folder {
 
 const std::vector<std::uint8_t> bytes = {1, 0, 255, 10, 13};
 
+std::ptrdiff_t entries(const fs::path& folder) { return std::distance(fs::directory_iterator(folder), {}); }
+
+bool has_unnamed_files(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (descriptor >= 0) ::close(descriptor);
+  return descriptor >= 0;
+}
+
+/// Writes 100,000 bytes in a process that the system ends after 1,000. Returns: the signal by which it ended.
+int ended_while_writing(const fs::path& file) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit limit{1000, 1000}, no_core{0, 0};
+    std::signal(SIGXFSZ, SIG_DFL);
+    setrlimit(RLIMIT_CORE, &no_core);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    write_file(file, std::vector<std::uint8_t>(100000, 7));
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
 }  // namespace
 
 TEST_CASE("What was written is read, and replaces what was there") {
@@ -27,7 +58,7 @@ TEST_CASE("What was written is read, and replaces what was there") {
   write_file(file, std::vector<std::uint8_t>(100, 7));
   write_file(file, bytes);
   REQUIRE(read_file(file) == bytes);
-  REQUIRE(std::distance(fs::directory_iterator(folder.path), {}) == 1);
+  REQUIRE(entries(folder.path) == 1);
 }
 
 TEST_CASE("A text is written byte by byte") {
@@ -43,10 +74,36 @@ TEST_CASE("A file that cannot be written names itself, and the old one stays") {
   REQUIRE_THROWS_AS(write_file(folder.path / "folder", bytes), FileError);
   REQUIRE_THROWS_AS(write_file(folder.path / "missing" / "file", bytes), FileError);
   REQUIRE(fs::exists(folder.path / "folder" / "in the way"));
-  REQUIRE(std::distance(fs::directory_iterator(folder.path), {}) == 1);  // nothing temporary
+  REQUIRE(entries(folder.path) == 1);  // nothing temporary
 }
 
 TEST_CASE("A file that is not there cannot be read") {
   const Folder folder;
   REQUIRE_THROWS_AS(read_file(folder.path / "missing"), FileError);
+}
+
+TEST_CASE("A program that is ended while it writes leaves nothing behind, and the old file as it was") {
+  const Folder folder;
+  if (!has_unnamed_files(folder.path)) return;
+  CHECK(ended_while_writing(folder.path / "new") == SIGXFSZ);
+  CHECK(entries(folder.path) == 0);
+  write_file(folder.path / "old", bytes);
+  CHECK(ended_while_writing(folder.path / "old") == SIGXFSZ);
+  CHECK(read_file(folder.path / "old") == bytes);
+  CHECK(entries(folder.path) == 1);
+}
+
+TEST_CASE("A written file has the permissions of any new file") {
+  const Folder folder;
+  const mode_t before = umask(027);
+  write_file(folder.path / "file", bytes);
+  umask(before);
+  CHECK(fs::status(folder.path / "file").permissions() == static_cast<fs::perms>(0640));
+}
+
+TEST_CASE("A device is not replaced by a file") {
+  const Folder folder;
+  fs::create_symlink("/dev/null", folder.path / "device");
+  REQUIRE_THROWS_AS(write_file(folder.path / "device", bytes), FileError);
+  CHECK(fs::is_symlink(folder.path / "device"));  // which is all that would be lost
 }

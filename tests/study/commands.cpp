@@ -1,5 +1,6 @@
 #include "tests/study/commands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <thread>
@@ -7,17 +8,12 @@
 #include "tests/study/failure_files.hpp"
 #include "tests/study/folder.hpp"
 #include "tests/study/methods.hpp"
+#include "tests/study/options.hpp"
 #include "tests/study/progress.hpp"
 #include "tests/study/results.hpp"
 
 namespace study {
 namespace {
-
-/// A new kind of option that takes "a,b".
-template <class T>
-void add_list(CLI::App& app, const std::string& name, std::vector<T>& values, const std::string& what) {
-  app.add_option(name, values, what)->delimiter(',');
-}
 
 void list() {
   std::cout << "families\n";
@@ -75,6 +71,8 @@ void RunCommand::add_to(CLI::App& app) {
 }
 
 void RunCommand::run() const {
+  expect_named("--out", out);
+  if (failures) expect_named("--save-failures", *failures);
   Request wanted = request;
   wanted.effort = full ? Effort::full : Effort::quick;
   Plan plan = plan_of(wanted);
@@ -101,7 +99,10 @@ void MergeCommand::add_to(CLI::App& app) {
 }
 
 void MergeCommand::run() const {
+  expect_named("--out", out);
   std::vector<NamedStudy> shards;
+  if (std::ranges::count(files, "") > 0)
+    throw UsageError("merge '': name files that 'gjkstep-study run --shard' wrote");
   for (const std::string& file : files) shards.push_back({file, read_study(file)});
   write_results(out, merged(std::move(shards)));
 }
@@ -111,6 +112,7 @@ void Commands::add_to(CLI::App& app) {
   merge_.add_to(*app.add_subcommand("merge", "add up the shards of a study"));
   claims_.add_to(*app.add_subcommand("claims", "measure what the report claims; Markdown on the standard output"));
   app.add_subcommand("list", "families and settings");
+  for (CLI::App* const command : app.get_subcommands({})) expect_digits(*command);
   all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
           {app.get_subcommand("merge"), [this] { merge_.run(); }},
           {app.get_subcommand("claims"), [this] { claims_.run(); }},

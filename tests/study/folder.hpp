@@ -12,7 +12,9 @@ namespace study {
 inline void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw render::FileError("cannot make the folder '" + folder.string() + "': " + error.message() + "");
+  if (error)
+    throw render::FileError("cannot make the folder '" + folder.string() + "': " + error.message() +
+                            "; name another, or make room for it");
   const std::filesystem::path probe = folder / ".can-be-written";
   render::write_file(probe, "");
   std::filesystem::remove(probe, error);

@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <iostream>
+#include <new>
 
 #include "render/file.hpp"
 #include "tests/study/commands.hpp"
+#include "walkthroughs/text_file.hpp"
 
 namespace {
 
@@ -15,7 +17,9 @@ constexpr const char* footer =
     "5 cannot write, 1 anything else.";
 
 int flush_output() {
-  if (!std::cout.flush()) throw render::FileError("cannot write to standard output");
+  if (!std::cout.flush())
+    throw render::FileError(
+        "cannot write to standard output; check that the disk has space left, or that who reads has not left");
   return ok;
 }
 
@@ -47,16 +51,20 @@ int fail(ExitCode code, const std::exception& error) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that is not there, or a reader who leaves, is an error of writing
+  std::signal(SIGXFSZ, SIG_IGN);  // as is a file that may not grow
   try {
     return run(argc, argv);
   } catch (const study::UsageError& error) {
     return fail(wrong_usage, error);
   } catch (const study::StudyError& error) {
     return fail(bad_input, error);
-  } catch (const render::ReadError& error) {
+  } catch (const walkthroughs::InputError& error) {
     return fail(bad_input, error);
   } catch (const render::FileError& error) {
     return fail(cannot_write, error);
+  } catch (const std::bad_alloc&) {
+    return fail(unexpected,
+                std::runtime_error("out of memory; ask for fewer --families or --threads, or merge fewer files"));
   } catch (const std::exception& error) {
     return fail(unexpected, error);
   }

@@ -6,6 +6,7 @@
 #include "tests/study/folder.hpp"
 #include "tests/study/pictures.hpp"
 #include "tests/study/tables.hpp"
+#include "walkthroughs/text_file.hpp"
 
 namespace study {
 namespace {
@@ -42,8 +43,8 @@ void write_shard(const std::filesystem::path& folder, const Study& study) {
 }
 
 Study read_study(const std::filesystem::path& file) {
-  const std::vector<std::uint8_t> bytes = render::read_file(file);
-  return from_json({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
+  constexpr std::size_t largest = std::size_t{64} << 20;  // many times that of a study of everything
+  return from_json(walkthroughs::read_text(file, {"file that gjkstep-study wrote", largest}), file.string());
 }
 
 }  // namespace study

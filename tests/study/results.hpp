@@ -14,7 +14,7 @@ void write_results(const std::filesystem::path& folder, const Study& study);
 /// Writes shard-I-of-N.json, for `merge`. Errors: render::FileError.
 void write_shard(const std::filesystem::path& folder, const Study& study);
 
-/// Errors: StudyError, render::ReadError.
+/// Errors: StudyError; walkthroughs::InputError where it is not a regular file, or a far too large one.
 Study read_study(const std::filesystem::path& file);
 
 }  // namespace study

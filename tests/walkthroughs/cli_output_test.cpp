@@ -34,6 +34,17 @@ TEST_CASE("A frame that cannot be written is exit code 5, and nothing half-writt
   CHECK(listing(folder.path()).empty());
 }
 
+TEST_CASE("A frame that is larger than files may be is exit code 5, and nothing is left of it") {
+  const Folder folder;
+  const std::string out = quoted(folder.path().string());
+  const int status = std::system(
+      ("ulimit -f 1; " + quoted(GJKSTEP_PROGRAM) + " render figure-5 --size 640x360 --out " + out + " >/dev/null 2>&1")
+          .c_str());
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 5);
+  CHECK(std::filesystem::is_empty(folder.path() / "figure-5"));
+}
+
 TEST_CASE("Captions that cannot be written are exit code 5") {
   const Folder folder;
   const Outcome outcome =

@@ -20,6 +20,14 @@ TEST_CASE("The option --help names every command, the exit codes and the variabl
     CHECK(has(run("render --help").out, word));
 }
 
+TEST_CASE("What is to be written needs a name that is not that of the next option") {
+  for (const std::string name : {"''", "--strip"}) {
+    check_failure("render figure-5 --size 32x18 --out " + name, 2, {"--out '", "': name a folder to write to"});
+    check_failure("render figure-5 --size 32x18 --captions " + name, 2, {"--captions '", "': name a file to write"});
+    check_failure("compare x y --report " + name, 2, {"--report '", "': name a folder to write to"});
+  }
+}
+
 TEST_CASE("The option --version prints the version and the OpenGL renderer") {
   const Outcome outcome = run("--version");
   CHECK(outcome.exit_code == 0);

@@ -1,17 +1,14 @@
-// gjkstep query: its answers, its errors, its streams.
+// gjkstep query: its answers and its errors, line by line.
 
 #include "walkthroughs/query.hpp"
 
-#include <malloc.h>
-
-#include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "core/gjk.hpp"
 #include "tests/core/support.hpp"
 #include "tests/walkthroughs/program.hpp"
+#include "tests/walkthroughs/queries.hpp"
 #include "walkthroughs/query_object.hpp"
 #include "walkthroughs/words_of.hpp"
 
@@ -21,12 +18,6 @@ using gjk::test::Dice;
 using Json = nlohmann::json;
 
 namespace {
-
-constexpr const char* ball = R"({"sphere":{"center":[0,0,0],"radius":1}})";
-constexpr const char* ball_ten_away = R"({"sphere":{"center":[10,0,0],"radius":1}})";
-constexpr const char* dot = R"({"points":[[0,0,0]]})";
-
-std::string pair_of(const std::string& a, const std::string& b) { return R"({"a":)" + a + R"(,"b":)" + b + "}"; }
 
 std::string answer_text(const std::string& line, const QueryOptions& options = {}) {
   std::string out;
@@ -47,22 +38,6 @@ std::string error_of(const std::string& line, const QueryOptions& options = {}) 
   REQUIRE(said.size() == 2);
   CHECK(said["line"] == 7);
   return said["error"];
-}
-
-/// Gives a text in parts of that many bytes.
-ReadSome parts_of(const std::string& text, std::size_t count) {
-  return [=, at = std::size_t{0}](std::span<char> bytes) mutable {
-    const std::size_t n = std::min({count, bytes.size(), text.size() - at});
-    std::memcpy(bytes.data(), text.data() + at, n);
-    at += n;
-    return n;
-  };
-}
-
-std::string answers_to(const std::string& text, std::size_t count = 1 << 16) {
-  std::string out;
-  answer_lines({}, parts_of(text, count), [&](std::string_view part) { out += part; });
-  return out;
 }
 
 }  // namespace
@@ -374,7 +349,6 @@ TEST_CASE("What a float cannot hold is told and not taken for infinite or nothin
            {R"({"points":[[1e39,0,0]]})", "1e+39 is beyond the largest float"},
            {R"({"sphere":{"center":[0,-1e40,0],"radius":1}})", "-1e+40 is beyond"},
            {R"({"sphere":{"center":[0,0,0],"radius":1e-46}})", "1e-46 is so small that it is 0 as a float"},
-           {R"({"cylinder":{"center":[0,0,0],"axis":[1e-50,0,0],"radius":1,"height":1}})", "1e-50 is so small"},
            {R"({"cylinder":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":1e-60}})", "1e-60 is so small"},
            {R"({"points":[[0,0,0]],"pose":{"translation":[1e39,0,0]}})", "1e+39 is beyond"}}) {
     CHECK(has(error_of(pair_of(dot, object), in_float), "b: " + part));
@@ -383,241 +357,28 @@ TEST_CASE("What a float cannot hold is told and not taken for infinite or nothin
   }
 }
 
+TEST_CASE("The length of an axis does not matter in any scalar, as in scene files") {
+  const auto can = [](const std::string& axis) {
+    return R"({"cylinder":{"center":[3,0,0],"axis":)" + axis + R"(,"radius":0.5,"height":1}})";
+  };
+  const std::string far = R"({"points":[[0.1,0.2,0.3],[0.5,-1,2]]})";
+  const std::string askew_times_2_to_the_minus_500 =
+      json(Point(std::scalbn(0.3, -500), std::scalbn(1.7, -500), std::scalbn(-0.9, -500)));
+  for (const QueryScalar scalar : {QueryScalar::binary32, QueryScalar::binary64, QueryScalar::long_double})
+    for (const auto& [axis, longer] :
+         std::vector<std::pair<std::string, std::string>>{{"[0,1,0]", "[0,1e-100,0]"},
+                                                          {"[0,1,0]", "[0,1e150,0]"},
+                                                          {"[0,1,0]", "[0,5e-324,0]"},
+                                                          {"[0.3,1.7,-0.9]", askew_times_2_to_the_minus_500}}) {
+      const QueryOptions options{.scalar = scalar};
+      INFO(axis << " " << longer);
+      CHECK(answer_text(pair_of(far, can(axis)), options) == answer_text(pair_of(far, can(longer)), options));
+    }
+}
+
 TEST_CASE("Spheres and cylinders cannot be asked in exact numbers") {
   const QueryOptions exact{.scalar = QueryScalar::exact};
   CHECK(has(error_of(pair_of(dot, ball), exact), "b: a sphere cannot be asked in exact numbers"));
   CHECK(has(error_of(pair_of(R"({"cylinder":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":1}})", dot), exact),
             "a: a cylinder cannot be asked in exact numbers"));
-}
-
-// -- Streams ----------------------------------------------------------------------------------------------------------
-
-TEST_CASE("There is a line out for each line in, in the same order, however the input comes in parts") {
-  const std::string text = pair_of(ball, ball_ten_away) + "\n\nnonsense\r\n" + pair_of(dot, dot) + "\r\n\n" +
-                           pair_of(ball, ball);  // without a line feed
-  const std::string whole = answers_to(text);
-  const std::vector<std::string> said = lines(whole);
-  REQUIRE(said.size() == 6);
-  for (const std::size_t i : {0u, 3u, 5u}) CHECK(Json::parse(said[i]).contains("status"));
-  for (const std::size_t i : {1u, 2u, 4u}) CHECK(Json::parse(said[i])["line"] == i + 1);
-  for (std::size_t count = 1; count < text.size(); ++count) CHECK(answers_to(text, count) == whole);
-}
-
-TEST_CASE("Bad lines are counted and the first is remembered") {
-  const QueryTally tally =
-      answer_lines({}, parts_of(pair_of(dot, dot) + "\nx\n" + pair_of(dot, dot) + "\ny", 5), [](std::string_view) {});
-  CHECK(tally.lines == 4);
-  CHECK(tally.bad == 2);
-  CHECK(tally.first_bad == 2);
-}
-
-TEST_CASE("A byte order mark is passed over as files of some editors have one") {
-  CHECK(Json::parse(answers_to("\xEF\xBB\xBF" + pair_of(dot, dot) + "\n")).contains("status"));
-}
-
-TEST_CASE("No input is no line") {
-  CHECK(answers_to("").empty());
-  CHECK(answer_lines({}, parts_of("", 1), [](std::string_view) {}).lines == 0);
-}
-
-TEST_CASE("Lines may be as long as said and longer ones are passed over, in parts of any size") {
-  const std::string text = "12345\n123456\n\n1234567890\n12345";
-  for (std::size_t count = 1; count <= text.size(); ++count) {
-    LineReader reader(parts_of(text, count), 5);
-    std::string seen;
-    while (const auto line = reader.next()) seen += (line->is_too_long ? "too long" : std::string(line->text)) + ";";
-    CHECK(seen == "12345;too long;;too long;12345;");
-  }
-  LineReader reader(parts_of("1\n123456", 2), 5);
-  CHECK(reader.next()->text == "1");
-  CHECK(reader.next()->is_too_long);
-  CHECK_FALSE(reader.next().has_value());
-}
-
-namespace {
-
-/// Returns: the bytes that the heap has handed out. (None are known under AddressSanitizer.)
-std::size_t heap() {
-  const auto info = mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
-
-/// Answers `line`, `count` times over. Returns: by how much the heap was larger than before, at its largest.
-std::size_t growth_of_heap(const std::string& line, std::size_t count) {
-  const std::size_t before = heap();
-  std::size_t most = 0, lines_left = count;
-  std::string_view rest;
-  const auto read = [&](std::span<char> bytes) {
-    most = std::max(most, heap() - std::min(before, heap()));
-    if (rest.empty() && lines_left > 0) {
-      rest = line;
-      --lines_left;
-    }
-    const std::size_t n = std::min(bytes.size(), rest.size());
-    std::memcpy(bytes.data(), rest.data(), n);
-    rest.remove_prefix(n);
-    return n;
-  };
-  answer_lines({}, read, [](std::string_view) {});
-  return most;
-}
-
-}  // namespace
-
-TEST_CASE("Memory does not grow with the number of lines") {
-  const std::string line = pair_of(R"({"points":[[0,0,0],[1,0,0],[0,1,0]]})", ball_ten_away) + "\n";
-  CHECK(growth_of_heap(line, 200000) < 200000);
-}
-
-TEST_CASE("Memory does not grow with a line that is too long") {
-  CHECK(growth_of_heap(std::string(1 << 20, ' '), 200) < 3 * query_limits::line);
-}
-
-TEST_CASE("A line that is too long is an error and the next one is answered") {
-  const std::string said =
-      answers_to(std::string(query_limits::line, ' ') + "\n" + std::string(query_limits::line + 1, ' ') + "\n" +
-                 pair_of(dot, dot) + "\n" + std::string(query_limits::line + 1, ' '));
-  REQUIRE(lines(said).size() == 4);
-  CHECK(has(lines(said)[0], "blank"));
-  CHECK(lines(said)[1] == R"({"error":"the line is longer than 16 MiB; give fewer points","line":2})");
-  CHECK(has(lines(said)[2], "intersecting"));
-  CHECK(has(lines(said)[3], "longer than 16 MiB"));
-}
-
-TEST_CASE("All answers so far are written before more is read") {
-  const std::string line = pair_of(dot, dot) + "\n";
-  std::string out;
-  std::size_t asked = 0;
-  const auto read = [&](std::span<char> bytes) -> std::size_t {
-    CHECK(lines(out).size() == asked);
-    if (asked == 3) return 0;
-    ++asked;
-    std::memcpy(bytes.data(), line.data(), line.size());
-    return line.size();
-  };
-  answer_lines({}, read, [&](std::string_view part) { out += part; });
-  CHECK(asked == 3);
-}
-
-// -- The program ------------------------------------------------------------------------------------------------------
-
-namespace {
-
-/// Runs a command of the shell in which $program is gjkstep and that must end within a minute.
-Outcome shell(const std::string& command) {
-  const Folder folder;
-  const std::string out = (folder.path() / "stdout").string(), err = (folder.path() / "stderr").string();
-  const std::string script = (folder.path() / "script").string();
-  std::ofstream(script) << "program=" << quoted(GJKSTEP_PROGRAM) << "\nfolder=" << quoted(folder.path().string())
-                        << "\n"
-                        << command << "\n";
-  const int status = std::system(
-      ("timeout 60 sh " + quoted(script) + " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null").c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
-}
-
-Outcome query(const std::string& input, const std::string& options = "") {
-  const Folder folder;
-  const std::string file = (folder.path() / "pairs.jsonl").string();
-  std::ofstream(file) << input;
-  return shell("$program query " + options + " <" + quoted(file));
-}
-
-}  // namespace
-
-TEST_CASE("gjkstep query answers and is exit code 0") {
-  const Outcome outcome = query(pair_of(ball, ball_ten_away) + "\n" + pair_of(ball, ball));
-  CHECK(outcome.exit_code == 0);
-  CHECK(outcome.err.empty());
-  REQUIRE(lines(outcome.out).size() == 2);
-  CHECK(has(lines(outcome.out)[0], "\"separated\""));
-  CHECK(has(lines(outcome.out)[1], "\"intersecting\""));
-  CHECK(query("").exit_code == 0);
-}
-
-TEST_CASE("gjkstep query does as its options say") {
-  const std::string line = pair_of(ball, ball_ten_away) + "\n";
-  CHECK(has(query(line, "--rules as-printed").out, "\"intersecting\""));
-  CHECK(has(query(line, "--rules as-intended").out, "\"separated\""));
-  CHECK(has(query(line, "--max-iterations 1").out, R"("undecided","iterations":1,"reason":"iteration-limit")"));
-  const std::string tenth = pair_of(R"({"points":[[0.1,0,0]]})", R"({"points":[[1,0,0]]})") + "\n";
-  CHECK(has(query(tenth, "--scalar float").out, "\"a\":[0.1,0,0]"));
-  CHECK(has(query(tenth, "--scalar double").out, "\"a\":[0.1,0,0]"));
-  CHECK(has(query(tenth, "--scalar long-double").out, "\"a\":[0.10000000000000000555,0,0]"));
-  CHECK(has(query(tenth, "--scalar exact").out, "\"a\":[\"3602879701896397/36028797018963968\",\"0\",\"0\"]"));
-}
-
-TEST_CASE("A bad line of gjkstep query is exit code 3 and the others are answered") {
-  const Outcome outcome = query("x\n" + pair_of(dot, dot) + "\n\n");
-  CHECK(outcome.exit_code == 3);
-  REQUIRE(lines(outcome.out).size() == 3);
-  CHECK(has(lines(outcome.out)[1], "\"intersecting\""));
-  CHECK(outcome.err == "gjkstep: 2 of 3 lines are not answered; the first is line 1, and its \"error\" says why\n");
-}
-
-TEST_CASE("Input that cannot be read is exit code 3") {
-  const Outcome outcome = shell("$program query </");
-  CHECK(outcome.exit_code == 3);
-  CHECK(has(outcome.err, "standard input cannot be read: Is a directory"));
-  CHECK(shell("$program query <&-").exit_code == 3);
-}
-
-TEST_CASE("Output that cannot be written is exit code 5, also where its reader leaves") {
-  const std::string many = "yes " + quoted(pair_of(dot, dot)) + " | head -n 20000 | ";
-  const Outcome full = shell(many + "$program query >/dev/full");
-  CHECK(full.exit_code == 5);
-  CHECK(has(full.err, "cannot write to standard output: No space left on device"));
-  const Outcome left = shell("{ " + many + "$program query; echo $? >$folder/code; } | head -n 1; cat $folder/code");
-  REQUIRE(lines(left.out).size() == 2);
-  CHECK(lines(left.out)[1] == "5");
-  CHECK(has(left.err, "Broken pipe"));
-}
-
-TEST_CASE("gjkstep query answers one pair while it waits for the next") {
-  const Outcome outcome = shell(
-      "mkfifo $folder/in $folder/out\n"
-      "$program query <$folder/in >$folder/out &\n"
-      "exec 3>$folder/in 4<$folder/out\n"
-      "for pair in 1 2 3; do\n"
-      "  echo " +
-      quoted(pair_of(dot, dot)) +
-      " >&3\n"
-      "  read -r answer <&4 && echo \"$pair $answer\"\n"
-      "done\n"
-      "exec 3>&-\n"
-      "wait $!");
-  CHECK(outcome.exit_code == 0);
-  REQUIRE(lines(outcome.out).size() == 3);
-  CHECK(lines(outcome.out)[2].starts_with("3 {\"status\":\"intersecting\""));
-}
-
-TEST_CASE("What gjkstep query does not know is exit code 2 with the word that was probably meant") {
-  check_failure("query --scalar duoble", 2, {"--scalar 'duoble' is not known", "did you mean 'double'"});
-  check_failure("query --rules as-print", 2, {"did you mean 'as-printed'"});
-  check_failure("query --max-iterations 0", 2, {"--max-iterations 0", "from 1 to 1000"});
-  check_failure("query --max-iterations 1001", 2, {"from 1 to 1000"});
-  check_failure("query --max-iterations ten", 2, {"--max-iterations"});
-  check_failure("query pairs.jsonl", 2, {"pairs.jsonl"});
-}
-
-TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
-  const std::string help = shell("$program query --help").out;
-  for (const char* part : {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"",
-                           "\"evidence\"", "\"error\"", "16 MiB", "Exit codes"})
-    CHECK(has(help, part));
-}
-
-TEST_CASE("What the README shows of gjkstep query is what the program prints") {
-  const std::vector<std::string> readme = lines(bytes_of(GJKSTEP_README));
-  const std::string named = "build/gjkstep query";
-  int shown = 0;
-  for (std::size_t i = 0; i + 1 < readme.size(); ++i) {
-    if (!readme[i].starts_with("$ ") || !has(readme[i], named)) continue;
-    std::string command = readme[i].substr(2);
-    command.replace(command.find(named), named.size(), "$program query");
-    INFO(command);
-    CHECK(shell(command).out == readme[i + 1] + "\n");
-    ++shown;
-  }
-  CHECK(shown >= 2);
 }

@@ -294,6 +294,19 @@ TEST_CASE("A scene file says what counts as zero", "[scene-file]") {
   CHECK(scene_of(scene_text(corner, ball, R"("zero_test": "exact")")).zero_test == ZeroTest::exact);
 }
 
+TEST_CASE("In floats a cylinder has the axis that its numbers have as floats, of whatever length", "[scene-file]") {
+  const auto axis = [](const std::string& written) {
+    const std::string cylinder =
+        R"({"cylinder": {"center": [0, 0, 0], "radius": 1, "height": 1, "axis": )" + written + "}}";
+    return std::get<Cylinder>(scene_of(scene_text(corner, cylinder, R"("scalar": "float")")).b.form).axis();
+  };
+  CHECK(axis("[0, 0, 1e-100]") == Point(0, 0, 1));
+  CHECK(axis("[0, -1e100, 0]") == Point(0, -1, 0));
+  const gjk::Cylinder<float> in_float(gjk::Vec3<float>::Zero(), {0.1f, 0.3f, 0.7f}, 1, 1);
+  CHECK(axis("[0.1, 0.3, 0.7]") == in_float.axis().cast<double>());
+  CHECK(axis("[0.1, 0.3, 0.7]") != Cylinder(Point::Zero(), {0.1, 0.3, 0.7}, 1, 1).axis().cast<float>().cast<double>());
+}
+
 TEST_CASE("Numbers that do not fit into floats are named, and what to do", "[scene-file]") {
   const std::string far_away = R"({"sphere": {"center": [1e40, 0, 0], "radius": 1}})";
   check_complaint(scene_text(corner, far_away, R"("scalar": "float")"), "4: scalar",
