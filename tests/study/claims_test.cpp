@@ -23,12 +23,26 @@ TEST_CASE("One exception refutes an always and leaves an almost always standing"
   REQUIRE(verdict_of(Strength::usually, {{"boxes", {4000, 10000}}}) == "**does not hold**");
 }
 
-TEST_CASE("A verdict names the shapes for which a claim holds and those that too few pairs leave open", "[claims]") {
-  REQUIRE(verdict_of(Strength::always, {{"boxes", {5, 5}}, {"hulls", {4, 5}}}) == "holds only for boxes");
-  REQUIRE(verdict_of(Strength::usually, {{"boxes", {3, 5}}}) == "left open");
-  REQUIRE(verdict_of(Strength::usually, {{"boxes", {500, 500}}, {"hulls", {3, 5}}}) ==
-          "holds only for boxes; left open for hulls");
+TEST_CASE("A verdict names the places where a claim holds and those where it breaks", "[claims]") {
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {5000, 5000}}, {"hulls", {4, 5}}}) ==
+          "holds only for boxes; not for hulls");
   REQUIRE(verdict_of(Strength::always, {{"boxes", {0, 0}}}) == "nothing to look at");
+}
+
+TEST_CASE("Few cases without an exception leave an always open and one exception among them refutes it", "[claims]") {
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {5, 5}}}) == "left open: only 5 cases");
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {1, 1}}}) == "left open: only 1 case");
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {4, 5}}}) == "**does not hold**");
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {380, 380}}}) == "left open: only 380 cases");
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {381, 381}}}) == "**holds**");
+}
+
+TEST_CASE("A verdict says why it leaves places open", "[claims]") {
+  REQUIRE(verdict_of(Strength::usually, {{"boxes", {500, 1000}}}) == "left open: 50 % lies within the interval");
+  REQUIRE(verdict_of(Strength::usually, {{"boxes", {500, 500}}, {"hulls", {3, 3}}}) ==
+          "**holds** for boxes; left open for hulls (only 3 cases)");
+  REQUIRE(verdict_of(Strength::always, {{"boxes", {3, 3}}, {"hulls", {4, 4}}}) ==
+          "left open for boxes (only 3 cases) and hulls (only 4 cases)");
 }
 
 TEST_CASE("Rates are told with as many digits as say something and with their interval", "[claims]") {

@@ -27,33 +27,59 @@ bool is_per_million(double share) { return share > 0 && share < 1e-4; }
 
 std::string per_million(double share) { return printed("%.*g", 3, 1e6 * share); }
 
+// -- Parts of a verdict -----------------------------------------------------------------------------------------------
+
+double threshold(Strength strength) { return strength == Strength::usually ? 0.5 : 0.99; }
+
+/// Without an exception only their small number can leave an *always* open.
+std::string why_open(Strength strength, const Rate& rate) {
+  if (rate.count == rate.trials) return "only " + grouped(rate.trials) + (rate.trials == 1 ? " case" : " cases");
+  return printed("%.*g", 5, 100 * threshold(strength)) + " % lies within the interval";
+}
+
+std::string left_open(Strength strength, const std::vector<const Measured*>& open) {
+  std::vector<std::string> places;
+  for (const Measured* m : open) places.push_back(m->where + " (" + why_open(strength, m->holds) + ")");
+  return places.empty() ? "" : "left open for " + joined(places);
+}
+
+/// What is said of the places that leave nothing open.
+std::string answered(const std::vector<std::string>& yes, const std::vector<std::string>& no, bool all_but_some) {
+  if (yes.empty() && no.empty()) return "";
+  if (no.empty()) return "**holds**" + (all_but_some ? " for " + joined(yes) : "");
+  if (yes.empty()) return "**does not hold**" + (all_but_some ? " for " + joined(no) : "");
+  return "holds only for " + joined(yes) + "; not for " + joined(no);
+}
+
 }  // namespace
 
 std::optional<bool> holds(Strength strength, const Rate& rate) {
-  if (strength == Strength::always) return rate.count == rate.trials;
-  const double threshold = strength == Strength::usually ? 0.5 : 0.99;
   const Interval interval = rate.interval();
-  if (interval.low >= threshold) return true;
-  if (interval.high < threshold) return false;
+  const double least = threshold(strength);
+  if (strength == Strength::always && rate.count < rate.trials) return false;
+  if (interval.low >= least) return true;
+  if (interval.high < least) return false;
   return std::nullopt;
 }
 
 std::string verdict(const Claim& claim) {
-  std::vector<std::string> yes, open;
-  std::size_t looked_at = 0;
+  std::vector<std::string> yes, no;
+  std::vector<const Measured*> open;
   for (const Measured& m : claim.measured) {
     if (m.holds.trials == 0) continue;
-    ++looked_at;
     const auto answer = holds(claim.strength, m.holds);
-    if (!answer) open.push_back(m.where);
-    if (answer.value_or(false)) yes.push_back(m.where);
+    if (!answer)
+      open.push_back(&m);
+    else
+      (*answer ? yes : no).push_back(m.where);
   }
-  if (looked_at == 0) return "nothing to look at";
-  const std::string rest = open.empty() ? "" : "; left open for " + joined(open);
-  if (yes.size() == looked_at) return "**holds**";
-  if (open.size() == looked_at) return "left open";
-  if (yes.empty()) return "**does not hold**" + rest;
-  return "holds only for " + joined(yes) + rest;
+  if (yes.empty() && no.empty() && open.empty()) return "nothing to look at";
+  if (yes.empty() && no.empty() && open.size() == 1) return "left open: " + why_open(claim.strength, open[0]->holds);
+  return answered(yes, no, !open.empty()) +
+         (yes.empty() && no.empty() ? ""
+          : open.empty()            ? ""
+                                    : "; ") +
+         left_open(claim.strength, open);
 }
 
 const Measured& worst(const Claim& claim) {

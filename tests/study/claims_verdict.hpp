@@ -11,7 +11,7 @@ namespace study {
 
 /// How strong the report's words are.
 enum class Strength {
-  always,         ///< "never", "at most", "cannot": one exception refutes it
+  always,         ///< "never", "at most", "cannot": one exception refutes it, and few cases without one prove nothing
   nearly_always,  ///< "almost always", "rarely": in 99 % at least
   usually,        ///< "usually", "generally": in more than half
 };
@@ -32,7 +32,7 @@ struct Claim {
 /// Returns: whether the claim holds there; nothing where the interval leaves it open.
 std::optional<bool> holds(Strength strength, const Rate& rate);
 
-/// Returns: "holds", "does not hold", "holds only for boxes and spheres", "left open by so few pairs".
+/// Returns: "holds", "does not hold", "holds only for boxes; not for spheres", "left open: only 5 cases".
 std::string verdict(const Claim& claim);
 
 /// Returns: the place where the claim is true least often. Requires: something was measured.
