@@ -24,6 +24,8 @@ std::string decimals(double x, int digits) {
   return text;
 }
 
+void paragraph(std::ostream& out, const std::string& text) { out << text << "\n\n"; }
+
 namespace {
 
 Counted count_all(const ClaimsOptions& options) {
@@ -31,6 +33,7 @@ Counted count_all(const ClaimsOptions& options) {
     if (options.progress) options.progress(what);
   };
   Counted counted;
+  counted.options = options;
   for (const Shape& shape : claim_shapes()) {
     tell("effort: " + shape.name);
     counted.efforts.push_back(measure_effort(shape, options));

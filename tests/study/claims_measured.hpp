@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,22 +47,35 @@ struct Cost {
   Cost& operator+=(const Cost& other);
 };
 
-/// GJK in double, as intended. Hits and misses are told apart by its answer.
+/// GJK in double, as intended.
 struct ShapeEffort {
-  Cost hits, misses, undecided;
+  Cost hits, misses, wrong, undecided;
   Distribution most_in_a_3simplex;  ///< of cross products, for each query
   Shortcuts shortcuts;
 
-  Distribution all_iterations() const;
+  std::uint64_t queries() const;
+  /// Returns: how many queries were answered in at least `least` and at most `most` iterations.
+  Rate answered_within(int least, int most) const;
   ShapeEffort& operator+=(const ShapeEffort& other);
 };
+
+/// Random shapes are what everyday queries are like. Hard families are made so that rounding or the search itself is
+/// tried; there double can be wrong, so that hits and misses are told apart by the truth.
+enum class Hardness { random, hard };
 
 /// The shapes that effort is measured for, with the words for a family of pairs of them.
 struct Shape {
   std::string name, what;
-  Pair (*make)(std::uint64_t seed, std::uint64_t index);
+  Hardness hardness;
+  std::optional<std::uint64_t> size;  ///< how many pairs there are, where all can be listed
+  std::function<Pair(std::uint64_t seed, std::uint64_t index)> make;
+
+  /// Returns: how many are asked. Of hard families it is a fifth: their regions take fractions to decide.
+  std::uint64_t pairs(const ClaimsOptions& options) const;
+  bool asks_all(const ClaimsOptions& options) const { return size && pairs(options) == *size; }
 };
 const std::vector<Shape>& claim_shapes();
+const Shape& claim_shape(const std::string& name);
 
 ShapeEffort measure_effort(const Shape& shape, const ClaimsOptions& options);
 

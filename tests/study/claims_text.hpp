@@ -12,6 +12,7 @@ namespace study {
 
 /// All that was counted, once.
 struct Counted {
+  ClaimsOptions options;
   std::vector<ShapeEffort> efforts;  ///< by claim_shapes()
   MollerCounts moller;
   std::vector<TouchCounts> touches;  ///< by coarsenesses()
@@ -28,6 +29,9 @@ void row(std::ostream& out, const Cells& cells);
 void heading(std::ostream& out, const Cells& cells, std::size_t left);
 
 std::string decimals(double x, int digits);
+
+/// One line, with an empty one after it.
+void paragraph(std::ostream& out, const std::string& text);
 
 // -- Sections ---------------------------------------------------------------------------------------------------------
 
@@ -46,7 +50,7 @@ struct Skipped {
 };
 const std::vector<Skipped>& skipped_regions();
 
-/// Returns: how often the nearest feature was none of these.
+/// Returns: how often the nearest feature was none of these; flat simplices, of which it cannot be told, are left out.
 Rate not_nearest(const Shortcuts& shortcuts, const Skipped& skipped);
 
 ExtraChecks sum_of(const std::array<ExtraChecks, Shortcuts::iterations>& by_iteration);

@@ -29,6 +29,8 @@ std::string per_million(double share) { return printed("%.*g", 3, 1e6 * share); 
 
 // -- Parts of a verdict -----------------------------------------------------------------------------------------------
 
+using Places = std::vector<const Measured*>;
+
 double threshold(Strength strength) { return strength == Strength::usually ? 0.5 : 0.99; }
 
 /// Without an exception only their small number can leave an *always* open.
@@ -37,49 +39,61 @@ std::string why_open(Strength strength, const Rate& rate) {
   return printed("%.*g", 5, 100 * threshold(strength)) + " % lies within the interval";
 }
 
-std::string left_open(Strength strength, const std::vector<const Measured*>& open) {
-  std::vector<std::string> places;
-  for (const Measured* m : open) places.push_back(m->where + " (" + why_open(strength, m->holds) + ")");
-  return places.empty() ? "" : "left open for " + joined(places);
+/// A group is named in place of its members where none of those that were looked at is missing.
+std::vector<std::string> names(const Places& places, const Claim& claim) {
+  std::vector<std::string> terms;
+  for (const Measured* const m : places) {
+    const auto in_group = [&](const Measured& other) {
+      return !m->group.empty() && other.group == m->group && other.holds.trials > 0;
+    };
+    const auto all = std::ranges::count_if(claim.measured, in_group);
+    const auto here = std::ranges::count_if(places, [&](const Measured* other) { return in_group(*other); });
+    const std::string& term = all > 1 && all == here ? m->group : m->where;
+    if (std::ranges::find(terms, term) == terms.end()) terms.push_back(term);
+  }
+  return terms;
 }
 
-/// What is said of the places that leave nothing open.
-std::string answered(const std::vector<std::string>& yes, const std::vector<std::string>& no, bool all_but_some) {
-  if (yes.empty() && no.empty()) return "";
-  if (no.empty()) return "**holds**" + (all_but_some ? " for " + joined(yes) : "");
-  if (yes.empty()) return "**does not hold**" + (all_but_some ? " for " + joined(no) : "");
-  return "holds only for " + joined(yes) + "; not for " + joined(no);
+/// The shorter list says where a claim breaks.
+std::string answered(const Places& yes, const Places& no, const Claim& claim) {
+  if (no.empty()) return "**holds**";
+  if (yes.empty()) return "**does not hold**";
+  const auto holding = names(yes, claim), breaking = names(no, claim);
+  return holding.size() <= breaking.size() ? "holds only for " + joined(holding)
+                                           : "holds for all but " + joined(breaking);
+}
+
+std::string left_open(Strength strength, const Places& open) {
+  std::vector<std::string> terms;
+  for (const Measured* const m : open) terms.push_back(m->where + " (" + why_open(strength, m->holds) + ")");
+  return terms.empty() ? "" : "left open for " + joined(terms);
 }
 
 }  // namespace
 
-std::optional<bool> holds(Strength strength, const Rate& rate) {
-  const Interval interval = rate.interval();
-  const double least = threshold(strength);
-  if (strength == Strength::always && rate.count < rate.trials) return false;
-  if (interval.low >= least) return true;
-  if (interval.high < least) return false;
+Interval Measured::interval() const {
+  return cases == Cases::all && holds.trials > 0 ? Interval{holds.share(), holds.share()} : holds.interval();
+}
+
+std::optional<bool> holds(Strength strength, const Measured& measured) {
+  const Interval interval = measured.interval();
+  if (strength == Strength::always && measured.holds.count < measured.holds.trials) return false;
+  if (interval.low >= threshold(strength)) return true;
+  if (interval.high < threshold(strength)) return false;
   return std::nullopt;
 }
 
 std::string verdict(const Claim& claim) {
-  std::vector<std::string> yes, no;
-  std::vector<const Measured*> open;
+  Places yes, no, open;
   for (const Measured& m : claim.measured) {
     if (m.holds.trials == 0) continue;
-    const auto answer = holds(claim.strength, m.holds);
-    if (!answer)
-      open.push_back(&m);
-    else
-      (*answer ? yes : no).push_back(m.where);
+    const auto answer = holds(claim.strength, m);
+    (!answer ? open : *answer ? yes : no).push_back(&m);
   }
-  if (yes.empty() && no.empty() && open.empty()) return "nothing to look at";
-  if (yes.empty() && no.empty() && open.size() == 1) return "left open: " + why_open(claim.strength, open[0]->holds);
-  return answered(yes, no, !open.empty()) +
-         (yes.empty() && no.empty() ? ""
-          : open.empty()            ? ""
-                                    : "; ") +
-         left_open(claim.strength, open);
+  const std::string rest = left_open(claim.strength, open);
+  if (!yes.empty() || !no.empty()) return answered(yes, no, claim) + (rest.empty() ? "" : "; " + rest);
+  if (open.empty()) return "nothing to look at";
+  return open.size() == 1 ? "left open: " + why_open(claim.strength, open[0]->holds) : rest;
 }
 
 const Measured& worst(const Claim& claim) {
@@ -106,6 +120,11 @@ std::string rate_text(const Rate& rate) {
   if (is_per_million(rate.share()))
     return per_million(rate.share()) + " (" + per_million(i.low) + "–" + per_million(i.high) + ") per million";
   return percent(rate.share()) + " % (" + percent(i.low) + "–" + percent(i.high) + ")";
+}
+
+std::string text_of(const Measured& m) {
+  if (m.cases == Cases::thrown) return m.where + ": " + rate_text(m.holds);
+  return m.where + ": " + share_text(m.holds.share()) + " of all " + grouped(m.holds.trials);
 }
 
 std::string joined(const std::vector<std::string>& words) {
