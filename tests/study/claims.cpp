@@ -38,12 +38,12 @@ Counted count_all(const ClaimsOptions& options) {
     tell("effort: " + shape.name);
     counted.efforts.push_back(measure_effort(shape, options));
   }
-  tell("Möller's test");
-  counted.moller = measure_moller(options);
-  for (const Coarseness& coarseness : coarsenesses()) {
-    tell("coarse coordinates: " + std::to_string(coarseness.levels) + " values");
-    counted.touches.push_back(measure_touches(coarseness, options));
+  for (const TriangleKind& kind : triangle_kinds()) {
+    tell("Möller's test: " + kind.name);
+    counted.moller.push_back(measure_moller(kind, options));
   }
+  tell("Möller's test: " + common_vertex_kind().name);
+  counted.common_vertex = measure_moller(common_vertex_kind(), options);
   tell("mistakes: triangles");
   counted.triangles = measure_mistakes(TestPairs::triangles, options);
   tell("mistakes: tetrahedra");

@@ -127,7 +127,7 @@ iterations, and test with sets that touch.
 double passes(double p, double pairs) { return p >= 1 ? 0 : std::exp(pairs * std::log1p(-p)); }
 
 void write_mistakes(std::ostream& out, const Counted& counted) {
-  write_what_happens(out, counted, counted.moller.compared[0][0].pairs());
+  write_what_happens(out, counted, counted.options.pairs);
   write_how_many_tests(out, counted);
   write_what_it_means(out, counted);
 }

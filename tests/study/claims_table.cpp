@@ -97,46 +97,6 @@ std::vector<Claim> claims_of_extra_checks(const Counted& counted) {
   };
 }
 
-// -- Claims about the comparison with Möller's test -------------------------------------------------------------------
-
-Rate gjk_was_right(const Comparison& c) { return {c.gjk_right(), c.disagreements()}; }
-Rate gjk_said_yes(const Comparison& c) { return {c.only_gjk.trials, c.disagreements()}; }
-
-std::vector<Claim> claims_of_disagreements(const Counted& counted) {
-  const Comparison fine = all_of(counted.moller.compared[0]);
-  const Comparison coarse = all_of(touches_of(counted, hundred).compared);
-  return {
-      {"where GJK and TriTri disagree, “our implementation was determined to operate correctly”",
-       "5",
-       "disagreements in which GJK is right",
-       Strength::always,
-       {{"random triangles", gjk_was_right(fine)}, {name_of(hundred), gjk_was_right(coarse)}}},
-      {"“In both cases, our GJK implementation reported that the triangles intersected whereas TriTri reported they "
-       "did "
-       "not”",
-       "4",
-       "disagreements in which only GJK says so",
-       Strength::always,
-       {{"random triangles", gjk_said_yes(fine)}, {name_of(hundred), gjk_said_yes(coarse)}}},
-  };
-}
-
-/// "All but 2" of a million: not refuted where the interval reaches down to 2 per million.
-void write_agreement_row(std::ostream& out, const Counted& counted) {
-  const auto rate = [&](GjkWay gjk) {
-    const Comparison& c = counted.moller.of(gjk, MollerWay::float_snapped);
-    return Rate{c.disagreements(), c.pairs()};
-  };
-  const Rate intended = rate(GjkWay::double_intended), printed = rate(GjkWay::double_printed);
-  const auto fits = [](const Rate& r) { return r.interval().low <= 2e-6; };
-  row(out, {"“agreed with TriTri for all but 2 pairs of triangles” of a million", "4",
-            "disagreements with Möller in float, snapped", rate_text(intended),
-            "Algorithm 1 as printed: " + rate_text(printed),
-            !fits(intended) ? "**does not hold**"
-            : fits(printed) ? "**holds**"
-                            : "holds only for the rules as intended"});
-}
-
 // -- The claim about mistakes -----------------------------------------------------------------------------------------
 
 void write_mistakes_row(std::ostream& out, const Counted& counted) {
@@ -190,8 +150,6 @@ void write_claims_table(std::ostream& out, const Counted& counted) {
   for (const auto& claims : {claims_of_iterations(counted), claims_of_cost(counted), claims_of_skipped_regions(counted),
                              claims_of_extra_checks(counted)})
     for (const Claim& claim : claims) write_claim(out, claim);
-  write_agreement_row(out, counted);
-  for (const Claim& claim : claims_of_disagreements(counted)) write_claim(out, claim);
   write_mistakes_row(out, counted);
   out << '\n';
 }

@@ -14,8 +14,8 @@ namespace study {
 struct Counted {
   ClaimsOptions options;
   std::vector<ShapeEffort> efforts;  ///< by claim_shapes()
-  MollerCounts moller;
-  std::vector<TouchCounts> touches;  ///< by coarsenesses()
+  std::vector<MollerCounts> moller;  ///< by triangle_kinds()
+  MollerCounts common_vertex;
   MistakeTable triangles, tetrahedra, grid;
 };
 
@@ -54,15 +54,6 @@ const std::vector<Skipped>& skipped_regions();
 Rate not_nearest(const Shortcuts& shortcuts, const Skipped& skipped);
 
 ExtraChecks sum_of(const std::array<ExtraChecks, Shortcuts::iterations>& by_iteration);
-
-/// GJK in double, as intended, against all four ways of Möller's test.
-Comparison all_of(const std::array<Comparison, ways>& compared);
-
-std::string name_of(const Coarseness& coarseness);
-
-/// The coarse coordinates that are quoted: about as many values as give the report's two pairs in a million.
-inline constexpr Coarseness hundred{101, 1};
-const TouchCounts& touches_of(const Counted& counted, const Coarseness& coarseness);
 
 /// Returns: the probability that so many random pairs show nothing, where each fails with probability `p`.
 double passes(double p, double pairs);

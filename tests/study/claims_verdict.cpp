@@ -31,7 +31,10 @@ std::string per_million(double share) { return printed("%.*g", 3, 1e6 * share); 
 
 using Places = std::vector<const Measured*>;
 
-double threshold(Strength strength) { return strength == Strength::usually ? 0.5 : 0.99; }
+double threshold(Strength strength) {
+  if (strength == Strength::usually) return 0.5;
+  return strength == Strength::all_but_few ? 1 - 10e-6 : 0.99;
+}
 
 /// Without an exception only their small number can leave an *always* open.
 std::string why_open(Strength strength, const Rate& rate) {

@@ -14,6 +14,7 @@ enum class Strength {
   always,         ///< "never", "at most", "cannot": one exception refutes it, and few cases without one prove nothing
   nearly_always,  ///< "almost always", "rarely": in 99 % at least
   usually,        ///< "usually", "generally": in more than half
+  all_but_few,    ///< "for all but 2" of a million: 2 may be 7 as well, so that at most 10 of a million are allowed
 };
 
 /// Where the cases come from: thrown at random, so that their share has an interval, or all that there are.
