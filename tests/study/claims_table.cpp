@@ -97,29 +97,6 @@ std::vector<Claim> claims_of_extra_checks(const Counted& counted) {
   };
 }
 
-// -- The claim about mistakes -----------------------------------------------------------------------------------------
-
-void write_mistakes_row(std::ostream& out, const Counted& counted) {
-  const std::size_t all = mistakes().size();
-  const auto passing = [&](double pairs) {
-    return std::ranges::count_if(counted.triangles.counts, [=](const MistakeCounts& m) {  // seen to fail, but seldom
-      return m.fails.count > 0 && passes(m.fails.share(), pairs) > 0.5;
-    });
-  };
-  const auto healing = std::ranges::count_if(counted.triangles.counts, &MistakeCounts::mostly_heals);
-  const auto acting =
-      std::ranges::count_if(counted.triangles.counts, [](const MistakeCounts& m) { return m.changed.count > 0; });
-  const auto of_all = " of " + std::to_string(all);
-  row(out, {"“an implementation can have a bug, but still pass many test cases”", "1",
-            "mistakes that fail, and yet more likely than not pass 100 random pairs",
-            std::to_string(passing(100)) + of_all, std::to_string(passing(10'000)) + of_all + " pass 10,000",
-            passing(100) > 0 ? "**holds** for these " + std::to_string(passing(100)) : "**does not hold**"});
-  row(out, {"“the implementation can self-correct in later iterations”", "1",
-            "mistakes for which most changed runs end rightly, of pairs that meet and of pairs that do not",
-            std::to_string(healing) + " of the " + std::to_string(acting) + " that change any run", "–",
-            healing > 0 ? "**holds** for these " + std::to_string(healing) : "**does not hold**"});
-}
-
 // -- The table of claims ----------------------------------------------------------------------------------------------
 
 void write_claim(std::ostream& out, const Claim& claim) {
@@ -133,10 +110,12 @@ void write_claim(std::ostream& out, const Claim& claim) {
 
 void write_claims_table(std::ostream& out, const Counted& counted) {
   out << "## Claim by claim\n\n";
-  paragraph(out,
-            "The share of cases in which the claim is true, with its 95 % interval: of random triangles, which the "
-            "report took, and where that share is least among all random shapes and hard families (listed under "
-            "“Iterations and cross products”). Sections are the report's.");
+  paragraph(
+      out,
+      "The share of cases in which the claim is true, with its 95 % interval: of random triangles, which the "
+      "report took, and where that share is least among all random shapes and hard families (listed under "
+      "“Iterations and cross products”). Sections are the report's. Claims about Möller's test and about mistakes are "
+      "judged further down, each in a table of its own.");
   paragraph(out,
             "An *always* (“never”, “at most”, “cannot”) holds where no exception was seen and the interval lies above "
             "99 %; an *almost always* or *rarely* where the interval lies above 99 %; a *usually* or *generally* where "
@@ -150,7 +129,6 @@ void write_claims_table(std::ostream& out, const Counted& counted) {
   for (const auto& claims : {claims_of_iterations(counted), claims_of_cost(counted), claims_of_skipped_regions(counted),
                              claims_of_extra_checks(counted)})
     for (const Claim& claim : claims) write_claim(out, claim);
-  write_mistakes_row(out, counted);
   out << '\n';
 }
 

@@ -229,6 +229,24 @@ TEST_CASE("A sign that is flipped shows in the table and an order that is wrong 
   REQUIRE(of("ADB is kept in the wrong order").changed.count == 42);
 }
 
+std::string text_of_few_pairs() {
+  static const std::string text = [] {
+    std::ostringstream out;
+    write_claims(out, {.pairs = 1000, .seed = 1});
+    return out.str();
+  }();
+  return text;
+}
+
+TEST_CASE("Claims about mistakes stand in a table of their own with the numbers of the mistakes", "[claims]") {
+  const std::string text = text_of_few_pairs();
+  const auto claims = text.find("## Claim by claim"), next = text.find("\n## ", claims);
+  REQUIRE(text.substr(claims, next - claims).find("can have a bug") == std::string::npos);
+  REQUIRE(text.find("| The report says | Section | True of a mistake where … | Mistakes | Which | Verdict |") > next);
+  REQUIRE(text.find("passes 100 random triangle pairs | 0 of 21 | – | left open |") != std::string::npos);
+  REQUIRE(text.find("| 6 of 16 | M2, M11, M14, M18, M19 and M20 | **holds** for these |") != std::string::npos);
+}
+
 TEST_CASE("The text is the same with one thread and with three", "[claims]") {
   const auto text = [](unsigned threads) {
     std::ostringstream out;
