@@ -247,6 +247,21 @@ TEST_CASE("Claims about mistakes stand in a table of their own with the numbers 
   REQUIRE(text.find("| 6 of 16 | M2, M11, M14, M18, M19 and M20 | **holds** for these |") != std::string::npos);
 }
 
+/// As the other results do: wrapped text would have lines of any length wherever a number is put in.
+TEST_CASE("Every paragraph of the text is one line", "[claims]") {
+  std::istringstream text(text_of_few_pairs());
+  const auto both_are = [](const std::string& before, const std::string& line, const char* start) {
+    return before.starts_with(start) && line.starts_with(start);
+  };
+  std::string before, line;
+  while (std::getline(text, line)) {
+    INFO(before << '\n' << line);
+    const bool follows = both_are(before, line, "|") || both_are(before, line, "* ");
+    REQUIRE((line.empty() || before.empty() || follows));
+    before = line;
+  }
+}
+
 TEST_CASE("The text is the same with one thread and with three", "[claims]") {
   const auto text = [](unsigned threads) {
     std::ostringstream out;
