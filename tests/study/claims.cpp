@@ -39,6 +39,10 @@ Counted count_all(const ClaimsOptions& options) {
     tell("effort: " + shape.name);
     counted.efforts.push_back(measure_effort(shape, options));
   }
+  for (const std::string& name : whole_number_shapes()) {
+    tell("effort, in fractions: " + name);
+    counted.in_fractions.push_back(measure_in_fractions(claim_shape(name), options));
+  }
   for (const TriangleKind& kind : triangle_kinds()) {
     tell("Möller's test: " + kind.name);
     counted.moller.push_back(measure_moller(kind, options));

@@ -8,6 +8,7 @@
 #include "tests/study/families.hpp"
 #include "tests/study/oracle.hpp"
 #include "tests/study/over_pairs.hpp"
+#include "tests/study/question.hpp"
 
 namespace study {
 namespace {
@@ -25,6 +26,29 @@ Shape of_family(const std::string& name, Hardness hardness, const std::string& c
 
 gjk::PointSet<double> shape_of(const Points& points) { return gjk::PointSet<double>(points); }
 gjk::Sphere<double> shape_of(const Ball& ball) { return {ball.center, ball.radius}; }
+
+/// Errors: std::logic_error where a coordinate is not a double.
+gjk::Simplex<double> in_doubles(const gjk::Simplex<Exact>& exact) {
+  gjk::Simplex<double> simplex;
+  for (int i = 0; i < exact.size(); ++i) {
+    Vec w;
+    for (int k = 0; k < 3; ++k) {
+      w[k] = exact[i].w[k].convert_to<double>();
+      if (Exact(w[k]) != exact[i].w[k]) throw std::logic_error("a vertex is not of doubles");
+    }
+    simplex.add({{}, {}, w});
+  }
+  return simplex;
+}
+
+/// A run in fractions.
+struct ExactWatch {
+  Shortcuts& shortcuts;
+
+  template <class E>
+  void operator()(const E&) {}
+  void operator()(const gjk::VertexAdded<Exact>& event) { shortcuts.look_at(in_doubles(event.simplex)); }
+};
 
 /// One run, watched by both observers.
 struct Watch {
@@ -174,6 +198,23 @@ ShapeEffort measure_effort(const Shape& shape, const ClaimsOptions& options) {
   return over_pairs<ShapeEffort>(shape.pairs(options), options.threads, [&](ShapeEffort& sum, std::uint64_t index) {
     const Pair pair = shape.make(options.seed, index);
     ask(pair, shape.hardness == Hardness::hard ? std::optional(truth(pair)) : std::nullopt, sum);
+  });
+}
+
+const std::vector<std::string>& whole_number_shapes() {
+  static const std::vector<std::string> names{"coplanar-tilted", "touching-vertex-askew", "touching-edge-askew",
+                                              "touching-face-askew", "cycles"};
+  return names;
+}
+
+Shortcuts measure_in_fractions(const Shape& shape, const ClaimsOptions& options) {
+  const std::uint64_t pairs = std::min(shape.pairs(options), std::max(options.pairs / 50, std::uint64_t{1}));
+  return over_pairs<Shortcuts>(pairs, options.threads, [&](Shortcuts& sum, std::uint64_t index) {
+    const Pair pair = shape.make(options.seed, index);
+    const auto a = form_of<Exact>(pair.a), b = form_of<Exact>(pair.b);
+    ExactWatch watch{sum};
+    gjk::collision<Exact>(std::get<gjk::PointSet<Exact>>(*a), std::get<gjk::PointSet<Exact>>(*b), gjk::Options<Exact>{},
+                          watch);
   });
 }
 

@@ -44,6 +44,15 @@ void write_iterations(std::ostream& out, const Counted& counted) {
 
 // -- Skipped regions and extra checks by shape ------------------------------------------------------------------------
 
+void write_skipped_row(std::ostream& out, const std::string& name, const Shortcuts& shortcuts) {
+  Cells cells{name};
+  for (const Skipped& skipped : skipped_regions()) {
+    const Rate exceptions = not_nearest(shortcuts, skipped).opposite();
+    cells.push_back(grouped(exceptions.count) + " of " + grouped(exceptions.trials));
+  }
+  row(out, cells);
+}
+
 void write_skipped(std::ostream& out, const Counted& counted) {
   out << "## Where the origin lies when a region is skipped\n\n";
   paragraph(out,
@@ -55,19 +64,20 @@ void write_skipped(std::ostream& out, const Counted& counted) {
     for (const Feature feature : skipped.features) names.back() += " " + letters(feature);
   }
   heading(out, names, 1);
-  for (std::size_t i = 0; i < counted.efforts.size(); ++i) {
-    Cells cells{claim_shapes()[i].name};
-    for (const Skipped& skipped : skipped_regions()) {
-      const Rate exceptions = not_nearest(counted.efforts[i].shortcuts, skipped).opposite();
-      cells.push_back(grouped(exceptions.count) + " of " + grouped(exceptions.trials));
-    }
-    row(out, cells);
-  }
+  for (std::size_t i = 0; i < counted.efforts.size(); ++i)
+    write_skipped_row(out, claim_shapes()[i].name, counted.efforts[i].shortcuts);
+  for (std::size_t i = 0; i < counted.in_fractions.size(); ++i)
+    write_skipped_row(out, whole_number_shapes()[i] + ", in fractions", counted.in_fractions[i]);
   out << '\n';
   paragraph(out,
-            "The difference of two spheres is a sphere: without rounding, its first three vertices would lie in one "
-            "plane with the origin, and `ABCn·AO` would be zero. So its sign is that of a rounding error. Where it is "
-            "the wrong one, the search goes to the wrong side of the triangle, and the origin lies behind BCD.");
+            "*In fractions*: GJK itself computes without rounding, for families of whole numbers and fewer pairs. What "
+            "differs there from the same family in double is rounding.");
+  paragraph(
+      out,
+      "Behind BCD: without rounding, the search leaves a triangle on the side of the origin, and goes on only where "
+      "it gets past it. In double the sign of `ABCn·AO` can be a rounding error's. For the first triangle of two "
+      "spheres it is: their difference is a sphere, and its first three vertices lie in one plane with the "
+      "origin but for rounding.");
 }
 
 std::string text_of(const ExtraChecks& c) {

@@ -10,7 +10,6 @@
 
 #include "tests/study/effort.hpp"
 #include "tests/study/mistakes.hpp"
-#include "tests/study/moller_1997.hpp"
 #include "tests/study/pair.hpp"
 #include "tests/study/rate.hpp"
 
@@ -78,6 +77,12 @@ const std::vector<Shape>& claim_shapes();
 const Shape& claim_shape(const std::string& name);
 
 ShapeEffort measure_effort(const Shape& shape, const ClaimsOptions& options);
+
+/// Those of points of whole numbers: doubles hold the differences, so that GJK in fractions can be looked at, too.
+const std::vector<std::string>& whole_number_shapes();
+
+/// Returns: of GJK in fractions, without what is about edges. Of so few pairs as take seconds: a fiftieth.
+Shortcuts measure_in_fractions(const Shape& shape, const ClaimsOptions& options);
 
 // -- Möller's test: Section 4 -----------------------------------------------------------------------------------------
 

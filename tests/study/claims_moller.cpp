@@ -9,6 +9,7 @@
 #include "tests/study/claims_verdict.hpp"
 #include "tests/study/dice.hpp"
 #include "tests/study/families.hpp"
+#include "tests/study/moller_1997.hpp"
 #include "tests/study/oracle.hpp"
 #include "tests/study/over_pairs.hpp"
 #include "tests/study/random_triangles.hpp"

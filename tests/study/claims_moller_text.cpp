@@ -127,6 +127,15 @@ void write_claims_by_way(std::ostream& out, const Counted& counted) {
 
 // -- The report's two -------------------------------------------------------------------------------------------------
 
+void write_touches_of(std::ostream& out, const std::string& name, const MollerCounts& counts) {
+  for (const Way way : {Way::double_computed, Way::float_snapped}) {
+    const Comparison& c = counts.of(way);
+    row(out, {name, grouped(counts.edges_touch), grouped(counts.common_vertex_seen[0].trials), name_of(way),
+              with_right(c.all_only_gjk()), grouped(c.only_gjk_of(Contact::edges).trials),
+              grouped(c.only_gjk_of(Contact::common_vertex).trials), with_right(c.all_only_moller())});
+  }
+}
+
 void write_touches(std::ostream& out, const Counted& counted) {
   out << "### The report's two pairs\n\n";
   paragraph(out,
@@ -138,15 +147,9 @@ void write_touches(std::ostream& out, const Counted& counted) {
           {"Coordinates", "Pairs that touch so", "Pairs that share a vertex", "Both compute in", "Only GJK: they meet",
            "… and touch so", "… and share a vertex", "Only Möller: they meet"},
           1);
-  for (std::size_t i = 0; i < counted.moller.size(); ++i) {
-    const MollerCounts& counts = counted.moller[i];
-    for (const Way way : {Way::double_computed, Way::float_snapped}) {
-      const Comparison& c = counts.of(way);
-      row(out, {triangle_kinds()[i].name, grouped(counts.edges_touch), grouped(counts.common_vertex_seen[0].trials),
-                name_of(way), with_right(c.all_only_gjk()), grouped(c.only_gjk_of(Contact::edges).trials),
-                grouped(c.only_gjk_of(Contact::common_vertex).trials), with_right(c.all_only_moller())});
-    }
-  }
+  for (std::size_t i = 0; i < counted.moller.size(); ++i)
+    write_touches_of(out, triangle_kinds()[i].name, counted.moller[i]);
+  write_touches_of(out, common_vertex_kind().name, counted.common_vertex);
   out << '\n';
 }
 

@@ -85,12 +85,13 @@ std::vector<Claim> claims_of_extra_checks(const Counted& counted) {
     return Rate{sum.edges - sum.newest_false - sum.older_false, sum.edges};
   };
   return {
-      about_shapes(counted, "“That guarantees that AB·AO > 0”, said of A exactly in the direction searched (E7)",
-                   "3.2.3", "AB·AO > 0 where Eq. 12 is true, of any A", Strength::always, newest),
-      about_shapes(counted, "BA·BO > 0 is among the checks that “are almost always satisfied” (E7)", "3.2.3",
+      about_shapes(counted, "“That guarantees that AB·AO > 0”, said of A exactly in the direction searched", "3.2.3",
+                   "AB·AO > 0 where Eq. 12 is true, of any A", Strength::always, newest),
+      about_shapes(counted, "BA·BO > 0 is among the checks that “are almost always satisfied”", "3.2.3",
                    "BA·BO > 0 where Eq. 12 is true", Strength::nearly_always, older),
       about_shapes(counted, "“some peculiar cases that require these extra checks, though we never encountered any”",
-                   "3.2.3", "both checks, of edges kept by Algorithms 4 and 5", Strength::always, both_of_any_edge),
+                   "3.2.3", "both checks are true, of edges kept by Algorithms 4 and 5", Strength::always,
+                   both_of_any_edge),
       about_shapes(counted, "the new simplex is “the triangle face itself, or an edge, whichever feature is closer”",
                    "3.2.4", "what Algorithm 5 keeps is the feature nearest to the origin", Strength::always,
                    [](const ShapeEffort& e) { return e.shortcuts.kept_the_nearest; }),
@@ -119,7 +120,7 @@ void write_claims_table(std::ostream& out, const Counted& counted) {
   paragraph(out,
             "An *always* (“never”, “at most”, “cannot”) holds where no exception was seen and the interval lies above "
             "99 %; an *almost always* or *rarely* where the interval lies above 99 %; a *usually* or *generally* where "
-            "it lies above one half. Where it does not lie on one side, too few cases leave the claim open. Simplices "
+            "it lies above one half. Where the interval leaves that open, so does the verdict. Simplices "
             "and edges of one query are counted as if they were independent, which makes their intervals a little too "
             "narrow.");
   heading(

@@ -4,6 +4,7 @@
 
 #include "core/gjk.hpp"
 #include "tests/catch.hpp"
+#include "tests/study/claims_text.hpp"
 #include "tests/study/claims_verdict.hpp"
 
 namespace study {
@@ -111,6 +112,20 @@ TEST_CASE("An origin on a vertex is in the simplex and not beyond the vertex", "
   const Shortcuts s = measure_effort(claim_shape("touching-vertex-askew"), few).shortcuts;
   REQUIRE(s.nearest_was(2, feature_of(gjk::Role::A)).count == 0);
   REQUIRE(s.nearest_was(2, 3).count > 0);
+}
+
+TEST_CASE("What lies in a skipped region of a whole-number family in double does not in fractions", "[claims]") {
+  const Shape& touching = claim_shape("touching-face-askew");
+  const ClaimsOptions some{.pairs = 20'000, .seed = 1};
+  const Shortcuts rounded = measure_effort(touching, some).shortcuts, exact = measure_in_fractions(touching, some);
+  const auto exceptions = [](const Shortcuts& shortcuts) {
+    std::uint64_t count = 0;
+    for (const Skipped& skipped : skipped_regions()) count += not_nearest(shortcuts, skipped).opposite().count;
+    return count;
+  };
+  REQUIRE(exceptions(rounded) == 63);
+  REQUIRE(exact.nearest_was(4, 0).trials > 100);
+  REQUIRE(exceptions(exact) == 0);
 }
 
 TEST_CASE("A hard family breaks a claim that all random shapes keep and the table says so", "[claims]") {

@@ -13,8 +13,9 @@ namespace study {
 /// All that was counted, once.
 struct Counted {
   ClaimsOptions options;
-  std::vector<ShapeEffort> efforts;  ///< by claim_shapes()
-  std::vector<MollerCounts> moller;  ///< by triangle_kinds()
+  std::vector<ShapeEffort> efforts;     ///< by claim_shapes()
+  std::vector<Shortcuts> in_fractions;  ///< by whole_number_shapes()
+  std::vector<MollerCounts> moller;     ///< by triangle_kinds()
   MollerCounts common_vertex;
   MistakeTable triangles, tetrahedra, grid;
 };

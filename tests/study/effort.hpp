@@ -80,13 +80,15 @@ struct Shortcuts {
   template <class E>
   void operator()(const E&) {}
 
-  void operator()(const gjk::VertexAdded<double>& event) {
-    simplex_ = event.simplex;
-    const auto size = static_cast<std::size_t>(event.simplex.size());
+  void operator()(const gjk::VertexAdded<double>& event) { look_at(event.simplex); }
+
+  void look_at(const gjk::Simplex<double>& simplex) {
+    simplex_ = simplex;
+    const auto size = static_cast<std::size_t>(simplex.size());
     largest_simplex = std::max(largest_simplex, size);
-    nearest_ = size >= 2 ? nearest_feature(event.simplex) : feature_of(gjk::Role::A);
+    nearest_ = size >= 2 ? nearest_feature(simplex) : feature_of(gjk::Role::A);
     if (size < 2) return;
-    const bool is_inside = nearest_ != 0 && lies_on(event.simplex, nearest_);
+    const bool is_inside = nearest_ != 0 && lies_on(simplex, nearest_);
     ++nearest[size][is_inside ? (1U << size) - 1 : nearest_];
   }
 
