@@ -165,7 +165,7 @@ ShapeEffort& ShapeEffort::operator+=(const ShapeEffort& other) {
 
 std::uint64_t Shape::pairs(const ClaimsOptions& options) const {
   const std::uint64_t wanted =
-      hardness == Hardness::hard ? std::max(options.pairs / 5, std::uint64_t{1}) : options.pairs;
+      hardness == Hardness::hard ? std::max(options.pairs / 10, std::uint64_t{1}) : options.pairs;
   return std::min(wanted, size.value_or(wanted));
 }
 

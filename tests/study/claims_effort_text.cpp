@@ -69,9 +69,10 @@ void write_skipped(std::ostream& out, const Counted& counted) {
   for (std::size_t i = 0; i < counted.in_fractions.size(); ++i)
     write_skipped_row(out, whole_number_shapes()[i] + ", in fractions", counted.in_fractions[i]);
   out << '\n';
-  paragraph(out,
-            "*In fractions*: GJK itself computes without rounding, for families of whole numbers and fewer pairs. What "
-            "differs there from the same family in double is rounding.");
+  paragraph(
+      out,
+      "*In fractions*: GJK itself computes without rounding, for the families of whole numbers and fewer pairs. Where "
+      "a share is far lower there than in double, rounding makes the difference.");
   paragraph(
       out,
       "Behind BCD: without rounding, the search leaves a triangle on the side of the origin, and goes on only where "

@@ -69,7 +69,7 @@ struct Shape {
   std::optional<std::uint64_t> size;  ///< how many pairs there are, where all can be listed
   std::function<Pair(std::uint64_t seed, std::uint64_t index)> make;
 
-  /// Returns: how many are asked. Of hard families it is a fifth: their regions take fractions to decide.
+  /// Returns: how many are asked. Of hard families it is a tenth: their regions take fractions to decide.
   std::uint64_t pairs(const ClaimsOptions& options) const;
   bool asks_all(const ClaimsOptions& options) const { return size && pairs(options) == *size; }
 };

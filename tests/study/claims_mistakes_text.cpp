@@ -82,7 +82,7 @@ void write_claims_about_mistakes(std::ostream& out, const Counted& counted) {
   write_claim_of_some(
       out,
       {"“the implementation can self-correct in later iterations”", "1",
-       "most of the runs that it changes end rightly, both of pairs that meet and of pairs that do not"},
+       "most runs that it changes end rightly, of pairs that meet and of pairs that do not"},
       those([&](std::size_t i) { return counts[i].mostly_heals(); }), acting);
   out << '\n';
   paragraph(out, "The last line is about the " + grouped(acting) + " mistakes that change any run.");
@@ -168,7 +168,7 @@ void write_mistakes(std::ostream& out, const Counted& counted) {
   out << "## How many tests does a mistake survive?\n\n";
   paragraph(out,
             "“The iterative nature of GJK can mask many bugs … an implementation can have a bug, but still pass many "
-            "test cases” (Section 1). Mistakes are numbered as in the table after the next one.");
+            "test cases” (Section 1). Mistakes are numbered as in the second table below.");
   write_claims_about_mistakes(out, counted);
   write_what_happens(out, counted, counted.options.pairs);
   write_how_many_tests(out, counted);
