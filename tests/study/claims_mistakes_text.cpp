@@ -79,11 +79,10 @@ void write_claims_about_mistakes(std::ostream& out, const Counted& counted) {
                       seldom_seen_in(100), mistakes().size());
   write_claim_of_some(out, {can_pass, "1", "… passes 10,000 random triangle pairs"}, seldom_seen_in(10'000),
                       mistakes().size());
-  write_claim_of_some(
-      out,
-      {"“the implementation can self-correct in later iterations”", "1",
-       "most runs that it changes end rightly, of pairs that meet and of pairs that do not"},
-      those([&](std::size_t i) { return counts[i].mostly_heals(); }), acting);
+  write_claim_of_some(out,
+                      {"“the implementation can self-correct in later iterations”", "1",
+                       "most runs that it changes end rightly, of pairs that meet and of pairs that do not"},
+                      those([&](std::size_t i) { return counts[i].mostly_heals(); }), acting);
   out << '\n';
   paragraph(out, "The last line is about the " + grouped(acting) + " mistakes that change any run.");
 }
