@@ -210,7 +210,8 @@ void write_explanation(std::ostream& out, const Counted& counted) {
                 or_none(e.too_many) + "; too few: " + or_none(e.too_few) +
                 ". As many, within the intervals: " + or_none(e.fit) + ". None seen, which " + grouped(random.pairs) +
                 " pairs cannot tell from 2 of a million: " + or_none(e.unseen) +
-                ". If the report's coordinates are of the second sort, then TriTri has no unknown bug but a rounding "
+                ". If the report's coordinates are of a sort that gives as many, then TriTri has no unknown bug but a "
+                "rounding "
                 "error. Coordinates of more digits than a float has were not asked about.");
   paragraph(out,
             "**Also counted.** The program that agreed with TriTri was not Algorithm 1 as printed, which goes on after "

@@ -60,6 +60,8 @@ TEST_CASE("Few cases without an exception leave an always open and one exception
 TEST_CASE("A verdict says why it leaves places open", "[claims]") {
   REQUIRE(verdict_of(Strength::usually, {{"boxes", {500, 1000}}}) == "left open: 50 % lies within the interval");
   REQUIRE(verdict_of(Strength::usually, {{"boxes", {500, 500}}, {"hulls", {3, 3}}}) ==
+          "holds for boxes; left open for hulls (only 3 cases)");
+  REQUIRE(verdict_of(Strength::usually, {{"boxes", {500, 500}}, {"cans", {500, 500}}, {"hulls", {3, 3}}}) ==
           "**holds**; left open for hulls (only 3 cases)");
   REQUIRE(verdict_of(Strength::always, {{"boxes", {3, 3}}, {"hulls", {4, 4}}}) ==
           "left open for boxes (only 3 cases) and hulls (only 4 cases)");

@@ -57,11 +57,11 @@ std::vector<std::string> names(const Places& places, const Claim& claim) {
   return terms;
 }
 
-/// The shorter list says where a claim breaks.
-std::string answered(const Places& yes, const Places& no, const Claim& claim) {
-  if (no.empty()) return "**holds**";
-  if (yes.empty()) return "**does not hold**";
+/// The shorter list says where a claim breaks. An answer for few places, where more are left open, names them.
+std::string answered(const Places& yes, const Places& no, std::size_t left_open, const Claim& claim) {
   const auto holding = names(yes, claim), breaking = names(no, claim);
+  if (no.empty()) return holding.size() <= left_open ? "holds for " + joined(holding) : "**holds**";
+  if (yes.empty()) return breaking.size() <= left_open ? "does not hold for " + joined(breaking) : "**does not hold**";
   return holding.size() <= breaking.size() ? "holds only for " + joined(holding)
                                            : "holds for all but " + joined(breaking);
 }
@@ -94,7 +94,7 @@ std::string verdict(const Claim& claim) {
     (!answer ? open : *answer ? yes : no).push_back(&m);
   }
   const std::string rest = left_open(claim.strength, open);
-  if (!yes.empty() || !no.empty()) return answered(yes, no, claim) + (rest.empty() ? "" : "; " + rest);
+  if (!yes.empty() || !no.empty()) return answered(yes, no, open.size(), claim) + (rest.empty() ? "" : "; " + rest);
   if (open.empty()) return "nothing to look at";
   return open.size() == 1 ? "left open: " + why_open(claim.strength, open[0]->holds) : rest;
 }
