@@ -1,5 +1,6 @@
 #include "tests/study/claims.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <ostream>
 
@@ -24,6 +25,8 @@ std::string decimals(double x, int digits) {
   return text;
 }
 
+void paragraph(std::ostream& out, const std::string& text) { out << text << "\n\n"; }
+
 namespace {
 
 Counted count_all(const ClaimsOptions& options) {
@@ -31,16 +34,21 @@ Counted count_all(const ClaimsOptions& options) {
     if (options.progress) options.progress(what);
   };
   Counted counted;
+  counted.options = options;
   for (const Shape& shape : claim_shapes()) {
     tell("effort: " + shape.name);
     counted.efforts.push_back(measure_effort(shape, options));
   }
-  tell("Möller's test");
-  counted.moller = measure_moller(options);
-  for (const Coarseness& coarseness : coarsenesses()) {
-    tell("coarse coordinates: " + std::to_string(coarseness.levels) + " values");
-    counted.touches.push_back(measure_touches(coarseness, options));
+  for (const std::string& name : whole_number_shapes()) {
+    tell("effort, in fractions: " + name);
+    counted.in_fractions.push_back(measure_in_fractions(claim_shape(name), options));
   }
+  for (const TriangleKind& kind : triangle_kinds()) {
+    tell("Möller's test: " + kind.name);
+    counted.moller.push_back(measure_moller(kind, options));
+  }
+  tell("Möller's test: " + common_vertex_kind().name);
+  counted.common_vertex = measure_moller(common_vertex_kind(), options);
   tell("mistakes: triangles");
   counted.triangles = measure_mistakes(TestPairs::triangles, options);
   tell("mistakes: tetrahedra");
@@ -54,14 +62,13 @@ Counted count_all(const ClaimsOptions& options) {
 
 void write_claims(std::ostream& out, const ClaimsOptions& options) {
   const Counted counted = count_all(options);
-  out << "# The report's claims, measured\n\n"
-         "Made by `gjkstep-study claims --pairs "
-      << options.pairs << " --seed " << options.seed << "`, compiled by " GJKSTEP_COMPILER ". "
-      << grouped(options.pairs) << R"( pairs of
-every kind. GJK is gjkstep's, in double, with the rules as intended and exact zero tests, where nothing else is said.
-Intervals are Wilson's for 95 %.
-
-)";
+  const auto hard = std::ranges::find(claim_shapes(), Hardness::hard, &Shape::hardness);
+  out << "# The report's claims, measured\n\n";
+  paragraph(out, "Made by `gjkstep-study claims --pairs " + std::to_string(options.pairs) + " --seed " +
+                     std::to_string(options.seed) + "`, compiled by " GJKSTEP_COMPILER ". " + grouped(options.pairs) +
+                     " pairs of every kind, " + grouped(hard->pairs(options)) +
+                     " of hard families, or all that there are. GJK is gjkstep's, in double, with the rules as "
+                     "intended and exact zero tests, where nothing else is said. Intervals are Wilson's for 95 %.");
   write_claims_table(out, counted);
   write_effort(out, counted);
   write_moller(out, counted);

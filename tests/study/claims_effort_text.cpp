@@ -15,79 +15,96 @@ std::string spread(const Distribution& d) {
   return decimals(d.mean(), 2) + " / " + std::to_string(d.percentile_99()) + " / " + std::to_string(d.max());
 }
 
+std::string share_or_none(std::uint64_t count, std::uint64_t of) { return share_text(Rate{count, of}.share()); }
+
 void write_iterations(std::ostream& out, const Counted& counted) {
-  out << "## Iterations and cross products\n\nMean / 99 % / largest per query. Hits and misses as GJK answers "
-         "them.\n\n";
-  heading(out, {"Shape", "Pairs", "Hits", "Undecided", "Iterations: hits", "misses", "Cross products: hits", "misses"},
+  out << "## Iterations and cross products\n\n";
+  paragraph(out,
+            "Mean / 99 % / largest per query. Random shapes come first: there hits and misses are told apart by GJK's "
+            "answer. In the hard families after them it is held against the truth, and *wrong* answers are neither. "
+            "*Undecided*: 20 iterations were not enough, or the search direction was zero.");
+  heading(out,
+          {"Shape", "Pairs", "Asked", "Hits", "Wrong", "Undecided", "Iterations: hits", "misses",
+           "Cross products: hits", "misses"},
           2);
   for (std::size_t i = 0; i < counted.efforts.size(); ++i) {
     const Shape& shape = claim_shapes()[i];
     const ShapeEffort& e = counted.efforts[i];
-    const Distribution all = e.all_iterations();
-    row(out, {shape.name, shape.what, share_text(Rate{e.hits.iterations.queries(), all.queries()}.share()),
-              rate_text({e.undecided.iterations.queries(), all.queries()}), spread(e.hits.iterations),
+    const std::uint64_t all = e.queries();
+    row(out, {shape.name, shape.what, grouped(all), share_or_none(e.hits.iterations.queries(), all),
+              shape.hardness == Hardness::hard ? share_or_none(e.wrong.iterations.queries(), all) : "–",
+              share_or_none(e.undecided.iterations.queries(), all), spread(e.hits.iterations),
               spread(e.misses.iterations), spread(e.hits.cross_products), spread(e.misses.cross_products)});
   }
-  out << R"(
-Algorithm 5 is counted as it runs here: the normals of Eq. 14 one by one, until one sees the origin. The report's listing
-makes all three first, which costs up to two more per 3-simplex.
-
-)";
+  out << '\n';
+  paragraph(out,
+            "Algorithm 5 is counted as it runs here: the normals of Eq. 14 one by one, until one sees the origin. The "
+            "report's listing makes all three first, which costs up to two more per 3-simplex.");
 }
 
 // -- Skipped regions and extra checks by shape ------------------------------------------------------------------------
 
-void write_skipped(std::ostream& out, const Counted& counted) {
-  out << R"(## Where the origin lies when a region is skipped
-
-How often the nearest feature, found exactly for the vertices as they stand, was one that the report skips.
-
-)";
-  Cells names{"Skipped"};
-  for (const Shape& shape : claim_shapes()) names.push_back(shape.name);
-  heading(out, names, 1);
+void write_skipped_row(std::ostream& out, const std::string& name, const Shortcuts& shortcuts) {
+  Cells cells{name};
   for (const Skipped& skipped : skipped_regions()) {
-    std::string name = std::to_string(skipped.size - 1) + "-simplex:";
-    for (const Feature feature : skipped.features) name += " " + letters(feature);
-    Cells cells{name};
-    for (const ShapeEffort& e : counted.efforts) {
-      const Rate exceptions = not_nearest(e.shortcuts, skipped).opposite();
-      cells.push_back(grouped(exceptions.count) + " of " + grouped(exceptions.trials));
-    }
-    row(out, cells);
+    const Rate exceptions = not_nearest(shortcuts, skipped).opposite();
+    cells.push_back(grouped(exceptions.count) + " of " + grouped(exceptions.trials));
   }
-  out << R"(
-The difference of two spheres is a sphere: the first three vertices lie in one plane with the origin, and `ABCn·AO`, which
-should be zero, is a rounding error. Where its sign is the wrong one, the search goes to the wrong side of the triangle, and
-the origin lies behind BCD, by that rounding error.
+  row(out, cells);
+}
 
-)";
+void write_skipped(std::ostream& out, const Counted& counted) {
+  out << "## Where the origin lies when a region is skipped\n\n";
+  paragraph(out,
+            "How often the nearest feature, found exactly for the vertices as they stand, was one that the report "
+            "skips, and the origin is not a point of it. Flat simplices, of which it cannot be told, are left out.");
+  Cells names{"Shape"};
+  for (const Skipped& skipped : skipped_regions()) {
+    names.push_back(std::to_string(skipped.size - 1) + "-simplex:");
+    for (const Feature feature : skipped.features) names.back() += " " + letters(feature);
+  }
+  heading(out, names, 1);
+  for (std::size_t i = 0; i < counted.efforts.size(); ++i)
+    write_skipped_row(out, claim_shapes()[i].name, counted.efforts[i].shortcuts);
+  for (std::size_t i = 0; i < counted.in_fractions.size(); ++i)
+    write_skipped_row(out, whole_number_shapes()[i] + ", in fractions", counted.in_fractions[i]);
+  out << '\n';
+  paragraph(
+      out,
+      "*In fractions*: GJK itself computes without rounding, for the families of whole numbers and fewer pairs. Where "
+      "a share is far lower there than in double, rounding makes the difference.");
+  paragraph(
+      out,
+      "Behind BCD: without rounding, the search leaves a triangle on the side of the origin, and goes on only where "
+      "it gets past it. In double the sign of `ABCn·AO` can be a rounding error's. For the first triangle of two "
+      "spheres it is: their difference is a sphere, and its first three vertices lie in one plane with the "
+      "origin but for rounding.");
+}
+
+std::string text_of(const ExtraChecks& c) {
+  return c.edges == 0 ? "–" : grouped(c.newest_false) + " + " + grouped(c.older_false) + " of " + grouped(c.edges);
+}
+
+void write_extra_checks_of(std::ostream& out, const std::string& shape, const std::string& simplex,
+                           const std::array<ExtraChecks, Shortcuts::iterations>& by_iteration) {
+  ExtraChecks later;
+  for (std::size_t k = 5; k < Shortcuts::iterations; ++k) later += by_iteration[k];
+  row(out, {shape, simplex, text_of(by_iteration[3]), text_of(by_iteration[4]), text_of(later),
+            text_of(sum_of(by_iteration))});
 }
 
 void write_extra_checks(std::ostream& out, const Counted& counted) {
-  out << R"(## The checks that the report leaves out
-
-Section 3.2.3: “`AB·AO > 0` and `BA·BO > 0` in addition to Eq. 12”. False `AX·AO > 0` (the origin lies beyond A) + false
-`XA·XO > 0` (it lies beyond the older end), of all edges AX that were kept in that iteration. The report speaks of the
-triangle (Algorithm 4); the edges of a tetrahedron (Algorithm 5) are kept without these checks, too.
-
-)";
+  out << "## The checks that the report leaves out\n\n";
+  paragraph(out,
+            "Section 3.2.3: “`AB·AO > 0` and `BA·BO > 0` in addition to Eq. 12”. False `AX·AO > 0` (the origin lies "
+            "beyond A, or level with it) + false `XA·XO > 0` (beyond the older end, or level with it), of all edges AX "
+            "that were kept in that iteration. The report speaks of the triangle (Algorithm 4); the edges of a "
+            "tetrahedron (Algorithm 5) are kept without these checks, too.");
   heading(out, {"Shape", "Simplex", "Iteration 3", "4", "5 and later", "All"}, 2);
-  const auto text = [](const ExtraChecks& c) {
-    return c.edges == 0 ? std::string("–")
-                        : grouped(c.newest_false) + " + " + grouped(c.older_false) + " of " + grouped(c.edges);
-  };
   for (std::size_t i = 0; i < counted.efforts.size(); ++i) {
     const Shortcuts& s = counted.efforts[i].shortcuts;
-    for (const auto* const by_iteration : {&s.in_triangle, &s.in_tetrahedron}) {
-      Cells cells{claim_shapes()[i].name, by_iteration == &s.in_triangle ? "triangle" : "tetrahedron"};
-      for (std::size_t k = 3; k < 5; ++k) cells.push_back(text((*by_iteration)[k]));
-      ExtraChecks later;
-      for (std::size_t k = 5; k < Shortcuts::iterations; ++k) later += (*by_iteration)[k];
-      cells.push_back(text(later));
-      cells.push_back(text(sum_of(*by_iteration)));
-      row(out, cells);
-    }
+    write_extra_checks_of(out, claim_shapes()[i].name, "triangle", s.in_triangle);
+    write_extra_checks_of(out, claim_shapes()[i].name, "tetrahedron", s.in_tetrahedron);
   }
   out << '\n';
 }
@@ -111,8 +128,8 @@ const std::vector<Skipped>& skipped_regions() {
 }
 
 Rate not_nearest(const Shortcuts& shortcuts, const Skipped& skipped) {
-  Rate rate = shortcuts.nearest_was(skipped.size, 0);
-  rate.count = 0;
+  Rate rate = shortcuts.nearest_was(skipped.size, 0).opposite();
+  rate = {0, rate.count};
   for (const Feature feature : skipped.features) rate.count += shortcuts.nearest_was(skipped.size, feature).count;
   return rate.opposite();
 }

@@ -4,12 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tests/study/effort.hpp"
 #include "tests/study/mistakes.hpp"
-#include "tests/study/moller_1997.hpp"
 #include "tests/study/pair.hpp"
 #include "tests/study/rate.hpp"
 
@@ -46,85 +46,97 @@ struct Cost {
   Cost& operator+=(const Cost& other);
 };
 
-/// GJK in double, as intended. Hits and misses are told apart by its answer.
+/// GJK in double, as intended.
 struct ShapeEffort {
-  Cost hits, misses, undecided;
+  Cost hits, misses, wrong, undecided;
   Distribution most_in_a_3simplex;  ///< of cross products, for each query
   Shortcuts shortcuts;
 
-  Distribution all_iterations() const;
+  std::uint64_t queries() const;
+  /// Returns: how many queries were answered in at least `least` and at most `most` iterations.
+  Rate answered_within(int least, int most) const;
   ShapeEffort& operator+=(const ShapeEffort& other);
 };
+
+/// Random shapes are what everyday queries are like. Hard families are made so that rounding or the search itself is
+/// tried; there double can be wrong, so that hits and misses are told apart by the truth.
+enum class Hardness { random, hard };
 
 /// The shapes that effort is measured for, with the words for a family of pairs of them.
 struct Shape {
   std::string name, what;
-  Pair (*make)(std::uint64_t seed, std::uint64_t index);
+  Hardness hardness;
+  std::optional<std::uint64_t> size;  ///< how many pairs there are, where all can be listed
+  std::function<Pair(std::uint64_t seed, std::uint64_t index)> make;
+
+  /// Returns: how many are asked. Of hard families it is a tenth: their regions take fractions to decide.
+  std::uint64_t pairs(const ClaimsOptions& options) const;
+  bool asks_all(const ClaimsOptions& options) const { return size && pairs(options) == *size; }
 };
 const std::vector<Shape>& claim_shapes();
+const Shape& claim_shape(const std::string& name);
 
 ShapeEffort measure_effort(const Shape& shape, const ClaimsOptions& options);
 
+/// Those of points of whole numbers: doubles hold the differences, so that GJK in fractions can be looked at, too.
+const std::vector<std::string>& whole_number_shapes();
+
+/// Returns: of GJK in fractions, without what is about edges. Of so few pairs as take seconds: a fiftieth.
+Shortcuts measure_in_fractions(const Shape& shape, const ClaimsOptions& options);
+
 // -- Möller's test: Section 4 -----------------------------------------------------------------------------------------
 
-/// The two tests that are compared, each in these ways.
-enum class GjkWay { double_intended, float_intended, double_printed, float_printed };
-enum class MollerWay { double_computed, float_computed, double_snapped, float_snapped };
+/// GJK and Möller's test compute in the same scalar; distances are snapped by Möller's alone.
+enum class Way { double_computed, float_computed, double_snapped, float_snapped };
 inline constexpr std::size_t ways = 4;
 
-/// What a GJK and a Möller say about the same pairs. An undecided GJK says no, as Algorithm 1 does.
-struct Comparison {
-  std::uint64_t both_yes = 0, both_no = 0;
-  Rate only_gjk, only_moller;  ///< which of the two says that the triangles meet; the rate counts where that is right
+enum class RulesAsked { as_intended, as_printed };
 
-  std::uint64_t pairs() const { return both_yes + both_no + disagreements(); }
-  std::uint64_t disagreements() const { return only_gjk.trials + only_moller.trials; }
-  std::uint64_t gjk_right() const { return only_gjk.count + only_moller.opposite().count; }
-  void add(bool gjk, bool moller, bool truth);
+/// Of a pair about which GJK and Möller's test disagree: how the triangles lie, by exact arithmetic.
+enum class Contact {
+  common_vertex,
+  edges,         ///< the report's two: one common point, inside an edge of each, and not in one plane
+  beyond_plane,  ///< apart: all of one triangle lies on one side of the other's plane
+  something_else,
+};
+inline constexpr std::size_t contacts = 4;
+
+/// What GJK and Möller's test say about the same pairs. An undecided GJK says no, as Algorithm 1 does.
+struct Comparison {
+  std::uint64_t both_yes = 0, both_no = 0, undecided = 0;
+  std::array<Rate, contacts> only_gjk, only_moller;  ///< which says that they meet; the rate counts where that is right
+
+  Rate only_gjk_of(Contact contact) const { return only_gjk[static_cast<std::size_t>(contact)]; }
+  Rate all_only_gjk() const;
+  Rate all_only_moller() const;
+  Rate agreement() const;
+  Rate gjk_right() const;  ///< of the disagreements
+
   Comparison& operator+=(const Comparison& other);
 };
 
-/// A pair about which GJK in double, as intended, and a Möller disagree.
-struct Disagreement {
-  std::uint64_t index;
-  MollerWay moller;
-  bool gjk_says, truth;
-  bool undecided;  ///< by GJK
-  double depth;    ///< how far the intervals overlap; negative: how far they are apart; NaN where there are none
+/// A kind of random pairs of triangles. All coordinates are floats: float and double are given the same numbers.
+struct TriangleKind {
+  std::string name;  ///< "whole numbers 0 … 100"
+  std::function<Pair(std::uint64_t seed, std::uint64_t index)> make;
 };
 
-struct MollerCounts {
-  std::array<std::array<Comparison, ways>, ways> compared;  ///< by GjkWay, MollerWay
-  std::uint64_t meet = 0, undecided = 0, rounding_changes_truth = 0;
-  std::vector<Disagreement> disagreements;
+/// The report's first, then coordinates of ever more digits.
+const std::vector<TriangleKind>& triangle_kinds();
+const TriangleKind& common_vertex_kind();
 
-  const Comparison& of(GjkWay gjk, MollerWay moller) const {
-    return compared[static_cast<std::size_t>(gjk)][static_cast<std::size_t>(moller)];
+struct MollerCounts {
+  std::uint64_t pairs = 0, meet = 0, edges_touch = 0;    ///< `edges_touch` as Contact::edges
+  std::array<std::array<Comparison, ways>, 2> compared;  ///< by RulesAsked, Way
+  std::array<Rate, ways> common_vertex_seen;  ///< of pairs with a common vertex: Möller's test says they meet
+
+  const Comparison& of(Way way, RulesAsked rules = RulesAsked::as_intended) const {
+    return compared[static_cast<std::size_t>(rules)][static_cast<std::size_t>(way)];
   }
   MollerCounts& operator+=(const MollerCounts& other);
 };
 
-MollerCounts measure_moller(const ClaimsOptions& options);
-
-// -- Coarse coordinates: the two pairs of Section 4 -------------------------------------------------------------------
-
-/// Random coordinates with few digits: k/divisor for k = 0 … levels - 1.
-struct Coarseness {
-  int levels, divisor;
-  bool operator==(const Coarseness&) const = default;
-};
-const std::vector<Coarseness>& coarsenesses();
-
-struct TouchCounts {
-  std::uint64_t pairs = 0;
-  Rate edges_touch;                       ///< the count: one common point, inside an edge of each, not in one plane
-  std::array<Comparison, ways> compared;  ///< GJK as intended, in the scalar of the Möller
-  std::array<std::uint64_t, ways> edges_touch_only_gjk{};  ///< of edges_touch: GJK says yes, Möller no
-
-  TouchCounts& operator+=(const TouchCounts& other);
-};
-
-TouchCounts measure_touches(const Coarseness& coarseness, const ClaimsOptions& options);
+MollerCounts measure_moller(const TriangleKind& kind, const ClaimsOptions& options);
 
 // -- Mistakes: Section 1 ----------------------------------------------------------------------------------------------
 

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <optional>
 
 #include "core/gjk.hpp"
 #include "tests/study/claims_measured.hpp"
+#include "tests/study/claims_verdict.hpp"
 #include "tests/study/dice.hpp"
 #include "tests/study/families.hpp"
+#include "tests/study/moller_1997.hpp"
 #include "tests/study/oracle.hpp"
 #include "tests/study/over_pairs.hpp"
 #include "tests/study/random_triangles.hpp"
@@ -38,70 +41,22 @@ Triangles<S> triangles_of(const Pair& pair) {
   return {triangle_of<S>(pair.a), triangle_of<S>(pair.b)};
 }
 
+/// By way of triangles of floats: GCC 12 drops some of the roundings of x.cast<float>().cast<double>().
 Pair rounded_to_float(Pair pair) {
-  for (Body* const body : {&pair.a, &pair.b})
-    for (Vec& p : std::get<Points>(*body)) p = p.cast<float>().cast<double>();
+  for (Body* const body : {&pair.a, &pair.b}) {
+    const Triangle<float> rounded = triangle_of<float>(*body);
+    *body = Points{rounded[0].cast<double>(), rounded[1].cast<double>(), rounded[2].cast<double>()};
+  }
   return pair;
 }
 
-bool truly_meet(const Pair& pair) { return truth(pair) == Truth::intersecting; }
+// -- How triangles lie ------------------------------------------------------------------------------------------------
 
-template <class S, class Rules>
-gjk::Status ask_gjk(const Triangles<S>& t) {
-  const auto set = [](const Triangle<S>& corners) { return gjk::PointSet<S>({corners[0], corners[1], corners[2]}); };
-  return gjk::collision<S, Rules>(set(t.a), set(t.b)).status;
+bool share_a_vertex(const Triangles<double>& t) {
+  return std::ranges::any_of(t.a, [&](const auto& corner) { return std::ranges::find(t.b, corner) != t.b.end(); });
 }
 
-template <class S>
-bool ask_moller(const Triangles<S>& t, Distances treatment) {
-  return moller_1997::meet(t.a, t.b, treatment);
-}
-
-/// By MollerWay.
-std::array<bool, ways> ask_all_mollers(const Triangles<double>& t, const Triangles<float>& f) {
-  return {ask_moller(t, Distances::as_computed), ask_moller(f, Distances::as_computed),
-          ask_moller(t, Distances::small_ones_snapped), ask_moller(f, Distances::small_ones_snapped)};
-}
-
-/// How far the intervals overlap as a share of the shorter one, exactly.
-double depth_of(const Triangles<Exact>& t) {
-  const auto finding = moller_1997::find(t.a, t.b, Distances::as_computed);
-  if (finding.how != moller_1997::How::intervals) return std::numeric_limits<double>::quiet_NaN();
-  const auto& i = finding.first;
-  const auto& j = finding.second;
-  const Exact shared = std::min(i.most, j.most) - std::max(i.least, j.least);
-  const Exact shorter = std::min(Exact(i.most - i.least), Exact(j.most - j.least));
-  return shorter == 0 ? 0 : Exact(shared / shorter).convert_to<double>();
-}
-
-void compare_all(const std::array<bool, ways>& gjk, const std::array<bool, ways>& moller, bool truth,
-                 bool truth_of_float, MollerCounts& sum) {
-  for (std::size_t g = 0; g < ways; ++g)
-    for (std::size_t m = 0; m < ways; ++m)
-      sum.compared[g][m].add(gjk[g], moller[m], g % 2 == 1 && m % 2 == 1 ? truth_of_float : truth);
-}
-
-void ask_about(const Pair& pair, std::uint64_t index, MollerCounts& sum) {
-  const Triangles<double> t = triangles_of<double>(pair);
-  const Triangles<float> f = triangles_of<float>(pair);
-  const bool meet = truly_meet(pair), floats_meet = truly_meet(rounded_to_float(pair));
-  const gjk::Status status = ask_gjk<double, gjk::AsIntended>(t);
-  const auto yes = [](gjk::Status s) { return s == gjk::Status::intersecting; };
-  const std::array<bool, ways> gjk{yes(status), yes(ask_gjk<float, gjk::AsIntended>(f)),
-                                   yes(ask_gjk<double, gjk::AsPrinted>(t)), yes(ask_gjk<float, gjk::AsPrinted>(f))};
-  const std::array<bool, ways> moller = ask_all_mollers(t, f);
-  compare_all(gjk, moller, meet, floats_meet, sum);
-  sum.meet += meet ? 1 : 0;
-  sum.undecided += status == gjk::Status::undecided ? 1 : 0;
-  sum.rounding_changes_truth += meet != floats_meet ? 1 : 0;
-  for (std::size_t m = 0; m < ways; ++m)
-    if (gjk[0] != moller[m])
-      sum.disagreements.push_back({index, static_cast<MollerWay>(m), gjk[0], meet, status == gjk::Status::undecided,
-                                   depth_of(triangles_of<Exact>(pair))});
-}
-
-// -- Coarse coordinates -----------------------------------------------------------------------------------------------
-
+/// Where it is false, they do not touch as edges_touch() asks for; it is quicker.
 bool nearly_touch(const Triangles<double>& t) {
   const auto finding = moller_1997::find(t.a, t.b, Distances::as_computed);
   if (finding.how != moller_1997::How::intervals) return false;
@@ -112,90 +67,162 @@ bool nearly_touch(const Triangles<double>& t) {
 
 /// One common point, inside an edge of each, and not in one plane: no corner lies in the other's plane, so that the ends
 /// of the intervals lie inside edges, and an end of one is an end of the other.
-bool edges_touch(const Triangles<Exact>& t) {
-  const auto finding = moller_1997::find(t.a, t.b, Distances::as_computed);
+bool edges_touch(const moller_1997::Finding<Exact>& finding) {
   if (finding.how != moller_1997::How::intervals) return false;
   for (const auto& distances : {finding.first_distances, finding.second_distances})
     if (std::ranges::count(distances, Exact(0)) > 0) return false;
   return finding.first.most == finding.second.least || finding.second.most == finding.first.least;
 }
 
-void ask_about(const Pair& pair, const Pair& in_float, TouchCounts& sum) {
-  const Triangles<double> t = triangles_of<double>(pair);
-  const Triangles<float> f = triangles_of<float>(in_float);
-  const bool meet = truly_meet(pair), floats_meet = truly_meet(in_float);
-  const bool gjk = ask_gjk<double, gjk::AsIntended>(t) == gjk::Status::intersecting;
-  const bool float_gjk = ask_gjk<float, gjk::AsIntended>(f) == gjk::Status::intersecting;
-  const std::array<bool, ways> moller = ask_all_mollers(t, f);
-  const bool touch = nearly_touch(t) && edges_touch(triangles_of<Exact>(pair));
-  ++sum.pairs;
-  sum.edges_touch.add(touch);
-  for (std::size_t m = 0; m < ways; ++m) {
-    const bool in_floats = m % 2 == 1, says = in_floats ? float_gjk : gjk;
-    sum.compared[m].add(says, moller[m], in_floats ? floats_meet : meet);
-    if (touch && says && !moller[m]) ++sum.edges_touch_only_gjk[m];
+moller_1997::Finding<Exact> found_exactly(const Pair& pair) {
+  const auto t = triangles_of<Exact>(pair);
+  return moller_1997::find(t.a, t.b, Distances::as_computed);
+}
+
+Contact contact_of(const Pair& pair) {
+  if (share_a_vertex(triangles_of<double>(pair))) return Contact::common_vertex;
+  const auto finding = found_exactly(pair);
+  if (edges_touch(finding)) return Contact::edges;
+  return finding.how == moller_1997::How::beyond_a_plane ? Contact::beyond_plane : Contact::something_else;
+}
+
+// -- Both tests, in all ways ------------------------------------------------------------------------------------------
+
+template <class Rules, class S>
+gjk::Status ask_gjk(const Triangles<S>& t) {
+  const auto set = [](const Triangle<S>& corners) { return gjk::PointSet<S>({corners[0], corners[1], corners[2]}); };
+  return gjk::collision<S, Rules>(set(t.a), set(t.b)).status;
+}
+
+/// By Way: snapping is not GJK's.
+template <class Rules>
+std::array<gjk::Status, ways> ask_gjk(const Triangles<double>& t, const Triangles<float>& f) {
+  const gjk::Status in_double = ask_gjk<Rules>(t), in_float = ask_gjk<Rules>(f);
+  return {in_double, in_float, in_double, in_float};
+}
+
+/// By Way.
+std::array<bool, ways> ask_moller(const Triangles<double>& t, const Triangles<float>& f) {
+  return {moller_1997::meet(t.a, t.b, Distances::as_computed), moller_1997::meet(f.a, f.b, Distances::as_computed),
+          moller_1997::meet(t.a, t.b, Distances::small_ones_snapped),
+          moller_1997::meet(f.a, f.b, Distances::small_ones_snapped)};
+}
+
+/// `contact` is found once it is needed: exact arithmetic takes its time.
+void compare(gjk::Status gjk, bool moller, bool meet, const Pair& pair, std::optional<Contact>& contact,
+             Comparison& sum) {
+  const bool yes = gjk == gjk::Status::intersecting;
+  sum.undecided += gjk == gjk::Status::undecided ? 1 : 0;
+  if (yes == moller) {
+    ++(yes ? sum.both_yes : sum.both_no);
+    return;
   }
+  if (!contact) contact = contact_of(pair);
+  (yes ? sum.only_gjk : sum.only_moller)[static_cast<std::size_t>(*contact)].add(meet);
+}
+
+void ask_about(const Pair& pair, MollerCounts& sum) {
+  const Triangles<double> t = triangles_of<double>(pair);
+  const Triangles<float> f = triangles_of<float>(pair);
+  const bool meet = truth(pair) == Truth::intersecting, share = share_a_vertex(t);
+  const std::array gjk{ask_gjk<gjk::AsIntended>(t, f), ask_gjk<gjk::AsPrinted>(t, f)};
+  const std::array<bool, ways> moller = ask_moller(t, f);
+  std::optional<Contact> contact;
+  for (std::size_t w = 0; w < ways; ++w) {
+    for (std::size_t rules = 0; rules < gjk.size(); ++rules)
+      compare(gjk[rules][w], moller[w], meet, pair, contact, sum.compared[rules][w]);
+    if (share) sum.common_vertex_seen[w].add(moller[w]);
+  }
+  ++sum.pairs;
+  sum.meet += meet ? 1 : 0;
+  sum.edges_touch += nearly_touch(t) && edges_touch(found_exactly(pair)) ? 1 : 0;
+}
+
+// -- Kinds of triangles -----------------------------------------------------------------------------------------------
+
+/// Coordinates k/divisor for k = 0 … levels - 1, all alike.
+TriangleKind coarse(int levels, int divisor = 1) {
+  const std::string most = grouped(static_cast<std::uint64_t>(levels - 1));
+  std::string name = divisor == 1 ? "whole numbers 0 … " + most
+                                  : "k/" + grouped(static_cast<std::uint64_t>(divisor)) + " for k = 0 … " + most;
+  return {std::move(name), [=](std::uint64_t seed, std::uint64_t index) {
+            Dice dice(seed, "coarse-triangles", index);
+            return rounded_to_float(coarse_triangles(dice, levels, divisor));
+          }};
+}
+
+Rate sum_of(const std::array<Rate, contacts>& rates) {
+  return std::accumulate(rates.begin(), rates.end(), Rate{}, [](Rate sum, const Rate& r) { return sum += r; });
 }
 
 }  // namespace
 
-void Comparison::add(bool gjk, bool moller, bool truth) {
-  if (gjk == moller)
-    ++(gjk ? both_yes : both_no);
-  else if (gjk)
-    only_gjk.add(truth);
-  else
-    only_moller.add(truth);
+// -- Comparison -------------------------------------------------------------------------------------------------------
+
+Rate Comparison::all_only_gjk() const { return sum_of(only_gjk); }
+Rate Comparison::all_only_moller() const { return sum_of(only_moller); }
+
+Rate Comparison::agreement() const {
+  const std::uint64_t agree = both_yes + both_no;
+  return {agree, agree + all_only_gjk().trials + all_only_moller().trials};
+}
+
+Rate Comparison::gjk_right() const {
+  Rate rate = all_only_gjk();
+  return rate += all_only_moller().opposite();
 }
 
 Comparison& Comparison::operator+=(const Comparison& other) {
   both_yes += other.both_yes;
   both_no += other.both_no;
-  only_gjk += other.only_gjk;
-  only_moller += other.only_moller;
-  return *this;
-}
-
-MollerCounts& MollerCounts::operator+=(const MollerCounts& other) {
-  for (std::size_t g = 0; g < ways; ++g)
-    for (std::size_t m = 0; m < ways; ++m) compared[g][m] += other.compared[g][m];
-  meet += other.meet;
   undecided += other.undecided;
-  rounding_changes_truth += other.rounding_changes_truth;
-  disagreements.insert(disagreements.end(), other.disagreements.begin(), other.disagreements.end());
-  return *this;
-}
-
-MollerCounts measure_moller(const ClaimsOptions& options) {
-  const Family& triangles = family_named("triangles");
-  MollerCounts counts = over_pairs<MollerCounts>(
-      options.pairs, options.threads,
-      [&](MollerCounts& sum, std::uint64_t index) { ask_about(triangles.make(options.seed, index), index, sum); });
-  std::ranges::sort(counts.disagreements, {}, [](const Disagreement& d) { return std::pair(d.index, d.moller); });
-  return counts;
-}
-
-const std::vector<Coarseness>& coarsenesses() {
-  static const std::vector<Coarseness> all{{11, 1},   {31, 1},    {101, 1},     {131, 1},      {201, 1},
-                                           {1001, 1}, {101, 100}, {1001, 1000}, {32768, 32767}};
-  return all;
-}
-
-TouchCounts& TouchCounts::operator+=(const TouchCounts& other) {
-  pairs += other.pairs;
-  edges_touch += other.edges_touch;
-  for (std::size_t m = 0; m < ways; ++m) {
-    compared[m] += other.compared[m];
-    edges_touch_only_gjk[m] += other.edges_touch_only_gjk[m];
+  for (std::size_t i = 0; i < contacts; ++i) {
+    only_gjk[i] += other.only_gjk[i];
+    only_moller[i] += other.only_moller[i];
   }
   return *this;
 }
 
-TouchCounts measure_touches(const Coarseness& coarseness, const ClaimsOptions& options) {
-  return over_pairs<TouchCounts>(options.pairs, options.threads, [&](TouchCounts& sum, std::uint64_t index) {
-    Dice dice(options.seed, "coarse-triangles", index);
-    const Pair pair = coarse_triangles(dice, coarseness.levels, coarseness.divisor);
-    ask_about(pair, rounded_to_float(pair), sum);
+MollerCounts& MollerCounts::operator+=(const MollerCounts& other) {
+  pairs += other.pairs;
+  meet += other.meet;
+  edges_touch += other.edges_touch;
+  for (std::size_t w = 0; w < ways; ++w) {
+    for (std::size_t rules = 0; rules < compared.size(); ++rules) compared[rules][w] += other.compared[rules][w];
+    common_vertex_seen[w] += other.common_vertex_seen[w];
+  }
+  return *this;
+}
+
+const std::vector<TriangleKind>& triangle_kinds() {
+  static const std::vector<TriangleKind> all{
+      {"random triangles",
+       [&family = family_named("triangles")](std::uint64_t seed, std::uint64_t index) {
+         return rounded_to_float(family.make(seed, index));
+       }},
+      coarse(11),
+      coarse(31),
+      coarse(101),
+      coarse(201),
+      coarse(1001),
+      coarse(101, 100),
+      coarse(1001, 1000),
+      coarse(32768, 32767),
+  };
+  return all;
+}
+
+const TriangleKind& common_vertex_kind() {
+  static const TriangleKind kind{"a common vertex, whole numbers 0 … 100", [](std::uint64_t seed, std::uint64_t index) {
+                                   Dice dice(seed, "common-vertex", index);
+                                   return coarse_triangles_with_a_common_corner(dice, 101);
+                                 }};
+  return kind;
+}
+
+MollerCounts measure_moller(const TriangleKind& kind, const ClaimsOptions& options) {
+  return over_pairs<MollerCounts>(options.pairs, options.threads, [&](MollerCounts& sum, std::uint64_t index) {
+    ask_about(kind.make(options.seed, index), sum);
   });
 }
 

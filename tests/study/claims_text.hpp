@@ -12,9 +12,11 @@ namespace study {
 
 /// All that was counted, once.
 struct Counted {
-  std::vector<ShapeEffort> efforts;  ///< by claim_shapes()
-  MollerCounts moller;
-  std::vector<TouchCounts> touches;  ///< by coarsenesses()
+  ClaimsOptions options;
+  std::vector<ShapeEffort> efforts;     ///< by claim_shapes()
+  std::vector<Shortcuts> in_fractions;  ///< by whole_number_shapes()
+  std::vector<MollerCounts> moller;     ///< by triangle_kinds()
+  MollerCounts common_vertex;
   MistakeTable triangles, tetrahedra, grid;
 };
 
@@ -28,6 +30,9 @@ void row(std::ostream& out, const Cells& cells);
 void heading(std::ostream& out, const Cells& cells, std::size_t left);
 
 std::string decimals(double x, int digits);
+
+/// One line, with an empty one after it.
+void paragraph(std::ostream& out, const std::string& text);
 
 // -- Sections ---------------------------------------------------------------------------------------------------------
 
@@ -46,19 +51,10 @@ struct Skipped {
 };
 const std::vector<Skipped>& skipped_regions();
 
-/// Returns: how often the nearest feature was none of these.
+/// Returns: how often the nearest feature was none of these; flat simplices, of which it cannot be told, are left out.
 Rate not_nearest(const Shortcuts& shortcuts, const Skipped& skipped);
 
 ExtraChecks sum_of(const std::array<ExtraChecks, Shortcuts::iterations>& by_iteration);
-
-/// GJK in double, as intended, against all four ways of Möller's test.
-Comparison all_of(const std::array<Comparison, ways>& compared);
-
-std::string name_of(const Coarseness& coarseness);
-
-/// The coarse coordinates that are quoted: about as many values as give the report's two pairs in a million.
-inline constexpr Coarseness hundred{101, 1};
-const TouchCounts& touches_of(const Counted& counted, const Coarseness& coarseness);
 
 /// Returns: the probability that so many random pairs show nothing, where each fails with probability `p`.
 double passes(double p, double pairs);

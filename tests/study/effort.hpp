@@ -71,24 +71,29 @@ struct ExtraChecks {
 struct Shortcuts {
   static constexpr std::size_t iterations = 21;
 
-  std::array<std::array<std::uint64_t, 16>, 5> nearest{};           ///< by size of the simplex and Feature
+  std::array<std::array<std::uint64_t, 16>, 5>
+      nearest{};  ///< by size of the simplex and Feature; all of it where it contains the origin
   std::array<ExtraChecks, iterations> in_triangle, in_tetrahedron;  ///< by iteration: Algorithm 4, Algorithm 5
-  Rate kept_the_nearest;                                            ///< what Algorithm 5 keeps is the nearest feature
+  Rate kept_the_nearest;  ///< what Algorithm 5 keeps is the nearest feature, of those that are not flat
   std::size_t largest_simplex = 0;
 
   template <class E>
   void operator()(const E&) {}
 
-  void operator()(const gjk::VertexAdded<double>& event) {
-    simplex_ = event.simplex;
-    const auto size = static_cast<std::size_t>(event.simplex.size());
+  void operator()(const gjk::VertexAdded<double>& event) { look_at(event.simplex); }
+
+  void look_at(const gjk::Simplex<double>& simplex) {
+    simplex_ = simplex;
+    const auto size = static_cast<std::size_t>(simplex.size());
     largest_simplex = std::max(largest_simplex, size);
-    nearest_ = size >= 2 ? nearest_feature(event.simplex) : feature_of(gjk::Role::A);
-    if (size >= 2) ++nearest[size][nearest_];
+    nearest_ = size >= 2 ? nearest_feature(simplex) : feature_of(gjk::Role::A);
+    if (size < 2) return;
+    const bool is_inside = nearest_ != 0 && lies_on(simplex, nearest_);
+    ++nearest[size][is_inside ? (1U << size) - 1 : nearest_];
   }
 
   void operator()(const gjk::SimplexReduced<double>& event) {
-    if (event.before.size() < 4) return;
+    if (event.before.size() < 4 || nearest_ == 0) return;  // of a flat one it cannot be told
     Feature kept = 0;
     for (const char role : event.kept) kept |= 1U << (role - 'A');
     kept_the_nearest.add(kept == nearest_);

@@ -111,7 +111,8 @@ std::size_t vertex_alone_on_its_side(const std::array<S, 3>& d) {
 }
 
 /// Where the triangle's two edges meet the other's plane, as places on `axis`: the line L is replaced by its projection
-/// on the axis in which D is longest, which keeps the order of its points.
+/// on the axis in which D is longest, which keeps the order of its points. Ends are rounded, as in the implementation
+/// that the paper's author published: of a vertex in the plane, too, where it is not the one that the edges start from.
 ///
 /// Requires: as vertex_alone_on_its_side.
 template <class S>

@@ -158,5 +158,26 @@ TEST_CASE("Moeller 1997: of whole-number triangles that touch along edges roundi
   REQUIRE(gjk::collision<double>(first, second).status == gjk::Status::intersecting);
 }
 
+/// The common corner, (26, 18, 96), is at distance 0 from both planes, without rounding. One edge of A cuts B's plane
+/// there: its place, found from the edge's other end at y = 95, is 95 + (18 - 95)·d/(d - 0), which ought to be 18. But
+/// -77·-219,385 = 16,892,645 has more than 24 binary digits: in float the product is rounded, the quotient is not -77,
+/// and A's interval begins at 18 + 2^-17, while B's is the corner alone. A snap of distances comes before that and
+/// changes nothing; in double, with 53 digits, the product is exact.
+TEST_CASE("Moeller 1997: in float a product of whole numbers is rounded and a common corner is missed", "[moller]") {
+  const Points a{{26, 18, 96}, {92, 95, 29}, {15, 98, 72}}, b{{26, 18, 96}, {57, 93, 28}, {84, 15, 18}};
+  for (const auto treatment : {Distances::as_computed, Distances::small_ones_snapped}) {
+    const auto in_float = found<float>(a, b, treatment);
+    REQUIRE(in_float.first_distances == std::array<float, 3>{0, -219385, 51146});
+    REQUIRE(in_float.second_distances[0] == 0);
+    REQUIRE(in_float.second.least == 18);
+    REQUIRE(in_float.second.most == 18);
+    REQUIRE(in_float.first.least == 18 + 0x1p-17F);
+    REQUIRE_FALSE(in_float.meet);
+    REQUIRE(found<double>(a, b, treatment).first.least == 18);
+    REQUIRE(found<double>(a, b, treatment).meet);
+  }
+  REQUIRE(truth({a, b}) == Truth::intersecting);
+}
+
 }  // namespace
 }  // namespace study::moller_1997

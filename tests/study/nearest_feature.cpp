@@ -159,6 +159,20 @@ Feature nearest_feature(const gjk::Simplex<double>& simplex) {
   return lies_inside(sides) ? 15 : 0;
 }
 
+bool lies_on(const gjk::Simplex<double>& simplex, Feature feature) {
+  const Sides sides(simplex);
+  const std::size_t O = sides.size();
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < O; ++i)
+    if (feature >> i & 1U) corners.push_back(i);
+  switch (corners.size()) {
+    case 1: return sides.along(corners[0], O) == 0;                          // |AO|²
+    case 2: return sides.beside(corners[0], corners[1], O) == 0;             // |AO'|², ' across the edge
+    case 3: return sides.above(corners[0], corners[1], corners[2], O) == 0;  // in the plane
+    default: return true;
+  }
+}
+
 bool lies_toward(const gjk::Simplex<double>& simplex, gjk::Role X, gjk::Role Y) {
   return Sides(simplex).along(static_cast<std::size_t>(X), static_cast<std::size_t>(Y)) > 0;
 }

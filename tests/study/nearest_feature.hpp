@@ -23,6 +23,11 @@ std::string letters(Feature feature);
 /// contains the origin; 0 where the simplex is flat and none can be told.
 Feature nearest_feature(const gjk::Simplex<double>& simplex);
 
+/// Returns: whether the origin is a point of the feature, not only nearest to it.
+///
+/// Requires: `feature` is what nearest_feature() found, and not 0.
+bool lies_on(const gjk::Simplex<double>& simplex, Feature feature);
+
 /// Returns: whether XY·XO > 0, in which the report sees the origin on Y's side of X (Section 3.2.3).
 bool lies_toward(const gjk::Simplex<double>& simplex, gjk::Role X, gjk::Role Y);
 

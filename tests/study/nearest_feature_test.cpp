@@ -73,5 +73,21 @@ TEST_CASE("Of a flat simplex no nearest feature is told where only its inside co
   REQUIRE(letters(nearest_feature(simplex_of({{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}))) == "C");
 }
 
+TEST_CASE("The origin lies on a feature or beyond it and rounding does not blur the two", "[effort]") {
+  const double tiny = 0x1p-600;
+  const auto on = [](const std::vector<gjk::Vec3<double>>& oldest_first) {
+    const auto simplex = simplex_of(oldest_first);
+    return letters(nearest_feature(simplex)) + (lies_on(simplex, nearest_feature(simplex)) ? " on" : " beyond");
+  };
+  REQUIRE(on({{1, 0, 0}, {0, 0, 0}}) == "A on");
+  REQUIRE(on({{1, 0, 0}, {tiny, 0, 0}}) == "A beyond");
+  REQUIRE(on({{1, 0, 0}, {-1, 0, 0}}) == "AB on");
+  REQUIRE(on({{1, tiny, 0}, {-1, tiny, 0}}) == "AB beyond");
+  REQUIRE(on({{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}) == "ABC on");
+  REQUIRE(on({{1, 0, tiny}, {-1, 1, tiny}, {-1, -1, tiny}}) == "ABC beyond");
+  REQUIRE(on({{0, 0, 2}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}) == "ABC on");
+  REQUIRE(on({{0, 0, 2}, {1, 0, -1}, {-1, 1, -1}, {-1, -1, -1}}) == "ABCD on");
+}
+
 }  // namespace
 }  // namespace study

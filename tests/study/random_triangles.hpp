@@ -28,4 +28,16 @@ inline Pair coarse_triangles(Dice& dice, int levels, int divisor) {
   return {std::move(a), coarse_triangle(dice, levels, divisor)};
 }
 
+/// A corner of one is a corner of the other, too. Whole numbers.
+inline Pair coarse_triangles_with_a_common_corner(Dice& dice, int levels) {
+  const Points a = coarse_triangle(dice, levels, 1);
+  const auto any = [&dice] { return static_cast<std::size_t>(dice.whole(0, 2)); };
+  Points b;
+  do {
+    b = coarse_triangle(dice, levels, 1);
+    b[any()] = a[any()];
+  } while (is_flat(b));
+  return {a, b};
+}
+
 }  // namespace study
