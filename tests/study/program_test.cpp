@@ -16,7 +16,8 @@ TEST_CASE("study: a run says its seed and leaves tables", "[program]") {
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(has(outcome.err, "seed 5, 2 families, 8 methods"));
-  for (const char* const name : {"study.json", "study.csv", "timings.csv", "tables.md", "settings.md", "timings.md"}) {
+  for (const char* const name :
+       {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md"}) {
     CHECK(has(outcome.out, name));
     CHECK(std::filesystem::file_size(folder.path() / "one" / name) > 100);
   }
@@ -30,7 +31,7 @@ TEST_CASE("study: shards merged leave the files of one run byte for byte", "[pro
   CHECK(run("merge " + in(folder, "s/shard-1-of-2.json") + " " + in(folder, "s/shard-0-of-2.json") + " --out " +
             in(folder, "both"))
             .exit_code == 0);
-  for (const char* const name : {"study.csv", "tables.md", "settings.md"})
+  for (const char* const name : {"study.csv", "tables.md", "errors.md", "settings.md"})
     CHECK(bytes_of(folder.path() / "one" / name) == bytes_of(folder.path() / "both" / name));
 }
 

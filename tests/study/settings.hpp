@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/rate.hpp"
 #include "tests/study/study.hpp"
 
 namespace study {
@@ -48,9 +47,5 @@ class Settings {
   std::vector<std::string> rules_, scalars_, zero_tests_;
   Setting usual_;
 };
-
-inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs}; }
-inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs}; }
-inline Rate failure_rate(const Counts& counts) { return {counts.wrong() + counts.undecided, counts.pairs}; }
 
 }  // namespace study

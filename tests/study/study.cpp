@@ -37,9 +37,30 @@ Json json_of(const Timings& timings) {
   return json;
 }
 
-Json json_of(const Row& row) {
-  return {{"family", row.family},       {"rules", row.rules},          {"scalar", row.scalar},
-          {"zero_test", row.zero_test}, {"tally", json_of(row.tally)}, {"timings", json_of(row.timings)}};
+/// Returns: null where there were no trials.
+Json json_of(const Rate& rate) {
+  if (rate.trials == 0) return nullptr;
+  const Interval interval = rate.interval();
+  return {{"rate", rate.share()}, {"low", interval.low}, {"high", interval.high}};
+}
+
+/// What readers would work out of the tally, by iteration limit. Not read again: it says nothing that the tally does not.
+Json rates_of(const Row& row, const std::vector<int>& limits) {
+  Json json;
+  for (const int limit : limits) {
+    const Counts counts = counts_at(row.tally, limit);
+    json[std::to_string(limit)] = {{"hit", json_of(hit_rate(counts))},
+                                   {"false_positive", json_of(false_positive_rate(counts))},
+                                   {"false_negative", json_of(false_negative_rate(counts))},
+                                   {"undecided", json_of(undecided_rate(counts))}};
+  }
+  return json;
+}
+
+Json json_of(const Row& row, const std::vector<int>& limits) {
+  return {{"family", row.family},           {"rules", row.rules},          {"scalar", row.scalar},
+          {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(row, limits)},
+          {"timings", json_of(row.timings)}};
 }
 
 Json json_of(const FamilyNote& family) {
@@ -192,7 +213,7 @@ std::string to_json(const Study& study) {
   json["families"] = Json::array();
   for (const FamilyNote& family : study.families) json["families"].push_back(json_of(family));
   std::string rows;
-  for (const Row& row : study.rows) rows += (rows.empty() ? "\n" : ",\n") + json_of(row).dump();
+  for (const Row& row : study.rows) rows += (rows.empty() ? "\n" : ",\n") + json_of(row, header.limits).dump();
   std::string text = json.dump();
   text.pop_back();
   return text + ",\"rows\":[" + rows + "\n]}\n";  // one line for each, so that a reader and diff can find them

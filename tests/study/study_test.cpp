@@ -60,6 +60,7 @@ TEST_CASE("Shards merged in any order give the tables of one run", "[study]") {
   const Study sum = merged(std::move(shards));
   CHECK(counts_csv(Settings(sum)) == counts_csv(Settings(one)));
   CHECK(counts_markdown(Settings(sum)) == counts_markdown(Settings(one)));
+  CHECK(errors_markdown(Settings(sum)) == errors_markdown(Settings(one)));
   CHECK(settings_markdown(Settings(sum)) == settings_markdown(Settings(one)));
   for (std::size_t row = 0; row < one.rows.size(); ++row) CHECK(sum.rows[row].tally == one.rows[row].tally);
 }

@@ -28,26 +28,26 @@ class Line {
     text_ << field;
     return *this;
   }
-  /// A count of some trials and the interval of its rate; where there were no trials there is none.
+  /// A count of some trials, its rate and the interval of that; where there were no trials there are none.
   Line& operator<<(const Rate& rate) {
     *this << rate.count;
-    if (rate.trials == 0)
-      return *this << ""
-                   << "";
+    if (rate.trials == 0) return nothing(3);
     const Interval interval = rate.interval();
-    return *this << digits(interval.low) << digits(interval.high);
+    return *this << digits(rate.share()) << digits(interval.low) << digits(interval.high);
   }
   Line& operator<<(const Histogram& iterations) {
-    if (total(iterations) == 0)
-      return *this << ""
-                   << ""
-                   << "";
+    if (total(iterations) == 0) return nothing(3);
     const Spread spread = spread_of(iterations);
     return *this << digits(spread.mean) << spread.p99 << spread.max;
   }
   std::string end() const { return text_.str() + '\n'; }
 
  private:
+  Line& nothing(int fields) {
+    for (int i = 0; i < fields; ++i) *this << "";
+    return *this;
+  }
+
   std::ostringstream text_;
   bool is_first_ = true;
 };
@@ -55,10 +55,10 @@ class Line {
 std::string line(const Row& row, int limit) {
   const Counts c = counts_at(row.tally, limit);
   Line fields;
-  fields << row.family << row.rules << row.scalar << row.zero_test << limit << c.pairs << Rate{c.hits, c.pairs}
-         << Rate{c.false_positives, c.misses()} << Rate{c.false_negatives, c.hits} << undecided_rate(c) << c.cycles
-         << c.unusable << c.hit_iterations << c.miss_iterations << c.support_calls << row.tally.out_of_range
-         << row.tally.not_askable << row.tally.truth_changed << row.tally.exceptions;
+  fields << row.family << row.rules << row.scalar << row.zero_test << limit << c.pairs << hit_rate(c)
+         << false_positive_rate(c) << false_negative_rate(c) << undecided_rate(c) << c.cycles << c.unusable
+         << c.hit_iterations << c.miss_iterations << c.support_calls << row.tally.out_of_range << row.tally.not_askable
+         << row.tally.truth_changed << row.tally.exceptions;
   return fields.end();
 }
 
@@ -67,9 +67,10 @@ std::string line(const Row& row, int limit) {
 std::string counts_csv(const Settings& settings) {
   std::string text = head(settings.study().header);
   text +=
-      "family,rules,scalar,zero_test,limit,pairs,hits,hit_rate_low,hit_rate_high,false_positives,"
-      "false_positive_rate_low,false_positive_rate_high,false_negatives,false_negative_rate_low,"
-      "false_negative_rate_high,undecided,undecided_rate_low,undecided_rate_high,cycles,unusable_directions,"
+      "family,rules,scalar,zero_test,limit,pairs,hits,hit_rate,hit_rate_low,hit_rate_high,"
+      "false_positives,false_positive_rate,false_positive_rate_low,false_positive_rate_high,"
+      "false_negatives,false_negative_rate,false_negative_rate_low,false_negative_rate_high,"
+      "undecided,undecided_rate,undecided_rate_low,undecided_rate_high,cycles,unusable_directions,"
       "hit_iterations_mean,hit_iterations_p99,hit_iterations_max,miss_iterations_mean,miss_iterations_p99,"
       "miss_iterations_max,support_calls,out_of_range,not_askable,truth_changed_by_rounding,exceptions\n";
   for (const Row& row : settings.study().rows)

@@ -8,6 +8,8 @@ namespace study {
 namespace {
 
 using Names = std::vector<std::string>;
+constexpr const char* no_pairs = "no pairs";
+
 using CellOf = std::function<std::string(const FamilyNote& family)>;
 
 struct Column {
@@ -42,8 +44,8 @@ std::string table(const Settings& settings, const std::vector<Column>& columns) 
   return text;
 }
 
-/// Whether a cell says that nothing was seen, or nothing at all.
-bool is_nothing(const std::string& cell) { return cell.empty() || cell.starts_with("0 ("); }
+/// Whether a cell says that nothing was seen or could be seen, or nothing at all.
+bool is_nothing(const std::string& cell) { return cell.empty() || cell == no_pairs || cell.starts_with("0 ("); }
 
 /// As table(); families in which nothing was seen in any column are named below it.
 std::string rate_table(const Settings& settings, const std::vector<Column>& columns) {
@@ -108,10 +110,7 @@ std::string families_table(const Settings& settings) {
                {{"what", [](const FamilyNote& family) { return family.what; }},
                 {"pairs", [](const FamilyNote& family) { return std::to_string(family.pairs); }},
                 {"of these exact", [](const FamilyNote& family) { return std::to_string(family.slow_pairs); }},
-                column(settings, "hits", usual,
-                       [](const Counts& c) {
-                         return in_short(Rate{c.hits, c.pairs}.share());
-                       }),
+                column(settings, "hits", usual, [](const Counts& c) { return in_short(hit_rate(c).share()); }),
                 {"changed by float", rounding(&Tally::truth_changed)},
                 {"beyond float's range", rounding(&Tally::out_of_range)}});
 }
@@ -126,6 +125,19 @@ std::string varied_table(const Settings& settings, std::string Setting::*varied,
     columns.push_back(column(settings, name, setting, words));
   }
   return rate_table(settings, columns);
+}
+
+/// The two ways to be wrong, each of the pairs with which it can happen, and to be undecided.
+std::string errors_table(const Settings& settings, const std::string& scalar) {
+  Setting setting = settings.usual();
+  setting.scalar = scalar;
+  const auto rates = [&](std::string heading, Rate (*rate)(const Counts&)) {
+    return column(settings, std::move(heading), setting,
+                  [rate](const Counts& counts) { return in_words(rate(counts)); });
+  };
+  return rate_table(settings, {rates("false positives, of pairs apart", false_positive_rate),
+                               rates("false negatives, of pairs that meet", false_negative_rate),
+                               rates("undecided, of all pairs", undecided_rate)});
 }
 
 std::string scalars_table(const Settings& settings, const std::function<std::string(const Counts&)>& words) {
@@ -174,7 +186,8 @@ std::string head(const Settings& settings, const std::string& title) {
 }
 
 std::string how_to_read(const Settings& settings) {
-  return "Rates are shares of the pairs asked, with the ends of their 95 % score intervals (Wilson 1927); where "
+  return "Rates are shares of the pairs asked where a table names no others, with the ends of their 95 % score "
+         "intervals (Wilson 1927); where "
          "nothing "
          "was seen, only the upper end. Unless a table says otherwise: " +
          described(settings.usual()) + ". Every combination is in study.csv.\n\n";
@@ -223,6 +236,7 @@ std::string in_short(double value) {
 }
 
 std::string in_words(const Rate& rate) {
+  if (rate.trials == 0) return no_pairs;
   const Interval interval = rate.interval();
   if (rate.count == 0) return "0 (< " + in_short(interval.high) + ")";
   return in_short(rate.share()) + " (" + in_short(interval.low) + " – " + in_short(interval.high) + ")";
@@ -237,6 +251,16 @@ std::string counts_markdown(const Settings& settings) {
          "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it "
          "took.\n\n" +
          iterations_table(settings);
+}
+
+std::string errors_markdown(const Settings& settings) {
+  std::string text = head(settings, "Errors of either kind") + how_to_read(settings) +
+                     "A false positive can only happen to a pair that is apart, a false negative only to one that "
+                     "meets: each is told as a share of these. A family without such pairs says so.\n";
+  for (const std::string scalar : {"double", "float"})
+    if (std::ranges::find(settings.scalars(), scalar) != settings.scalars().end())
+      text += "\n## In " + scalar + "\n\n" + errors_table(settings, scalar);
+  return text;
 }
 
 std::string settings_markdown(const Settings& settings) {

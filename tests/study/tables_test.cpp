@@ -70,6 +70,38 @@ TEST_CASE("Families in which nothing was seen are named below the table", "[tabl
   CHECK(text.find("Nothing was seen in: triangles, spheres.") != std::string::npos);
 }
 
+/// Ten pairs of one family: 6 apart, of which 3 are found together, and 4 that meet, of which 1 is undecided.
+Study counted_by_hand() {
+  Study study;
+  study.header.limits = {20};
+  study.families.push_back({"family", "made up", 10, 0});
+  Tally tally;
+  for (int i = 0; i < 6; ++i) tally.count(Truth::separated, {i < 3 ? Answer::intersecting : Answer::separated, 2});
+  for (int i = 0; i < 4; ++i) tally.count(Truth::intersecting, {i < 1 ? Answer::unusable : Answer::intersecting, 2});
+  study.rows.push_back({"family", "as-intended", "double", "exact", tally, {}});
+  return study;
+}
+
+TEST_CASE("Errors of either kind are told of the pairs with which they can happen", "[tables]") {
+  Study study = counted_by_hand();
+  CHECK(errors_markdown(Settings(study)).find("| family | 0.5 (0.19 – 0.81) | 0 (< 0.49) | 0.1 (0.018 – 0.4) |") !=
+        std::string::npos);
+  study.rows.front().tally.queries[0] = {};  // leaves no pair that is apart
+  CHECK(errors_markdown(Settings(study)).find("| family | no pairs | 0 (< 0.49) | 0.25 (") != std::string::npos);
+}
+
+TEST_CASE("CSV and JSON tell each rate with its interval", "[tables]") {
+  const Study study = counted_by_hand();
+  const std::string csv = counts_csv(Settings(study)), json = to_json(study);
+  INFO(csv << json);
+  for (const char* const part : {",10,4,0.4,0.168", ",3,0.5,0.187", ",0,0,0,0.489", ",1,0.1,0.0178"})
+    CHECK(csv.find(part) != std::string::npos);
+  for (const char* const part :
+       {R"("hit":{"rate":0.4,"low":0.168)", R"("false_positive":{"rate":0.5,"low":0.187)",
+        R"("false_negative":{"rate":0.0,"low":0.0,"high":0.489)", R"("undecided":{"rate":0.1,"low":0.0178)"})
+    CHECK(json.find(part) != std::string::npos);
+}
+
 TEST_CASE("A study of few settings has tables of these", "[tables]") {
   Request request = two_families();
   request.scalars = {"float"};

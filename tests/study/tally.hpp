@@ -9,6 +9,7 @@
 
 #include "tests/study/method.hpp"
 #include "tests/study/pair.hpp"
+#include "tests/study/rate.hpp"
 
 namespace study {
 
@@ -53,6 +54,14 @@ struct Counts {
 Counts counts_at(const Tally& tally, int limit);
 
 Counts& operator+=(Counts& sum, const Counts& more);
+
+// Rates, each of the pairs with which it can happen.
+inline Rate hit_rate(const Counts& counts) { return {counts.hits, counts.pairs}; }
+inline Rate false_positive_rate(const Counts& counts) { return {counts.false_positives, counts.misses()}; }
+inline Rate false_negative_rate(const Counts& counts) { return {counts.false_negatives, counts.hits}; }
+inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs}; }
+inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs}; }
+inline Rate failure_rate(const Counts& counts) { return {counts.wrong() + counts.undecided, counts.pairs}; }
 
 /// Mean, 99 % and largest of a histogram. `p99`: the least k such that at least 99 % took k or fewer.
 struct Spread {

@@ -53,6 +53,20 @@ TEST_CASE("A tally tells wrong answers of either kind apart from undecided ones"
   REQUIRE(counts_at(tally, 10).false_negatives == 2);
 }
 
+TEST_CASE("Each rate is a share of the pairs with which it can happen", "[tally]") {
+  Counts counts;
+  counts.pairs = 10;
+  counts.hits = 4;
+  counts.false_positives = 3;
+  counts.false_negatives = 2;
+  counts.undecided = 1;
+  CHECK(false_positive_rate(counts).share() == 3.0 / 6);
+  CHECK(false_negative_rate(counts).share() == 2.0 / 4);
+  CHECK(undecided_rate(counts).share() == 1.0 / 10);
+  CHECK(wrong_rate(counts).share() == 5.0 / 10);
+  CHECK(failure_rate(counts).share() == 6.0 / 10);
+}
+
 TEST_CASE("Tallies add up", "[tally]") {
   Tally one, other, both;
   one.count(Truth::separated, {Answer::intersecting, 3});
