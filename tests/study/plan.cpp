@@ -188,7 +188,7 @@ Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows) 
   study.shard = plan.shard;
   study.processors = {processor()};
   for (const Part& part : plan.parts)
-    study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs});
+    study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs, part.family->size});
   study.rows = std::move(rows);
   return study;
 }

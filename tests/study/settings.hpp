@@ -37,6 +37,9 @@ class Settings {
   /// Returns: null where this was not asked.
   const Row* find(const std::string& family, const Setting& setting) const;
 
+  /// Returns: the note on the family of that name, which the study has.
+  const FamilyNote& family(const std::string& name) const;
+
   /// Returns: empty where this was not asked, or of no pair.
   std::optional<Counts> counts(const std::string& family, const Setting& setting) const;
 

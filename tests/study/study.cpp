@@ -6,12 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/study/rate.hpp"
+
 namespace study {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;  // of the file; another one where a reader would misunderstand this one
+constexpr int format = 2;  // of the file; another one where a reader would misunderstand this one
 constexpr const char* answer_names[answers] = {"intersecting", "separated", "unusable", "at_limit"};
 constexpr const char* truth_names[2] = {"truly_separated", "truly_intersecting"};
 
@@ -37,18 +39,19 @@ Json json_of(const Timings& timings) {
   return json;
 }
 
-/// Returns: null where there were no trials.
+/// Returns: null where there were no trials; of a census, which has no interval, the rate alone.
 Json json_of(const Rate& rate) {
   if (rate.trials == 0) return nullptr;
-  const Interval interval = rate.interval();
-  return {{"rate", rate.share()}, {"low", interval.low}, {"high", interval.high}};
+  Json json{{"rate", rate.share()}};
+  if (rate.has_interval()) json.update({{"low", rate.interval().low}, {"high", rate.interval().high}});
+  return json;
 }
 
 /// What readers would work out of the tally, by iteration limit. Not read again: it says nothing that the tally does not.
-Json rates_of(const Row& row, const std::vector<int>& limits) {
+Json rates_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
   Json json;
   for (const int limit : limits) {
-    const Counts counts = counts_at(row.tally, limit);
+    const Counts counts = counts_at(family, row, limit);
     json[std::to_string(limit)] = {{"hit", json_of(hit_rate(counts))},
                                    {"false_positive", json_of(false_positive_rate(counts))},
                                    {"false_negative", json_of(false_negative_rate(counts))},
@@ -57,14 +60,18 @@ Json rates_of(const Row& row, const std::vector<int>& limits) {
   return json;
 }
 
-Json json_of(const Row& row, const std::vector<int>& limits) {
+Json json_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
   return {{"family", row.family},           {"rules", row.rules},          {"scalar", row.scalar},
-          {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(row, limits)},
+          {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(family, row, limits)},
           {"timings", json_of(row.timings)}};
 }
 
 Json json_of(const FamilyNote& family) {
-  return {{"name", family.name}, {"what", family.what}, {"pairs", family.pairs}, {"slow_pairs", family.slow_pairs}};
+  return {{"name", family.name},
+          {"what", family.what},
+          {"pairs", family.pairs},
+          {"slow_pairs", family.slow_pairs},
+          {"size", family.size ? Json(*family.size) : Json(nullptr)}};
 }
 
 // -- In ---------------------------------------------------------------------------------------------------------------
@@ -118,6 +125,13 @@ Row row_of(const Json& json, const std::vector<int>& limits) {
           words_of(json.at("zero_test")), tally_of(json.at("tally")), timings_of(json.at("timings"), limits)};
 }
 
+FamilyNote family_of(const Json& json) {
+  FamilyNote family{words_of(json.at("name")), words_of(json.at("what")), whole(json.at("pairs")),
+                    whole(json.at("slow_pairs"))};
+  if (const Json& size = json.at("size"); !size.is_null()) family.size = whole(size);
+  return family;
+}
+
 Header header_of(const Json& json) {
   Header header{words_of(json.at("command")), words_of(json.at("version")), words_of(json.at("compiler")),
                 whole(json.at("seed")), json.at("limits").get<std::vector<int>>()};
@@ -149,9 +163,7 @@ Study study_of(const Json& json) {
   study.shard = {whole(json.at("shard").at("index")), whole(json.at("shard").at("count"))};
   if (study.shard.index >= study.shard.count) throw std::out_of_range("there is no such shard");
   for (const Json& each : json.at("processors")) study.processors.push_back(words_of(each));
-  for (const Json& each : json.at("families"))
-    study.families.push_back(
-        {words_of(each.at("name")), words_of(each.at("what")), whole(each.at("pairs")), whole(each.at("slow_pairs"))});
+  for (const Json& each : json.at("families")) study.families.push_back(family_of(each));
   for (const Json& each : json.at("rows")) study.rows.push_back(row_of(each, study.header.limits));
   expect_each_row_once(study);
   return study;
@@ -199,6 +211,12 @@ void expect_each_once(const std::vector<NamedStudy>& sorted) {
 
 }  // namespace
 
+Counts counts_at(const FamilyNote& family, const Row& row, int limit) {
+  Counts counts = counts_at(row.tally, limit);
+  if (family.size == row.tally.pairs()) counts.extent = Extent::census;
+  return counts;
+}
+
 std::string to_json(const Study& study) {
   const Header& header = study.header;
   Json json;
@@ -213,7 +231,10 @@ std::string to_json(const Study& study) {
   json["families"] = Json::array();
   for (const FamilyNote& family : study.families) json["families"].push_back(json_of(family));
   std::string rows;
-  for (const Row& row : study.rows) rows += (rows.empty() ? "\n" : ",\n") + json_of(row, header.limits).dump();
+  for (std::size_t r = 0; r < study.rows.size(); ++r) {
+    const FamilyNote& family = study.families[r * study.families.size() / study.rows.size()];
+    rows += (r == 0 ? "\n" : ",\n") + json_of(family, study.rows[r], header.limits).dump();
+  }
   std::string text = json.dump();
   text.pop_back();
   return text + ",\"rows\":[" + rows + "\n]}\n";  // one line for each, so that a reader and diff can find them

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ struct Header {
 struct FamilyNote {
   std::string name, what;
   std::uint64_t pairs = 0, slow_pairs = 0;  ///< of the whole study
+  std::optional<std::uint64_t> size = {};   ///< how many there are, where all can be listed
   bool operator==(const FamilyNote&) const = default;
 };
 
@@ -35,6 +37,9 @@ struct Study {
   std::vector<FamilyNote> families;
   std::vector<Row> rows;  ///< as in Findings
 };
+
+/// Returns: the row's counts, which are a census where it went through all pairs of a list.
+Counts counts_at(const FamilyNote& family, const Row& row, int limit);
 
 /// Files that do not go together, or are none of the study's; what() is a sentence that says which and why.
 struct StudyError : std::runtime_error {

@@ -130,8 +130,8 @@ TEST_CASE("Files that are none of the study's are refused with their name", "[st
   CHECK_THAT(refusal(good.substr(0, good.size() / 2)), Contains("a.json is not JSON, or is cut off"));
   CHECK_THAT(refusal("[]"), Contains("not a file of gjkstep-study"));
   CHECK_THAT(refusal(R"({"gjkstep_study":99})"), Contains("format 99"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":1})"), Contains("damaged"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":1,"header":[]})"), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":2})"), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":2,"header":[]})"), Contains("damaged"));
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ std::string processors_of(const Study& study);
 /// Returns: "0.0031", "3.1e-5", "0".
 std::string in_short(double value);
 
-/// Returns: "0 (< 3.7e-6)", "0.0031 (0.0029 – 0.0033)", with the ends of the 95 % interval; "no pairs" of no trials.
+/// Returns: "0 (< 3.7e-6)", "0.0031 (0.0029 – 0.0033)", with the ends of the 95 % interval; "0.0031 of all"
+/// where it is a census; "no pairs" of no trials.
 std::string in_words(const Rate& rate);
 
 }  // namespace study

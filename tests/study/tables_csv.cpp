@@ -28,12 +28,15 @@ class Line {
     text_ << field;
     return *this;
   }
-  /// A count of some trials, its rate and the interval of that; where there were no trials there are none.
+  /// A count of some trials, its rate and the interval of that; where there were no trials there are none, and of a
+  /// census no interval.
   Line& operator<<(const Rate& rate) {
     *this << rate.count;
     if (rate.trials == 0) return nothing(3);
+    *this << digits(rate.share());
+    if (!rate.has_interval()) return nothing(2);
     const Interval interval = rate.interval();
-    return *this << digits(rate.share()) << digits(interval.low) << digits(interval.high);
+    return *this << digits(interval.low) << digits(interval.high);
   }
   Line& operator<<(const Histogram& iterations) {
     if (total(iterations) == 0) return nothing(3);
@@ -52,8 +55,8 @@ class Line {
   bool is_first_ = true;
 };
 
-std::string line(const Row& row, int limit) {
-  const Counts c = counts_at(row.tally, limit);
+std::string line(const Settings& settings, const Row& row, int limit) {
+  const Counts c = counts_at(settings.family(row.family), row, limit);
   Line fields;
   fields << row.family << row.rules << row.scalar << row.zero_test << limit << c.pairs << hit_rate(c)
          << false_positive_rate(c) << false_negative_rate(c) << undecided_rate(c) << c.cycles << c.unusable
@@ -74,7 +77,7 @@ std::string counts_csv(const Settings& settings) {
       "hit_iterations_mean,hit_iterations_p99,hit_iterations_max,miss_iterations_mean,miss_iterations_p99,"
       "miss_iterations_max,support_calls,out_of_range,not_askable,truth_changed_by_rounding,exceptions\n";
   for (const Row& row : settings.study().rows)
-    for (const int limit : settings.limits()) text += line(row, limit);
+    for (const int limit : settings.limits()) text += line(settings, row, limit);
   return text;
 }
 

@@ -45,7 +45,7 @@ std::string table(const Settings& settings, const std::vector<Column>& columns) 
 }
 
 /// Whether a cell says that nothing was seen or could be seen, or nothing at all.
-bool is_nothing(const std::string& cell) { return cell.empty() || cell == no_pairs || cell.starts_with("0 ("); }
+bool is_nothing(const std::string& cell) { return cell.empty() || cell == no_pairs || cell.starts_with("0 "); }
 
 /// As table(); families in which nothing was seen in any column are named below it.
 std::string rate_table(const Settings& settings, const std::vector<Column>& columns) {
@@ -108,7 +108,10 @@ std::string families_table(const Settings& settings) {
          "writing it in float changed the truth is told beside it.\n\n" +
          table(settings,
                {{"what", [](const FamilyNote& family) { return family.what; }},
-                {"pairs", [](const FamilyNote& family) { return std::to_string(family.pairs); }},
+                {"pairs",
+                 [](const FamilyNote& family) {
+                   return std::to_string(family.pairs) + (family.pairs == family.size ? ", all" : "");
+                 }},
                 {"of these exact", [](const FamilyNote& family) { return std::to_string(family.slow_pairs); }},
                 column(settings, "hits", usual, [](const Counts& c) { return in_short(hit_rate(c).share()); }),
                 {"changed by float", rounding(&Tally::truth_changed)},
@@ -188,8 +191,8 @@ std::string head(const Settings& settings, const std::string& title) {
 std::string how_to_read(const Settings& settings) {
   return "Rates are shares of the pairs asked where a table names no others, with the ends of their 95 % score "
          "intervals (Wilson 1927); where "
-         "nothing "
-         "was seen, only the upper end. Unless a table says otherwise: " +
+         "nothing was seen, only the upper end. Families that were listed to the last pair are a census, \"of all\", "
+         "and have none. Unless a table says otherwise: " +
          described(settings.usual()) + ". Every combination is in study.csv.\n\n";
 }
 
@@ -237,6 +240,7 @@ std::string in_short(double value) {
 
 std::string in_words(const Rate& rate) {
   if (rate.trials == 0) return no_pairs;
+  if (!rate.has_interval()) return in_short(rate.share()) + " of all";
   const Interval interval = rate.interval();
   if (rate.count == 0) return "0 (< " + in_short(interval.high) + ")";
   return in_short(rate.share()) + " (" + in_short(interval.low) + " – " + in_short(interval.high) + ")";

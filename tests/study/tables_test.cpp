@@ -32,6 +32,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 TEST_CASE("Rates are told with their interval and where nothing was seen with its upper end", "[tables]") {
   CHECK(in_words({0, 1000000}) == "0 (< 3.8e-6)");
   CHECK(in_words({5, 10}) == "0.5 (0.24 – 0.76)");
+  CHECK(in_words({1, 2, Extent::census}) == "0.5 of all");
+  CHECK(in_words({0, 2, Extent::census}) == "0 of all");
+  CHECK(in_words({0, 0, Extent::census}) == "no pairs");
   CHECK(in_short(3.14e-5) == "3.1e-5");
   CHECK(in_short(0.0031) == "0.0031");
   CHECK(in_short(2e-12) == "2e-12");
@@ -100,6 +103,34 @@ TEST_CASE("CSV and JSON tell each rate with its interval", "[tables]") {
        {R"("hit":{"rate":0.4,"low":0.168)", R"("false_positive":{"rate":0.5,"low":0.187)",
         R"("false_negative":{"rate":0.0,"low":0.0,"high":0.489)", R"("undecided":{"rate":0.1,"low":0.0178)"})
     CHECK(json.find(part) != std::string::npos);
+}
+
+TEST_CASE("A family asked to its last pair has rates without intervals", "[tables]") {
+  Study study = counted_by_hand();
+  study.families.front().size = 10;
+  CHECK(errors_markdown(Settings(study)).find("| family | 0.5 of all | 0 of all | 0.1 of all |") != std::string::npos);
+  CHECK(counts_csv(Settings(study)).find(",10,4,0.4,,,3,0.5,,,0,0,,,1,0.1,,,") != std::string::npos);
+  CHECK(to_json(study).find(R"("hit":{"rate":0.4},"false_positive":{"rate":0.5})") != std::string::npos);
+  study.families.front().size = 11;  // one was not asked
+  CHECK(errors_markdown(Settings(study)).find("of all |") == std::string::npos);
+}
+
+TEST_CASE("A list is a census where all of it is asked and a sample where a run asks some", "[tables]") {
+  Request request;
+  request.families = {"cycles", "grid-tetrahedra"};
+  request.scalars = {"double", "exact"};
+  request.pairs = 50;
+  const Study study = small_study(request);
+  const Settings settings(study);
+  const auto extent = [&](const std::string& family, const std::string& scalar) {
+    Setting setting = settings.usual();
+    setting.scalar = scalar;
+    return settings.counts(family, setting)->extent;
+  };
+  CHECK(extent("cycles", "double") == Extent::census);
+  CHECK(extent("cycles", "exact") == Extent::sample);  // which is asked about a 50th
+  CHECK(extent("grid-tetrahedra", "double") == Extent::sample);
+  CHECK(counts_markdown(settings).find("in every order | 48, all |") != std::string::npos);
 }
 
 TEST_CASE("A study of few settings has tables of these", "[tables]") {

@@ -65,6 +65,13 @@ Tally& Tally::operator+=(const Tally& more) {
   return *this;
 }
 
+std::uint64_t Tally::pairs() const {
+  std::uint64_t sum = out_of_range + not_askable + exceptions;
+  for (const auto& by_answer : queries)
+    for (const Histogram& histogram : by_answer) sum += total(histogram);
+  return sum;
+}
+
 Counts counts_at(const Tally& tally, int limit) {
   Counts counts;
   for (const Truth truth : {Truth::separated, Truth::intersecting})

@@ -33,6 +33,8 @@ struct Tally {
   void count(Truth truth, const Outcome& outcome);
   Tally& operator+=(const Tally& more);
   bool operator==(const Tally&) const = default;
+
+  std::uint64_t pairs() const;  ///< asked or not
 };
 
 /// A tally, as a reader asks for it: at one iteration limit.
@@ -46,6 +48,7 @@ struct Counts {
   std::uint64_t cycles = 0;  ///< undecided ones that came back to a state within the limit: they go in circles for ever
   std::uint64_t support_calls = 0;
   Histogram hit_iterations, miss_iterations;  ///< by truth; undecided queries count with the iterations they took
+  Extent extent = Extent::sample;             ///< of the pairs
 
   std::uint64_t misses() const { return pairs - hits; }
   std::uint64_t wrong() const { return false_positives + false_negatives; }
@@ -56,12 +59,16 @@ Counts counts_at(const Tally& tally, int limit);
 Counts& operator+=(Counts& sum, const Counts& more);
 
 // Rates, each of the pairs with which it can happen.
-inline Rate hit_rate(const Counts& counts) { return {counts.hits, counts.pairs}; }
-inline Rate false_positive_rate(const Counts& counts) { return {counts.false_positives, counts.misses()}; }
-inline Rate false_negative_rate(const Counts& counts) { return {counts.false_negatives, counts.hits}; }
-inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs}; }
-inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs}; }
-inline Rate failure_rate(const Counts& counts) { return {counts.wrong() + counts.undecided, counts.pairs}; }
+inline Rate hit_rate(const Counts& counts) { return {counts.hits, counts.pairs, counts.extent}; }
+inline Rate false_positive_rate(const Counts& counts) {
+  return {counts.false_positives, counts.misses(), counts.extent};
+}
+inline Rate false_negative_rate(const Counts& counts) { return {counts.false_negatives, counts.hits, counts.extent}; }
+inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs, counts.extent}; }
+inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs, counts.extent}; }
+inline Rate failure_rate(const Counts& counts) {
+  return {counts.wrong() + counts.undecided, counts.pairs, counts.extent};
+}
 
 /// Mean, 99 % and largest of a histogram. `p99`: the least k such that at least 99 % took k or fewer.
 struct Spread {
