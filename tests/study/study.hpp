@@ -33,7 +33,7 @@ struct FamilyNote {
 struct Study {
   Header header;
   Shard shard;
-  std::vector<std::string> processors;  ///< that the timings were taken on
+  std::vector<std::string> processors;  ///< that the timings were taken on, and in how many threads
   std::vector<FamilyNote> families;
   std::vector<Row> rows;  ///< as in Findings
 };

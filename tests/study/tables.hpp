@@ -18,7 +18,7 @@ std::string errors_markdown(const Settings& settings);    ///< false positives a
 std::string settings_markdown(const Settings& settings);  ///< rules, zero tests, iteration limits
 std::string timings_markdown(const Settings& settings);
 
-/// Returns: what the timings were taken on.
+/// Returns: what the timings were taken on: processors and threads.
 std::string processors_of(const Study& study);
 
 /// Returns: "0.0031", "3.1e-5", "0".

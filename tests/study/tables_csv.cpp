@@ -82,8 +82,9 @@ std::string counts_csv(const Settings& settings) {
 }
 
 std::string timings_csv(const Settings& settings) {
-  std::string text = head(settings.study().header) + "# " + processors_of(settings.study()) +
-                     "\nfamily,rules,scalar,zero_test,limit,timed_queries,ns_per_query\n";
+  std::string text =
+      head(settings.study().header) + "# " + processors_of(settings.study()) +
+      "; the CPU clock of the thread that asks\nfamily,rules,scalar,zero_test,limit,timed_queries,ns_per_query\n";
   for (const Row& row : settings.study().rows)
     for (const auto& [limit, timing] : row.timings) {
       Line fields;

@@ -133,6 +133,33 @@ TEST_CASE("A list is a census where all of it is asked and a sample where a run 
   CHECK(counts_markdown(settings).find("in every order | 48, all |") != std::string::npos);
 }
 
+TEST_CASE("Timings tell the processor and the number of threads and the clock", "[tables]") {
+  const Request request = two_families();
+  Plan plan = plan_of(request);
+  plan.threads = 3;
+  const Study study = study_of(request, plan, sweep(plan).rows);
+  const Settings settings(study);
+  for (const std::string& text : {timings_markdown(settings), timings_csv(settings)}) {
+    CHECK(text.find(", 3 threads") != std::string::npos);
+    CHECK(text.find("the CPU clock of the thread that asks") != std::string::npos);
+  }
+}
+
+TEST_CASE("Why float is slower is told where it is and not where it is faster", "[tables]") {
+  Study study = counted_by_hand();
+  study.header.compiler = "GNU 12.2.0 -O3";
+  study.rows.push_back(study.rows.front());
+  study.rows.back().scalar = "float";
+  study.rows[0].timings[20] = {10, 1000};
+  study.rows[1].timings[20] = {10, 1200};
+  CHECK(timings_markdown(Settings(study)).find("(family: 2.00 in float, 2.00 in double)") != std::string::npos);
+  study.rows[1].timings[20] = {10, 900};
+  CHECK(timings_markdown(Settings(study)).find("Float is not") == std::string::npos);
+  study.rows[1].timings[20] = {10, 1200};
+  study.header.compiler = "Clang 17 -O3";  // of which nothing was measured
+  CHECK(timings_markdown(Settings(study)).find("Float is not") == std::string::npos);
+}
+
 TEST_CASE("A study of few settings has tables of these", "[tables]") {
   Request request = two_families();
   request.scalars = {"float"};

@@ -79,10 +79,7 @@ struct Spread {
 /// Requires: total(histogram) > 0.
 Spread spread_of(const Histogram& histogram);
 
-/// Kept apart from the counts, because no two runs agree.
-///
-/// A batch of questions is asked `repeats` times in a row; the median of these times counts, so that what else the machine
-/// does seldom shows. Times of batches are added.
+/// Kept apart from the counts, because no two runs agree. Times of batches, see turns.hpp, are added.
 struct Timing {
   std::uint64_t queries = 0, nanoseconds = 0;
 
