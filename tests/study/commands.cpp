@@ -91,8 +91,13 @@ void RunCommand::run() const {
     write_shard(out, study);
   else
     write_results(out, study);
-  if (failures)
-    std::cout << *failures << ": " << write_failures(*failures, findings.failures, plan.seed) << " scene files\n";
+  if (failures) save(findings.failures, plan.seed);
+}
+
+void RunCommand::save(const std::vector<Failure>& found, std::uint64_t seed) const {
+  const Saved saved = write_failures(*failures, found, seed);
+  std::cout << *failures << ": " << saved.files << " scene files\n";
+  if (saved.left_out > 0) std::cerr << "gjkstep-study: " << left_out_words(saved) << '\n';
 }
 
 void MergeCommand::add_to(CLI::App& app) {
