@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
 #include <thread>
 
 #include "tests/study/failure_files.hpp"
@@ -35,6 +36,11 @@ void announce(const Plan& plan) {
             << plan.threads << (plan.threads == 1 ? " thread" : " threads");
   if (plan.shard.count > 1) std::cerr << ", shard " << plan.shard.index << " of " << plan.shard.count;
   std::cerr << '\n';
+}
+
+/// Called last: what was found is written whatever it says.
+void expect_no_contradiction(const Study& study) {
+  if (const std::string found = contradiction(study); !found.empty()) throw std::logic_error(found);
 }
 
 void announce_time(const Plan& plan) {
@@ -92,6 +98,7 @@ void RunCommand::run() const {
   else
     write_results(out, study);
   if (failures) save(findings.failures, plan.seed);
+  expect_no_contradiction(study);
 }
 
 void RunCommand::save(const std::vector<Failure>& found, std::uint64_t seed) const {
@@ -108,7 +115,9 @@ void MergeCommand::add_to(CLI::App& app) {
 void MergeCommand::run() const {
   std::vector<NamedStudy> shards;
   for (const std::string& file : files) shards.push_back({file, read_study(file)});
-  write_results(out, merged(std::move(shards)));
+  const Study study = merged(std::move(shards));
+  write_results(out, study);
+  expect_no_contradiction(study);
 }
 
 void Commands::add_to(CLI::App& app) {

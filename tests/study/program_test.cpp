@@ -2,6 +2,7 @@
 #include "tests/walkthroughs/program.hpp"
 
 #include <filesystem>
+#include <fstream>
 
 namespace walkthroughs::test {
 namespace {
@@ -40,6 +41,27 @@ TEST_CASE("study: what cannot be merged ends with 3 and a sentence", "[program]"
   CHECK(run("run " + small + "--shard 0/2 --out " + in(folder, "s")).exit_code == 0);
   check_failure("merge " + in(folder, "s/shard-0-of-2.json"), 3, {"shard 1 of 2 is missing"});
   check_failure("merge " + in(folder, "nowhere.json"), 3, {"cannot read", "nowhere.json"});
+}
+
+TEST_CASE("study: exact numbers that are wrong end with 1 after everything is written", "[program]") {
+  const Folder folder;
+  REQUIRE(
+      run("run --pairs 50 --families coplanar-axis --scalar exact --shard 0/1 --out " + in(folder, "o")).exit_code ==
+      0);
+  std::string text = bytes_of(folder.path() / "o" / "study.json");
+  const auto exchange = [&](const std::string& from, const std::string& to) {
+    REQUIRE(text.find(from) != std::string::npos);
+    text.replace(text.find(from), from.size(), to);
+  };
+  exchange(R"({"truly_separated")", R"({"truly_what")");
+  exchange(R"("truly_intersecting")", R"("truly_separated")");
+  exchange(R"("truly_what")", R"("truly_intersecting")");
+  std::ofstream(folder.path() / "changed.json") << text;
+  const Outcome outcome = run("merge " + in(folder, "changed.json") + " --out " + in(folder, "m"));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.err, "family coplanar-axis: in exact numbers GJK was wrong on 1 of 1 pairs"));
+  CHECK(has(outcome.out, "timings.md"));
 }
 
 TEST_CASE("study: wrong usage ends with 2", "[program]") {

@@ -255,6 +255,16 @@ Study from_json(std::string_view text, const std::string& name) {
   }
 }
 
+std::string contradiction(const Study& study) {
+  for (const Row& row : study.rows) {
+    const Counts counts = counts_at(row.tally, study.header.limits.back());
+    if (row.rules == "as-intended" && row.scalar == "exact" && counts.wrong() > 0)
+      return "family " + row.family + ": in exact numbers GJK was wrong on " + std::to_string(counts.wrong()) + " of " +
+             std::to_string(counts.pairs) + " pairs, which cannot be: GJK or the oracle has an error";
+  }
+  return "";
+}
+
 Study merged(std::vector<NamedStudy> shards) {
   if (shards.empty()) throw StudyError("there is nothing to merge");
   for (const NamedStudy& each : shards) expect_same_study(shards.front(), each);

@@ -52,6 +52,11 @@ std::string to_json(const Study& study);
 /// `name` stands in errors. Errors: StudyError.
 Study from_json(std::string_view text, const std::string& name);
 
+/// Exact numbers, asked by the rules as intended, are never wrong where they decide: else GJK or the oracle has an error.
+///
+/// Returns: a sentence on the first family in which they were; "" where they were in none.
+std::string contradiction(const Study& study);
+
 /// A shard and the file that it was read from.
 struct NamedStudy {
   std::string name;

@@ -88,6 +88,18 @@ TEST_CASE("Shards of different studies are refused", "[study]") {
   CHECK_THAT(changed([](Study& s) { s.shard.count = 3; }), Contains("shards of 2 and of 3"));
 }
 
+TEST_CASE("A wrong answer in exact numbers is a contradiction and in others it is none", "[study]") {
+  Study study = made(small_request());
+  CHECK(contradiction(study).empty());  // although floating point was wrong
+  const auto exact = std::ranges::find_if(study.rows, [](const Row& row) {
+    return row.family == "coplanar-tilted" && row.scalar == "exact" && row.rules == "as-intended";
+  });
+  exact->tally.count(Truth::separated, {Answer::unusable, 3});
+  CHECK(contradiction(study).empty());
+  exact->tally.count(Truth::separated, {Answer::intersecting, 3});
+  CHECK_THAT(contradiction(study), Contains("family coplanar-tilted: in exact numbers GJK was wrong on 1 of 4 pairs"));
+}
+
 TEST_CASE("A shard that is missing or there twice is refused by its number", "[study]") {
   std::vector<NamedStudy> shards = shards_of(small_request(), 3);
   const std::vector<NamedStudy> without_1{shards[0], shards[2]};
