@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int format = 2;  // of the file; another one where a reader would misunderstand this one
 constexpr const char* answer_names[answers] = {"intersecting", "separated", "unusable", "at_limit"};
+constexpr const char* proof_names[proofs] = {"predicates", "formulas", "error_bounds", "fractions"};
 constexpr const char* truth_names[2] = {"truly_separated", "truly_intersecting"};
 
 // -- Out --------------------------------------------------------------------------------------------------------------
@@ -24,6 +25,7 @@ Json json_of(const Tally& tally) {
   for (std::size_t truth = 0; truth < 2; ++truth)
     for (std::size_t answer = 0; answer < answers; ++answer)
       json[truth_names[truth]][answer_names[answer]] = tally.queries[truth][answer];
+  for (std::size_t proof = 0; proof < proofs; ++proof) json["proven_by"][proof_names[proof]] = tally.proven[proof];
   json["returns"] = tally.returns;
   json["out_of_range"] = tally.out_of_range;
   json["not_askable"] = tally.not_askable;
@@ -101,6 +103,8 @@ Tally tally_of(const Json& json) {
   for (std::size_t truth = 0; truth < 2; ++truth)
     for (std::size_t answer = 0; answer < answers; ++answer)
       tally.queries[truth][answer] = histogram_of(json.at(truth_names[truth]).at(answer_names[answer]));
+  for (std::size_t proof = 0; proof < proofs; ++proof)
+    tally.proven[proof] = whole(json.at("proven_by").at(proof_names[proof]));
   tally.returns = histogram_of(json.at("returns"));
   tally.out_of_range = whole(json.at("out_of_range"));
   tally.not_askable = whole(json.at("not_askable"));

@@ -94,9 +94,9 @@ TEST_CASE("A wrong answer in exact numbers is a contradiction and in others it i
   const auto exact = std::ranges::find_if(study.rows, [](const Row& row) {
     return row.family == "coplanar-tilted" && row.scalar == "exact" && row.rules == "as-intended";
   });
-  exact->tally.count(Truth::separated, {Answer::unusable, 3});
+  exact->tally.count({Truth::separated, Proof::predicates}, {Answer::unusable, 3});
   CHECK(contradiction(study).empty());
-  exact->tally.count(Truth::separated, {Answer::intersecting, 3});
+  exact->tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
   CHECK_THAT(contradiction(study), Contains("family coplanar-tilted: in exact numbers GJK was wrong on 1 of 4 pairs"));
 }
 

@@ -29,14 +29,14 @@ struct Job {
 struct Sample {
   std::uint64_t index;
   Pair pair;
-  Truth truth;
+  Judgement judgement;
 };
 
 /// A sample as one scalar sees it.
 struct View {
   const Sample* sample;
   std::optional<RoundedPair> rounded;  ///< empty where a number is out of range
-  Truth truth;
+  Judgement judgement;
   std::unique_ptr<Question> question;  ///< null where it is not asked
 };
 
@@ -105,14 +105,14 @@ class Worker {
     for (std::uint64_t position = job_.first; position < job_.last; ++position) {
       const std::uint64_t index = plan_.shard.index + position * plan_.shard.count;
       Pair pair = part_.family->make(plan_.seed, index);
-      const Truth answer = truth_of(pair, index);
-      samples.push_back({index, std::move(pair), answer});
+      const Judgement judgement = judgement_of(pair, index);
+      samples.push_back({index, std::move(pair), judgement});
     }
     return samples;
   }
 
-  Truth truth_of(const Pair& pair, std::uint64_t index) const try {
-    return truth(pair);
+  Judgement judgement_of(const Pair& pair, std::uint64_t index) const try {
+    return judge(pair);
   } catch (const std::exception& error) {
     throw std::runtime_error("the truth about pair " + std::to_string(index) + " of family '" + part_.family->name +
                              "' is not known: " + error.what());
@@ -122,9 +122,9 @@ class Worker {
     std::vector<View> views;
     for (const Sample& sample : samples) {
       if (scalar.is_slow && sample.index >= part_.slow_pairs) break;
-      View view{&sample, scalar.rounded(sample.pair), sample.truth, nullptr};
+      View view{&sample, scalar.rounded(sample.pair), sample.judgement, nullptr};
       if (view.rounded) {
-        if (view.rounded->differs) view.truth = truth_of(view.rounded->pair, sample.index);
+        if (view.rounded->differs) view.judgement = judgement_of(view.rounded->pair, sample.index);
         view.question = scalar.question(view.rounded->pair);
       }
       views.push_back(std::move(view));
@@ -136,7 +136,7 @@ class Worker {
     Tally tally;
     std::array<std::uint64_t, 3> kept{};
     for (const View& view : views) {
-      if (view.truth != view.sample->truth) ++tally.truth_changed;
+      if (view.judgement.truth != view.sample->judgement.truth) ++tally.truth_changed;
       if (!view.rounded)
         ++tally.out_of_range;
       else if (!view.question)
@@ -150,18 +150,18 @@ class Worker {
   std::optional<Kind> ask(const Method& method, const View& view, Tally& tally) const try {
     const int limit = plan_.limits.back();
     const Outcome outcome = method.ask(*view.question, limit);
-    tally.count(view.truth, outcome);
+    tally.count(view.judgement, outcome);
     if (outcome.answer == Answer::at_limit)
       if (const int k = method.first_return(*view.question, limit)) count(tally.returns, k);
-    return failure_kind(view.truth, outcome, plan_.failure_limit);
+    return failure_kind(view.judgement.truth, outcome, plan_.failure_limit);
   } catch (const std::exception&) {
     ++tally.exceptions;
     return std::nullopt;
   }
 
   void keep(const Method& method, const View& view, Kind kind) {
-    failures.push_back(
-        {part_.family->name, view.sample->index, &method, kind, plan_.failure_limit, view.truth, view.rounded->pair});
+    failures.push_back({part_.family->name, view.sample->index, &method, kind, plan_.failure_limit,
+                        view.judgement.truth, view.rounded->pair});
   }
 
   void time_all() {

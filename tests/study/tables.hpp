@@ -14,7 +14,7 @@ std::string timings_csv(const Settings& settings);
 
 /// Returns: Markdown; each table varies one thing.
 std::string counts_markdown(const Settings& settings);    ///< families and scalars
-std::string errors_markdown(const Settings& settings);    ///< false positives and false negatives apart
+std::string errors_markdown(const Settings& settings);    ///< false positives, false negatives and undecided apart
 std::string settings_markdown(const Settings& settings);  ///< rules, zero tests, iteration limits
 std::string timings_markdown(const Settings& settings);
 

@@ -62,6 +62,7 @@ std::string line(const Settings& settings, const Row& row, int limit) {
          << false_positive_rate(c) << false_negative_rate(c) << undecided_rate(c) << c.cycles << c.unusable
          << c.hit_iterations << c.miss_iterations << c.support_calls << row.tally.out_of_range << row.tally.not_askable
          << row.tally.truth_changed << row.tally.exceptions;
+  for (const std::uint64_t truths : row.tally.proven) fields << truths;
   return fields.end();
 }
 
@@ -75,7 +76,8 @@ std::string counts_csv(const Settings& settings) {
       "false_negatives,false_negative_rate,false_negative_rate_low,false_negative_rate_high,"
       "undecided,undecided_rate,undecided_rate_low,undecided_rate_high,cycles,unusable_directions,"
       "hit_iterations_mean,hit_iterations_p99,hit_iterations_max,miss_iterations_mean,miss_iterations_p99,"
-      "miss_iterations_max,support_calls,out_of_range,not_askable,truth_changed_by_rounding,exceptions\n";
+      "miss_iterations_max,support_calls,out_of_range,not_askable,truth_changed_by_rounding,exceptions,"
+      "proven_by_predicates,proven_by_formulas,proven_by_error_bounds,proven_by_fractions\n";
   for (const Row& row : settings.study().rows)
     for (const int limit : settings.limits()) text += line(settings, row, limit);
   return text;

@@ -92,6 +92,18 @@ std::string words_of(const Histogram& iterations) {
 
 // -- The tables of counts ---------------------------------------------------------------------------------------------
 
+/// Returns: "CGAL", or with the counts "bounds 498, fractions 2" where there were several.
+std::string words_of_proofs(const Tally& tally) {
+  constexpr const char* names[proofs] = {"CGAL", "formulas", "bounds", "fractions"};
+  const bool are_several = std::ranges::count_if(tally.proven, [](std::uint64_t n) { return n > 0; }) > 1;
+  std::string words;
+  for (std::size_t proof = 0; proof < proofs; ++proof)
+    if (tally.proven[proof] > 0)
+      words += (words.empty() ? "" : ", ") + std::string(names[proof]) +
+               (are_several ? " " + std::to_string(tally.proven[proof]) : "");
+  return words;
+}
+
 std::string families_table(const Settings& settings) {
   const Setting usual = settings.usual();
   Setting narrow = usual;
@@ -102,9 +114,11 @@ std::string families_table(const Settings& settings) {
       return row && row->tally.*what > 0 ? std::to_string(row->tally.*what) : "";
     };
   };
-  return "## Families\n\nOf each pair it is known exactly whether the sets have a point in common; touching counts. "
-         "Float "
-         "is asked about the pair as float writes it, and its answer held against the truth about that pair; how often "
+  return "## Families\n\nOf each pair it is known exactly whether the sets have a point in common; touching counts: "
+         "by CGAL's exact predicates; by a linear program whose answer in doubles is proven by bounds on their error, "
+         "or "
+         "else by a certificate in fractions; or by formulas in fractions. Float is asked about the pair as float "
+         "writes it, and its answer held against the truth about that pair; how often "
          "writing it in float changed the truth is told beside it.\n\n" +
          table(settings,
                {{"what", [](const FamilyNote& family) { return family.what; }},
@@ -114,6 +128,11 @@ std::string families_table(const Settings& settings) {
                  }},
                 {"of these exact", [](const FamilyNote& family) { return std::to_string(family.slow_pairs); }},
                 column(settings, "hits", usual, [](const Counts& c) { return in_short(hit_rate(c).share()); }),
+                {"truth by",
+                 [&settings, usual](const FamilyNote& family) {
+                   const Row* const row = settings.find(family.name, usual);
+                   return row ? words_of_proofs(row->tally) : "";
+                 }},
                 {"changed by float", rounding(&Tally::truth_changed)},
                 {"beyond float's range", rounding(&Tally::out_of_range)}});
 }
@@ -284,22 +303,22 @@ std::string in_words(const Rate& rate) {
 std::string counts_markdown(const Settings& settings) {
   return head(settings, "Accuracy") + how_to_read(settings) + families_table(settings) +
          "\n## Wrong answers, by scalar\n\n" + scalars_table(settings, words_of_wrong) +
-         "\n## Undecided, by scalar\n\nIn circles: a simplex and a direction came back, so no limit would have "
-         "helped.\n\n" +
-         scalars_table(settings, words_of_undecided) +
          "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it "
          "took.\n\n" +
          iterations_table(settings);
 }
 
 std::string errors_markdown(const Settings& settings) {
-  std::string text = head(settings, "Errors of either kind") + how_to_read(settings) +
+  std::string text = head(settings, "Errors of each kind") + how_to_read(settings) +
                      "A false positive can only happen to a pair that is apart, a false negative only to one that "
                      "meets: each is told as a share of these. A family without such pairs says so.\n";
   for (const std::string scalar : {"double", "float"})
     if (std::ranges::find(settings.scalars(), scalar) != settings.scalars().end())
       text += "\n## In " + scalar + "\n\n" + errors_table(settings, scalar);
-  return text;
+  return text +
+         "\n## Undecided, by scalar\n\nIn circles: a simplex and a direction came back, so no limit would have "
+         "helped.\n\n" +
+         scalars_table(settings, words_of_undecided);
 }
 
 std::string settings_markdown(const Settings& settings) {

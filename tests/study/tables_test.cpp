@@ -79,8 +79,10 @@ Study counted_by_hand() {
   study.header.limits = {20};
   study.families.push_back({"family", "made up", 10, 0});
   Tally tally;
-  for (int i = 0; i < 6; ++i) tally.count(Truth::separated, {i < 3 ? Answer::intersecting : Answer::separated, 2});
-  for (int i = 0; i < 4; ++i) tally.count(Truth::intersecting, {i < 1 ? Answer::unusable : Answer::intersecting, 2});
+  for (int i = 0; i < 6; ++i)
+    tally.count({Truth::separated, Proof::predicates}, {i < 3 ? Answer::intersecting : Answer::separated, 2});
+  for (int i = 0; i < 4; ++i)
+    tally.count({Truth::intersecting, Proof::predicates}, {i < 1 ? Answer::unusable : Answer::intersecting, 2});
   study.rows.push_back({"family", "as-intended", "double", "exact", tally, {}});
   return study;
 }
@@ -158,6 +160,13 @@ TEST_CASE("Why float is slower is told where it is and not where it is faster", 
   study.rows[1].timings[20] = {10, 1200};
   study.header.compiler = "Clang 17 -O3";  // of which nothing was measured
   CHECK(timings_markdown(Settings(study)).find("Float is not") == std::string::npos);
+}
+
+TEST_CASE("The table of families tells what proves the truths", "[tables]") {
+  Study study = counted_by_hand();
+  CHECK(counts_markdown(Settings(study)).find("| CGAL |") != std::string::npos);
+  study.rows.front().tally.proven = {0, 0, 7, 3};
+  CHECK(counts_markdown(Settings(study)).find("| bounds 7, fractions 3 |") != std::string::npos);
 }
 
 TEST_CASE("A study of few settings has tables of these", "[tables]") {

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "tests/study/judgement.hpp"
 #include "tests/study/method.hpp"
-#include "tests/study/pair.hpp"
 #include "tests/study/rate.hpp"
 
 namespace study {
@@ -24,13 +24,14 @@ std::uint64_t total(const Histogram& histogram);
 /// ends within L iterations ends alike, any other is undecided.
 struct Tally {
   std::array<std::array<Histogram, answers>, 2> queries;  ///< by truth, then by answer
+  std::array<std::uint64_t, proofs> proven{};             ///< the truths about these pairs, by Proof
   Histogram returns;                ///< of queries without an answer: by the iteration in which a state came back
   std::uint64_t out_of_range = 0;   ///< not asked: a number has no counterpart in the scalar
   std::uint64_t not_askable = 0;    ///< not asked: the scalar has no such shape
   std::uint64_t truth_changed = 0;  ///< rounding to the scalar made the sets touch, or parted them
   std::uint64_t exceptions = 0;     ///< the query threw
 
-  void count(Truth truth, const Outcome& outcome);
+  void count(const Judgement& judgement, const Outcome& outcome);
   Tally& operator+=(const Tally& more);
   bool operator==(const Tally&) const = default;
 
