@@ -54,30 +54,43 @@ Box around(double x, double y, double half_width, double half_height) {
   return {x - half_width, x + half_width, y - half_height, y + half_height};
 }
 
-/// Puts words beside points where there is room: below, above, right or left, or nowhere.
+/// Where words stand, seen from their point.
+enum class Side { above, below, right, left };
+
+/// Puts words beside points where there is room.
 class Labels {
  public:
   explicit Labels(const std::vector<Box>& taken) : taken_(taken) {}
 
-  /// Returns: the command, "" where there is no room. `x`, `y`: of the point, in shares of the panel.
-  std::string place(const std::string& words, double x, double y) {
-    const double half_width = 0.012 * static_cast<double>(letters(words)) + 0.008, half_height = 0.022;
-    const double aside = 0.03 + half_width, away = 0.045;
-    for (const auto& [dx, dy] :
-         {std::pair{0.0, -away}, std::pair{0.0, away}, std::pair{aside, 0.0}, std::pair{-aside, 0.0}}) {
-      const Box box = around(x + dx, y + dy, half_width, half_height);
+  /// Returns: the command that puts the words on the first side where there is room, "" where there is none. `x`, `y`: of
+  /// the point, in shares of the panel.
+  std::string place(const std::string& words, double x, double y, const std::vector<Side>& sides) {
+    for (const Side side : sides) {
+      const Box box = box_of(words, x, y, side);
       const bool is_inside = box.left > 0 && box.right < 1 && box.low > 0 && box.high < 1;
       if (!is_inside || std::ranges::any_of(taken_, [&](const Box& other) { return box.overlaps(other); })) continue;
       taken_.push_back(box);
       std::ostringstream command;
-      command << "set label " << in_quotes(words) << " at graph " << x + dx << ',' << y + dy
-              << " center font ',10' front\n";
+      command << "set label " << in_quotes(words) << " at graph " << (box.left + box.right) / 2 << ','
+              << (box.low + box.high) / 2 << " center font ',10' front\n";
       return command.str();
     }
     return "";
   }
 
  private:
+  static Box box_of(const std::string& words, double x, double y, Side side) {
+    const double half_width = 0.017 * static_cast<double>(letters(words)) + 0.006, half_height = 0.022;
+    const double aside = 0.03 + half_width, away = 0.045;
+    switch (side) {
+      case Side::above: return around(x, y + away, half_width, half_height);
+      case Side::below: return around(x, y - away, half_width, half_height);
+      case Side::right: return around(x + aside, y, half_width, half_height);
+      case Side::left: return around(x - aside, y, half_width, half_height);
+    }
+    return around(x, y, half_width, half_height);
+  }
+
   static std::ptrdiff_t letters(const std::string& utf8) {
     return std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; });
   }
@@ -151,9 +164,15 @@ class Panel {
     const std::string others = limits.size() < 2    ? ""
                                : limits.size() == 2 ? std::to_string(limits[1])
                                                     : std::to_string(limits[1]) + "–" + std::to_string(limits.back());
+    // Curves fall, as more iterations leave less undecided: above their beginning and below their end no line is crossed.
+    const std::vector<Side> at_first{Side::above, Side::left, Side::right, Side::below},
+        at_last{Side::below, Side::left, Side::right, Side::above};
+    const auto place = [&](const std::string& words, const Point& p, const std::vector<Side>& sides) {
+      commands += labels.place(words, x(p), y(p), sides);
+    };
     for (const Curve& curve : curves_) {
-      commands += labels.place(std::to_string(limits.front()), x(curve.points.front()), y(curve.points.front()));
-      if (!others.empty()) commands += labels.place(others, x(curve.points.back()), y(curve.points.back()));
+      place(std::to_string(limits.front()), curve.points.front(), at_first);
+      if (!others.empty()) place(others, curve.points.back(), at_last);
     }
     return commands;
   }

@@ -74,8 +74,9 @@ Picture heat_map(const Settings& settings) {
       << labels.str() << "set title "
       << in_quotes("Wrong or undecided, share of pairs: " + all_but_scalar(settings.usual())) << "\n"
       << tics("x", settings.scalars()) << tics("y", families)
-      << note("<8e-6: none seen, and if there are any they are fewer than this (upper end of the 95 % interval)", 54,
-              height)
+      << note(
+             "A number after <: none seen; if there are any they are fewer than this (upper end of the 95 % interval).",
+             54, height)
       << note(
              "0: none of all the pairs that there are. Float is judged by the truth about the pair as float writes it.",
              36, height)
