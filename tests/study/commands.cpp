@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
 #include <thread>
 
 #include "tests/study/failure_files.hpp"
@@ -31,6 +32,11 @@ void announce(const Plan& plan) {
             << plan.threads << (plan.threads == 1 ? " thread" : " threads");
   if (plan.shard.count > 1) std::cerr << ", shard " << plan.shard.index << " of " << plan.shard.count;
   std::cerr << '\n';
+}
+
+/// Called last: what was found is written whatever it says.
+void expect_no_contradiction(const Study& study) {
+  if (const std::string found = contradiction(study); !found.empty()) throw std::logic_error(found);
 }
 
 void announce_time(const Plan& plan) {
@@ -89,8 +95,14 @@ void RunCommand::run() const {
     write_shard(out, study);
   else
     write_results(out, study);
-  if (failures)
-    std::cout << *failures << ": " << write_failures(*failures, findings.failures, plan.seed) << " scene files\n";
+  if (failures) save(findings.failures, plan.seed);
+  expect_no_contradiction(study);
+}
+
+void RunCommand::save(const std::vector<Failure>& found, std::uint64_t seed) const {
+  const Saved saved = write_failures(*failures, found, seed);
+  std::cout << *failures << ": " << saved.files << " scene files\n";
+  if (saved.left_out > 0) std::cerr << "gjkstep-study: " << left_out_words(saved) << '\n';
 }
 
 void MergeCommand::add_to(CLI::App& app) {
@@ -104,7 +116,9 @@ void MergeCommand::run() const {
   if (std::ranges::count(files, "") > 0)
     throw UsageError("merge '': name files that 'gjkstep-study run --shard' wrote");
   for (const std::string& file : files) shards.push_back({file, read_study(file)});
-  write_results(out, merged(std::move(shards)));
+  const Study study = merged(std::move(shards));
+  write_results(out, study);
+  expect_no_contradiction(study);
 }
 
 void Commands::add_to(CLI::App& app) {

@@ -24,6 +24,9 @@ struct RunCommand {
 
   void add_to(CLI::App& app);
   void run() const;
+
+ private:
+  void save(const std::vector<Failure>& found, std::uint64_t seed) const;
 };
 
 /// `gjkstep-study merge`: adds up shards, and writes what they found together.

@@ -109,16 +109,25 @@ bool fits_scene(const Failure& failure) {
          walkthroughs::scene_limits::magnitude;
 }
 
-std::size_t write_failures(const std::filesystem::path& folder, const std::vector<Failure>& failures,
-                           std::uint64_t seed) {
+Saved write_failures(const std::filesystem::path& folder, const std::vector<Failure>& failures, std::uint64_t seed) {
   make_folder(folder);
-  std::size_t written = 0;
+  Saved saved;
   for (const Failure& failure : failures) {
-    if (!fits_scene(failure)) continue;
+    if (!fits_scene(failure)) {
+      ++saved.left_out;
+      continue;
+    }
     render::write_file(folder / scene_name(failure), scene_of(failure, seed));
-    ++written;
+    ++saved.files;
   }
-  return written;
+  return saved;
+}
+
+std::string left_out_words(const Saved& saved) {
+  if (saved.left_out == 0) return "";
+  return std::to_string(saved.left_out) + (saved.left_out == 1 ? " failure is" : " failures are") +
+         " not saved: a number in them is beyond " + digits(walkthroughs::scene_limits::magnitude) +
+         ", the largest that a scene file may hold";
 }
 
 }  // namespace study

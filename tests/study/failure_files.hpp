@@ -22,8 +22,15 @@ std::string scene_name(const Failure& failure);
 /// Whether a scene can hold these bodies: its numbers have an upper limit.
 bool fits_scene(const Failure& failure);
 
-/// Writes those that fit into `folder`, which is made. Returns: how many. Errors: render::FileError.
-std::size_t write_failures(const std::filesystem::path& folder, const std::vector<Failure>& failures,
-                           std::uint64_t seed);
+struct Saved {
+  std::size_t files = 0;
+  std::size_t left_out = 0;  ///< which no scene can hold
+};
+
+/// Writes those that fit into `folder`, which is made. Errors: render::FileError.
+Saved write_failures(const std::filesystem::path& folder, const std::vector<Failure>& failures, std::uint64_t seed);
+
+/// Returns: a sentence on what was left out and why; "" where nothing was.
+std::string left_out_words(const Saved& saved);
 
 }  // namespace study

@@ -109,17 +109,10 @@ Points in_order(Points points, std::uint64_t code) {
   return points;
 }
 
-Points shifted(Points points, std::uint64_t code) {
-  constexpr Grid around{3, 3, 3};
-  return moved(std::move(points), 64 * (around(code % 27) - Vec(1, 1, 1)));
-}
-
+/// Moving both sets alike would make no other pair: GJK sees their difference, which stays.
 Pair cycle(std::uint64_t index) {
   const Pair& pair = cycling_pairs()[index % 2];
-  std::uint64_t code = index / 2;
-  Points a = in_order(std::get<Points>(pair.a), 23 - code % 24);  // order 23 of 24 is the listed one
-  code /= 24;
-  return {shifted(std::move(a), code + 13), shifted(std::get<Points>(pair.b), code + 13)};
+  return {in_order(std::get<Points>(pair.a), 23 - index / 2), pair.b};  // order 23 of 24 is the listed one
 }
 
 /// A turn or reflection of the cube: which coordinate goes where, and which are reversed.
@@ -134,10 +127,10 @@ Points turned_with_cube(Points points, std::uint64_t code) {
   return points;
 }
 
+/// Exchanging A and B would make no other pair: it reflects their difference, which is one of the turns.
 Pair cycle_turned(std::uint64_t index) {
   const Pair& pair = cycling_pairs()[index % 2];
-  const Body &a = index / 2 % 2 ? pair.b : pair.a, &b = index / 2 % 2 ? pair.a : pair.b;
-  return {turned_with_cube(std::get<Points>(a), index / 4), turned_with_cube(std::get<Points>(b), index / 4)};
+  return {turned_with_cube(std::get<Points>(pair.a), index / 2), turned_with_cube(std::get<Points>(pair.b), index / 2)};
 }
 
 // -- Repetitions ------------------------------------------------------------------------------------------------------
@@ -166,9 +159,9 @@ std::vector<Family> listed_families() {
       all_on_grid("grid-triangles", "every three points of {0, 1}³ against every three", {2, 2, 2}, 3),
       all_on_grid("grid-triangles-flat", "every three points of {0, 1, 2}² against every three", {3, 3, 1}, 3),
       grid_tetrahedra(),
-      {"cycles", "two pairs on which GJK cycles, in other places and with A's points in other orders", 2 * 24 * 27,
+      {"cycles", "two pairs on which GJK cycles, with A's points in every order", 2 * 24,
        [](std::uint64_t, std::uint64_t index) { return cycle(index); }},
-      {"cycles-turned", "these two pairs turned and reflected with the cube, A and B exchanged", 2 * 2 * 48,
+      {"cycles-turned", "these two pairs turned and reflected with the cube", 2 * 48,
        [](std::uint64_t, std::uint64_t index) { return cycle_turned(index); }},
       thrown("duplicates", "1 to 4 points, each listed up to three times; half of the pairs share one", duplicates),
   };

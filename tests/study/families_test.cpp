@@ -1,6 +1,7 @@
 #include "tests/study/families.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -383,11 +384,47 @@ TEST_CASE("Families: the first two cycles are the known ones, one apart, one mee
 TEST_CASE("Families: on every one of the cycles GJK goes round until it is stopped", "[families]") {
   gjk::Options<double> options;
   options.iteration_limit = 200;
-  for (const Pair& pair : pairs_of("cycles", 1296)) {
+  for (const Pair& pair : pairs_of("cycles", 48)) {
     const auto result =
         gjk::collision(gjk::PointSet<double>(points(pair.a)), gjk::PointSet<double>(points(pair.b)), options);
     REQUIRE(result.reason == gjk::Reason::iteration_limit);
   }
+}
+
+/// The points of A - B in the order in which GJK can meet them.
+std::vector<double> difference_of(const Pair& pair) {
+  std::vector<double> numbers;
+  for (const Vec& a : points(pair.a))
+    for (const Vec& b : points(pair.b))
+      for (const double x : Vec(a - b)) numbers.push_back(x);
+  return numbers;
+}
+
+TEST_CASE("Families: of the pairs that cycle no two have the same difference in the same order", "[families]") {
+  for (const char* const name : {"cycles", "cycles-turned"}) {
+    INFO(name);
+    const Family& family = family_named(name);
+    std::set<std::vector<double>> different;
+    for (const Pair& pair : pairs_of(family, *family.size)) different.insert(difference_of(pair));
+    REQUIRE(different.size() == *family.size);
+  }
+}
+
+TEST_CASE("Families: the turned cycles are different sets and their reflections are among them", "[families]") {
+  const auto set_of = [](const Pair& pair, double sign) {
+    std::multiset<std::array<double, 3>> points_of_it;
+    for (const Vec& a : points(pair.a))
+      for (const Vec& b : points(pair.b)) {
+        const Vec w = sign * (a - b);
+        points_of_it.insert({w.x(), w.y(), w.z()});
+      }
+    return points_of_it;
+  };
+  const auto pairs = pairs_of("cycles-turned", 96);
+  std::set<std::multiset<std::array<double, 3>>> different;
+  for (const Pair& pair : pairs) different.insert(set_of(pair, 1));
+  REQUIRE(different.size() == 96);
+  for (const Pair& pair : pairs) REQUIRE(different.contains(set_of(pair, -1)));
 }
 
 TEST_CASE("Families: duplicates repeat a point in nearly every list, and some lists are one point only", "[families]") {

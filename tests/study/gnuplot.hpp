@@ -13,6 +13,12 @@ inline std::string canvas(int width, int height) {
          " noenhanced background rgb 'white' font 'DejaVu Sans,11'\nset encoding utf8\n";
 }
 
+/// As canvas(), of at most 256 colours and without smooth lines: a quarter of the bytes, for areas and words.
+inline std::string flat_canvas(int width, int height) {
+  return "set terminal png size " + std::to_string(width) + "," + std::to_string(height) +
+         " noenhanced background rgb 'white' font 'DejaVu Sans,11'\nset encoding utf8\n";
+}
+
 /// Returns: the text as gnuplot reads it. A line feed would end the text, and what follows would be a command.
 inline std::string in_quotes(const std::string& text) {
   std::string inside;

@@ -201,16 +201,16 @@ std::optional<Truth> solve_within_bounds(const Points& a, const Points& b) {
   return within_bounds(sets, guess(sets));
 }
 
-Truth truth_by_linear_program(const Points& a, const Points& b) {
+Judgement judged_by_linear_program(const Points& a, const Points& b) {
   require_points(a);
   require_points(b);
   const InUnitCube sets = in_unit_cube(a, b);
   const Guess guessed = guess(sets);
-  if (const auto found = within_bounds(sets, guessed)) return *found;
+  if (const auto found = within_bounds(sets, guessed)) return {*found, Proof::error_bounds};
   const Certificate certificate = solve_exactly(a, b, guessed);
   const bool proven = std::visit([&](const auto& proof) { return holds(proof, a, b); }, certificate);
   if (!proven) throw std::logic_error("the certificate of the linear program does not hold");
-  return std::holds_alternative<CommonPoint>(certificate) ? Truth::intersecting : Truth::separated;
+  return {std::holds_alternative<CommonPoint>(certificate) ? Truth::intersecting : Truth::separated, Proof::fractions};
 }
 
 }  // namespace study

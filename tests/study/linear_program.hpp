@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "tests/study/pair.hpp"
+#include "tests/study/judgement.hpp"
 
 namespace study {
 
@@ -57,6 +57,7 @@ std::optional<Truth> solve_within_bounds(const Points& a, const Points& b);
 ///
 /// Errors: std::logic_error where the certificate does not hold; std::invalid_argument where a set is empty or a
 /// coordinate is not finite.
-Truth truth_by_linear_program(const Points& a, const Points& b);
+Judgement judged_by_linear_program(const Points& a, const Points& b);
+inline Truth truth_by_linear_program(const Points& a, const Points& b) { return judged_by_linear_program(a, b).truth; }
 
 }  // namespace study

@@ -14,7 +14,7 @@ enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, cannot_w
 
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (shards that do not go together, an unreadable file),\n"
-    "5 cannot write, 1 anything else.";
+    "5 cannot write, 1 GJK in exact numbers is at odds with the oracle, or anything else.";
 
 int flush_output() {
   if (!std::cout.flush())

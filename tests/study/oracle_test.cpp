@@ -17,6 +17,22 @@ namespace {
 constexpr Truth separated = Truth::separated, intersecting = Truth::intersecting;
 constexpr double ulp = 0x1p-52;  // of numbers from 1 to 2
 
+// -- What proves the answer ----------------------------------------------------------------------------------------------
+
+Points box_at(double x) {
+  Points corners;
+  for (unsigned i = 0; i < 8; ++i) corners.emplace_back(x + (i & 1 ? 1 : 0), i & 2 ? 1 : 0, i & 4 ? 1 : 0);
+  return corners;
+}
+
+TEST_CASE("Oracle: a judgement tells what proves it", "[oracle]") {
+  const Points triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  CHECK(judge({triangle, triangle}).proof == Proof::predicates);
+  CHECK(judge({box_at(0), box_at(3)}).proof == Proof::error_bounds);
+  CHECK(judge({box_at(0), box_at(1)}).proof == Proof::fractions);  // touching: any error could part them
+  CHECK(judge({Ball{{0, 0, 0}, 1}, Ball{{1, 0, 0}, 1}}).proof == Proof::formulas);
+}
+
 // -- Cases by hand ----------------------------------------------------------------------------------------------------
 
 struct Case {

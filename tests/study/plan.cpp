@@ -186,9 +186,9 @@ Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows) 
   Study study;
   study.header = {command_of(request), GJKSTEP_VERSION, GJKSTEP_COMPILER, request.seed, plan.limits};
   study.shard = plan.shard;
-  study.processors = {processor()};
+  study.processors = {processor() + ", " + std::to_string(plan.threads) + (plan.threads == 1 ? " thread" : " threads")};
   for (const Part& part : plan.parts)
-    study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs});
+    study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs, part.family->size});
   study.rows = std::move(rows);
   return study;
 }

@@ -2,6 +2,7 @@
 #include "tests/walkthroughs/program.hpp"
 
 #include <filesystem>
+#include <fstream>
 
 namespace walkthroughs::test {
 namespace {
@@ -27,7 +28,8 @@ TEST_CASE("study: a run says its seed and leaves tables", "[program]") {
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(has(outcome.err, "seed 5, 2 families, 8 methods"));
-  for (const char* const name : {"study.json", "study.csv", "timings.csv", "tables.md", "settings.md", "timings.md"}) {
+  for (const char* const name :
+       {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md"}) {
     CHECK(has(outcome.out, name));
     CHECK(std::filesystem::file_size(folder.path() / "one" / name) > 100);
   }
@@ -41,7 +43,7 @@ TEST_CASE("study: shards merged leave the files of one run byte for byte", "[pro
   CHECK(run("merge " + in(folder, "s/shard-1-of-2.json") + " " + in(folder, "s/shard-0-of-2.json") + " --out " +
             in(folder, "both"))
             .exit_code == 0);
-  for (const char* const name : {"study.csv", "tables.md", "settings.md"})
+  for (const char* const name : {"study.csv", "tables.md", "errors.md", "settings.md"})
     CHECK(bytes_of(folder.path() / "one" / name) == bytes_of(folder.path() / "both" / name));
 }
 
@@ -75,6 +77,27 @@ TEST_CASE("study: memory that is not there is told in one line", "[program]") {
   CHECK(outcome.exit_code == 1);
   CHECK(has(outcome.err, "gjkstep-study: out of memory; "));
   CHECK(lines(outcome.err).size() == 1);
+}
+
+TEST_CASE("study: exact numbers that are wrong end with 1 after everything is written", "[program]") {
+  const Folder folder;
+  REQUIRE(
+      run("run --pairs 50 --families coplanar-axis --scalar exact --shard 0/1 --out " + in(folder, "o")).exit_code ==
+      0);
+  std::string text = bytes_of(folder.path() / "o" / "study.json");
+  const auto exchange = [&](const std::string& from, const std::string& to) {
+    REQUIRE(text.find(from) != std::string::npos);
+    text.replace(text.find(from), from.size(), to);
+  };
+  exchange(R"({"truly_separated")", R"({"truly_what")");
+  exchange(R"("truly_intersecting")", R"("truly_separated")");
+  exchange(R"("truly_what")", R"("truly_intersecting")");
+  std::ofstream(folder.path() / "changed.json") << text;
+  const Outcome outcome = run("merge " + in(folder, "changed.json") + " --out " + in(folder, "m"));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.err, "family coplanar-axis: in exact numbers GJK was wrong on 1 of 1 pairs"));
+  CHECK(has(outcome.out, "timings.md"));
 }
 
 TEST_CASE("study: wrong usage ends with 2", "[program]") {

@@ -25,6 +25,7 @@ void write_results(const std::filesystem::path& folder, const Study& study) {
   write(folder / "study.csv", counts_csv(settings));
   write(folder / "timings.csv", timings_csv(settings));
   write(folder / "tables.md", counts_markdown(settings));
+  write(folder / "errors.md", errors_markdown(settings));
   write(folder / "settings.md", settings_markdown(settings));
   write(folder / "timings.md", timings_markdown(settings));
   for (const Picture& picture : {error_vs_time(settings), heat_map(settings), iterations(settings)})

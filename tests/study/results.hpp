@@ -7,7 +7,8 @@
 
 namespace study {
 
-/// Writes study.json, study.csv, timings.csv, tables.md, settings.md, timings.md and the pictures, and lists them on standard output.
+/// Writes study.json, study.csv, timings.csv, tables.md, errors.md, settings.md, timings.md and the
+/// pictures, and lists them on standard output.
 /// Errors: render::FileError. Where there is no gnuplot the pictures are left out, with a message.
 void write_results(const std::filesystem::path& folder, const Study& study);
 

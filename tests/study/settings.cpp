@@ -40,10 +40,14 @@ const Row* Settings::find(const std::string& family, const Setting& setting) con
   return found == study_.rows.end() ? nullptr : &*found;
 }
 
+const FamilyNote& Settings::family(const std::string& name) const {
+  return *std::ranges::find(study_.families, name, &FamilyNote::name);
+}
+
 std::optional<Counts> Settings::counts(const std::string& family, const Setting& setting) const {
   const Row* const row = find(family, setting);
   if (row == nullptr) return std::nullopt;
-  Counts counts = counts_at(row->tally, setting.limit);
+  Counts counts = counts_at(this->family(family), *row, setting.limit);
   return counts.pairs == 0 ? std::nullopt : std::optional(std::move(counts));
 }
 

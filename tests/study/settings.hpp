@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/rate.hpp"
 #include "tests/study/study.hpp"
 
 namespace study {
@@ -38,6 +37,9 @@ class Settings {
   /// Returns: null where this was not asked.
   const Row* find(const std::string& family, const Setting& setting) const;
 
+  /// Returns: the note on the family of that name, which the study has.
+  const FamilyNote& family(const std::string& name) const;
+
   /// Returns: empty where this was not asked, or of no pair.
   std::optional<Counts> counts(const std::string& family, const Setting& setting) const;
 
@@ -48,9 +50,5 @@ class Settings {
   std::vector<std::string> rules_, scalars_, zero_tests_;
   Setting usual_;
 };
-
-inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs}; }
-inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs}; }
-inline Rate failure_rate(const Counts& counts) { return {counts.wrong() + counts.undecided, counts.pairs}; }
 
 }  // namespace study

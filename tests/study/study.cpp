@@ -6,13 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tests/study/rate.hpp"
+
 namespace study {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 1;  // of the file; another one where a reader would misunderstand this one
+constexpr int format = 2;  // of the file; another one where a reader would misunderstand this one
 constexpr const char* answer_names[answers] = {"intersecting", "separated", "unusable", "at_limit"};
+constexpr const char* proof_names[proofs] = {"predicates", "formulas", "error_bounds", "fractions"};
 constexpr const char* truth_names[2] = {"truly_separated", "truly_intersecting"};
 
 // -- Out --------------------------------------------------------------------------------------------------------------
@@ -22,6 +25,7 @@ Json json_of(const Tally& tally) {
   for (std::size_t truth = 0; truth < 2; ++truth)
     for (std::size_t answer = 0; answer < answers; ++answer)
       json[truth_names[truth]][answer_names[answer]] = tally.queries[truth][answer];
+  for (std::size_t proof = 0; proof < proofs; ++proof) json["proven_by"][proof_names[proof]] = tally.proven[proof];
   json["returns"] = tally.returns;
   json["out_of_range"] = tally.out_of_range;
   json["not_askable"] = tally.not_askable;
@@ -37,13 +41,39 @@ Json json_of(const Timings& timings) {
   return json;
 }
 
-Json json_of(const Row& row) {
-  return {{"family", row.family},       {"rules", row.rules},          {"scalar", row.scalar},
-          {"zero_test", row.zero_test}, {"tally", json_of(row.tally)}, {"timings", json_of(row.timings)}};
+/// Returns: null where there were no trials; of a census, which has no interval, the rate alone.
+Json json_of(const Rate& rate) {
+  if (rate.trials == 0) return nullptr;
+  Json json{{"rate", rate.share()}};
+  if (rate.has_interval()) json.update({{"low", rate.interval().low}, {"high", rate.interval().high}});
+  return json;
+}
+
+/// What readers would work out of the tally, by iteration limit. Not read again: it says nothing that the tally does not.
+Json rates_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
+  Json json;
+  for (const int limit : limits) {
+    const Counts counts = counts_at(family, row, limit);
+    json[std::to_string(limit)] = {{"hit", json_of(hit_rate(counts))},
+                                   {"false_positive", json_of(false_positive_rate(counts))},
+                                   {"false_negative", json_of(false_negative_rate(counts))},
+                                   {"undecided", json_of(undecided_rate(counts))}};
+  }
+  return json;
+}
+
+Json json_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
+  return {{"family", row.family},           {"rules", row.rules},          {"scalar", row.scalar},
+          {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(family, row, limits)},
+          {"timings", json_of(row.timings)}};
 }
 
 Json json_of(const FamilyNote& family) {
-  return {{"name", family.name}, {"what", family.what}, {"pairs", family.pairs}, {"slow_pairs", family.slow_pairs}};
+  return {{"name", family.name},
+          {"what", family.what},
+          {"pairs", family.pairs},
+          {"slow_pairs", family.slow_pairs},
+          {"size", family.size ? Json(*family.size) : Json(nullptr)}};
 }
 
 // -- In ---------------------------------------------------------------------------------------------------------------
@@ -73,6 +103,8 @@ Tally tally_of(const Json& json) {
   for (std::size_t truth = 0; truth < 2; ++truth)
     for (std::size_t answer = 0; answer < answers; ++answer)
       tally.queries[truth][answer] = histogram_of(json.at(truth_names[truth]).at(answer_names[answer]));
+  for (std::size_t proof = 0; proof < proofs; ++proof)
+    tally.proven[proof] = whole(json.at("proven_by").at(proof_names[proof]));
   tally.returns = histogram_of(json.at("returns"));
   tally.out_of_range = whole(json.at("out_of_range"));
   tally.not_askable = whole(json.at("not_askable"));
@@ -95,6 +127,13 @@ Timings timings_of(const Json& json, const std::vector<int>& limits) {
 Row row_of(const Json& json, const std::vector<int>& limits) {
   return {words_of(json.at("family")),    words_of(json.at("rules")), words_of(json.at("scalar")),
           words_of(json.at("zero_test")), tally_of(json.at("tally")), timings_of(json.at("timings"), limits)};
+}
+
+FamilyNote family_of(const Json& json) {
+  FamilyNote family{words_of(json.at("name")), words_of(json.at("what")), whole(json.at("pairs")),
+                    whole(json.at("slow_pairs"))};
+  if (const Json& size = json.at("size"); !size.is_null()) family.size = whole(size);
+  return family;
 }
 
 Header header_of(const Json& json) {
@@ -128,9 +167,7 @@ Study study_of(const Json& json) {
   study.shard = {whole(json.at("shard").at("index")), whole(json.at("shard").at("count"))};
   if (study.shard.index >= study.shard.count) throw std::out_of_range("there is no such shard");
   for (const Json& each : json.at("processors")) study.processors.push_back(words_of(each));
-  for (const Json& each : json.at("families"))
-    study.families.push_back(
-        {words_of(each.at("name")), words_of(each.at("what")), whole(each.at("pairs")), whole(each.at("slow_pairs"))});
+  for (const Json& each : json.at("families")) study.families.push_back(family_of(each));
   for (const Json& each : json.at("rows")) study.rows.push_back(row_of(each, study.header.limits));
   expect_each_row_once(study);
   return study;
@@ -178,6 +215,12 @@ void expect_each_once(const std::vector<NamedStudy>& sorted) {
 
 }  // namespace
 
+Counts counts_at(const FamilyNote& family, const Row& row, int limit) {
+  Counts counts = counts_at(row.tally, limit);
+  if (family.size == row.tally.pairs()) counts.extent = Extent::census;
+  return counts;
+}
+
 std::string to_json(const Study& study) {
   const Header& header = study.header;
   Json json;
@@ -192,7 +235,10 @@ std::string to_json(const Study& study) {
   json["families"] = Json::array();
   for (const FamilyNote& family : study.families) json["families"].push_back(json_of(family));
   std::string rows;
-  for (const Row& row : study.rows) rows += (rows.empty() ? "\n" : ",\n") + json_of(row).dump();
+  for (std::size_t r = 0; r < study.rows.size(); ++r) {
+    const FamilyNote& family = study.families[r * study.families.size() / study.rows.size()];
+    rows += (r == 0 ? "\n" : ",\n") + json_of(family, study.rows[r], header.limits).dump();
+  }
   std::string text = json.dump();
   text.pop_back();
   return text + ",\"rows\":[" + rows + "\n]}\n";  // one line for each, so that a reader and diff can find them
@@ -211,6 +257,16 @@ Study from_json(std::string_view text, const std::string& name) {
   } catch (const std::exception& error) {
     throw StudyError(name + " is damaged: " + error.what() + "; make it again with 'gjkstep-study run'");
   }
+}
+
+std::string contradiction(const Study& study) {
+  for (const Row& row : study.rows) {
+    const Counts counts = counts_at(row.tally, study.header.limits.back());
+    if (row.rules == "as-intended" && row.scalar == "exact" && counts.wrong() > 0)
+      return "family " + row.family + ": in exact numbers GJK was wrong on " + std::to_string(counts.wrong()) + " of " +
+             std::to_string(counts.pairs) + " pairs, which cannot be: GJK or the oracle has an error";
+  }
+  return "";
 }
 
 Study merged(std::vector<NamedStudy> shards) {

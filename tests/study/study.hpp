@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,16 +26,20 @@ struct Header {
 struct FamilyNote {
   std::string name, what;
   std::uint64_t pairs = 0, slow_pairs = 0;  ///< of the whole study
+  std::optional<std::uint64_t> size = {};   ///< how many there are, where all can be listed
   bool operator==(const FamilyNote&) const = default;
 };
 
 struct Study {
   Header header;
   Shard shard;
-  std::vector<std::string> processors;  ///< that the timings were taken on
+  std::vector<std::string> processors;  ///< that the timings were taken on, and in how many threads
   std::vector<FamilyNote> families;
   std::vector<Row> rows;  ///< as in Findings
 };
+
+/// Returns: the row's counts, which are a census where it went through all pairs of a list.
+Counts counts_at(const FamilyNote& family, const Row& row, int limit);
 
 /// Files that do not go together, or are none of the study's; what() is a sentence that says which and why.
 struct StudyError : std::runtime_error {
@@ -46,6 +51,11 @@ std::string to_json(const Study& study);
 
 /// `name` stands in errors. Errors: StudyError.
 Study from_json(std::string_view text, const std::string& name);
+
+/// Exact numbers, asked by the rules as intended, are never wrong where they decide: else GJK or the oracle has an error.
+///
+/// Returns: a sentence on the first family in which they were; "" where they were in none.
+std::string contradiction(const Study& study);
 
 /// A shard and the file that it was read from.
 struct NamedStudy {

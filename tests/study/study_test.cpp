@@ -60,6 +60,7 @@ TEST_CASE("Shards merged in any order give the tables of one run", "[study]") {
   const Study sum = merged(std::move(shards));
   CHECK(counts_csv(Settings(sum)) == counts_csv(Settings(one)));
   CHECK(counts_markdown(Settings(sum)) == counts_markdown(Settings(one)));
+  CHECK(errors_markdown(Settings(sum)) == errors_markdown(Settings(one)));
   CHECK(settings_markdown(Settings(sum)) == settings_markdown(Settings(one)));
   for (std::size_t row = 0; row < one.rows.size(); ++row) CHECK(sum.rows[row].tally == one.rows[row].tally);
 }
@@ -85,6 +86,18 @@ TEST_CASE("Shards of different studies are refused", "[study]") {
   CHECK_THAT(changed([](Study& s) { s.families.pop_back(); }), Contains("differ"));
   CHECK_THAT(changed([](Study& s) { s.rows.pop_back(); }), Contains("differ"));
   CHECK_THAT(changed([](Study& s) { s.shard.count = 3; }), Contains("shards of 2 and of 3"));
+}
+
+TEST_CASE("A wrong answer in exact numbers is a contradiction and in others it is none", "[study]") {
+  Study study = made(small_request());
+  CHECK(contradiction(study).empty());  // although floating point was wrong
+  const auto exact = std::ranges::find_if(study.rows, [](const Row& row) {
+    return row.family == "coplanar-tilted" && row.scalar == "exact" && row.rules == "as-intended";
+  });
+  exact->tally.count({Truth::separated, Proof::predicates}, {Answer::unusable, 3});
+  CHECK(contradiction(study).empty());
+  exact->tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  CHECK_THAT(contradiction(study), Contains("family coplanar-tilted: in exact numbers GJK was wrong on 1 of 4 pairs"));
 }
 
 TEST_CASE("A shard that is missing or there twice is refused by its number", "[study]") {
@@ -129,8 +142,8 @@ TEST_CASE("Files that are none of the study's are refused with their name", "[st
   CHECK_THAT(refusal(good.substr(0, good.size() / 2)), Contains("a.json is not JSON, or is cut off"));
   CHECK_THAT(refusal("[]"), Contains("not a file of gjkstep-study"));
   CHECK_THAT(refusal(R"({"gjkstep_study":99})"), Contains("format 99"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":1})"), Contains("damaged"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":1,"header":[]})"), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":2})"), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":2,"header":[]})"), Contains("damaged"));
 }
 
 }  // namespace

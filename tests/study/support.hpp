@@ -1,6 +1,7 @@
 /// What the tests of the study have in common.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,8 @@ inline Plan plan_for(const std::vector<const Family*>& families, const std::vect
   plan.seed = 7;
   plan.methods = methods;
   plan.limits = {5, 8, 10, 20, 50};
-  for (const Family* family : families) plan.parts.push_back({family, pairs, slow_pairs});
+  for (const Family* family : families)
+    plan.parts.push_back({family, std::min(pairs, family->size.value_or(pairs)), slow_pairs});
   return plan;
 }
 

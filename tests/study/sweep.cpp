@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
@@ -10,13 +11,13 @@
 #include <tuple>
 
 #include "tests/study/oracle.hpp"
+#include "tests/study/turns.hpp"
 
 namespace study {
 namespace {
 
-constexpr std::uint64_t job_size = 256;       // pairs of one job; also of one timed batch
-constexpr std::size_t slow_batch = 16;        // questions of a timed batch of a slow scalar
-constexpr int repeats = 5, slow_repeats = 3;  // odd: the median is one of them
+constexpr std::uint64_t job_size = 256;  // pairs of one job; also of one timed batch
+constexpr std::size_t slow_batch = 16;   // questions of a timed batch of a slow scalar
 
 /// Positions first … last - 1 in the list of the shard's pairs of one part.
 struct Job {
@@ -28,14 +29,14 @@ struct Job {
 struct Sample {
   std::uint64_t index;
   Pair pair;
-  Truth truth;
+  Judgement judgement;
 };
 
 /// A sample as one scalar sees it.
 struct View {
   const Sample* sample;
   std::optional<RoundedPair> rounded;  ///< empty where a number is out of range
-  Truth truth;
+  Judgement judgement;
   std::unique_ptr<Question> question;  ///< null where it is not asked
 };
 
@@ -87,11 +88,12 @@ class Worker {
 
   void run() {
     const std::vector<Sample> samples = make_samples();
-    for (std::size_t m = 0; m < plan_.methods.size(); ++m) {
-      const Scalar& scalar = plan_.methods[m]->scalar;
-      if (m == 0 || scalar.name != plan_.methods[m - 1]->scalar.name) views_ = views_of(samples, scalar);
-      cells.push_back(cell_of(*plan_.methods[m]));
+    for (const Method* const method : plan_.methods) {
+      const auto [views, is_new] = views_.try_emplace(method->scalar.name);
+      if (is_new) views->second = views_of(samples, method->scalar);
+      cells.push_back({tally_of(*method, views->second), {}});
     }
+    if (job_.first < plan_.timed_pairs) time_all();
   }
 
   std::vector<Cell> cells;  ///< one for each method
@@ -103,14 +105,14 @@ class Worker {
     for (std::uint64_t position = job_.first; position < job_.last; ++position) {
       const std::uint64_t index = plan_.shard.index + position * plan_.shard.count;
       Pair pair = part_.family->make(plan_.seed, index);
-      const Truth answer = truth_of(pair, index);
-      samples.push_back({index, std::move(pair), answer});
+      const Judgement judgement = judgement_of(pair, index);
+      samples.push_back({index, std::move(pair), judgement});
     }
     return samples;
   }
 
-  Truth truth_of(const Pair& pair, std::uint64_t index) const try {
-    return truth(pair);
+  Judgement judgement_of(const Pair& pair, std::uint64_t index) const try {
+    return judge(pair);
   } catch (const std::exception& error) {
     throw std::runtime_error("the truth about pair " + std::to_string(index) + " of family '" + part_.family->name +
                              "' is not known: " + error.what());
@@ -120,9 +122,9 @@ class Worker {
     std::vector<View> views;
     for (const Sample& sample : samples) {
       if (scalar.is_slow && sample.index >= part_.slow_pairs) break;
-      View view{&sample, scalar.rounded(sample.pair), sample.truth, nullptr};
+      View view{&sample, scalar.rounded(sample.pair), sample.judgement, nullptr};
       if (view.rounded) {
-        if (view.rounded->differs) view.truth = truth_of(view.rounded->pair, sample.index);
+        if (view.rounded->differs) view.judgement = judgement_of(view.rounded->pair, sample.index);
         view.question = scalar.question(view.rounded->pair);
       }
       views.push_back(std::move(view));
@@ -130,66 +132,56 @@ class Worker {
     return views;
   }
 
-  Cell cell_of(const Method& method) {
-    Cell cell;
+  Tally tally_of(const Method& method, const std::vector<View>& views) {
+    Tally tally;
     std::array<std::uint64_t, 3> kept{};
-    for (const View& view : views_) {
-      if (view.truth != view.sample->truth) ++cell.tally.truth_changed;
+    for (const View& view : views) {
+      if (view.judgement.truth != view.sample->judgement.truth) ++tally.truth_changed;
       if (!view.rounded)
-        ++cell.tally.out_of_range;
+        ++tally.out_of_range;
       else if (!view.question)
-        ++cell.tally.not_askable;
-      else if (const auto kind = ask(method, view, cell.tally))
+        ++tally.not_askable;
+      else if (const auto kind = ask(method, view, tally))
         if (kept[static_cast<std::size_t>(*kind)]++ < plan_.failures_kept) keep(method, view, *kind);
     }
-    if (job_.first < plan_.timed_pairs) cell.timings = timings_of(method);
-    return cell;
+    return tally;
   }
 
   std::optional<Kind> ask(const Method& method, const View& view, Tally& tally) const try {
     const int limit = plan_.limits.back();
     const Outcome outcome = method.ask(*view.question, limit);
-    tally.count(view.truth, outcome);
+    tally.count(view.judgement, outcome);
     if (outcome.answer == Answer::at_limit)
       if (const int k = method.first_return(*view.question, limit)) count(tally.returns, k);
-    return failure_kind(view.truth, outcome, plan_.failure_limit);
+    return failure_kind(view.judgement.truth, outcome, plan_.failure_limit);
   } catch (const std::exception&) {
     ++tally.exceptions;
     return std::nullopt;
   }
 
   void keep(const Method& method, const View& view, Kind kind) {
-    failures.push_back(
-        {part_.family->name, view.sample->index, &method, kind, plan_.failure_limit, view.truth, view.rounded->pair});
+    failures.push_back({part_.family->name, view.sample->index, &method, kind, plan_.failure_limit,
+                        view.judgement.truth, view.rounded->pair});
   }
 
-  Timings timings_of(const Method& method) const {
+  void time_all() {
+    std::vector<Batch> batches;
+    for (const Method* const method : plan_.methods) batches.push_back({method, timed_questions(*method)});
+    std::vector<Timings> times = times_in_turn(batches, plan_.limits);
+    for (std::size_t m = 0; m < cells.size(); ++m) cells[m].timings = std::move(times[m]);
+  }
+
+  std::vector<const Question*> timed_questions(const Method& method) const {
     std::vector<const Question*> batch;
-    for (const View& view : views_)
+    for (const View& view : views_.at(method.scalar.name))
       if (view.question && (!method.scalar.is_slow || batch.size() < slow_batch)) batch.push_back(view.question.get());
-    return batch.empty() ? Timings{} : timings_of(method, batch);
-  }
-
-  /// The limits take turns, so that none profits more than another from what the processor has learned of the batch.
-  Timings timings_of(const Method& method, const std::vector<const Question*>& batch) const {
-    std::map<int, std::vector<std::chrono::nanoseconds>> times;
-    for (int i = 0; i < (method.scalar.is_slow ? slow_repeats : repeats); ++i)
-      for (const int limit : plan_.limits) times[limit].push_back(method.time(batch, limit));
-    Timings timings;
-    for (auto& [limit, all] : times) timings[limit] = {batch.size(), median_of(all)};
-    return timings;
-  }
-
-  static std::uint64_t median_of(std::vector<std::chrono::nanoseconds>& times) {
-    const auto median = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), median, times.end());
-    return static_cast<std::uint64_t>(median->count());
+    return batch;
   }
 
   const Plan& plan_;
   const Job& job_;
   const Part& part_;
-  std::vector<View> views_;
+  std::map<std::string, std::vector<View>> views_;  // by scalar
 };
 
 // -- All jobs ---------------------------------------------------------------------------------------------------------

@@ -50,19 +50,28 @@ std::uint64_t total(const Histogram& histogram) {
   return std::accumulate(histogram.begin(), histogram.end(), std::uint64_t{0});
 }
 
-void Tally::count(Truth truth, const Outcome& outcome) {
-  study::count(queries[index(truth)][index(outcome.answer)], outcome.iterations);
+void Tally::count(const Judgement& judgement, const Outcome& outcome) {
+  study::count(queries[index(judgement.truth)][index(outcome.answer)], outcome.iterations);
+  ++proven[static_cast<std::size_t>(judgement.proof)];
 }
 
 Tally& Tally::operator+=(const Tally& more) {
   for (std::size_t truth = 0; truth < queries.size(); ++truth)
     for (std::size_t answer = 0; answer < answers; ++answer) add(queries[truth][answer], more.queries[truth][answer]);
+  for (std::size_t proof = 0; proof < proofs; ++proof) proven[proof] += more.proven[proof];
   add(returns, more.returns);
   out_of_range += more.out_of_range;
   not_askable += more.not_askable;
   truth_changed += more.truth_changed;
   exceptions += more.exceptions;
   return *this;
+}
+
+std::uint64_t Tally::pairs() const {
+  std::uint64_t sum = out_of_range + not_askable + exceptions;
+  for (const auto& by_answer : queries)
+    for (const Histogram& histogram : by_answer) sum += total(histogram);
+  return sum;
 }
 
 Counts counts_at(const Tally& tally, int limit) {

@@ -7,8 +7,9 @@
 #include <map>
 #include <vector>
 
+#include "tests/study/judgement.hpp"
 #include "tests/study/method.hpp"
-#include "tests/study/pair.hpp"
+#include "tests/study/rate.hpp"
 
 namespace study {
 
@@ -23,15 +24,18 @@ std::uint64_t total(const Histogram& histogram);
 /// ends within L iterations ends alike, any other is undecided.
 struct Tally {
   std::array<std::array<Histogram, answers>, 2> queries;  ///< by truth, then by answer
+  std::array<std::uint64_t, proofs> proven{};             ///< the truths about these pairs, by Proof
   Histogram returns;                ///< of queries without an answer: by the iteration in which a state came back
   std::uint64_t out_of_range = 0;   ///< not asked: a number has no counterpart in the scalar
   std::uint64_t not_askable = 0;    ///< not asked: the scalar has no such shape
   std::uint64_t truth_changed = 0;  ///< rounding to the scalar made the sets touch, or parted them
   std::uint64_t exceptions = 0;     ///< the query threw
 
-  void count(Truth truth, const Outcome& outcome);
+  void count(const Judgement& judgement, const Outcome& outcome);
   Tally& operator+=(const Tally& more);
   bool operator==(const Tally&) const = default;
+
+  std::uint64_t pairs() const;  ///< asked or not
 };
 
 /// A tally, as a reader asks for it: at one iteration limit.
@@ -45,6 +49,7 @@ struct Counts {
   std::uint64_t cycles = 0;  ///< undecided ones that came back to a state within the limit: they go in circles for ever
   std::uint64_t support_calls = 0;
   Histogram hit_iterations, miss_iterations;  ///< by truth; undecided queries count with the iterations they took
+  Extent extent = Extent::sample;             ///< of the pairs
 
   std::uint64_t misses() const { return pairs - hits; }
   std::uint64_t wrong() const { return false_positives + false_negatives; }
@@ -53,6 +58,18 @@ struct Counts {
 Counts counts_at(const Tally& tally, int limit);
 
 Counts& operator+=(Counts& sum, const Counts& more);
+
+// Rates, each of the pairs with which it can happen.
+inline Rate hit_rate(const Counts& counts) { return {counts.hits, counts.pairs, counts.extent}; }
+inline Rate false_positive_rate(const Counts& counts) {
+  return {counts.false_positives, counts.misses(), counts.extent};
+}
+inline Rate false_negative_rate(const Counts& counts) { return {counts.false_negatives, counts.hits, counts.extent}; }
+inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs, counts.extent}; }
+inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs, counts.extent}; }
+inline Rate failure_rate(const Counts& counts) {
+  return {counts.wrong() + counts.undecided, counts.pairs, counts.extent};
+}
 
 /// Mean, 99 % and largest of a histogram. `p99`: the least k such that at least 99 % took k or fewer.
 struct Spread {
@@ -63,10 +80,7 @@ struct Spread {
 /// Requires: total(histogram) > 0.
 Spread spread_of(const Histogram& histogram);
 
-/// Kept apart from the counts, because no two runs agree.
-///
-/// A batch of questions is asked `repeats` times in a row; the median of these times counts, so that what else the machine
-/// does seldom shows. Times of batches are added.
+/// Kept apart from the counts, because no two runs agree. Times of batches, see turns.hpp, are added.
 struct Timing {
   std::uint64_t queries = 0, nanoseconds = 0;
 

@@ -34,13 +34,13 @@ TEST_CASE("What a smaller limit answers follows from the answers at the largest"
 
 TEST_CASE("A tally tells wrong answers of either kind apart from undecided ones", "[tally]") {
   Tally tally;
-  tally.count(Truth::separated, {Answer::intersecting, 3});
-  tally.count(Truth::intersecting, {Answer::separated, 4});
-  tally.count(Truth::intersecting, {Answer::separated, 9});
-  tally.count(Truth::intersecting, {Answer::intersecting, 5});
-  tally.count(Truth::separated, {Answer::separated, 2});
-  tally.count(Truth::separated, {Answer::at_limit, 50});
-  tally.count(Truth::separated, {Answer::unusable, 6});
+  tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  tally.count({Truth::intersecting, Proof::predicates}, {Answer::separated, 4});
+  tally.count({Truth::intersecting, Proof::predicates}, {Answer::separated, 9});
+  tally.count({Truth::intersecting, Proof::predicates}, {Answer::intersecting, 5});
+  tally.count({Truth::separated, Proof::predicates}, {Answer::separated, 2});
+  tally.count({Truth::separated, Proof::predicates}, {Answer::at_limit, 50});
+  tally.count({Truth::separated, Proof::predicates}, {Answer::unusable, 6});
   const Counts at_8 = counts_at(tally, 8);
   REQUIRE(at_8.pairs == 7);
   REQUIRE(at_8.hits == 3);
@@ -53,13 +53,27 @@ TEST_CASE("A tally tells wrong answers of either kind apart from undecided ones"
   REQUIRE(counts_at(tally, 10).false_negatives == 2);
 }
 
+TEST_CASE("Each rate is a share of the pairs with which it can happen", "[tally]") {
+  Counts counts;
+  counts.pairs = 10;
+  counts.hits = 4;
+  counts.false_positives = 3;
+  counts.false_negatives = 2;
+  counts.undecided = 1;
+  CHECK(false_positive_rate(counts).share() == 3.0 / 6);
+  CHECK(false_negative_rate(counts).share() == 2.0 / 4);
+  CHECK(undecided_rate(counts).share() == 1.0 / 10);
+  CHECK(wrong_rate(counts).share() == 5.0 / 10);
+  CHECK(failure_rate(counts).share() == 6.0 / 10);
+}
+
 TEST_CASE("Tallies add up", "[tally]") {
   Tally one, other, both;
-  one.count(Truth::separated, {Answer::intersecting, 3});
-  other.count(Truth::intersecting, {Answer::intersecting, 12});
+  one.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  other.count({Truth::intersecting, Proof::predicates}, {Answer::intersecting, 12});
   other.truth_changed = 5;
-  both.count(Truth::intersecting, {Answer::intersecting, 12});
-  both.count(Truth::separated, {Answer::intersecting, 3});
+  both.count({Truth::intersecting, Proof::predicates}, {Answer::intersecting, 12});
+  both.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
   both.truth_changed = 5;
   one += other;
   REQUIRE(counts_at(one, 50).false_positives == 1);
