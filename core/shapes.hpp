@@ -80,7 +80,7 @@ class PointBlocks {
 
   /// In the order of PointSet::reach(), so that the same point is farthest.
   static auto reach(const Block& block, const Vec3<S>& d) {
-    return (block.col(0) * d.x() + block.col(1) * d.y()) + block.col(2) * d.z();
+    return block.col(0) * d.x() + (block.col(1) * d.y() + block.col(2) * d.z());
   }
 
   std::vector<Block> blocks_;
@@ -117,8 +117,8 @@ class PointSet {
     return farthest;
   }
 
-  /// P·d, added up from the left: the order that Eigen's dot() takes depends on the scalar and on the processor.
-  static S reach(const Vec3<S>& p, const Vec3<S>& d) { return (p.x() * d.x() + p.y() * d.y()) + p.z() * d.z(); }
+  /// P·d, added up from the right: the order that Eigen's dot() takes depends on the scalar and on the processor.
+  static S reach(const Vec3<S>& p, const Vec3<S>& d) { return p.x() * d.x() + (p.y() * d.y() + p.z() * d.z()); }
 
   std::vector<Vec3<S>> points_;
   PointBlocks<S> blocks_;

@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("Eq. 5: many points are added up as few are, to the last bit"
     // Points in the plane p·d: which of them comes first is decided by rounding alone.
     std::vector<Vec3<S>> list(20);
     for (Vec3<S>& q : list) q = p + any_vector().cross(d);
-    const auto reach = [&](const Vec3<S>& q) { return (q.x() * d.x() + q.y() * d.y()) + q.z() * d.z(); };
+    const auto reach = [&](const Vec3<S>& q) { return q.x() * d.x() + (q.y() * d.y() + q.z() * d.z()); };
     const auto nearer = [&](const Vec3<S>& q, const Vec3<S>& r) { return reach(q) < reach(r); };
     REQUIRE(PointSet<S>(list).support(d).index == std::max_element(list.begin(), list.end(), nearer) - list.begin());
   }
