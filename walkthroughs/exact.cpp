@@ -235,7 +235,10 @@ std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const 
   wrong.text = turn.cause;
   const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;
   return {wrong,
-          {.at = Remark::At::end, .iteration = last, .text = turn.truth, .fact = truth(result_of(exact_trace), scene.dimension)}};
+          {.at = Remark::At::end,
+           .iteration = last,
+           .text = turn.truth,
+           .fact = truth(result_of(exact_trace), scene.dimension)}};
 }
 
 }  // namespace walkthroughs

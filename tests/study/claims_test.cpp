@@ -84,12 +84,12 @@ TEST_CASE("Effort for a small seed is pinned", "[claims]") {
   REQUIRE(e.hits.iterations.queries() == 555);
   REQUIRE(e.misses.iterations.queries() == 1445);
   REQUIRE(e.undecided.iterations.queries() == 0);
-  REQUIRE(e.misses.iterations.max() == 10);
+  REQUIRE(e.misses.iterations.max() == 8);
   REQUIRE(e.hits.cross_products.max() == 23);
   REQUIRE(e.most_in_a_3simplex.max() == 6);
-  REQUIRE(e.shortcuts.in_triangle[3].edges == 160);
+  REQUIRE(e.shortcuts.in_triangle[3].edges == 159);
   REQUIRE(e.shortcuts.kept_the_nearest.trials == 427);
-  REQUIRE(e.shortcuts.kept_the_nearest.count == 376);
+  REQUIRE(e.shortcuts.kept_the_nearest.count == 373);
   REQUIRE(e.shortcuts.nearest_was(4, 15).count == 555);
 }
 
@@ -98,15 +98,15 @@ TEST_CASE("Effort for a hard family is held against the truth and for a listed o
   const ShapeEffort e = measure_effort(touching, few);
   REQUIRE(touching.pairs(few) == 200);
   REQUIRE(e.queries() == 200);
-  REQUIRE(e.hits.iterations.queries() == 191);
+  REQUIRE(e.hits.iterations.queries() == 189);
   REQUIRE(e.misses.iterations.queries() == 0);  // all touch
-  REQUIRE(e.wrong.iterations.queries() == 9);
+  REQUIRE(e.wrong.iterations.queries() == 11);
   REQUIRE(e.undecided.iterations.queries() == 0);
   const Shape& cycles = claim_shape("cycles");
-  const ClaimsOptions enough{.pairs = 20'000};
-  REQUIRE(cycles.pairs(enough) == 1296);
-  REQUIRE(cycles.asks_all(enough));
-  REQUIRE_FALSE(cycles.asks_all(few));
+  const ClaimsOptions too_few{.pairs = 200};
+  REQUIRE(cycles.pairs(few) == 48);
+  REQUIRE(cycles.asks_all(few));
+  REQUIRE_FALSE(cycles.asks_all(too_few));
   REQUIRE(measure_effort(cycles, few).answered_within(0, 20).count == 0);
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("What lies in a skipped region of a whole-number family in double does
     for (const Skipped& skipped : skipped_regions()) count += not_nearest(shortcuts, skipped).opposite().count;
     return count;
   };
-  REQUIRE(exceptions(rounded) == 20);
+  REQUIRE(exceptions(rounded) == 7);
   REQUIRE(exact.nearest_was(4, 0).trials > 100);
   REQUIRE(exceptions(exact) == 0);
 }
@@ -136,7 +136,8 @@ TEST_CASE("A hard family breaks a claim that all random shapes keep and the tabl
   const std::string text = out.str(), words = "| GJK “rarely needs more than 10”";
   const auto start = text.find(words);
   const std::string line = text.substr(start, text.find('\n', start) - start);
-  REQUIRE(line.find("cycles: 0 (at most") != std::string::npos);
+  INFO(line);
+  REQUIRE(line.find("cycles: 0 % of all 48") != std::string::npos);
   REQUIRE(line.find("**holds**") == std::string::npos);
 }
 
@@ -240,10 +241,10 @@ TEST_CASE("A sign that is flipped shows in the table and an order that is wrong 
       if (mistakes()[i].name.find(part) != std::string::npos) return table.counts[i];
     throw std::invalid_argument("no mistake is called " + part);
   };
-  REQUIRE(of("ABn of the triangle points inward").fails.count == 492);
-  REQUIRE(of("wrong order, and").undecided == 1196);
+  REQUIRE(of("ABn of the triangle points inward").fails.count == 490);
+  REQUIRE(of("wrong order, and").undecided == 1197);
   REQUIRE(of("ADB is kept in the wrong order").fails.count == 0);
-  REQUIRE(of("ADB is kept in the wrong order").changed.count == 42);
+  REQUIRE(of("ADB is kept in the wrong order").changed.count == 45);
 }
 
 std::string text_of_few_pairs() {

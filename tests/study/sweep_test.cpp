@@ -142,16 +142,16 @@ Pinned pinned(const std::string& family, const std::string& method) {
 
 TEST_CASE("Counts for small fixed seeds are pinned", "[sweep]") {
   const std::map<std::string, Pinned> expected = {
-      {"triangles as-intended double exact", {400, 113, 0, 0, 0, 1534}},
-      {"triangles as-printed double exact", {400, 113, 5, 0, 0, 1534}},
+      {"triangles as-intended double exact", {400, 113, 0, 0, 0, 1533}},
+      {"triangles as-printed double exact", {400, 113, 5, 0, 0, 1533}},
       {"boxes as-intended float exact", {400, 227, 0, 0, 0, 1571}},
       {"hulls-32 as-intended double relative", {400, 198, 0, 0, 0, 1416}},
-      {"touching-face-askew as-intended double exact", {400, 400, 0, 33, 3, 1724}},
-      {"touching-face-askew as-intended double relative", {400, 400, 0, 0, 0, 1565}},
+      {"touching-face-askew as-intended double exact", {400, 400, 0, 34, 1, 1696}},
+      {"touching-face-askew as-intended double relative", {400, 400, 0, 0, 0, 1564}},
       {"coplanar-tilted as-intended float exact", {400, 248, 0, 82, 5, 1531}},
       {"flat-1e-9-turned as-intended float exact", {400, 180, 67, 29, 14, 1864}},
       {"near-parallel-edges as-intended double exact", {400, 188, 52, 0, 14, 2209}},
-      {"scale-1e100 as-intended double exact", {400, 259, 10, 0, 65, 1713}},
+      {"scale-1e100 as-intended double exact", {400, 259, 10, 0, 65, 1711}},
       {"cycles-turned as-intended double exact", {96, 48, 0, 0, 44, 1236}},
       {"spheres-gap-1e-6 as-intended double exact", {400, 207, 0, 0, 273, 7462}},
       {"cylinders as-intended float exact", {400, 236, 0, 0, 0, 1469}},
