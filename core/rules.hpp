@@ -94,7 +94,8 @@ void skip_beyond_A(const Simplex<S>& simplex, std::string_view label, Teller<Obs
        tell);
 }
 
-/// Keeps the vertices of these roles, in this order (oldest first), and searches along `direction`.
+/// Keeps the vertices of these roles, in this order (oldest first), and searches along `direction`. References to points of
+/// the simplex mean other vertices afterwards.
 template <class S, class Obs>
 Next<S> keep(Simplex<S>& simplex, std::initializer_list<Role> roles, std::string_view why, const Vec3<S>& direction,
              std::string_view expression, Teller<Obs>& tell) {

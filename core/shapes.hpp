@@ -67,10 +67,12 @@ class PointBlocks {
         best = i;
       }
     }
+    // Compared with one another and not with `most`: a compiler that is allowed to contract products may round it otherwise.
     const Eigen::Array<S, size, 1> reaches = reach(blocks_[best], d);
-    std::size_t row = 0;
-    while (row < size - 1 && reaches[static_cast<Eigen::Index>(row)] != most) ++row;
-    return best * size + row;
+    Eigen::Index row = 0;
+    for (Eigen::Index i = 1; i < reaches.size(); ++i)
+      if (reaches[i] > reaches[row]) row = i;
+    return best * size + static_cast<std::size_t>(row);
   }
 
  private:

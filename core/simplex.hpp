@@ -25,6 +25,7 @@ class Simplex {
   Simplex() {}
   Simplex(const Simplex& other) { *this = other; }
   Simplex& operator=(const Simplex& other) {
+    if (this == &other) return *this;
     std::copy_n(other.vertices_.begin(), other.size_, vertices_.begin());
     size_ = other.size_;
     return *this;

@@ -71,8 +71,6 @@ Column column(const Settings& settings, std::string heading, const Setting& sett
           }};
 }
 
-std::string words_of_wrong(const Counts& counts) { return in_words(wrong_rate(counts)); }
-
 std::string words_of_failures(const Counts& counts) { return in_words(failure_rate(counts)); }
 
 std::string words_of_undecided(const Counts& counts) {
@@ -167,7 +165,7 @@ std::string scalars_table(const Settings& settings, const std::function<std::str
 }
 
 std::string rules_table(const Settings& settings) {
-  return varied_table(settings, &Setting::rules, settings.rules(), words_of_wrong);
+  return varied_table(settings, &Setting::rules, settings.rules(), words_of_failures);
 }
 
 std::string zero_tests_table(const Settings& settings) {
@@ -193,12 +191,22 @@ std::string limits_table(const Settings& settings) {
   return rate_table(settings, columns);
 }
 
+/// Returns: "8.4", of both sets together.
+std::string support_calls(const Counts& counts) {
+  if (counts.pairs == 0) return "";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f",
+                static_cast<double>(counts.support_calls) / static_cast<double>(counts.pairs));
+  return text;
+}
+
 std::string iterations_table(const Settings& settings) {
   const Setting usual = settings.usual();
   return table(settings, {column(settings, "hits: mean, 99 %, max", usual,
                                  [](const Counts& counts) { return words_of(counts.hit_iterations); }),
                           column(settings, "misses: mean, 99 %, max", usual,
-                                 [](const Counts& counts) { return words_of(counts.miss_iterations); })});
+                                 [](const Counts& counts) { return words_of(counts.miss_iterations); }),
+                          column(settings, "support calls a query", usual, support_calls)});
 }
 
 std::string head(const Settings& settings, const std::string& title) {
@@ -212,7 +220,7 @@ std::string how_to_read(const Settings& settings) {
          "intervals (Wilson 1927); where "
          "nothing was seen, only the upper end. Families that were listed to the last pair are a census, \"of all\", "
          "and have none. Unless a table says otherwise: " +
-         described(settings.usual()) + ". Every combination is in study.csv.\n\n";
+         described(settings.usual()) + ". Every combination is in study.csv, which the command writes.\n\n";
 }
 
 // -- Timings ----------------------------------------------------------------------------------------------------------
@@ -249,12 +257,6 @@ std::string iterations_per_query(const Counts& counts) {
   return text;
 }
 
-/// Measured with the study itself, family triangles, both scalars in turn: GCC 12.2 at -O3 on an AMD EPYC.
-constexpr const char* without_packing =
-    "with -fno-tree-slp-vectorize, which forbids that, a query took 115 ns instead of 135 in float, and 122 instead of "
-    "114 "
-    "in double (GCC 12.2, AMD EPYC)";
-
 /// Why float is not the faster one, where this run shows that it is not, with the compiler that this was measured with.
 std::string float_and_double(const Settings& settings) {
   if (settings.study().families.empty() || !settings.study().header.compiler.starts_with("GNU 12.")) return "";
@@ -271,8 +273,8 @@ std::string float_and_double(const Settings& settings) {
     return "";
   return "\nFloat is not the faster one, and not for more iterations (" + family + ": " +
          iterations_per_query(*in_float) + " in float, " + iterations_per_query(*in_double) +
-         " in double) but for how the compiler packs the three numbers of a point into vector registers: " +
-         without_packing + ".\n";
+         " in double) but for how GCC 12 packs the three numbers of a point into vector registers: compiled with "
+         "-fno-tree-slp-vectorize, which forbids that, float takes no longer than double.\n";
 }
 
 }  // namespace
@@ -302,7 +304,7 @@ std::string in_words(const Rate& rate) {
 
 std::string counts_markdown(const Settings& settings) {
   return head(settings, "Accuracy") + how_to_read(settings) + families_table(settings) +
-         "\n## Wrong answers, by scalar\n\n" + scalars_table(settings, words_of_wrong) +
+         "\n## Wrong or undecided, by scalar\n\n" + scalars_table(settings, words_of_failures) +
          "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it "
          "took.\n\n" +
          iterations_table(settings);
@@ -322,9 +324,9 @@ std::string errors_markdown(const Settings& settings) {
 }
 
 std::string settings_markdown(const Settings& settings) {
-  return head(settings, "What the other settings change") + how_to_read(settings) + "## Wrong answers, by rules\n\n" +
-         rules_table(settings) + "\n## Wrong or undecided, by zero test\n\n" + zero_tests_table(settings) +
-         "\n## Undecided, by iteration limit\n\n" + limits_table(settings);
+  return head(settings, "What the other settings change") + how_to_read(settings) +
+         "## Wrong or undecided, by rules\n\n" + rules_table(settings) + "\n## Wrong or undecided, by zero test\n\n" +
+         zero_tests_table(settings) + "\n## Undecided, by iteration limit\n\n" + limits_table(settings);
 }
 
 std::string timings_markdown(const Settings& settings) {
@@ -334,7 +336,8 @@ std::string timings_markdown(const Settings& settings) {
          described(settings.usual()) +
          "; columns vary scalar and zero test. Shapes are made before the clock starts. The methods take turns with "
          "the "
-         "same batch of up to 256 pairs, each after a pass with which its caches warm up; of five turns, of exact "
+         "same batch of up to 256 pairs, each limit after a pass with which the caches warm up, and another limit "
+         "first in each turn; of five turns, of exact "
          "numbers three and 16 pairs, the median counts. One reading of the clock in each batch is part of it. Balls "
          "and cylinders pay for the choice of the form at each support call.\n\n" +
          times_table(settings) + float_and_double(settings);

@@ -95,6 +95,17 @@ TEST_CASE("Errors of either kind are told of the pairs with which they can happe
   CHECK(errors_markdown(Settings(study)).find("| family | no pairs | 0 (< 0.49) | 0.25 (") != std::string::npos);
 }
 
+TEST_CASE("A rule with a sign flipped shows in the tables", "[tables]") {
+  const Method wrong =
+      method_of<double, OneNormalInward>("one-normal-inward", "exact", scalar_called<double>("double"));
+  const Plan plan = plan_for({&family_named("tetrahedra")}, {&wrong, &method_named("as-intended double exact")}, 500);
+  const Study study = study_of(Request{}, plan, sweep(plan).rows);
+  const std::string text = settings_markdown(Settings(study));
+  INFO(text);
+  CHECK(text.find("| family | as-intended | one-normal-inward |") != std::string::npos);
+  CHECK(text.find("| tetrahedra | 0 (< 0.0076) | 0.1") != std::string::npos);
+}
+
 TEST_CASE("CSV and JSON tell each rate with its interval", "[tables]") {
   const Study study = counted_by_hand();
   const std::string csv = counts_csv(Settings(study)), json = to_json(study);

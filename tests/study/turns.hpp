@@ -14,8 +14,8 @@ struct Batch {
   std::vector<const Question*> questions;
 };
 
-/// In each turn a method is asked all its questions once unmeasured, so that the other methods' turns do not cost it its
-/// caches, and then once with each limit. Of the turns of a method the median counts.
+/// In each turn a method is asked all its questions with each limit, once unmeasured, so that what came before does not cost
+/// it its caches, and once measured. Of the turns of a method the median counts.
 ///
 /// Returns: for each batch the times by limit; none for a batch without questions.
 std::vector<Timings> times_in_turn(const std::vector<Batch>& batches, const std::vector<int>& limits);

@@ -28,13 +28,13 @@ Method noting(nanoseconds (*time)(std::span<const Question* const>, int), bool i
   return method;
 }
 
-TEST_CASE("Methods take turns and warm up unmeasured in each", "[turns]") {
+TEST_CASE("Methods take turns, warm up unmeasured for each limit and begin with another", "[turns]") {
   const Method quick = noting(note<'q'>, false), slow = noting(note<'s'>, true);
   const Question* const question = nullptr;
   asked.clear();
   times_in_turn({{&quick, {question}}, {&slow, {question}}, {&slow, {}}}, {5, 8});
-  const std::string q = "q8 q5 q8 ", s = "s8 s5 s8 ";
-  CHECK(asked == q + s + q + s + q + s + q + q);
+  const std::string q = "q5 q5 q8 q8 ", s = "s5 s5 s8 s8 ", q_turned = "q8 q8 q5 q5 ", s_turned = "s8 s8 s5 s5 ";
+  CHECK(asked == q + s + q_turned + s_turned + q + s + q_turned + q);
 }
 
 /// Takes longer each time but for the third, which is the quickest.

@@ -86,7 +86,8 @@ class IndependentGjk {
 std::vector<Contender> fcl_contenders() {
   const std::string shapes = "; `fcl::Convex` without faces, which is faster than with";
   return {
-      {"FCL libccd", "FCL " GJKSTEP_FCL_VERSION ", `GJKSolver_libccd::shapeIntersect` (MPR)" + shapes,
+      {"FCL libccd",
+       "FCL " GJKSTEP_FCL_VERSION ", `GJKSolver_libccd::shapeIntersect` (MPR; of two balls a formula)" + shapes,
        batch_of<LibccdSolver>},
       {"FCL GJK",
        "FCL " GJKSTEP_FCL_VERSION ", `detail::GJK::evaluate` as `GJKSolver_indep` calls it, without its EPA" + shapes,

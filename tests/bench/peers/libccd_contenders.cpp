@@ -56,7 +56,7 @@ ccd_t settings(ccd_support_fn support) {
   CCD_INIT(&ccd);
   ccd.support1 = ccd.support2 = support;
   ccd.center1 = ccd.center2 = middle;
-  ccd.max_iterations = 100;  // as in its manual; by default there is no limit
+  ccd.max_iterations = 100;  // as in its manual, for its GJK; by default there is no limit
   return ccd;
 }
 
@@ -74,12 +74,13 @@ class Query {
 }  // namespace
 
 std::vector<Contender> libccd_contenders() {
-  const std::string limit = ", at most 100 iterations, else as by default";
+  const std::string limit = ", at most 100 iterations, else as by default",
+                    no_limit = ", as by default: it has no limit";
   const std::string simple = "; its user writes the support function: a loop over its vectors";
   const std::string version = "libccd " GJKSTEP_LIBCCD_VERSION ", ";
   return {
       {"libccd GJK", version + "`ccdGJKIntersect`" + limit + simple, batch_of<Query<ccdGJKIntersect, Scan::simple>>},
-      {"libccd MPR", version + "`ccdMPRIntersect`" + limit + simple, batch_of<Query<ccdMPRIntersect, Scan::simple>>},
+      {"libccd MPR", version + "`ccdMPRIntersect`" + no_limit + simple, batch_of<Query<ccdMPRIntersect, Scan::simple>>},
       {"libccd MPR, our support", "the same with the support function of `core/shapes.hpp`",
        batch_of<Query<ccdMPRIntersect, Scan::gjkstep>>}};
 }

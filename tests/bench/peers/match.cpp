@@ -36,8 +36,9 @@ Score score(const std::vector<Answer>& answers, const std::vector<study::Truth>&
       case Answer::crashed:
       case Answer::timed_out:
         if (score.first_failure.empty()) score.first_failure = told(answers[i], i);
-        [[fallthrough]];
-      case Answer::not_asked: ++score.failed; break;
+        ++score.failed;
+        break;
+      case Answer::not_asked: ++score.not_asked; break;
     }
   }
   return score;

@@ -14,11 +14,12 @@ namespace peers {
 struct Score {
   int false_positives = 0, false_negatives = 0;
   int undecided = 0;          ///< or an exception
-  int failed = 0;             ///< crashed or timed out, with the pairs not asked after too many of these
+  int failed = 0;             ///< crashed or timed out
+  int not_asked = 0;          ///< after too many of these
   std::string first_failure;  ///< "pair 17: no answer within 1 s"; empty where nothing failed
   double nanoseconds = 0;     ///< per query: the median of the repeats; 0 where some pair had no answer
 
-  int not_right() const { return false_positives + false_negatives + undecided + failed; }
+  int not_right() const { return false_positives + false_negatives + undecided + failed + not_asked; }
 };
 
 struct Match {

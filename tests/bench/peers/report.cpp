@@ -26,6 +26,7 @@ std::string mistakes(const Score& score) {
   add(score.false_negatives, "−");
   add(score.undecided, "?");
   add(score.failed, "!");
+  add(score.not_asked, " not asked");
   return text.empty() ? "0" : text;
 }
 
@@ -79,6 +80,16 @@ void write_aim(std::ostream& out, const std::vector<Match>& matches, const std::
   }
 }
 
+/// Where is the plain call not right about pairs that some peer is right about?
+void write_lost(std::ostream& out, const std::vector<Match>& matches, const std::vector<Contender>& contenders) {
+  std::string families;
+  for (const Match& match : matches)
+    if (match.lost > 0)
+      families += (families.empty() ? "" : ", ") + match.family + " (" + std::to_string(match.lost) + ")";
+  out << "* " << contenders[0].name << " is right wherever a peer is"
+      << (families.empty() ? "" : ", except about pairs of: " + families) << "\n";
+}
+
 void write_times(std::ostream& out, const std::vector<Match>& matches, const std::vector<Contender>& contenders) {
   std::vector<std::string> ratios;
   for (const char* peer : {"fastest peer ÷ ", "fastest no worse ÷ "})
@@ -122,13 +133,15 @@ void write_head(std::ostream& out, const Circumstances& c, const std::vector<Con
       << "* made by: `" << c.command << "`\n* seed " << c.settings.seed << "\n* processor: " << c.processor
       << "\n* compiler: " << c.compiler << ", flags `" << c.flags << "` (the peers' own code as Debian compiled it)\n";
   for (const Contender& contender : contenders) out << "* " << contender.name << ": " << contender.how << "\n";
-  out << "\nWrong answers: `+` false positives, `−` false negatives, `?` undecided or an exception, `!` crashed, out "
-         "of time "
-         "or not\nasked after such. Sets are closed: touching is intersecting. \"No worse\": not right on no more "
-         "pairs. "
-         "Timed are the first\npairs, as many as have "
-      << corners_raced
-      << " corners together, so that they stay in the cache; who has no answer to some pair is not timed.\n";
+  out << R"(
+Wrong answers: `+` false positives, `−` false negatives, `?` undecided or an exception, `!` crashed or out of time; after
+three of these the rest is not asked. Sets are closed: touching is intersecting. "No worse": not right on no more pairs.
+
+Timed are the first pairs, as many as have )"
+      << corners_raced << R"( corners together, so that they stay in the cache; who has no answer to some
+pair is not timed. "–": not timed, or no such peer. The fastest peer may be one that is wrong about most pairs, as the
+table of wrong answers shows.
+)";
 }
 
 void write_markdown(std::ostream& out, const std::string& title, const std::vector<Match>& matches,
@@ -139,19 +152,21 @@ void write_markdown(std::ostream& out, const std::string& title, const std::vect
   write_mistakes(out, matches, contenders);
   out << '\n';
   write_aim(out, matches, contenders);
+  write_lost(out, matches, contenders);
   write_failures(out, matches, contenders);
 }
 
 void write_csv(std::ostream& out, const Circumstances& c, const std::vector<Match>& matches,
                const std::vector<Contender>& contenders) {
   out << "# " << c.command << "; seed " << c.settings.seed << "; " << c.processor << "; " << c.compiler << "; "
-      << c.flags << "\nfamily,contender,pairs,meet,ns_per_query,false_positives,false_negatives,undecided,failed\n";
+      << c.flags
+      << "\nfamily,contender,pairs,meet,ns_per_query,false_positives,false_negatives,undecided,failed,not_asked\n";
   for (const Match& match : matches)
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       const Score& score = match.scores[i];
       out << match.family << ',' << contenders[i].name << ',' << match.pairs << ',' << match.meet << ','
           << fixed(score.nanoseconds, 1) << ',' << score.false_positives << ',' << score.false_negatives << ','
-          << score.undecided << ',' << score.failed << '\n';
+          << score.undecided << ',' << score.failed << ',' << score.not_asked << '\n';
     }
 }
 
