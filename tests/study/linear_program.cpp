@@ -181,6 +181,13 @@ void require_points(const Points& points) {
     if (!p.allFinite()) throw std::invalid_argument("the oracle needs finite coordinates");
 }
 
+/// Errors: std::logic_error where the certificate does not hold.
+Judgement judged_by(const Certificate& certificate, const Points& a, const Points& b) {
+  const bool proven = std::visit([&](const auto& proof) { return holds(proof, a, b); }, certificate);
+  if (!proven) throw std::logic_error("the certificate of the linear program does not hold");
+  return {std::holds_alternative<CommonPoint>(certificate) ? Truth::intersecting : Truth::separated, Proof::fractions};
+}
+
 }  // namespace
 
 bool holds(const CommonPoint& common, const Points& a, const Points& b) {
@@ -207,10 +214,13 @@ Judgement judged_by_linear_program(const Points& a, const Points& b) {
   const InUnitCube sets = in_unit_cube(a, b);
   const Guess guessed = guess(sets);
   if (const auto found = within_bounds(sets, guessed)) return {*found, Proof::error_bounds};
-  const Certificate certificate = solve_exactly(a, b, guessed);
-  const bool proven = std::visit([&](const auto& proof) { return holds(proof, a, b); }, certificate);
-  if (!proven) throw std::logic_error("the certificate of the linear program does not hold");
-  return {std::holds_alternative<CommonPoint>(certificate) ? Truth::intersecting : Truth::separated, Proof::fractions};
+  return judged_by(solve_exactly(a, b, guessed), a, b);
+}
+
+Judgement judged_in_fractions(const Points& a, const Points& b) {
+  require_points(a);
+  require_points(b);
+  return judged_by(solve_exactly(a, b), a, b);
 }
 
 }  // namespace study

@@ -58,6 +58,8 @@ std::optional<Truth> solve_within_bounds(const Points& a, const Points& b);
 /// Errors: std::logic_error where the certificate does not hold; std::invalid_argument where a set is empty or a
 /// coordinate is not finite.
 Judgement judged_by_linear_program(const Points& a, const Points& b);
+/// In fractions, whatever bounds would say. Errors: the same.
+Judgement judged_in_fractions(const Points& a, const Points& b);
 inline Truth truth_by_linear_program(const Points& a, const Points& b) { return judged_by_linear_program(a, b).truth; }
 
 }  // namespace study

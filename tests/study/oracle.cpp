@@ -30,4 +30,12 @@ struct Judge {
 
 Judgement judge(const Pair& pair) { return std::visit(Judge{}, pair.a, pair.b); }
 
+Judgement judge_twice(const Pair& pair) {
+  const Judgement once = judge(pair);
+  if (once.proof != Proof::error_bounds) return once;
+  const Judgement again = judged_in_fractions(std::get<Points>(pair.a), std::get<Points>(pair.b));
+  if (again.truth != once.truth) throw std::logic_error("bounds on errors and a certificate in fractions disagree");
+  return again;
+}
+
 }  // namespace study

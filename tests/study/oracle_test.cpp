@@ -33,6 +33,14 @@ TEST_CASE("Oracle: a judgement tells what proves it", "[oracle]") {
   CHECK(judge({Ball{{0, 0, 0}, 1}, Ball{{1, 0, 0}, 1}}).proof == Proof::formulas);
 }
 
+TEST_CASE("Oracle: what bounds prove is found again in fractions where it is judged twice", "[oracle]") {
+  for (const double x : {-3.0, 0.0, 1.0, 3.0}) {
+    CHECK(judge_twice({box_at(0), box_at(x)}).proof == Proof::fractions);
+    CHECK(judge_twice({box_at(0), box_at(x)}).truth == truth({box_at(0), box_at(x)}));
+  }
+  CHECK(judge_twice({Ball{{0, 0, 0}, 1}, Ball{{1, 0, 0}, 1}}).proof == Proof::formulas);
+}
+
 // -- Cases by hand ----------------------------------------------------------------------------------------------------
 
 struct Case {

@@ -114,8 +114,9 @@ std::string families_table(const Settings& settings) {
   };
   return "## Families\n\nOf each pair it is known exactly whether the sets have a point in common; touching counts: "
          "by CGAL's exact predicates; by a linear program whose answer in doubles is proven by bounds on their error, "
-         "or "
-         "else by a certificate in fractions; or by formulas in fractions. Float is asked about the pair as float "
+         "and "
+         "for every thousandth pair and where these are too wide by a certificate in fractions; or by formulas in "
+         "fractions. Float is asked about the pair as float "
          "writes it, and its answer held against the truth about that pair; how often "
          "writing it in float changed the truth is told beside it.\n\n" +
          table(settings,
