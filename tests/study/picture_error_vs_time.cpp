@@ -211,10 +211,8 @@ class Panel {
 std::string heading(const Settings& settings, std::size_t families) {
   std::string limits;
   for (const int limit : settings.limits()) limits += (limits.empty() ? "" : ", ") + std::to_string(limit);
-  return "Wrong or undecided against time, means of " + std::to_string(families) + " of " +
-         std::to_string(settings.study().families.size()) +
-         " families (those that every scalar can hold, but for known cycles); along each line the iteration limit is " +
-         limits;
+  return "Wrong or undecided against time, means of the " + std::to_string(families) + " of " +
+         std::to_string(settings.study().families.size()) + " families that float can hold; iteration limits " + limits;
 }
 
 }  // namespace
