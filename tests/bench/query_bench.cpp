@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 
-#include "walkthroughs/query.hpp"
-#include "walkthroughs/scene_values.hpp"
+#include "walkthroughs/query/query.hpp"
+#include "walkthroughs/text/scene_values.hpp"
 
 namespace {
 

@@ -37,7 +37,7 @@
 #include <vector>
 
 #include "render/image.hpp"
-#include "walkthroughs/render_frames.hpp"
+#include "walkthroughs/picture/render_frames.hpp"
 
 namespace {
 

@@ -15,8 +15,8 @@
 #include <string>
 #include <string_view>
 
-#include "tests/walkthroughs/same_tree.hpp"
-#include "walkthroughs/query.hpp"
+#include "tests/walkthroughs/program/same_tree.hpp"
+#include "walkthroughs/query/query.hpp"
 
 namespace {
 

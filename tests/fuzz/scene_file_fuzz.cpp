@@ -12,8 +12,8 @@
 #include <streambuf>
 #include <string_view>
 
-#include "walkthroughs/scene_file.hpp"
-#include "walkthroughs/trace_json.hpp"
+#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include <string_view>
 
 #include "render/canvas.hpp"
-#include "walkthroughs/alternative_text.hpp"
-#include "walkthroughs/draw.hpp"
-#include "walkthroughs/storyboard.hpp"
-#include "walkthroughs/trace_file.hpp"
+#include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/trace/trace_file.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "walkthroughs/render_frames.hpp"
+#include "walkthroughs/picture/render_frames.hpp"
 
 namespace golden {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/methods.hpp"
-#include "tests/study/settings.hpp"
+#include "tests/study/methods/methods.hpp"
+#include "tests/study/sweep/settings.hpp"
 
 namespace study::test {
 

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "walkthroughs/storyboard.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/pair.hpp"
+#include "tests/study/pairs/pair.hpp"
 
 namespace peers {
 

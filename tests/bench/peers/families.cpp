@@ -1,5 +1,5 @@
 #include "tests/bench/peers/match.hpp"
-#include "tests/study/dice.hpp"
+#include "tests/study/pairs/dice.hpp"
 
 namespace peers {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tests/bench/peers/contender.hpp"
-#include "tests/study/families.hpp"
-#include "tests/study/oracle.hpp"
+#include "tests/study/pairs/families.hpp"
+#include "tests/study/truth/oracle.hpp"
 
 namespace peers {
 

@@ -129,7 +129,7 @@ void write_head(std::ostream& out, const Circumstances& c, const std::vector<Con
   out << "# The plain call beside what people use\n\n"
       << "The same pairs, one process, one thread, processor time; the contenders take turns, and of "
       << c.settings.repeats
-      << " turns the median counts.\nShapes are made beforehand. Truth is exact: `tests/study/oracle.hpp`.\n\n"
+      << " turns the median counts.\nShapes are made beforehand. Truth is exact: `tests/study/truth/oracle.hpp`.\n\n"
       << "* made by: `" << c.command << "`\n* seed " << c.settings.seed << "\n* processor: " << c.processor
       << "\n* compiler: " << c.compiler << ", flags `" << c.flags << "` (the peers' own code as Debian compiled it)\n";
   for (const Contender& contender : contenders) out << "* " << contender.name << ": " << contender.how << "\n";

@@ -1,0 +1,158 @@
+/// A way to ask GJK: rules, scalar and zero test. Together with an iteration limit it is a setting of the study.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/gjk.hpp"
+#include "tests/study/methods/question.hpp"
+#include "tests/study/methods/thread_clock.hpp"
+
+namespace study {
+
+/// How a query ended. Undecided queries are told apart by what stopped them.
+enum class Answer { intersecting, separated, unusable, at_limit };
+inline constexpr std::size_t answers = 4;
+
+struct Outcome {
+  Answer answer;
+  int iterations;
+};
+
+/// What a method asks with. It is erased here, so that everything downstream is written once.
+struct Scalar {
+  std::string name;
+  bool is_slow;  ///< asked about fewer pairs
+  std::optional<RoundedPair> (*rounded)(const Pair& pair);
+  std::unique_ptr<Question> (*question)(const Pair& pair);  ///< as question_of()
+};
+
+struct Method {
+  std::string rules, zero_test;
+  Scalar scalar;
+
+  /// Requires of all three: questions that `scalar` has made.
+  Outcome (*ask)(const Question& question, int limit);
+  /// Returns: the iteration that began in a state (simplex and direction) in which an earlier one had begun; 0 if none did.
+  int (*first_return)(const Question& question, int limit);
+  /// Returns: the thread's time to ask all of them once; reading its clock once is part of it.
+  std::chrono::nanoseconds (*time)(std::span<const Question* const> questions, int limit);
+
+  std::string name() const { return rules + " " + scalar.name + " " + zero_test; }
+};
+
+// -- How a method is made ---------------------------------------------------------------------------------------------
+
+/// A shape of whatever form, where speed does not matter.
+template <class S>
+struct AnyShape {
+  const Form<S>& form;
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
+    return std::visit([&](const auto& shape) { return shape.support(d); }, form);
+  }
+};
+
+/// Point sets are asked as users ask them; the choice of the form is made for each support call of other shapes.
+template <class S, class Rules>
+gjk::Result<S> result_of(const Question& question, const gjk::Options<S>& options) {
+  const auto& q = static_cast<const QuestionOf<S>&>(question);
+  const auto* const a = std::get_if<gjk::PointSet<S>>(&q.a);
+  const auto* const b = std::get_if<gjk::PointSet<S>>(&q.b);
+  if (a && b) return gjk::collision<S, Rules>(*a, *b, options);
+  return gjk::collision<S, Rules>(AnyShape<S>{q.a}, AnyShape<S>{q.b}, options);
+}
+
+template <class S>
+gjk::Options<S> limited_to(int limit) {
+  gjk::Options<S> options;
+  options.iteration_limit = limit;
+  return options;
+}
+
+template <class S>
+Answer answer_of(const gjk::Result<S>& result) {
+  if (result.status == gjk::Status::intersecting) return Answer::intersecting;
+  if (result.status == gjk::Status::separated) return Answer::separated;
+  return result.reason == gjk::Reason::iteration_limit ? Answer::at_limit : Answer::unusable;
+}
+
+/// A shape that notes in which directions it is asked.
+template <class S>
+struct NotingShape {
+  const AnyShape<S>& shape;
+  std::vector<gjk::Vec3<S>>& directions;
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
+    directions.push_back(d);
+    return shape.support(d);
+  }
+};
+
+template <class S>
+bool is_same_simplex(const gjk::Simplex<S>& x, const gjk::Simplex<S>& y) {
+  if (x.size() != y.size()) return false;
+  for (int i = 0; i < x.size(); ++i)
+    if (x[i].w != y[i].w) return false;
+  return true;
+}
+
+/// The functions behind one method.
+template <class S, class Rules>
+struct Asking {
+  static Outcome ask(const Question& question, int limit) {
+    const gjk::Result<S> result = result_of<S, Rules>(question, limited_to<S>(limit));
+    return {answer_of(result), result.iterations};
+  }
+
+  /// A run that is stopped before iteration k tells the simplex with which k begins.
+  static int first_return(const Question& question, int limit) {
+    const std::vector<gjk::Vec3<S>> directions = directions_of(question, limit);
+    const auto simplex_before = [&](std::size_t k) {
+      return result_of<S, Rules>(question, limited_to<S>(static_cast<int>(k))).simplex;
+    };
+    for (std::size_t later = 1; later < directions.size(); ++later)
+      for (std::size_t earlier = 0; earlier < later; ++earlier)
+        if (directions[later] == directions[earlier] && is_same_simplex(simplex_before(later), simplex_before(earlier)))
+          return static_cast<int>(later) + 1;
+    return 0;
+  }
+
+  static std::chrono::nanoseconds time(std::span<const Question* const> questions, int limit) {
+    const gjk::Options<S> options = limited_to<S>(limit);
+    int iterations = 0;
+    const std::chrono::nanoseconds start = thread_time();
+    for (const Question* const question : questions) iterations += result_of<S, Rules>(*question, options).iterations;
+    const std::chrono::nanoseconds end = thread_time();
+    volatile int used = iterations;  // so that no query is left out as useless
+    static_cast<void>(used);
+    return end - start;
+  }
+
+ private:
+  /// Returns: the direction in which each iteration searches.
+  static std::vector<gjk::Vec3<S>> directions_of(const Question& question, int limit) {
+    const auto& q = static_cast<const QuestionOf<S>&>(question);
+    std::vector<gjk::Vec3<S>> directions;
+    const AnyShape<S> a{q.a}, b{q.b};
+    gjk::collision<S, Rules>(NotingShape<S>{a, directions}, b, limited_to<S>(limit));
+    return directions;
+  }
+};
+
+template <class S>
+Scalar scalar_called(std::string name) {
+  return {std::move(name), std::same_as<S, Exact>, rounded<S>, question_of<S>};
+}
+
+template <class S, class Rules>
+Method method_of(std::string rules, std::string zero_test, const Scalar& scalar) {
+  using A = Asking<S, Rules>;
+  return {std::move(rules), std::move(zero_test), scalar, A::ask, A::first_return, A::time};
+}
+
+}  // namespace study

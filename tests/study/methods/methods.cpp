@@ -1,0 +1,17 @@
+#include "tests/study/methods/methods.hpp"
+
+#include "tests/study/methods/methods_of.hpp"
+
+namespace study {
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all = [] {
+    std::vector<Method> list;
+    for (const auto some : {float_methods, double_methods, long_double_methods, exact_methods})
+      for (Method& method : some()) list.push_back(std::move(method));
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace study

@@ -1,0 +1,17 @@
+/// The ways to ask that the study compares.
+#pragma once
+
+#include <vector>
+
+#include "tests/study/methods/method.hpp"
+
+namespace study {
+
+/// Returns: every method, in the order of the tables: float, double, long double, exact; and for each scalar the rules.
+const std::vector<Method>& methods();
+
+/// The iteration limits of the tables, ascending. Algorithm 1 says 20.
+inline constexpr int limits[] = {5, 8, 10, 20, 50};
+inline constexpr int report_limit = 20;
+
+}  // namespace study

@@ -1,7 +1,0 @@
-#include "tests/study/methods_of.hpp"
-
-namespace study {
-
-std::vector<Method> double_methods() { return methods_of<double>("double"); }
-
-}  // namespace study

@@ -1,7 +1,0 @@
-#include "tests/study/methods_of.hpp"
-
-namespace study {
-
-std::vector<Method> exact_methods() { return methods_of<Exact>("exact"); }
-
-}  // namespace study

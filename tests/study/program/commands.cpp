@@ -1,0 +1,142 @@
+#include "tests/study/program/commands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/study/sweep/failure_files.hpp"
+#include "tests/study/report/folder.hpp"
+#include "tests/study/methods/methods.hpp"
+#include "tests/study/program/options.hpp"
+#include "tests/study/program/progress.hpp"
+#include "tests/study/report/results.hpp"
+
+namespace study {
+namespace {
+
+void list() {
+  std::cout << "families\n";
+  for (const Family& family : families()) std::cout << "  " << family.name << ": " << family.what << '\n';
+  std::cout << "rules, scalar and zero test (--rules, --scalar, --zero-test)\n";
+  for (const Method& method : methods())
+    std::cout << "  " << method.rules << ", " << method.scalar.name << ", " << method.zero_test << '\n';
+  std::cout << "iteration limits (--limit)\n ";
+  for (const int limit : limits) std::cout << ' ' << limit;
+  std::cout << '\n';
+}
+
+void announce(const Plan& plan) {
+  std::cerr << "seed " << plan.seed << ", " << plan.parts.size() << " families, " << plan.methods.size() << " methods, "
+            << plan.threads << (plan.threads == 1 ? " thread" : " threads");
+  if (plan.shard.count > 1) std::cerr << ", shard " << plan.shard.index << " of " << plan.shard.count;
+  std::cerr << '\n';
+}
+
+/// Called last: what was found is written whatever it says.
+void expect_no_contradiction(const Study& study) {
+  if (const std::string found = contradiction(study); !found.empty()) throw std::logic_error(found);
+}
+
+void announce_time(const Plan& plan) {
+  const double seconds = estimated_seconds(plan);
+  std::cerr << "this will take about ";
+  if (seconds < 90)
+    std::cerr << std::ceil(seconds) << " s\n";
+  else if (seconds < 36 * 3600)
+    std::cerr << std::ceil(seconds / 60) << " min\n";
+  else
+    std::cerr << std::ceil(seconds / 86400) << " days; --shard splits it\n";
+}
+
+}  // namespace
+
+void RunCommand::add_to(CLI::App& app) {
+  CLI::Option* const is_quick = app.add_flag("--quick", quick, "less than a minute on two cores (the default)");
+  CLI::Option* const is_full = app.add_flag("--full", full, "says first how long it will take")->excludes(is_quick);
+  app.add_option("--seed", request.seed, "which pairs are made")->capture_default_str();
+  app.add_option("--pairs", request.pairs, "so many of each family, a 50th of them in exact numbers")
+      ->check(CLI::Range(std::uint64_t{1}, most_pairs))
+      ->excludes(is_quick)
+      ->excludes(is_full);
+  add_list(app, "--families", request.families, "only these, such as triangles,boxes");
+  add_list(app, "--rules", request.rules, "only these");
+  add_list(app, "--scalar", request.scalars, "only these");
+  add_list(app, "--zero-test", request.zero_tests, "only these");
+  add_list(app, "--limit", request.limits, "these iteration limits");
+  app.add_option("--shard", shard, "I/N: one N-th of the pairs, I from 0; leaves a file for merge");
+  app.add_option("--threads", threads, "0: as many as there are processors")
+      ->check(CLI::Range(0u, most_threads))
+      ->capture_default_str();
+  app.add_option("--out", out, "folder of the results")->capture_default_str();
+  CLI::Option* const saves = app.add_option("--save-failures", failures, "folder for scene files of what went wrong");
+  app.add_option("--max-failures", max_failures, "of each family, method and kind")
+      ->capture_default_str()
+      ->needs(saves);
+}
+
+void RunCommand::run() const {
+  expect_named("--out", out);
+  if (failures) expect_named("--save-failures", *failures);
+  Request wanted = request;
+  wanted.effort = full ? Effort::full : Effort::quick;
+  Plan plan = plan_of(wanted);
+  if (shard) plan.shard = parse_shard(*shard);
+  plan.threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  for (const std::string& folder : {out, failures.value_or(out)}) make_folder(folder);  // before the work, not after it
+  announce(plan);
+  if (full || request.pairs) announce_time(plan);
+  plan.failures_kept = failures ? max_failures : 0;
+  ProgressLine line;
+  Findings findings = sweep(plan, std::ref(line));
+  const Study study = study_of(wanted, plan, std::move(findings.rows));
+  if (plan.shard.count > 1)
+    write_shard(out, study);
+  else
+    write_results(out, study);
+  if (failures) save(findings.failures, plan.seed);
+  expect_no_contradiction(study);
+}
+
+void RunCommand::save(const std::vector<Failure>& found, std::uint64_t seed) const {
+  const Saved saved = write_failures(*failures, found, seed);
+  std::cout << *failures << ": " << saved.files << " scene files\n";
+  if (saved.left_out > 0) std::cerr << "gjkstep-study: " << left_out_words(saved) << '\n';
+}
+
+void MergeCommand::add_to(CLI::App& app) {
+  app.add_option("FILES", files, "the files of all shards, in any order")->required();
+  app.add_option("--out", out, "folder of the results")->capture_default_str();
+}
+
+void MergeCommand::run() const {
+  expect_named("--out", out);
+  std::vector<NamedStudy> shards;
+  if (std::ranges::count(files, "") > 0)
+    throw UsageError("merge '': name files that 'gjkstep-study run --shard' wrote");
+  for (const std::string& file : files) shards.push_back({file, read_study(file)});
+  const Study study = merged(std::move(shards));
+  write_results(out, study);
+  expect_no_contradiction(study);
+}
+
+void Commands::add_to(CLI::App& app) {
+  run_.add_to(*app.add_subcommand("run", "ask GJK about every family in every setting"));
+  merge_.add_to(*app.add_subcommand("merge", "add up the shards of a study"));
+  claims_.add_to(*app.add_subcommand("claims", "measure what the report claims; Markdown on the standard output"));
+  app.add_subcommand("list", "families and settings");
+  for (CLI::App* const command : app.get_subcommands({})) expect_digits(*command);
+  all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
+          {app.get_subcommand("merge"), [this] { merge_.run(); }},
+          {app.get_subcommand("claims"), [this] { claims_.run(); }},
+          {app.get_subcommand("list"), list}};
+}
+
+void Commands::run() const {
+  for (const auto& [command, run] : all_)
+    if (*command) return run();
+  throw UsageError("what to do? 'gjkstep-study --help' shows the commands");
+}
+
+}  // namespace study

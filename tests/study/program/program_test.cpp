@@ -1,0 +1,167 @@
+/// gjkstep-study as its users run it.
+#include "tests/walkthroughs/program/program.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace walkthroughs::test {
+namespace {
+
+std::string in(const Folder& folder, const std::string& name) { return quoted((folder.path() / name).string()); }
+
+/// Runs the program with no more than so many MiB to use.
+Outcome within_memory(int mebibytes, const std::string& arguments) {
+  const Folder folder;
+  const std::string script = (folder.path() / "script").string();
+  std::ofstream(script) << "ulimit -v " << mebibytes * 1024 << "\nexec " << quoted(GJKSTEP_PROGRAM) << " " << arguments
+                        << "\n";
+  const std::string err = (folder.path() / "stderr").string();
+  const int status = std::system(("sh " + quoted(script) + " >/dev/null 2>" + quoted(err)).c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", bytes_of(err)};
+}
+
+const std::string small = "--pairs 40 --families triangles,cycles --scalar float,double ";
+
+TEST_CASE("study: a run says its seed and leaves tables", "[program]") {
+  const Folder folder;
+  const Outcome outcome = run("run --seed 5 " + small + "--out " + in(folder, "one"));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(outcome.err, "seed 5, 2 families, 8 methods"));
+  for (const char* const name :
+       {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md"}) {
+    CHECK(has(outcome.out, name));
+    CHECK(std::filesystem::file_size(folder.path() / "one" / name) > 100);
+  }
+}
+
+TEST_CASE("study: shards merged leave the files of one run byte for byte", "[program]") {
+  const Folder folder;
+  CHECK(run("run " + small + "--out " + in(folder, "one")).exit_code == 0);
+  CHECK(run("run " + small + "--shard 0/2 --out " + in(folder, "s")).exit_code == 0);
+  CHECK(run("run " + small + "--shard 1/2 --threads 1 --out " + in(folder, "s")).exit_code == 0);
+  CHECK(run("merge " + in(folder, "s/shard-1-of-2.json") + " " + in(folder, "s/shard-0-of-2.json") + " --out " +
+            in(folder, "both"))
+            .exit_code == 0);
+  for (const char* const name : {"study.csv", "tables.md", "errors.md", "settings.md"})
+    CHECK(bytes_of(folder.path() / "one" / name) == bytes_of(folder.path() / "both" / name));
+}
+
+TEST_CASE("study: what cannot be merged ends with 3 and a sentence", "[program]") {
+  const Folder folder;
+  CHECK(run("run " + small + "--shard 0/2 --out " + in(folder, "s")).exit_code == 0);
+  check_failure("merge " + in(folder, "s/shard-0-of-2.json"), 3, {"shard 1 of 2 is missing"});
+  check_failure("merge " + in(folder, "nowhere.json"), 3, {"cannot be read", "nowhere.json"});
+}
+
+TEST_CASE("study: what is no regular file is not read, though it may never end", "[program]") {
+  check_failure("merge /dev/zero", 3, {"/dev/zero: is not a regular file"});
+  check_failure("merge /tmp", 3, {"/tmp: is a folder"});
+}
+
+TEST_CASE("study: a file that is far too large is not read", "[program]") {
+  const Folder folder;
+  const std::filesystem::path file = folder.path() / "large.json";
+  std::ofstream(file) << "{";
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // of holes
+  check_failure("merge " + quoted(file.string()), 3, {"large.json: is larger than 64 MiB"});
+}
+
+TEST_CASE("study: memory that is not there is told in one line", "[program]") {
+  if (within_memory(300, "list").exit_code != 0) return;  // sanitizers reserve more than there is
+  const Folder folder;
+  const std::filesystem::path file = folder.path() / "long.json";
+  std::ofstream(file) << std::string(std::size_t{60} << 20, '[');
+  const Outcome outcome = within_memory(300, "merge " + quoted(file.string()));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.err, "gjkstep-study: out of memory; "));
+  CHECK(lines(outcome.err).size() == 1);
+}
+
+TEST_CASE("study: exact numbers that are wrong end with 1 after everything is written", "[program]") {
+  const Folder folder;
+  REQUIRE(
+      run("run --pairs 50 --families coplanar-axis --scalar exact --shard 0/1 --out " + in(folder, "o")).exit_code ==
+      0);
+  std::string text = bytes_of(folder.path() / "o" / "study.json");
+  const auto exchange = [&](const std::string& from, const std::string& to) {
+    REQUIRE(text.find(from) != std::string::npos);
+    text.replace(text.find(from), from.size(), to);
+  };
+  exchange(R"({"truly_separated")", R"({"truly_what")");
+  exchange(R"("truly_intersecting")", R"("truly_separated")");
+  exchange(R"("truly_what")", R"("truly_intersecting")");
+  std::ofstream(folder.path() / "changed.json") << text;
+  const Outcome outcome = run("merge " + in(folder, "changed.json") + " --out " + in(folder, "m"));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.err, "family coplanar-axis: in exact numbers GJK was wrong on 1 of 1 pairs"));
+  CHECK(has(outcome.out, "timings.md"));
+}
+
+TEST_CASE("study: wrong usage ends with 2", "[program]") {
+  check_failure("", 2, {"what to do?"});
+  check_failure("run --families tringles", 2, {"did you mean 'triangles'?"});
+  check_failure("run --shard 2/2", 2, {"--shard: expected I/N"});
+  check_failure("run --quick --full", 2, {"--quick"});
+  check_failure("merge", 2, {"FILES"});
+  check_failure("merge ''", 2, {"name files"});
+}
+
+TEST_CASE("study: numbers are digits, and none is taken for another", "[program]") {
+  for (const std::string option : {"run --seed", "run --threads", "run --pairs", "claims --seed", "claims --pairs",
+                                   "run --save-failures f --max-failures"})
+    for (const std::string number : {"-1", "+1", "1e3", "0x10", "18446744073709551616", "''"})
+      check_failure(option + " " + number, 2, {"expected a whole number from 0, below 2^64"});
+  const Folder folder;
+  const Outcome outcome = run("run --seed 010 --pairs 1 --families cycles --out " + in(folder, "o"));
+  CHECK(has(outcome.err, "seed 10, "));
+}
+
+TEST_CASE("study: a list takes no other option for one of its names", "[program]") {
+  for (const std::string list : {"--families", "--rules", "--scalar", "--zero-test"})
+    for (const std::string names : {",", "--out", "''", "a,,b", ",a", "a,"})
+      check_failure("run " + list + " " + names, 2, {list + " '", "expected names, divided by single commas"});
+  for (const std::string numbers : {",", "--out", "''", "5,", "-5", "5,x", "99999999999"})
+    check_failure("run --limit " + numbers, 2, {"--limit '", "expected whole numbers such as 5,20"});
+}
+
+TEST_CASE("study: a list may be given in parts", "[program]") {
+  const Folder folder;
+  const Outcome outcome = run(
+      "run --families cycles --families boxes,triangles --limit 5,010 --limit 8 --pairs 1 --out " + in(folder, "o"));
+  CHECK(has(outcome.err, "3 families"));
+  CHECK(has(bytes_of(folder.path() / "o" / "tables.md"), "--limit 5,10,8"));
+}
+
+TEST_CASE("study: a folder without a name is wrong usage", "[program]") {
+  const std::string few = "run --pairs 1 --families cycles ";
+  check_failure(few + "--out ''", 2, {"--out '': name a folder"});
+  check_failure(few + "--out --seed", 2, {"--out '--seed': name a folder"});
+  check_failure(few + "--save-failures ''", 2, {"--save-failures '': name a folder"});
+  check_failure("merge x --out ''", 2, {"--out '': name a folder"});
+}
+
+TEST_CASE("study: a folder that cannot be made ends with 5", "[program]") {
+  check_failure("run --pairs 1 --families triangles --out /dev/null/x", 5, {"/dev/null/x"});
+}
+
+TEST_CASE("study: failures are saved as scenes", "[program]") {
+  const Folder folder;
+  const Outcome outcome =
+      run("run " + small + "--save-failures " + in(folder, "f") + " --max-failures 2 --out " + in(folder, "o"));
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(outcome.out, " scene files"));
+  CHECK(std::filesystem::exists(folder.path() / "f" / "cycles-as-intended-double-exact-undecided-0.json"));
+}
+
+TEST_CASE("study: families and settings are listed", "[program]") {
+  const Outcome outcome = run("list");
+  CHECK(outcome.exit_code == 0);
+  for (const char* const part : {"  triangles: ", "  as-printed, long-double, relative", "  5 8 10 20 50"})
+    CHECK(has(outcome.out, part));
+}
+
+}  // namespace
+}  // namespace walkthroughs::test

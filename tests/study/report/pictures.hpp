@@ -1,0 +1,24 @@
+/// The three pictures of a study, drawn by gnuplot.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/study/sweep/settings.hpp"
+
+namespace study {
+
+struct Picture {
+  std::string file;    ///< "heat-map.png"
+  std::string script;  ///< for gnuplot, with its data; sets everything but the name of the output
+};
+
+Picture error_vs_time(const Settings& settings);
+Picture heat_map(const Settings& settings);
+Picture iterations(const Settings& settings);
+
+/// Returns: whether the picture was drawn; the file is there whole or not at all.
+bool draw(const Picture& picture, const std::filesystem::path& folder);
+
+}  // namespace study

@@ -1,0 +1,197 @@
+#include "tests/study/report/tables.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/study/sweep/plan.hpp"
+#include "tests/study/support.hpp"
+
+namespace study::test {
+namespace {
+
+Study small_study(const Request& request) {
+  const Plan plan = plan_of(request);
+  return study_of(request, plan, sweep(plan).rows);
+}
+
+Request two_families() {
+  Request request;
+  request.pairs = 60;
+  request.families = {"triangles", "spheres"};
+  return request;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_CASE("Rates are told with their interval and where nothing was seen with its upper end", "[tables]") {
+  CHECK(in_words({0, 1000000}) == "0 (< 3.8e-6)");
+  CHECK(in_words({5, 10}) == "0.5 (0.24 – 0.76)");
+  CHECK(in_words({1, 2, Extent::census}) == "0.5 of all");
+  CHECK(in_words({0, 2, Extent::census}) == "0 of all");
+  CHECK(in_words({0, 0, Extent::census}) == "no pairs");
+  CHECK(in_short(3.14e-5) == "3.1e-5");
+  CHECK(in_short(0.0031) == "0.0031");
+  CHECK(in_short(2e-12) == "2e-12");
+}
+
+TEST_CASE("Each line of the CSV file has a field for each heading", "[tables]") {
+  const Study study = small_study(two_families());
+  const Settings settings(study);
+  for (const std::string& text : {counts_csv(settings), timings_csv(settings)}) {
+    const std::vector<std::string> lines = lines_of(text);
+    REQUIRE(lines.size() > 10);
+    CHECK(lines[0] == "# gjkstep-study run --pairs 60 --seed 1 --families triangles,spheres");
+    CHECK(lines[1].starts_with("# seed 1; gjkstep-study "));
+    const auto heading = std::ranges::find_if(lines, [](const std::string& line) { return !line.starts_with('#'); });
+    for (auto line = heading; line != lines.end(); ++line)
+      CHECK(std::ranges::count(*line, ',') == std::ranges::count(*heading, ','));
+  }
+  CHECK(lines_of(counts_csv(settings)).size() == 3 + 2 * methods().size() * std::size(limits));
+}
+
+TEST_CASE("The tables name the command and the seed and have a row for each family", "[tables]") {
+  const Study study = small_study(two_families());
+  const std::string text = counts_markdown(Settings(study));
+  CHECK(text.find("`gjkstep-study run --pairs 60 --seed 1 --families triangles,spheres` with seed 1") !=
+        std::string::npos);
+  for (const char* const family : {"| triangles |", "| spheres |"}) {
+    std::size_t rows = 0;
+    for (const std::string& line : lines_of(text)) rows += line.starts_with(family);
+    CHECK(rows == 2);  // one each in the tables of families and of iterations
+  }
+}
+
+TEST_CASE("Families in which nothing was seen are named below the table", "[tables]") {
+  const Study study = small_study(two_families());
+  const std::string text = counts_markdown(Settings(study));
+  CHECK(text.find("Nothing was seen in: triangles, spheres.") != std::string::npos);
+}
+
+/// Ten pairs of one family: 6 apart, of which 3 are found together, and 4 that meet, of which 1 is undecided.
+Study counted_by_hand() {
+  Study study;
+  study.header.limits = {20};
+  study.families.push_back({"family", "made up", 10, 0});
+  Tally tally;
+  for (int i = 0; i < 6; ++i)
+    tally.count({Truth::separated, Proof::predicates}, {i < 3 ? Answer::intersecting : Answer::separated, 2});
+  for (int i = 0; i < 4; ++i)
+    tally.count({Truth::intersecting, Proof::predicates}, {i < 1 ? Answer::unusable : Answer::intersecting, 2});
+  study.rows.push_back({"family", "as-intended", "double", "exact", tally, {}});
+  return study;
+}
+
+TEST_CASE("Errors of either kind are told of the pairs with which they can happen", "[tables]") {
+  Study study = counted_by_hand();
+  CHECK(errors_markdown(Settings(study)).find("| family | 0.5 (0.19 – 0.81) | 0 (< 0.49) | 0.1 (0.018 – 0.4) |") !=
+        std::string::npos);
+  study.rows.front().tally.queries[0] = {};  // leaves no pair that is apart
+  CHECK(errors_markdown(Settings(study)).find("| family | no pairs | 0 (< 0.49) | 0.25 (") != std::string::npos);
+}
+
+TEST_CASE("A rule with a sign flipped shows in the tables", "[tables]") {
+  const Method wrong =
+      method_of<double, OneNormalInward>("one-normal-inward", "exact", scalar_called<double>("double"));
+  const Plan plan = plan_for({&family_named("tetrahedra")}, {&wrong, &method_named("as-intended double exact")}, 500);
+  const Study study = study_of(Request{}, plan, sweep(plan).rows);
+  const std::string text = settings_markdown(Settings(study));
+  INFO(text);
+  CHECK(text.find("| family | one-normal-inward | as-intended |") != std::string::npos);
+  CHECK(text.find("| tetrahedra | 0.56 (0.51 – 0.6) | 0 (< 0.0076) |") != std::string::npos);
+}
+
+TEST_CASE("CSV and JSON tell each rate with its interval", "[tables]") {
+  const Study study = counted_by_hand();
+  const std::string csv = counts_csv(Settings(study)), json = to_json(study);
+  INFO(csv << json);
+  for (const char* const part : {",10,4,0.4,0.168", ",3,0.5,0.187", ",0,0,0,0.489", ",1,0.1,0.0178"})
+    CHECK(csv.find(part) != std::string::npos);
+  for (const char* const part :
+       {R"("hit":{"rate":0.4,"low":0.168)", R"("false_positive":{"rate":0.5,"low":0.187)",
+        R"("false_negative":{"rate":0.0,"low":0.0,"high":0.489)", R"("undecided":{"rate":0.1,"low":0.0178)"})
+    CHECK(json.find(part) != std::string::npos);
+}
+
+TEST_CASE("A family asked to its last pair has rates without intervals", "[tables]") {
+  Study study = counted_by_hand();
+  study.families.front().size = 10;
+  CHECK(errors_markdown(Settings(study)).find("| family | 0.5 of all | 0 of all | 0.1 of all |") != std::string::npos);
+  CHECK(counts_csv(Settings(study)).find(",10,4,0.4,,,3,0.5,,,0,0,,,1,0.1,,,") != std::string::npos);
+  CHECK(to_json(study).find(R"("hit":{"rate":0.4},"false_positive":{"rate":0.5})") != std::string::npos);
+  study.families.front().size = 11;  // one was not asked
+  CHECK(errors_markdown(Settings(study)).find("of all |") == std::string::npos);
+}
+
+TEST_CASE("A list is a census where all of it is asked and a sample where a run asks some", "[tables]") {
+  Request request;
+  request.families = {"cycles", "grid-tetrahedra"};
+  request.scalars = {"double", "exact"};
+  request.pairs = 50;
+  const Study study = small_study(request);
+  const Settings settings(study);
+  const auto extent = [&](const std::string& family, const std::string& scalar) {
+    Setting setting = settings.usual();
+    setting.scalar = scalar;
+    return settings.counts(family, setting)->extent;
+  };
+  CHECK(extent("cycles", "double") == Extent::census);
+  CHECK(extent("cycles", "exact") == Extent::sample);  // which is asked about a 50th
+  CHECK(extent("grid-tetrahedra", "double") == Extent::sample);
+  CHECK(counts_markdown(settings).find("in every order | 48, all |") != std::string::npos);
+}
+
+TEST_CASE("Timings tell the processor and the number of threads and the clock", "[tables]") {
+  const Request request = two_families();
+  Plan plan = plan_of(request);
+  plan.threads = 3;
+  const Study study = study_of(request, plan, sweep(plan).rows);
+  const Settings settings(study);
+  for (const std::string& text : {timings_markdown(settings), timings_csv(settings)}) {
+    CHECK(text.find(", 3 threads") != std::string::npos);
+    CHECK(text.find("the CPU clock of the thread that asks") != std::string::npos);
+  }
+}
+
+TEST_CASE("Why float is slower is told where it is and not where it is faster", "[tables]") {
+  Study study = counted_by_hand();
+  study.header.compiler = "GNU 12.2.0 -O3";
+  study.rows.push_back(study.rows.front());
+  study.rows.back().scalar = "float";
+  study.rows[0].timings[20] = {10, 1000};
+  study.rows[1].timings[20] = {10, 1200};
+  CHECK(timings_markdown(Settings(study)).find("(family: 2.00 in float, 2.00 in double)") != std::string::npos);
+  study.rows[1].timings[20] = {10, 900};
+  CHECK(timings_markdown(Settings(study)).find("Float is not") == std::string::npos);
+  study.rows[1].timings[20] = {10, 1200};
+  study.header.compiler = "Clang 17 -O3";  // of which nothing was measured
+  CHECK(timings_markdown(Settings(study)).find("Float is not") == std::string::npos);
+}
+
+TEST_CASE("The table of families tells what proves the truths", "[tables]") {
+  Study study = counted_by_hand();
+  CHECK(counts_markdown(Settings(study)).find("| CGAL |") != std::string::npos);
+  study.rows.front().tally.proven = {0, 0, 7, 3};
+  CHECK(counts_markdown(Settings(study)).find("| bounds 7, fractions 3 |") != std::string::npos);
+}
+
+TEST_CASE("A study of few settings has tables of these", "[tables]") {
+  Request request = two_families();
+  request.scalars = {"float"};
+  request.rules = {"as-printed"};
+  request.limits = {3, 6};
+  const Study study = small_study(request);
+  const Settings settings(study);
+  CHECK(settings.usual().rules == "as-printed");
+  CHECK(settings.usual().scalar == "float");
+  CHECK(settings.usual().limit == 6);
+  CHECK(settings_markdown(settings).find("| family | at most 3 | at most 6 |") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace study::test

@@ -1,0 +1,216 @@
+#include "tests/study/sweep/plan.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+
+#include "tests/study/methods/methods.hpp"
+#include "walkthroughs/text/nearest.hpp"
+
+namespace study {
+namespace {
+
+// -- How many pairs ---------------------------------------------------------------------------------------------------
+
+/// Returns: 0 for a body that has no corners.
+std::size_t points_in(const Body& body) {
+  const Points* const points = std::get_if<Points>(&body);
+  return points ? points->size() : 0;
+}
+
+/// About how many pairs of triangles take as long as a pair of this family. Round bodies that nearly touch take all the
+/// iterations that there are.
+std::uint64_t weight_of(const Family& family, std::uint64_t seed) {
+  const Pair first = family.make(seed, 0);
+  const std::size_t least = std::min(points_in(first.a), points_in(first.b));
+  const std::size_t most = std::max(points_in(first.a), points_in(first.b));
+  return least == 0 ? 5 : most <= 8 ? 1 : most <= 32 ? 4 : 10;
+}
+
+struct Amount {
+  std::uint64_t pairs, slow_pairs;
+};
+
+/// On two cores: about twelve minutes, and less than one.
+Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{500000, 10000} : Amount{3000, 60}; }
+
+constexpr std::uint64_t worth_exhausting = 600'000;  // a full run asks all pairs of a list up to this length
+
+Part part_of(const Family& family, const Request& request) {
+  const Amount amount = amount_of(request.effort);
+  const std::uint64_t weight = weight_of(family, request.seed);
+  std::uint64_t pairs = request.pairs.value_or(amount.pairs / weight);
+  if (family.size) {
+    const bool to_the_last = request.effort == Effort::full && !request.pairs && *family.size <= worth_exhausting;
+    pairs = to_the_last ? *family.size : std::min(pairs, *family.size);
+  }
+  const std::uint64_t slow = request.pairs ? std::max<std::uint64_t>(pairs / 50, 1) : amount.slow_pairs / weight;
+  return {&family, pairs, std::min(slow, pairs)};
+}
+
+// -- What is chosen ---------------------------------------------------------------------------------------------------
+
+std::vector<std::string> names_of(std::string Method::*name) {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.push_back(method.*name);
+  return names;
+}
+
+std::vector<std::string> scalar_names() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.push_back(method.scalar.name);
+  return names;
+}
+
+void expect_known(const std::vector<std::string>& chosen, const std::vector<std::string>& known,
+                  const std::string& what) {
+  for (const std::string& name : chosen)
+    if (std::ranges::find(known, name) == known.end())
+      throw UsageError("there is no " + what + " '" + name + "'; did you mean '" + walkthroughs::nearest(name, known) +
+                       "'? 'gjkstep-study list' shows them");
+}
+
+bool is_chosen(const std::vector<std::string>& chosen, const std::string& name) {
+  return chosen.empty() || std::ranges::find(chosen, name) != chosen.end();
+}
+
+std::vector<const Method*> methods_of(const Request& request) {
+  expect_known(request.rules, names_of(&Method::rules), "set of rules");
+  expect_known(request.zero_tests, names_of(&Method::zero_test), "zero test");
+  expect_known(request.scalars, scalar_names(), "scalar");
+  std::vector<const Method*> chosen;
+  for (const Method& method : methods())
+    if (is_chosen(request.rules, method.rules) && is_chosen(request.zero_tests, method.zero_test) &&
+        is_chosen(request.scalars, method.scalar.name))
+      chosen.push_back(&method);
+  if (chosen.empty()) throw UsageError("no setting is left; 'gjkstep-study list' shows them");
+  return chosen;
+}
+
+std::vector<Part> parts_of(const Request& request) {
+  std::vector<std::string> known;
+  for (const Family& family : families()) known.push_back(family.name);
+  expect_known(request.families, known, "family");
+  std::vector<Part> parts;
+  for (const Family& family : families())
+    if (is_chosen(request.families, family.name)) parts.push_back(part_of(family, request));
+  return parts;
+}
+
+std::vector<int> limits_of(const Request& request) {
+  std::vector<int> chosen = request.limits;
+  if (chosen.empty()) chosen.assign(std::begin(limits), std::end(limits));
+  std::ranges::sort(chosen);
+  const auto twice = std::ranges::unique(chosen);
+  chosen.erase(twice.begin(), twice.end());
+  if (chosen.front() < 1 || chosen.back() > 1000) throw UsageError("--limit: iteration limits are 1 to 1000");
+  return chosen;
+}
+
+// -- Words ------------------------------------------------------------------------------------------------------------
+
+std::string option(const std::string& name, const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += (text.empty() ? " " + name + " " : ",") + value;
+  return text;
+}
+
+/// Returns: what Linux calls the processor.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.find(':') + 2, line.size()));
+  return "an unknown processor";
+}
+
+std::vector<std::string> words_of(const std::vector<int>& numbers) {
+  std::vector<std::string> words;
+  for (const int number : numbers) words.push_back(std::to_string(number));
+  return words;
+}
+
+// -- How long it will take ----------------------------------------------------------------------------------------------
+
+std::vector<const Method*> methods_where(const Plan& plan, bool is_slow) {
+  std::vector<const Method*> some = plan.methods;
+  std::erase_if(some, [=](const Method* method) { return method->scalar.is_slow != is_slow; });
+  return some;
+}
+
+double seconds_of(const Plan& plan) {
+  const auto start = std::chrono::steady_clock::now();
+  sweep(plan);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Returns: about how long one thread takes for so many pairs of the family, from asking the first `few`.
+double seconds_of(const Plan& plan, const std::vector<const Method*>& methods, const Family* family,
+                  std::uint64_t pairs, std::uint64_t few) {
+  if (methods.empty() || pairs == 0) return 0;
+  few = std::min(few, pairs);
+  Plan sample{.seed = plan.seed, .parts = {{family, few, few}}, .methods = methods, .limits = plan.limits};
+  sample.timed_pairs = 0;
+  const double untimed = seconds_of(sample) / static_cast<double>(few);
+  sample.timed_pairs = few;
+  const double timed = seconds_of(sample) / static_cast<double>(few);
+  return untimed * static_cast<double>(pairs) +
+         std::max(timed - untimed, 0.0) * static_cast<double>(std::min(pairs, plan.timed_pairs));
+}
+
+}  // namespace
+
+Plan plan_of(const Request& request) {
+  Plan plan;
+  plan.seed = request.seed;
+  plan.methods = methods_of(request);
+  plan.parts = parts_of(request);
+  plan.limits = limits_of(request);
+  plan.failure_limit = std::min(report_limit, plan.limits.back());
+  return plan;
+}
+
+std::string command_of(const Request& request) {
+  std::string text = "gjkstep-study run";
+  if (request.pairs)
+    text += " --pairs " + std::to_string(*request.pairs);
+  else
+    text += request.effort == Effort::full ? " --full" : " --quick";
+  return text + " --seed " + std::to_string(request.seed) + option("--families", request.families) +
+         option("--rules", request.rules) + option("--scalar", request.scalars) +
+         option("--zero-test", request.zero_tests) + option("--limit", words_of(request.limits));
+}
+
+Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows) {
+  Study study;
+  study.header = {command_of(request), GJKSTEP_VERSION, GJKSTEP_COMPILER, request.seed, plan.limits};
+  study.shard = plan.shard;
+  study.processors = {processor() + ", " + std::to_string(plan.threads) + (plan.threads == 1 ? " thread" : " threads")};
+  for (const Part& part : plan.parts)
+    study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs, part.family->size});
+  study.rows = std::move(rows);
+  return study;
+}
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  const bool has_index = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = has_index ? std::from_chars(index.ptr + 1, end, shard.count) : index;
+  if (!has_index || count.ec != std::errc() || count.ptr != end || shard.index >= shard.count)
+    throw UsageError("--shard: expected I/N with I from 0 to N - 1, such as 0/8, found '" + text + "'");
+  return shard;
+}
+
+double estimated_seconds(const Plan& plan) {
+  double seconds = 0;
+  for (const Part& part : plan.parts) {
+    seconds += seconds_of(plan, methods_where(plan, false), part.family, part.pairs / plan.shard.count, 64);
+    seconds += seconds_of(plan, methods_where(plan, true), part.family, part.slow_pairs / plan.shard.count, 4);
+  }
+  return seconds / static_cast<double>(plan.threads);
+}
+
+}  // namespace study

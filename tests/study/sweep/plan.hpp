@@ -1,0 +1,49 @@
+/// From what a user asks for to what is done.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/study/sweep/study.hpp"
+
+namespace study {
+
+/// The command line asks for something that there is not; what() says what there is instead.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a command line may ask for.
+inline constexpr std::uint64_t most_pairs = 1'000'000'000'000;  ///< of each family
+inline constexpr unsigned most_threads = 1024;
+
+enum class Effort { quick, full };
+
+/// What belongs to the study itself, whoever runs it and in how many shards. Empty lists: all that there are.
+struct Request {
+  Effort effort = Effort::quick;
+  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> pairs = {};  ///< of each family; else as the effort says
+  std::vector<std::string> families = {}, rules = {}, scalars = {}, zero_tests = {};
+  std::vector<int> limits = {};
+};
+
+/// Returns: what to sweep, as one shard and in one thread. Errors: UsageError.
+Plan plan_of(const Request& request);
+
+/// Returns: the command that makes this study in one run.
+std::string command_of(const Request& request);
+
+/// Returns: the study that these findings of the plan are.
+Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows);
+
+/// Reads "2/8": shard 2, counted from 0, of 8. Errors: UsageError.
+Shard parse_shard(const std::string& text);
+
+/// Returns: about how many seconds the plan will take, found by asking a few pairs of each family.
+double estimated_seconds(const Plan& plan);
+
+}  // namespace study

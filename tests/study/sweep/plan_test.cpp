@@ -1,0 +1,60 @@
+#include "tests/study/sweep/plan.hpp"
+
+#include "tests/catch.hpp"
+
+namespace study::test {
+namespace {
+
+TEST_CASE("A shard is written I/N and counted from 0", "[plan]") {
+  CHECK(parse_shard("2/8") == Shard{2, 8});
+  for (const char* const text : {"8/8", "1", "/", "1/", "/2", "-1/2", "0/0", "1/2/3", "a/b", "", "1 /2"}) {
+    INFO(text);
+    CHECK_THROWS_AS(parse_shard(text), UsageError);
+  }
+}
+
+TEST_CASE("The command of a study makes it again", "[plan]") {
+  Request request;
+  CHECK(command_of(request) == "gjkstep-study run --quick --seed 1");
+  request.effort = Effort::full;
+  CHECK(command_of(request) == "gjkstep-study run --full --seed 1");
+  request.pairs = 50;
+  request.seed = 9;
+  request.families = {"boxes", "spheres"};
+  request.scalars = {"float"};
+  request.limits = {5, 20};
+  CHECK(command_of(request) ==
+        "gjkstep-study run --pairs 50 --seed 9 --families boxes,spheres --scalar float --limit 5,20");
+}
+
+TEST_CASE("Names that nobody knows are refused with the one that was probably meant", "[plan]") {
+  const auto complaint = [](const Request& request) -> std::string {
+    try {
+      plan_of(request);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(complaint({.families = {"triangle"}}), Contains("no family 'triangle'; did you mean 'triangles'?"));
+  CHECK_THAT(complaint({.rules = {"printed"}}), Contains("'as-printed'"));
+  CHECK_THAT(complaint({.scalars = {"dubble"}}), Contains("'double'"));
+  CHECK_THAT(complaint({.zero_tests = {"exct"}}), Contains("'exact'"));
+  CHECK_THAT(complaint({.limits = {0}}), Contains("1 to 1000"));
+  CHECK_THAT(complaint({.scalars = {"exact"}, .zero_tests = {"relative"}}), Contains("no setting is left"));
+  CHECK(complaint({}).empty());
+}
+
+TEST_CASE("A family that can be listed is not asked about more pairs than it has", "[plan]") {
+  Request request;
+  request.pairs = 1000000000;
+  for (const Part& part : plan_of(request).parts) {
+    INFO(part.family->name);
+    CHECK(part.pairs == part.family->size.value_or(1000000000));
+    CHECK(part.slow_pairs <= part.pairs);
+  }
+}
+
+}  // namespace
+}  // namespace study::test

@@ -1,0 +1,290 @@
+#include "tests/study/sweep/study.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/study/sweep/rate.hpp"
+
+namespace study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 2;  // of the file; another one where a reader would misunderstand this one
+constexpr const char* answer_names[answers] = {"intersecting", "separated", "unusable", "at_limit"};
+constexpr const char* proof_names[proofs] = {"predicates", "formulas", "error_bounds", "fractions"};
+constexpr const char* truth_names[2] = {"truly_separated", "truly_intersecting"};
+
+// -- Out --------------------------------------------------------------------------------------------------------------
+
+Json json_of(const Tally& tally) {
+  Json json;
+  for (std::size_t truth = 0; truth < 2; ++truth)
+    for (std::size_t answer = 0; answer < answers; ++answer)
+      json[truth_names[truth]][answer_names[answer]] = tally.queries[truth][answer];
+  for (std::size_t proof = 0; proof < proofs; ++proof) json["proven_by"][proof_names[proof]] = tally.proven[proof];
+  json["returns"] = tally.returns;
+  json["out_of_range"] = tally.out_of_range;
+  json["not_askable"] = tally.not_askable;
+  json["truth_changed"] = tally.truth_changed;
+  json["exceptions"] = tally.exceptions;
+  return json;
+}
+
+Json json_of(const Timings& timings) {
+  Json json = Json::object();
+  for (const auto& [limit, timing] : timings)
+    json[std::to_string(limit)] = {{"queries", timing.queries}, {"nanoseconds", timing.nanoseconds}};
+  return json;
+}
+
+/// Returns: null where there were no trials; of a census, which has no interval, the rate alone.
+Json json_of(const Rate& rate) {
+  if (rate.trials == 0) return nullptr;
+  Json json{{"rate", rate.share()}};
+  if (rate.has_interval()) json.update({{"low", rate.interval().low}, {"high", rate.interval().high}});
+  return json;
+}
+
+/// What readers would work out of the tally, by iteration limit. Not read again: it says nothing that the tally does not.
+Json rates_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
+  Json json;
+  for (const int limit : limits) {
+    const Counts counts = counts_at(family, row, limit);
+    json[std::to_string(limit)] = {{"hit", json_of(hit_rate(counts))},
+                                   {"false_positive", json_of(false_positive_rate(counts))},
+                                   {"false_negative", json_of(false_negative_rate(counts))},
+                                   {"undecided", json_of(undecided_rate(counts))}};
+  }
+  return json;
+}
+
+Json json_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
+  return {{"family", row.family},           {"rules", row.rules},          {"scalar", row.scalar},
+          {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(family, row, limits)},
+          {"timings", json_of(row.timings)}};
+}
+
+Json json_of(const FamilyNote& family) {
+  return {{"name", family.name},
+          {"what", family.what},
+          {"pairs", family.pairs},
+          {"slow_pairs", family.slow_pairs},
+          {"size", family.size ? Json(*family.size) : Json(nullptr)}};
+}
+
+// -- In ---------------------------------------------------------------------------------------------------------------
+
+/// The library would read -1 and 1.7 as whole numbers, too.
+std::uint64_t whole(const Json& json) {
+  if (!json.is_number_unsigned()) throw std::invalid_argument("a count is no whole number from 0");
+  return json.get<std::uint64_t>();
+}
+
+Histogram histogram_of(const Json& json) {
+  Histogram histogram;
+  for (const Json& each : json) histogram.push_back(whole(each));
+  return histogram;
+}
+
+/// Words go into tables, and into what gnuplot is told to do.
+std::string words_of(const Json& json) {
+  std::string words = json.get<std::string>();
+  if (std::ranges::any_of(words, [](unsigned char c) { return c < 0x20; }))
+    throw std::invalid_argument("a text has control characters");
+  return words;
+}
+
+Tally tally_of(const Json& json) {
+  Tally tally;
+  for (std::size_t truth = 0; truth < 2; ++truth)
+    for (std::size_t answer = 0; answer < answers; ++answer)
+      tally.queries[truth][answer] = histogram_of(json.at(truth_names[truth]).at(answer_names[answer]));
+  for (std::size_t proof = 0; proof < proofs; ++proof)
+    tally.proven[proof] = whole(json.at("proven_by").at(proof_names[proof]));
+  tally.returns = histogram_of(json.at("returns"));
+  tally.out_of_range = whole(json.at("out_of_range"));
+  tally.not_askable = whole(json.at("not_askable"));
+  tally.truth_changed = whole(json.at("truth_changed"));
+  tally.exceptions = whole(json.at("exceptions"));
+  return tally;
+}
+
+Timings timings_of(const Json& json, const std::vector<int>& limits) {
+  Timings timings;
+  if (json.empty()) return timings;  // nothing was asked
+  for (const int limit : limits) {
+    const Json& timing = json.at(std::to_string(limit));
+    timings[limit] = {whole(timing.at("queries")), whole(timing.at("nanoseconds"))};
+    if (timings[limit].queries == 0) throw std::invalid_argument("a time is of no query");
+  }
+  return timings;
+}
+
+Row row_of(const Json& json, const std::vector<int>& limits) {
+  return {words_of(json.at("family")),    words_of(json.at("rules")), words_of(json.at("scalar")),
+          words_of(json.at("zero_test")), tally_of(json.at("tally")), timings_of(json.at("timings"), limits)};
+}
+
+FamilyNote family_of(const Json& json) {
+  FamilyNote family{words_of(json.at("name")), words_of(json.at("what")), whole(json.at("pairs")),
+                    whole(json.at("slow_pairs"))};
+  if (const Json& size = json.at("size"); !size.is_null()) family.size = whole(size);
+  return family;
+}
+
+Header header_of(const Json& json) {
+  Header header{words_of(json.at("command")), words_of(json.at("version")), words_of(json.at("compiler")),
+                whole(json.at("seed")), json.at("limits").get<std::vector<int>>()};
+  const std::vector<int>& limits = header.limits;
+  if (limits.empty() || limits.front() < 1 || limits.back() > 1000 ||
+      std::ranges::adjacent_find(limits, std::greater_equal{}) != limits.end())
+    throw std::invalid_argument("the iteration limits are not ascending from 1 to 1000");
+  return header;
+}
+
+/// Tables look rows up: there is one for each family and each setting, family by family.
+void expect_each_row_once(const Study& study) {
+  const std::size_t methods = study.families.empty() ? 0 : study.rows.size() / study.families.size();
+  if (methods == 0 || study.rows.size() != methods * study.families.size())
+    throw std::invalid_argument("rows are missing");
+  std::set<std::array<std::string, 4>> seen;
+  for (std::size_t r = 0; r < study.rows.size(); ++r) {
+    const Row &row = study.rows[r], &setting = study.rows[r % methods];
+    const bool fits = row.family == study.families[r / methods].name && row.rules == setting.rules &&
+                      row.scalar == setting.scalar && row.zero_test == setting.zero_test;
+    if (!fits || !seen.insert({row.family, row.rules, row.scalar, row.zero_test}).second)
+      throw std::invalid_argument("row " + std::to_string(r) + " is not the one that stands there");
+  }
+}
+
+Study study_of(const Json& json) {
+  Study study;
+  study.header = header_of(json.at("header"));
+  study.shard = {whole(json.at("shard").at("index")), whole(json.at("shard").at("count"))};
+  if (study.shard.index >= study.shard.count) throw std::out_of_range("there is no such shard");
+  for (const Json& each : json.at("processors")) study.processors.push_back(words_of(each));
+  for (const Json& each : json.at("families")) study.families.push_back(family_of(each));
+  for (const Json& each : json.at("rows")) study.rows.push_back(row_of(each, study.header.limits));
+  expect_each_row_once(study);
+  return study;
+}
+
+// -- Together ---------------------------------------------------------------------------------------------------------
+
+bool is_same_setting(const Row& row, const Row& other) {
+  return row.family == other.family && row.rules == other.rules && row.scalar == other.scalar &&
+         row.zero_test == other.zero_test;
+}
+
+[[noreturn]] void refuse(const NamedStudy& one, const NamedStudy& other, const std::string& why) {
+  throw StudyError(one.name + " and " + other.name + " do not go together: " + why);
+}
+
+void expect_same_study(const NamedStudy& one, const NamedStudy& other) {
+  const Header &h = one.study.header, &g = other.study.header;
+  if (h.seed != g.seed)
+    refuse(one, other, "their seeds are " + std::to_string(h.seed) + " and " + std::to_string(g.seed));
+  if (h.version != g.version) refuse(one, other, "they were made by versions " + h.version + " and " + g.version);
+  if (h.compiler != g.compiler)
+    refuse(one, other, "their programs were compiled by " + h.compiler + " and " + g.compiler);
+  if (h.command != g.command) refuse(one, other, "they are shards of '" + h.command + "' and '" + g.command + "'");
+  if (h != g || one.study.families != other.study.families ||
+      !std::ranges::equal(one.study.rows, other.study.rows, is_same_setting))
+    refuse(one, other, "their families or settings differ");
+  if (one.study.shard.count != other.study.shard.count)
+    refuse(one, other,
+           "they are shards of " + std::to_string(one.study.shard.count) + " and of " +
+               std::to_string(other.study.shard.count));
+}
+
+void expect_each_once(const std::vector<NamedStudy>& sorted) {
+  const std::uint64_t count = sorted.front().study.shard.count;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i].study.shard.index == sorted[i - 1].study.shard.index)
+      refuse(sorted[i - 1], sorted[i], "both are shard " + std::to_string(sorted[i].study.shard.index));
+  for (std::uint64_t index = 0; index < count; ++index)
+    if (index >= sorted.size() || sorted[index].study.shard.index != index)
+      throw StudyError("shard " + std::to_string(index) + " of " + std::to_string(count) +
+                       " is missing; make it with: " + sorted.front().study.header.command + " --shard " +
+                       std::to_string(index) + "/" + std::to_string(count));
+}
+
+}  // namespace
+
+Counts counts_at(const FamilyNote& family, const Row& row, int limit) {
+  Counts counts = counts_at(row.tally, limit);
+  if (family.size == row.tally.pairs()) counts.extent = Extent::census;
+  return counts;
+}
+
+std::string to_json(const Study& study) {
+  const Header& header = study.header;
+  Json json;
+  json["gjkstep_study"] = format;
+  json["header"] = {{"command", header.command},
+                    {"version", header.version},
+                    {"compiler", header.compiler},
+                    {"seed", header.seed},
+                    {"limits", header.limits}};
+  json["shard"] = {{"index", study.shard.index}, {"count", study.shard.count}};
+  json["processors"] = study.processors;
+  json["families"] = Json::array();
+  for (const FamilyNote& family : study.families) json["families"].push_back(json_of(family));
+  std::string rows;
+  for (std::size_t r = 0; r < study.rows.size(); ++r) {
+    const FamilyNote& family = study.families[r * study.families.size() / study.rows.size()];
+    rows += (r == 0 ? "\n" : ",\n") + json_of(family, study.rows[r], header.limits).dump();
+  }
+  std::string text = json.dump();
+  text.pop_back();
+  return text + ",\"rows\":[" + rows + "\n]}\n";  // one line for each, so that a reader and diff can find them
+}
+
+Study from_json(std::string_view text, const std::string& name) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw StudyError(name + " is not JSON, or is cut off");
+  if (!json.is_object() || !json.contains("gjkstep_study")) throw StudyError(name + " is not a file of gjkstep-study");
+  const Json& found = json["gjkstep_study"];
+  if (found != format)
+    throw StudyError(name + " is of " + (found.is_number() ? "format " + found.dump() : "an unknown format") +
+                     ", this program reads format " + std::to_string(format));
+  try {
+    return study_of(json);
+  } catch (const std::exception& error) {
+    throw StudyError(name + " is damaged: " + error.what() + "; make it again with 'gjkstep-study run'");
+  }
+}
+
+std::string contradiction(const Study& study) {
+  for (const Row& row : study.rows) {
+    const Counts counts = counts_at(row.tally, study.header.limits.back());
+    if (row.rules == "as-intended" && row.scalar == "exact" && counts.wrong() > 0)
+      return "family " + row.family + ": in exact numbers GJK was wrong on " + std::to_string(counts.wrong()) + " of " +
+             std::to_string(counts.pairs) + " pairs, which cannot be: GJK or the oracle has an error";
+  }
+  return "";
+}
+
+Study merged(std::vector<NamedStudy> shards) {
+  if (shards.empty()) throw StudyError("there is nothing to merge");
+  for (const NamedStudy& each : shards) expect_same_study(shards.front(), each);
+  std::ranges::stable_sort(shards, {}, [](const NamedStudy& each) { return each.study.shard.index; });
+  expect_each_once(shards);
+  Study sum = shards.front().study;
+  for (std::size_t i = 1; i < shards.size(); ++i)
+    for (std::size_t r = 0; r < sum.rows.size(); ++r) {
+      sum.rows[r].tally += shards[i].study.rows[r].tally;
+      for (const auto& [limit, timing] : shards[i].study.rows[r].timings) sum.rows[r].timings[limit] += timing;
+    }
+  for (const NamedStudy& each : shards)
+    for (const std::string& processor : each.study.processors)
+      if (std::ranges::find(sum.processors, processor) == sum.processors.end()) sum.processors.push_back(processor);
+  sum.shard = {};
+  return sum;
+}
+
+}  // namespace study

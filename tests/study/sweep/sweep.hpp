@@ -1,0 +1,72 @@
+/// Asks all pairs of some families in every way: families → questions → tallies.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/study/pairs/families.hpp"
+#include "tests/study/sweep/tally.hpp"
+
+namespace study {
+
+/// How many pairs of a family are asked. Slow scalars are asked about the first few of them.
+struct Part {
+  const Family* family;
+  std::uint64_t pairs, slow_pairs;
+};
+
+/// This process asks about the pairs whose index leaves the remainder `index` (from 0) when divided by `count`.
+struct Shard {
+  std::uint64_t index = 0, count = 1;
+  bool operator==(const Shard&) const = default;
+};
+
+struct Plan {
+  std::uint64_t seed = 1;
+  std::vector<Part> parts;
+  std::vector<const Method*> methods;
+  std::vector<int> limits;  ///< ascending; pairs are asked with the last
+  Shard shard = {};
+  unsigned threads = 1;
+  std::uint64_t timed_pairs = 2048;  ///< of each family, besides being asked once
+  std::uint64_t failures_kept = 0;   ///< of each family, method and kind
+  int failure_limit = 20;            ///< the iteration limit at which they failed; not above the last of `limits`
+};
+
+/// How a query went wrong.
+enum class Kind { false_positive, false_negative, undecided };
+
+/// A pair that got no answer or a wrong one.
+struct Failure {
+  std::string family;
+  std::uint64_t index;
+  const Method* method;
+  Kind kind;
+  int limit;
+  Truth truth;
+  Pair pair;  ///< as it was asked: rounded to the scalar
+};
+
+/// What one method made of one family.
+struct Row {
+  std::string family, rules, scalar, zero_test;
+  Tally tally;
+  Timings timings;
+};
+
+struct Findings {
+  std::vector<Row> rows;          ///< families in the order of the plan, and within each the methods
+  std::vector<Failure> failures;  ///< by family, method, kind and index
+};
+
+/// Called now and then, from any thread but never from two at once.
+using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
+
+/// The tallies depend on seed, parts, methods and limits alone, the failures as well; not on the number of threads.
+///
+/// Errors: what the oracle throws, with family and index.
+Findings sweep(const Plan& plan, const Progress& progress = {});
+
+}  // namespace study

@@ -1,0 +1,125 @@
+#include "tests/study/sweep/tally.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace study {
+namespace {
+
+std::size_t index(Truth truth) { return static_cast<std::size_t>(truth); }
+std::size_t index(Answer answer) { return static_cast<std::size_t>(answer); }
+
+Histogram& iterations_of(Counts& counts, Truth truth) {
+  return truth == Truth::intersecting ? counts.hit_iterations : counts.miss_iterations;
+}
+
+bool is_wrong(Truth truth, Answer answer) {
+  return answer == (truth == Truth::intersecting ? Answer::separated : Answer::intersecting);
+}
+
+/// Adds `queries` of one truth and answer that took k iterations when asked with the largest limit.
+void add(Counts& counts, Truth truth, Answer answer, int k, std::uint64_t queries, int limit) {
+  const bool in_time = k <= limit && answer != Answer::at_limit;
+  const int taken = std::min(k, limit);
+  counts.pairs += queries;
+  counts.support_calls += 2 * queries * static_cast<std::uint64_t>(taken);
+  if (truth == Truth::intersecting) counts.hits += queries;
+  Histogram& iterations = iterations_of(counts, truth);
+  iterations.resize(std::max(iterations.size(), static_cast<std::size_t>(taken) + 1));
+  iterations[static_cast<std::size_t>(taken)] += queries;
+  if (!in_time || answer == Answer::unusable) counts.undecided += queries;
+  if (in_time && answer == Answer::unusable) counts.unusable += queries;
+  if (in_time && is_wrong(truth, answer))
+    (truth == Truth::intersecting ? counts.false_negatives : counts.false_positives) += queries;
+}
+
+}  // namespace
+
+void count(Histogram& histogram, int iterations) {
+  const auto k = static_cast<std::size_t>(iterations);
+  if (histogram.size() <= k) histogram.resize(k + 1);
+  ++histogram[k];
+}
+
+void add(Histogram& sum, const Histogram& more) {
+  sum.resize(std::max(sum.size(), more.size()));
+  std::ranges::transform(more, sum, sum.begin(), std::plus());
+}
+
+std::uint64_t total(const Histogram& histogram) {
+  return std::accumulate(histogram.begin(), histogram.end(), std::uint64_t{0});
+}
+
+void Tally::count(const Judgement& judgement, const Outcome& outcome) {
+  study::count(queries[index(judgement.truth)][index(outcome.answer)], outcome.iterations);
+  ++proven[static_cast<std::size_t>(judgement.proof)];
+}
+
+Tally& Tally::operator+=(const Tally& more) {
+  for (std::size_t truth = 0; truth < queries.size(); ++truth)
+    for (std::size_t answer = 0; answer < answers; ++answer) add(queries[truth][answer], more.queries[truth][answer]);
+  for (std::size_t proof = 0; proof < proofs; ++proof) proven[proof] += more.proven[proof];
+  add(returns, more.returns);
+  out_of_range += more.out_of_range;
+  not_askable += more.not_askable;
+  truth_changed += more.truth_changed;
+  exceptions += more.exceptions;
+  return *this;
+}
+
+std::uint64_t Tally::pairs() const {
+  std::uint64_t sum = out_of_range + not_askable + exceptions;
+  for (const auto& by_answer : queries)
+    for (const Histogram& histogram : by_answer) sum += total(histogram);
+  return sum;
+}
+
+Counts counts_at(const Tally& tally, int limit) {
+  Counts counts;
+  for (const Truth truth : {Truth::separated, Truth::intersecting})
+    for (const Answer answer : {Answer::intersecting, Answer::separated, Answer::unusable, Answer::at_limit}) {
+      const Histogram& histogram = tally.queries[index(truth)][index(answer)];
+      for (std::size_t k = 0; k < histogram.size(); ++k)
+        if (histogram[k] > 0) add(counts, truth, answer, static_cast<int>(k), histogram[k], limit);
+    }
+  for (std::size_t k = 0; k < tally.returns.size() && k <= static_cast<std::size_t>(limit); ++k)
+    counts.cycles += tally.returns[k];
+  return counts;
+}
+
+Counts& operator+=(Counts& sum, const Counts& more) {
+  sum.pairs += more.pairs;
+  sum.hits += more.hits;
+  sum.false_positives += more.false_positives;
+  sum.false_negatives += more.false_negatives;
+  sum.undecided += more.undecided;
+  sum.unusable += more.unusable;
+  sum.cycles += more.cycles;
+  sum.support_calls += more.support_calls;
+  add(sum.hit_iterations, more.hit_iterations);
+  add(sum.miss_iterations, more.miss_iterations);
+  return sum;
+}
+
+Spread spread_of(const Histogram& histogram) {
+  const std::uint64_t all = total(histogram);
+  Spread spread{0, 0, 0};
+  std::uint64_t weighted = 0, so_far = 0;
+  for (std::size_t k = 0; k < histogram.size(); ++k) {
+    if (histogram[k] == 0) continue;
+    if (100 * so_far < 99 * all) spread.p99 = static_cast<int>(k);
+    so_far += histogram[k];
+    weighted += k * histogram[k];
+    spread.max = static_cast<int>(k);
+  }
+  spread.mean = static_cast<double>(weighted) / static_cast<double>(all);
+  return spread;
+}
+
+Timing& Timing::operator+=(const Timing& more) {
+  queries += more.queries;
+  nanoseconds += more.nanoseconds;
+  return *this;
+}
+
+}  // namespace study

@@ -1,0 +1,93 @@
+/// What came of many queries of one family by one method. Adding tallies is all that merging takes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "tests/study/truth/judgement.hpp"
+#include "tests/study/methods/method.hpp"
+#include "tests/study/sweep/rate.hpp"
+
+namespace study {
+
+/// [k] is how many queries took k iterations.
+using Histogram = std::vector<std::uint64_t>;
+
+void count(Histogram& histogram, int iterations);
+void add(Histogram& sum, const Histogram& more);
+std::uint64_t total(const Histogram& histogram);
+
+/// The queries are asked once, with the largest limit. What a smaller limit L would have answered follows: a query that
+/// ends within L iterations ends alike, any other is undecided.
+struct Tally {
+  std::array<std::array<Histogram, answers>, 2> queries;  ///< by truth, then by answer
+  std::array<std::uint64_t, proofs> proven{};             ///< the truths about these pairs, by Proof
+  Histogram returns;                ///< of queries without an answer: by the iteration in which a state came back
+  std::uint64_t out_of_range = 0;   ///< not asked: a number has no counterpart in the scalar
+  std::uint64_t not_askable = 0;    ///< not asked: the scalar has no such shape
+  std::uint64_t truth_changed = 0;  ///< rounding to the scalar made the sets touch, or parted them
+  std::uint64_t exceptions = 0;     ///< the query threw
+
+  void count(const Judgement& judgement, const Outcome& outcome);
+  Tally& operator+=(const Tally& more);
+  bool operator==(const Tally&) const = default;
+
+  std::uint64_t pairs() const;  ///< asked or not
+};
+
+/// A tally, as a reader asks for it: at one iteration limit.
+struct Counts {
+  std::uint64_t pairs = 0;            ///< that were asked
+  std::uint64_t hits = 0;             ///< pairs that have a point in common
+  std::uint64_t false_positives = 0;  ///< of the others
+  std::uint64_t false_negatives = 0;  ///< of the hits
+  std::uint64_t undecided = 0;
+  std::uint64_t unusable = 0;  ///< undecided ones whose search direction became zero, infinite or not a number
+  std::uint64_t cycles = 0;  ///< undecided ones that came back to a state within the limit: they go in circles for ever
+  std::uint64_t support_calls = 0;
+  Histogram hit_iterations, miss_iterations;  ///< by truth; undecided queries count with the iterations they took
+  Extent extent = Extent::sample;             ///< of the pairs
+
+  std::uint64_t misses() const { return pairs - hits; }
+  std::uint64_t wrong() const { return false_positives + false_negatives; }
+};
+
+Counts counts_at(const Tally& tally, int limit);
+
+Counts& operator+=(Counts& sum, const Counts& more);
+
+// Rates, each of the pairs with which it can happen.
+inline Rate hit_rate(const Counts& counts) { return {counts.hits, counts.pairs, counts.extent}; }
+inline Rate false_positive_rate(const Counts& counts) {
+  return {counts.false_positives, counts.misses(), counts.extent};
+}
+inline Rate false_negative_rate(const Counts& counts) { return {counts.false_negatives, counts.hits, counts.extent}; }
+inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs, counts.extent}; }
+inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs, counts.extent}; }
+inline Rate failure_rate(const Counts& counts) {
+  return {counts.wrong() + counts.undecided, counts.pairs, counts.extent};
+}
+
+/// Mean, 99 % and largest of a histogram. `p99`: the least k such that at least 99 % took k or fewer.
+struct Spread {
+  double mean;
+  int p99, max;
+};
+
+/// Requires: total(histogram) > 0.
+Spread spread_of(const Histogram& histogram);
+
+/// Kept apart from the counts, because no two runs agree. Times of batches, see turns.hpp, are added.
+struct Timing {
+  std::uint64_t queries = 0, nanoseconds = 0;
+
+  Timing& operator+=(const Timing& more);
+  double per_query() const { return static_cast<double>(nanoseconds) / static_cast<double>(queries); }
+};
+
+using Timings = std::map<int, Timing>;  ///< by iteration limit
+
+}  // namespace study

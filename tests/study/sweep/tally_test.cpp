@@ -1,0 +1,94 @@
+#include "tests/study/sweep/tally.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/study/support.hpp"
+
+namespace study::test {
+namespace {
+
+TEST_CASE("What a smaller limit answers follows from the answers at the largest", "[tally]") {
+  const std::vector<const Family*> families{&family_named("triangles"), &family_named("flat-1e-9-turned"),
+                                            &family_named("cycles"), &family_named("scale-1e-75")};
+  for (const char* const name : {"as-intended double exact", "as-printed float exact", "as-intended float relative"}) {
+    Plan plan = plan_for(families, {&method_named(name)}, 120);
+    const Findings all = sweep(plan);
+    for (const int limit : {1, 2, 3, 5, 8, 20}) {
+      INFO(name << " at most " << limit);
+      plan.limits = {limit};
+      const Findings some = sweep(plan);
+      for (std::size_t row = 0; row < all.rows.size(); ++row) {
+        INFO(all.rows[row].family);
+        const Counts derived = counts_at(all.rows[row].tally, limit), asked = counts_at(some.rows[row].tally, limit);
+        REQUIRE(derived.pairs == asked.pairs);
+        REQUIRE(derived.hits == asked.hits);
+        REQUIRE(derived.false_positives == asked.false_positives);
+        REQUIRE(derived.false_negatives == asked.false_negatives);
+        REQUIRE(derived.undecided == asked.undecided);
+        REQUIRE(derived.support_calls == asked.support_calls);
+        REQUIRE(derived.hit_iterations == asked.hit_iterations);
+        REQUIRE(derived.miss_iterations == asked.miss_iterations);
+      }
+    }
+  }
+}
+
+TEST_CASE("A tally tells wrong answers of either kind apart from undecided ones", "[tally]") {
+  Tally tally;
+  tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  tally.count({Truth::intersecting, Proof::predicates}, {Answer::separated, 4});
+  tally.count({Truth::intersecting, Proof::predicates}, {Answer::separated, 9});
+  tally.count({Truth::intersecting, Proof::predicates}, {Answer::intersecting, 5});
+  tally.count({Truth::separated, Proof::predicates}, {Answer::separated, 2});
+  tally.count({Truth::separated, Proof::predicates}, {Answer::at_limit, 50});
+  tally.count({Truth::separated, Proof::predicates}, {Answer::unusable, 6});
+  const Counts at_8 = counts_at(tally, 8);
+  REQUIRE(at_8.pairs == 7);
+  REQUIRE(at_8.hits == 3);
+  REQUIRE(at_8.false_positives == 1);
+  REQUIRE(at_8.false_negatives == 1);
+  REQUIRE(at_8.undecided == 3);  // those that took 9, 50 and 6
+  REQUIRE(at_8.unusable == 1);
+  REQUIRE(at_8.support_calls == 2 * (3 + 4 + 8 + 5 + 2 + 8 + 6));
+  REQUIRE(at_8.hit_iterations == Histogram{0, 0, 0, 0, 1, 1, 0, 0, 1});
+  REQUIRE(counts_at(tally, 10).false_negatives == 2);
+}
+
+TEST_CASE("Each rate is a share of the pairs with which it can happen", "[tally]") {
+  Counts counts;
+  counts.pairs = 10;
+  counts.hits = 4;
+  counts.false_positives = 3;
+  counts.false_negatives = 2;
+  counts.undecided = 1;
+  CHECK(false_positive_rate(counts).share() == 3.0 / 6);
+  CHECK(false_negative_rate(counts).share() == 2.0 / 4);
+  CHECK(undecided_rate(counts).share() == 1.0 / 10);
+  CHECK(wrong_rate(counts).share() == 5.0 / 10);
+  CHECK(failure_rate(counts).share() == 6.0 / 10);
+}
+
+TEST_CASE("Tallies add up", "[tally]") {
+  Tally one, other, both;
+  one.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  other.count({Truth::intersecting, Proof::predicates}, {Answer::intersecting, 12});
+  other.truth_changed = 5;
+  both.count({Truth::intersecting, Proof::predicates}, {Answer::intersecting, 12});
+  both.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  both.truth_changed = 5;
+  one += other;
+  REQUIRE(counts_at(one, 50).false_positives == 1);
+  REQUIRE(one == both);
+}
+
+TEST_CASE("Mean, 99 % and largest of a histogram are those that were counted by hand", "[tally]") {
+  const Spread few = spread_of({0, 0, 1, 3});
+  REQUIRE(few.mean == Approx(2.75));
+  REQUIRE(few.p99 == 3);
+  REQUIRE(few.max == 3);
+  REQUIRE(spread_of({0, 0, 99, 0, 0, 1}).p99 == 2);  // 99 of 100 took 2
+  REQUIRE(spread_of({0, 0, 98, 0, 0, 2}).p99 == 5);
+  REQUIRE(spread_of({0, 0, 99, 0, 0, 1, 0}).max == 5);
+}
+
+}  // namespace
+}  // namespace study::test

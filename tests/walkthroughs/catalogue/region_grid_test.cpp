@@ -1,0 +1,188 @@
+#include "walkthroughs/catalogue/region_grid.hpp"
+
+#include <set>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/catalogue/nearest_feature.hpp"
+#include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+constexpr double cell = 0.1;  // coarser than the pictures
+
+/// Calls `check` with the middle, the answer and the nearest feature of each cell that lies on no border.
+template <class Check>
+void for_each_cell(const Simplex& simplex, const Window& window, Check&& check) {
+  const RegionGrid grid = ask_everywhere(simplex, window, cell);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const Point p = grid.middle(column, row);
+      const std::string nearest = nearest_feature(simplex, p);
+      if (!nearest.empty()) check(p, grid.at(column, row), nearest);
+    }
+  }
+}
+
+double area(const std::vector<Vec2>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  return std::abs(twice) / 2;
+}
+
+std::set<std::string> features_of(int size) {
+  if (size == 2) return {"A", "B", "AB"};
+  if (size == 3) return {"A", "B", "C", "AB", "AC", "BC", "ABC"};
+  return {"A", "B", "C", "D", "AB", "AC", "AD", "BC", "BD", "CD", "ABC", "ABD", "ACD", "BCD", "ABCD"};
+}
+
+/// The simplices of the figures, each with the window in which it is drawn.
+struct Drawn {
+  Simplex simplex;
+  Window window;
+};
+std::vector<Drawn> drawn() {
+  return {{figure_6_simplex(), figure_6_window()},
+          {figure_7_simplex(), figure_7_window()},
+          {figure_8_simplex(), figure_8_slice()}};
+}
+
+bool polygon_contains(const std::vector<Vec2>& polygon, const Vec2& p) {
+  if (polygon.size() < 3) return false;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    if (cross(polygon[(i + 1) % polygon.size()] - polygon[i], p - polygon[i]) < -1e-9) return false;
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("A point lies in the region beyond a feature exactly when that feature is the nearest") {
+  for (const auto& [simplex, window] : drawn()) {
+    for_each_cell(simplex, window,
+                  [&, &simplex = simplex](const Point& p, const std::string&, const std::string& nearest) {
+                    for (const std::string& feature : features_of(simplex.size())) {
+                      INFO(feature << " at " << p.transpose());
+                      REQUIRE(lies_in(p, region_beyond(simplex, feature)) == (feature == nearest));
+                    }
+                  });
+  }
+}
+
+TEST_CASE("The drawn regions are those of the half-spaces and fill the window") {
+  for (const auto& [simplex, window] : drawn()) {
+    double sum = 0;
+    for (const std::string& feature : features_of(simplex.size())) {
+      const std::vector<Vec2> part = common_part(window.corners(), region_beyond(simplex, feature), window.height);
+      sum += part.empty() ? 0 : area(part);
+      for_each_cell(simplex, window,
+                    [&, &window = window](const Point& p, const std::string&, const std::string& nearest) {
+                      if (nearest == feature) REQUIRE(polygon_contains(part, p.head<2>()));
+                    });
+      CHECK(std::ranges::all_of(
+          part, [&, &window = window](const Vec2& p) { return polygon_contains(window.corners(), p); }));
+    }
+    CHECK(sum == Approx(area(window.corners())));
+  }
+}
+
+TEST_CASE("Figure 6: Algorithm 3 answers R3 above the line AB and R4 below it, beyond the ends as well") {
+  const Simplex simplex = figure_6_simplex();
+  const Point A = simplex.point(gjk::Role::A), B = simplex.point(gjk::Role::B);
+  for_each_cell(simplex, figure_6_window(), [&](const Point& p, const std::string& answer, const std::string&) {
+    const double level = B.y() + (A.y() - B.y()) * (p.x() - B.x()) / (A.x() - B.x());
+    INFO(p.transpose());
+    REQUIRE(answer == (p.y() > level ? "R3" : "R4"));
+  });
+}
+
+TEST_CASE("Figure 7: Algorithm 4 answers by the nearest feature where it may be asked") {
+  int asked = 0;
+  for_each_cell(figure_7_simplex(), figure_7_window(),
+                [&](const Point& p, const std::string& answer, const std::string& nearest) {
+                  INFO(nearest << " at " << p.transpose());
+                  if (nearest == "ABC") REQUIRE(answer == "R1");
+                  if (nearest == "AB") REQUIRE(answer == "R3");
+                  if (nearest == "AC") REQUIRE(answer == "R7");
+                  asked += nearest == "ABC" || nearest == "AB" || nearest == "AC";
+                });
+  CHECK(asked > 1000);
+}
+
+TEST_CASE("Figure 7: beyond the features that are ruled out the answer is wrong") {
+  std::set<std::string> beyond_A, beyond_BC;
+  for_each_cell(figure_7_simplex(), figure_7_window(),
+                [&](const Point&, const std::string& answer, const std::string& nearest) {
+                  if (nearest == "A") beyond_A.insert(answer);
+                  if (nearest == "BC") beyond_BC.insert(answer);
+                });
+  CHECK(beyond_A == std::set<std::string>{"R3", "R7"});
+  CHECK(beyond_BC == std::set<std::string>{"R1"});
+}
+
+TEST_CASE("Figure 8: Algorithm 5 answers by the nearest feature where it may be asked") {
+  std::set<std::string> seen;
+  for_each_cell(figure_8_simplex(), figure_8_slice(),
+                [&](const Point& p, const std::string& answer, const std::string& nearest) {
+                  seen.insert(answer);
+                  INFO(nearest << " at " << p.transpose() << ": " << answer);
+                  if (nearest == "ABCD") REQUIRE(answer == "inside");
+                  if (nearest == "ABC" || nearest == "ACD") REQUIRE(answer == nearest);
+                  if (nearest == "ABD") REQUIRE(answer == "ADB");
+                  if (nearest == "AB" || nearest == "AC" || nearest == "AD")
+                    REQUIRE(answer.substr(0, 6) == nearest + " of ");
+                });
+  CHECK(seen == std::set<std::string>{"inside", "ABC", "ACD", "ADB", "AB of ABC", "AB of ADB", "AC of ABC", "AC of ACD",
+                                      "AD of ACD", "AD of ADB"});
+}
+
+TEST_CASE("The tests behind an answer bound the cells that got it") {
+  for (const auto& [simplex, window] : drawn()) {
+    const RegionGrid grid = ask_everywhere(simplex, window, cell);
+    const std::vector<AnsweredArea> areas = answered_areas(simplex, grid);
+    if (simplex.size() == 2) continue;  // Algorithm 3 has one test for both of its answers
+    double sum = 0;
+    for (const AnsweredArea& each : areas) sum += area(common_part(window.corners(), each.spaces, window.height));
+    CHECK(sum == Approx(area(window.corners())));
+    for (int row = 0; row < grid.rows(); ++row) {
+      for (int column = 0; column < grid.columns(); ++column) {
+        const auto own = std::ranges::find(areas, grid.at(column, row), &AnsweredArea::name);
+        REQUIRE(own != areas.end());
+        REQUIRE(lies_in(grid.middle(column, row), own->spaces));
+      }
+    }
+  }
+}
+
+TEST_CASE("Blocks cover each cell once, with its text") {
+  const Window window{.low = {-1, 2}, .high = {3, 4}};
+  const RegionGrid grid(window, 8, 5, [](const Point& p) { return p.x() + p.y() > 4 ? "far" : "near"; });
+  const std::vector<RegionGrid::Block> blocks = grid.blocks();
+  CHECK(blocks.size() < 8 * 5);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const Vec2 p = grid.middle(column, row).head<2>();
+      std::vector<std::string> found;
+      for (const RegionGrid::Block& block : blocks)
+        if ((p.array() > block.low.array()).all() && (p.array() < block.high.array()).all())
+          found.push_back(block.text);
+      REQUIRE(found == std::vector<std::string>{p.x() + p.y() > 4 ? "far" : "near"});
+    }
+  }
+}
+
+TEST_CASE("Equal rows are one block each side") {
+  const RegionGrid grid({.low = {0, 0}, .high = {4, 4}}, 4, 4,
+                        [](const Point& p) { return p.x() > 2 ? "right" : "left"; });
+  CHECK(grid.blocks().size() == 2);
+}
+
+TEST_CASE("The reasons for skipping are told once each, with all regions that they are for") {
+  const Simplex simplex = figure_7_simplex();
+  const std::vector<std::string> reasons = reasons_for_skipping(ask(simplex, Point(0, 0, 0)));
+  REQUIRE(reasons.size() == 2);
+  CHECK(reasons[0].starts_with("R4, R5, R6: "));
+  CHECK(reasons[1].starts_with("R2: "));
+}

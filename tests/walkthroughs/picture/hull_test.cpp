@@ -1,0 +1,95 @@
+#include "walkthroughs/picture/hull.hpp"
+
+#include <numbers>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/support.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+using Corners = std::vector<Vec2>;
+
+Corners hull_of(const std::vector<Point>& points) { return difference_hull(walkthrough_of(points).scenes[0]).corners; }
+
+std::vector<Point> circle(int count) {
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    points.emplace_back(100 * std::cos(angle), 100 * std::sin(angle), 0);
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("A hull is counter-clockwise from the corner farthest along +x, whatever the order of the points") {
+  std::vector<Point> points = {{0, 0, 0}, {3, 1, 0}, {2, 3, 0}, {-1, 2, 0}, {1, 1, 0}};
+  std::ranges::sort(points, {}, [](const Point& p) { return std::pair(p.x(), p.y()); });
+  const auto less = [](const Point& p, const Point& q) { return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y()); };
+  do {
+    REQUIRE(hull_of(points) == Corners{{3, 1}, {2, 3}, {-1, 2}, {0, 0}});
+  } while (std::ranges::next_permutation(points, less).found);
+}
+
+TEST_CASE("Of two corners equally far along +x the upper is A") {
+  CHECK(hull_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}) == Corners{{1, 1}, {0, 1}, {0, 0}, {1, 0}});
+}
+
+TEST_CASE("A point between two corners, or given twice, is no corner") {
+  CHECK(hull_of({{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {3, 3, 0}, {2, 6, 0}, {1, 3, 0}}) == Corners{{4, 0}, {2, 6}, {0, 0}});
+  CHECK(hull_of({{0, 0, 0}, {4, 0, 0}, {4, 0, 0}, {2, 6, 0}, {0, 0, 0}}) == Corners{{4, 0}, {2, 6}, {0, 0}});
+}
+
+TEST_CASE("Points on one line have two corners, equal points have one") {
+  CHECK(hull_of({{1, 1, 0}, {3, 3, 0}, {2, 2, 0}}) == Corners{{3, 3}, {1, 1}});
+  CHECK(hull_of({{2, 5, 0}, {2, -1, 0}, {2, 0, 0}}) == Corners{{2, 5}, {2, -1}});
+  CHECK(hull_of({{1, 2, 0}}) == Corners{{1, 2}});
+  CHECK(hull_of({{1, 2, 0}, {1, 2, 0}, {1, 2, 0}}) == Corners{{1, 2}});
+}
+
+TEST_CASE("The hull is that of a − b, projected on z = 0") {
+  const Walkthrough w = walkthrough_of({{0, 0, 5}, {2, 0, 7}, {0, 2, 0}}, {}, {{10, 20, 3}});
+  CHECK(difference_hull(w.scenes[0]).corners == Corners{{-8, -20}, {-10, -18}, {-10, -20}});
+}
+
+TEST_CASE("No difference of two vertices lies outside the hull, and every corner is one") {
+  for (const Walkthrough& w : catalogue()) {
+    for (const Scene& scene : w.scenes) {
+      const Corners corners = difference_hull(scene).corners;
+      std::vector<Vec2> differences;
+      for (const Point& a : vertices_of(scene.a))
+        for (const Point& b : vertices_of(scene.b)) differences.push_back((a - b).head<2>());
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 &p = corners[i], &q = corners[(i + 1) % corners.size()];
+        const auto times = std::ranges::count(differences, p);
+        CHECK((scene.dimension == Dimension::plane ? times == 1 : times >= 1));  // in space others may lie below
+        for (const Vec2& w_point : differences) CHECK(cross(q - p, w_point - p) >= 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("Only a corner has a name") {
+  const LabelledHull hull{{{3, 0}, {0, 2}, {-1, 0}}};
+  CHECK(hull.name({3, 0, 0}) == "A");
+  CHECK(hull.name({0, 2, 0}) == "B");
+  CHECK(hull.name({-1, -0.0, 0}) == "C");
+  CHECK(hull.name({1, 0, 0}).empty());
+  CHECK(hull.name({0, 2.0000001, 0}).empty());
+}
+
+TEST_CASE("More corners than letters have names of their own") {
+  const Corners corners = hull_of(circle(60));
+  REQUIRE(corners.size() == 60);
+  const LabelledHull hull{corners};
+  std::vector<std::string> names;
+  for (const Vec2& corner : corners) names.push_back(hull.name({corner.x(), corner.y(), 0}));
+  CHECK(names.front() == "A");
+  CHECK(names[25] == "Z");
+  CHECK(names[26] == "A1");
+  std::ranges::sort(names);
+  CHECK(std::ranges::adjacent_find(names) == names.end());
+}

@@ -1,0 +1,111 @@
+#include <optional>
+
+#include "render/image.hpp"
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/picture/render_frames.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr render::Size small{64, 36};
+const FrameWritten nobody = [](const fs::path&, std::size_t) {};
+
+/// Two objects of the plane, drawn as if they were in space.
+Walkthrough in_space() {
+  Walkthrough w = walkthrough("figure-4-right");
+  w.name = "in/space";
+  w.scenes[0].dimension = Dimension::space;
+  return w;
+}
+
+void store(const fs::path& file) { std::ofstream(file) << "mine"; }
+
+}  // namespace
+
+TEST_CASE("Files are written and reported in the order asked for, whatever their kind and walkthrough") {
+  const Folder folder;
+  Studio studio;
+  Renderer renderer(studio);
+  std::vector<std::string> files;
+  const auto add = [&](const fs::path& file) {
+    CHECK(fs::exists(file));
+    files.push_back(file.lexically_relative(folder.path()).string());
+  };
+  for (const char* name : {"figure-5", "figure-4-right"}) {
+    const Story story = tell(walkthrough(name));  // gone before its last pictures are written
+    const Output output{folder.path(), small};
+    renderer.frames(
+        story, output, [=](const fs::path& file, std::size_t) { add(file); }, 1, add);
+    renderer.strip(story, output, add);
+    renderer.sheet(story, output, add);
+  }
+  renderer.finish();
+  std::vector<std::string> expected;
+  for (const auto& [name, frames] : {std::pair{"figure-5", 3}, std::pair{"figure-4-right", 6}}) {
+    for (int i = 0; i < frames; ++i) expected.push_back(std::string(name) + "/00" + std::to_string(i) + ".png");
+    for (const char* file : {"/animation.png", "/strip.png", "/sheet.png"})
+      expected.push_back(std::string(name) + file);
+  }
+  CHECK(files == expected);
+}
+
+TEST_CASE("Views of a scene in space stand beside the frames, in folders of folders, and stale ones go") {
+  const Folder folder;
+  Studio studio;
+  const Walkthrough space = in_space();
+  const Story story = tell(space);
+  const fs::path own = folder.path() / "in" / "space";
+  render_frames(story, {folder.path(), small, {}, 3}, studio, nobody);
+  CHECK(listing(own).size() == 4 * story.frames.size());
+  for (const char* stale : {"006.png", "006-turn-1.png", "007.png", "000-turn-4.png"}) store(own / stale);
+  for (const char* foreign : {"009.png", "000-turn-9.png", "000-turn-x.png", "turn-1.png"}) store(own / foreign);
+  std::vector<std::string> expected = {"009.png", "000-turn-9.png", "000-turn-x.png", "turn-1.png"};
+  for (std::size_t i = 0; i < story.frames.size(); ++i)
+    for (const char* view : {".png", "-turn-1.png"}) expected.push_back("00" + std::to_string(i) + view);
+  std::ranges::sort(expected);
+  render_frames(story, {folder.path(), small, {}, 1}, studio, nobody);
+  CHECK(listing(own) == expected);
+}
+
+TEST_CASE("A scene in the plane has no further views") {
+  const Folder folder;
+  Studio studio;
+  render_frames(tell(walkthrough("figure-5")), {folder.path(), small, {}, 5}, studio, nobody);
+  CHECK(listing(folder.path()).size() == 3);
+}
+
+TEST_CASE("A file that cannot be written is reported once, those before it are there, those after it are not") {
+  const Folder folder;
+  fs::create_directories(folder.path() / "figure-4-right" / "002.png" / "in the way");
+  Studio studio;
+  int told = 0;
+  std::optional<std::string> error;
+  try {
+    Renderer renderer(studio);
+    renderer.frames(tell(walkthrough("figure-4-right")), {folder.path(), small},
+                    [&](const fs::path&, std::size_t) { ++told; });
+    renderer.frames(tell(walkthrough("figure-5")), {folder.path(), small},
+                    [&](const fs::path&, std::size_t) { ++told; });
+    renderer.finish();
+  } catch (const render::FileError& e) {
+    error = e.what();
+  }
+  REQUIRE(error);
+  CHECK(error->find("002.png") != std::string::npos);
+  CHECK(told == 2);
+  CHECK(listing(folder.path()) == std::vector<std::string>{"figure-4-right/000.png", "figure-4-right/001.png"});
+}
+
+TEST_CASE("A renderer that goes before it has finished has written what it was asked for") {
+  const Folder folder;
+  Studio studio;
+  {
+    Renderer renderer(studio);
+    renderer.frames(tell(walkthrough("figure-5")), {folder.path(), small}, nobody);
+  }
+  CHECK(listing(folder.path()).size() == 3);
+}

@@ -1,0 +1,66 @@
+// gjkstep list: the catalogue, as lines and as tables.
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/program/program.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> words(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+}  // namespace
+
+TEST_CASE("gjkstep list prints each walkthrough with its summary, one line each, folder by folder") {
+  const Outcome outcome = run("list");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  std::vector<std::string> printed = lines(outcome.out);
+  std::set<std::string> folders;
+  for (const Walkthrough& w : catalogue()) folders.insert(fs::path(w.name).parent_path().string());
+  CHECK(std::erase(printed, "") == folders.size() - 1);
+  REQUIRE(printed.size() == catalogue().size());
+  for (const Walkthrough& w : catalogue())
+    CHECK(std::ranges::count_if(printed, [&](const std::string& line) {
+            return line.starts_with(w.name + "  ") && line.ends_with("  " + w.summary);
+          }) == 1);
+}
+
+TEST_CASE("gjkstep list NAME prints a table: name, case, section, how the search ends, number of frames") {
+  const std::vector<std::string> printed = lines(run("list figure-4-right").out);
+  REQUIRE(printed.size() == 2);
+  CHECK(words(printed[0]) == std::vector<std::string>{"name", "case", "section", "status", "frames"});
+  CHECK(printed[1].starts_with("figure-4-right  the origin is not crossed at E"));
+  CHECK(words(printed[1]).at(words(printed[1]).size() - 2) == "separated");
+  CHECK(words(printed[1]).back() == "6");
+  CHECK(printed[0].size() == printed[1].size());
+}
+
+TEST_CASE("gjkstep list FOLDER prints a row for each walkthrough of the folder, the columns aligned") {
+  const std::string name = some_folder();
+  if (name.empty()) return;
+  const Outcome outcome = run("list " + name);
+  CHECK(outcome.exit_code == 0);
+  const std::vector<std::string> printed = lines(outcome.out);
+  const auto expected = find_walkthroughs(name);
+  REQUIRE(printed.size() == 1 + expected.size());
+  const std::size_t column = printed[0].find("case");
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    INFO(printed[i + 1]);
+    CHECK(printed[i + 1].starts_with(expected[i]->name + " "));
+    CHECK(printed[i + 1].substr(column - 2, 2) == "  ");
+    CHECK(printed[i + 1][column] != ' ');
+    if (expected[i]->region_case) CHECK(has(printed[i + 1], " " + expected[i]->region_case->section + " "));
+  }
+}

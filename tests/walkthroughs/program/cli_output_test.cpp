@@ -1,0 +1,64 @@
+// What cannot be read or written: the fonts, folders, frames, captions, standard output.
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/program/program.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+namespace fs = std::filesystem;
+
+TEST_CASE("Missing fonts are exit code 3 and the message names the package, and nothing is written") {
+  const Untouched out;
+  const Folder empty;
+  check_failure("render figure-5" + out.option, 3,
+                {(empty.path() / "DejaVuSans.ttf").string(), "fonts-dejavu-core", "GJKSTEP_FONT_DIR"},
+                "GJKSTEP_FONT_DIR=" + quoted(empty.path().string()));
+}
+
+TEST_CASE("A folder that cannot be made is exit code 5 and the message names it") {
+  const Folder folder;
+  const fs::path file = folder.path() / "a file";
+  std::ofstream(file) << "mine";
+  check_failure("render figure-5 --out " + quoted(file.string()), 5, {file.string(), "--out"});
+  CHECK(bytes_of(file) == "mine");
+  CHECK(listing(folder.path()) == std::vector<std::string>{"a file"});
+}
+
+TEST_CASE("A frame that cannot be written is exit code 5, and nothing half-written is left") {
+  const Folder folder;
+  fs::create_directories(folder.path() / "figure-5" / "000.png" / "in the way");
+  check_failure("render figure-5 --size 32x18 --out " + quoted(folder.path().string()), 5, {"000.png"});
+  CHECK(listing(folder.path()).empty());
+}
+
+TEST_CASE("A frame that is larger than files may be is exit code 5, and nothing is left of it") {
+  const Folder folder;
+  const std::string out = quoted(folder.path().string());
+  const int status = std::system(
+      ("ulimit -f 1; " + quoted(GJKSTEP_PROGRAM) + " render figure-5 --size 640x360 --out " + out + " >/dev/null 2>&1")
+          .c_str());
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 5);
+  CHECK(std::filesystem::is_empty(folder.path() / "figure-5"));
+}
+
+TEST_CASE("Captions that cannot be written are exit code 5") {
+  const Folder folder;
+  const Outcome outcome =
+      run("render figure-5 --size 32x18 --captions " + quoted((folder.path() / "no" / "where").string()) + " --out " +
+          quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 5);
+  CHECK(has(outcome.err, "where"));
+}
+
+TEST_CASE("Standard output that is full is exit code 5") {
+  for (const char* command : {"trace figure-4-left", "list", "--version", "--help"}) {
+    INFO(command);
+    const Outcome outcome = run(command, "", {.out = "/dev/full", .err = ""});
+    CHECK(outcome.exit_code == 5);
+    CHECK(has(outcome.err, "standard output"));
+  }
+}

@@ -1,0 +1,233 @@
+// gjkstep query as its users run it.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string_view>
+#include <thread>
+
+#include "tests/walkthroughs/program/program.hpp"
+#include "tests/walkthroughs/query/queries.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+/// Runs a command of the shell in which $program is gjkstep and that must end within a minute.
+Outcome shell(const std::string& command) {
+  const Folder folder;
+  const std::string out = (folder.path() / "stdout").string(), err = (folder.path() / "stderr").string();
+  const std::string script = (folder.path() / "script").string();
+  std::ofstream(script) << "program=" << quoted(GJKSTEP_PROGRAM) << "\nfolder=" << quoted(folder.path().string())
+                        << "\n"
+                        << command << "\n";
+  const int status = std::system(
+      ("timeout 60 sh " + quoted(script) + " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null").c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
+}
+
+Outcome query(const std::string& input, const std::string& options = "") {
+  const Folder folder;
+  const std::string file = (folder.path() / "pairs.jsonl").string();
+  std::ofstream(file) << input;
+  return shell("$program query " + options + " <" + quoted(file));
+}
+
+}  // namespace
+
+TEST_CASE("gjkstep query answers and is exit code 0") {
+  const Outcome outcome = query(pair_of(ball, ball_ten_away) + "\n" + pair_of(ball, ball));
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  REQUIRE(lines(outcome.out).size() == 2);
+  CHECK(has(lines(outcome.out)[0], "\"separated\""));
+  CHECK(has(lines(outcome.out)[1], "\"intersecting\""));
+  CHECK(query("").exit_code == 0);
+}
+
+TEST_CASE("gjkstep query does as its options say") {
+  const std::string line = pair_of(ball, ball_ten_away) + "\n";
+  CHECK(has(query(line, "--rules as-printed").out, "\"intersecting\""));
+  CHECK(has(query(line, "--rules as-intended").out, "\"separated\""));
+  CHECK(has(query(line, "--max-iterations 1").out, R"("undecided","iterations":1,"reason":"iteration-limit")"));
+  const std::string tenth = pair_of(R"({"points":[[0.1,0,0]]})", R"({"points":[[1,0,0]]})") + "\n";
+  CHECK(has(query(tenth, "--scalar float").out, "\"a\":[0.1,0,0]"));
+  CHECK(has(query(tenth, "--scalar double").out, "\"a\":[0.1,0,0]"));
+  CHECK(has(query(tenth, "--scalar long-double").out, "\"a\":[0.10000000000000000555,0,0]"));
+  CHECK(has(query(tenth, "--scalar exact").out, "\"a\":[\"3602879701896397/36028797018963968\",\"0\",\"0\"]"));
+}
+
+TEST_CASE("A bad line of gjkstep query is exit code 3 and the others are answered") {
+  const Outcome outcome = query("x\n" + pair_of(dot, dot) + "\n\n");
+  CHECK(outcome.exit_code == 3);
+  REQUIRE(lines(outcome.out).size() == 3);
+  CHECK(has(lines(outcome.out)[1], "\"intersecting\""));
+  CHECK(outcome.err == "gjkstep: 2 of 3 lines are not answered; the first is line 1, and its \"error\" says why\n");
+}
+
+TEST_CASE("Input that cannot be read is exit code 3") {
+  const Outcome outcome = shell("$program query </");
+  CHECK(outcome.exit_code == 3);
+  CHECK(has(outcome.err, "standard input cannot be read: Is a directory"));
+  CHECK(shell("$program query <&-").exit_code == 3);
+}
+
+TEST_CASE("Output that cannot be written is exit code 5, also where its reader leaves") {
+  const std::string many = "yes " + quoted(pair_of(dot, dot)) + " | head -n 20000 | ";
+  const Outcome full = shell(many + "$program query >/dev/full");
+  CHECK(full.exit_code == 5);
+  CHECK(has(full.err, "cannot write to standard output: No space left on device; make room"));
+  const Outcome left = shell("{ " + many + "$program query; echo $? >$folder/code; } | head -n 1; cat $folder/code");
+  REQUIRE(lines(left.out).size() == 2);
+  CHECK(lines(left.out)[1] == "5");
+  CHECK(has(left.err, "Broken pipe; who reads the answers has left"));
+  const Outcome closed = shell("echo x | $program query >&-");
+  CHECK(closed.exit_code == 5);
+  CHECK(has(closed.err, "Bad file descriptor; check where the output goes"));
+}
+
+TEST_CASE("gjkstep query answers one pair while it waits for the next") {
+  const Outcome outcome = shell(
+      "mkfifo $folder/in $folder/out\n"
+      "$program query <$folder/in >$folder/out &\n"
+      "exec 3>$folder/in 4<$folder/out\n"
+      "for pair in 1 2 3; do\n"
+      "  echo " +
+      quoted(pair_of(dot, dot)) +
+      " >&3\n"
+      "  read -r answer <&4 && echo \"$pair $answer\"\n"
+      "done\n"
+      "exec 3>&-\n"
+      "wait $!");
+  CHECK(outcome.exit_code == 0);
+  REQUIRE(lines(outcome.out).size() == 3);
+  CHECK(lines(outcome.out)[2].starts_with("3 {\"status\":\"intersecting\""));
+}
+
+namespace {
+
+/// gjkstep query at the other end of two pipes that are set to wait for nothing.
+class NeverWaiting {
+ public:
+  NeverWaiting() {
+    int in[2], out[2];
+    REQUIRE((pipe2(in, O_CLOEXEC) == 0 && pipe2(out, O_CLOEXEC) == 0));
+    fcntl(in[0], F_SETFL, O_NONBLOCK);
+    fcntl(out[1], F_SETFL, O_NONBLOCK);
+    if ((child_ = fork()) == 0) {
+      dup2(in[0], STDIN_FILENO);
+      dup2(out[1], STDOUT_FILENO);
+      dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
+      execl(GJKSTEP_PROGRAM, GJKSTEP_PROGRAM, "query", nullptr);
+      _exit(127);
+    }
+    close(in[0]);
+    close(out[1]);
+    to_ = in[1];
+    from_ = out[0];
+  }
+  ~NeverWaiting() { close(from_); }
+  NeverWaiting(const NeverWaiting&) = delete;
+  NeverWaiting& operator=(const NeverWaiting&) = delete;
+
+  /// Returns: whether the whole text could be handed over.
+  bool write(std::string_view text) const {
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t count = ::write(to_, text.data() + done, text.size() - done);
+      if (count <= 0) return false;
+      done += static_cast<std::size_t>(count);
+    }
+    return true;
+  }
+  /// Returns: what there is, after at least one byte; empty at the end.
+  std::string read() const {
+    std::string text(1 << 16, ' ');
+    const ssize_t count = ::read(from_, text.data(), text.size());
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return text;
+  }
+  /// Returns when it waits for something, or has ended: what /proc tells behind its name, "(gjkstep) S".
+  void until_it_sleeps() const {
+    std::string told;
+    do {
+      std::getline(std::ifstream("/proc/" + std::to_string(child_) + "/stat"), told);
+      std::this_thread::yield();
+    } while (!has(told, "(gjkstep) S") && !has(told, ") Z"));
+  }
+  int close_and_wait() {
+    close(to_);
+    int status = 0;
+    waitpid(child_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t child_ = 0;
+  int to_ = -1, from_ = -1;
+};
+
+/// While it lives, writing to a pipe that nobody reads is an error and no signal.
+struct NoBrokenPipes {
+  void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
+  ~NoBrokenPipes() { std::signal(SIGPIPE, before); }
+};
+
+}  // namespace
+
+TEST_CASE("gjkstep query waits where its pipes do not, for pairs") {
+  const NoBrokenPipes guard;
+  NeverWaiting query;
+  for (int i = 0; i < 3; ++i) {
+    query.until_it_sleeps();
+    REQUIRE(query.write(pair_of(dot, dot) + "\n"));
+    REQUIRE(has(query.read(), "intersecting"));
+  }
+  CHECK(query.close_and_wait() == 0);
+}
+
+TEST_CASE("gjkstep query waits where its pipes do not, for who reads its answers") {
+  const NoBrokenPipes guard;
+  NeverWaiting query;
+  constexpr int pairs = 1000;  // which one pipe holds, but not their answers
+  std::string text;
+  for (int i = 0; i < pairs; ++i) text += pair_of(dot, dot) + "\n";
+  REQUIRE(query.write(text + "the end\n"));
+  query.until_it_sleeps();
+  std::string said;
+  for (std::string part; !said.ends_with(",\"line\":1001}\n") && !(part = query.read()).empty();) said += part;
+  CHECK(lines(said).size() == pairs + 1);
+  CHECK(query.close_and_wait() == 3);
+}
+
+TEST_CASE("What gjkstep query does not know is exit code 2 with the word that was probably meant") {
+  check_failure("query --scalar duoble", 2, {"--scalar 'duoble' is not known", "did you mean 'double'"});
+  check_failure("query --rules as-print", 2, {"did you mean 'as-printed'"});
+  check_failure("query --max-iterations 0", 2, {"--max-iterations 0", "from 1 to 1000"});
+  check_failure("query --max-iterations 1001", 2, {"from 1 to 1000"});
+  check_failure("query --max-iterations ten", 2, {"--max-iterations"});
+  check_failure("query pairs.jsonl", 2, {"pairs.jsonl"});
+}
+
+TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
+  const std::string help = shell("$program query --help").out;
+  for (const char* part : {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"",
+                           "\"evidence\"", "\"error\"", "16 MiB", "Exit codes"})
+    CHECK(has(help, part));
+}
+
+TEST_CASE("What the README shows of gjkstep query is what the program prints") {
+  const std::vector<std::string> readme = lines(bytes_of(GJKSTEP_README));
+  const std::string named = "build/gjkstep query";
+  int shown = 0;
+  for (std::size_t i = 0; i + 1 < readme.size(); ++i) {
+    if (!readme[i].starts_with("$ ") || !has(readme[i], named)) continue;
+    std::string command = readme[i].substr(2);
+    command.replace(command.find(named), named.size(), "$program query");
+    INFO(command);
+    CHECK(shell(command).out == readme[i + 1] + "\n");
+    ++shown;
+  }
+  CHECK(shown >= 2);
+}

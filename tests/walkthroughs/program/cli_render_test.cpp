@@ -1,0 +1,168 @@
+// gjkstep render: which files are written, and what is said of them.
+
+#include <poll.h>
+#include <pty.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "render/image.hpp"
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/program/program.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A terminal without a screen.
+class Terminal {
+ public:
+  Terminal() {
+    char name[64];
+    if (openpty(&controller_, &terminal_, name, nullptr, nullptr) != 0)
+      throw std::runtime_error("no pseudo terminal: is /dev/pts mounted?");
+    name_ = name;
+  }
+  ~Terminal() {
+    close(terminal_);
+    close(controller_);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  const std::string& name() const { return name_; }
+
+  /// Returns: whether `part` was written. What was written may still be on its way when the writer has ended.
+  bool shows(const std::string& part) {
+    constexpr int milliseconds = 10000;
+    pollfd ready{.fd = controller_, .events = POLLIN, .revents = 0};
+    char more[256];
+    while (!has(text_, part) && poll(&ready, 1, milliseconds) == 1) {
+      const ssize_t length = read(controller_, more, sizeof more);
+      if (length <= 0) break;
+      text_.append(more, static_cast<std::size_t>(length));
+    }
+    return has(text_, part);
+  }
+
+ private:
+  int controller_ = -1, terminal_ = -1;
+  std::string name_, text_;
+};
+
+}  // namespace
+
+TEST_CASE("gjkstep render prints each file with its caption, and no progress without a terminal, and repeats itself") {
+  const Folder first, second;
+  const std::string names = "render figure-5 figure-4-right --strip --size 320x180 --out ";
+  const Outcome outcome = run(names + quoted(first.path().string()));
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  const std::vector<std::string> printed = lines(outcome.out);
+  REQUIRE(printed.size() == 3 + 1 + 6 + 1);
+  CHECK(printed[0] == (first.path() / "figure-5" / "000.png").string() +
+                          "  In both sets the search goes from A along d, toward the origin.");
+  CHECK(printed[4] == (first.path() / "figure-4-right" / "000.png").string() +
+                          "  Along +x the farthest point of the difference is A.");
+  CHECK(printed[10].starts_with((first.path() / "figure-4-right" / "strip.png").string() + "  "));
+  CHECK(listing(first.path()).size() == printed.size());
+
+  CHECK(run(names + quoted(second.path().string())).exit_code == 0);
+  CHECK(listing(second.path()) == listing(first.path()));
+  for (const std::string& file : listing(first.path()))
+    CHECK(bytes_of(second.path() / file) == bytes_of(first.path() / file));
+}
+
+TEST_CASE("gjkstep render shows its progress on a terminal") {
+  const Folder folder;
+  Terminal terminal;
+  const Outcome outcome = run("render figure-5 --size 32x18 --out " + quoted(folder.path().string()), "",
+                              {.out = "", .err = terminal.name()});
+  CHECK(outcome.exit_code == 0);
+  CHECK(lines(outcome.out).size() == 3);
+  CHECK(terminal.shows("figure-5: frame 1 of 3"));
+  CHECK(terminal.shows("figure-5: frame 2 of 3"));
+}
+
+TEST_CASE("gjkstep render --all renders every walkthrough") {
+  const Folder folder;
+  const Outcome outcome = run("render --all --size 32x18 --out " + quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 0);
+  CHECK(lines(outcome.out).size() == listing(folder.path()).size());
+  for (const Walkthrough& w : catalogue()) CHECK(fs::exists(folder.path() / w.name / "000.png"));
+}
+
+TEST_CASE("A folder names all of its walkthroughs, which are written into folders of folders") {
+  const std::string name = some_folder();
+  if (name.empty()) return;
+  const Folder folder;
+  const Outcome outcome = run("render " + name + " --detail step --size 32x18 --out " + quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 0);
+  for (const Walkthrough* w : find_walkthroughs(name)) CHECK(fs::exists(folder.path() / w->name / "000.png"));
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("A walkthrough named twice is rendered once") {
+  const Folder folder;
+  const Outcome outcome = run("render figure-5 --all figure-5 --size 32x18 --out " + quoted(folder.path().string()));
+  CHECK(outcome.exit_code == 0);
+  const std::string file = "figure-5/000.png";
+  const auto first = outcome.out.find(file);
+  REQUIRE(first != std::string::npos);
+  CHECK(outcome.out.find(file, first + 1) == std::string::npos);
+}
+
+TEST_CASE("gjkstep render --detail step --captions writes a frame for each iteration, and all of them in words") {
+  const Folder folder;
+  const std::string out = quoted(folder.path().string()), json = quoted((folder.path() / "captions.json").string());
+  const Outcome outcome =
+      run("render figure-4-left --detail step --no-captions --size 64x36 --captions " + json + " --out " + out);
+  CHECK(outcome.exit_code == 0);
+  CHECK(listing(folder.path()).size() == 5);  // four frames and the file of captions
+  CHECK(bytes_of(folder.path() / "captions.json").find("\"alternative_text\"") != std::string::npos);
+  const Untouched untouched;
+  check_failure("render figure-5 --detail both" + untouched.option, 2, {"--detail", "decision", "step"});
+}
+
+TEST_CASE("The theme decides the colour of the paper") {
+  const Folder folder;
+  for (const std::string theme : {"report", "slides", "dark"}) {
+    const fs::path out = folder.path() / theme;
+    CHECK(run("render figure-5 --size 64x36 --theme " + theme + " --out " + quoted(out.string())).exit_code == 0);
+    const render::Color paper = theme == "dark" ? render::themes::dark.paper : render::palette::white;
+    CHECK(render::read_png(out / "figure-5" / "000.png").pixel(0, 0) == paper);
+  }
+}
+
+TEST_CASE("The smallest size is accepted") {
+  const Folder folder;
+  CHECK(run("render figure-5 --size 16x16 --out " + quoted(folder.path().string())).exit_code == 0);
+  CHECK(listing(folder.path() / "figure-5").size() == 3);
+}
+
+TEST_CASE("What the README shows is what the program prints") {
+  const Folder folder;
+  std::set<std::string> printed;
+  for (const std::string& line : lines(run("list").out)) printed.insert(line);
+  const std::string out = folder.path().string();
+  for (const std::string& line : lines(run("render --all --strip --size 32x18 --out " + quoted(out)).out))
+    printed.insert("out" + line.substr(out.size()));
+  std::ifstream readme(GJKSTEP_README);
+  int shown = 0;
+  for (std::string line; std::getline(readme, line);) {
+    const auto begins = [&](const char* start) { return line.starts_with(start); };
+    if (!std::ranges::any_of(std::array{"out/figure-", "figure-", "cycle-", "as-printed", "regions/"}, begins))
+      continue;
+    INFO(line);
+    CHECK(printed.count(line) == 1);
+    ++shown;
+  }
+  CHECK(shown >= 9);
+}

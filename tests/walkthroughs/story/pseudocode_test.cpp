@@ -1,0 +1,103 @@
+// The pseudo-code beside a search, held against the events of every search of the catalogue.
+
+#include "walkthroughs/story/pseudocode.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/support.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+/// Calls `check(event, now)` after each event of that kind, in every search.
+template <template <class> class E, class Check>
+void after_each(Check check) {
+  for (const Walkthrough& w : catalogue()) {
+    for (const Scene& scene : w.scenes) {
+      const Trace trace = run(scene);
+      for (std::size_t i = 0; i < trace.events.size(); ++i) {
+        const auto* event = std::get_if<E<double>>(&trace.events[i]);
+        if (!event) continue;
+        INFO(w.name << ", event " << i);
+        check(*event, replay(trace, i + 1));
+      }
+    }
+  }
+}
+
+const std::vector<CodeLine>& code_of(const Moment& now, Focus focus) {
+  return algorithm(running_algorithm(now, focus));
+}
+
+/// Returns: the line where the search is. Fails where there is none.
+CodeLine line_at(const Moment& now, Focus focus) {
+  const std::optional<std::size_t> current = current_line(code_of(now, focus), now, focus);
+  REQUIRE(current);
+  return code_of(now, focus).at(*current);
+}
+
+/// Returns: "[B, A]" for "BA".
+std::string listed(const std::string& roles) {
+  std::string list;
+  for (const char role : roles) list += (list.empty() ? "" : ", ") + std::string(1, role);
+  return "[" + list + "]";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("Every region test that was made has exactly one line and it is the current one") {
+  after_each<gjk::RegionTested>([](const gjk::RegionTested<double>& event, const Moment& now) {
+    if (event.verdict == gjk::Verdict::skipped) return;
+    const std::vector<CodeLine>& code = code_of(now, Focus::region);
+    std::vector<std::size_t> lines;
+    for (std::size_t i = 0; i < code.size(); ++i)
+      if (test_of(code[i], now) == &now.regions.back()) lines.push_back(i);
+    INFO(event.face << " " << event.feature);
+    REQUIRE(lines.size() == 1);
+    CHECK(current_line(code, now, Focus::region) == lines[0]);
+  });
+}
+
+TEST_CASE("A line whose test was not made has no value and neither has one that is no test") {
+  after_each<gjk::RegionTested>([](const gjk::RegionTested<double>&, const Moment& now) {
+    int made = 0, shown = 0;
+    for (const auto& region : now.regions) made += region.verdict == gjk::Verdict::skipped ? 0 : 1;
+    for (const CodeLine& line : code_of(now, Focus::region)) {
+      shown += test_of(line, now) ? 1 : 0;
+      CHECK((line.kind == LineKind::test || !test_of(line, now)));
+    }
+    CHECK(shown == made);
+  });
+}
+
+TEST_CASE("The line after the tests says which vertices are kept and in which order") {
+  after_each<gjk::SimplexReduced>([](const gjk::SimplexReduced<double>& event, const Moment& now) {
+    const std::string text = line_at(now, Focus::reduction).text;
+    INFO(text);
+    CHECK(has(text, "keep " + listed(event.kept) + ","));
+  });
+}
+
+TEST_CASE("The line after the tests says which direction is chosen") {
+  after_each<gjk::DirectionChosen>([](const gjk::DirectionChosen<double>& event, const Moment& now) {
+    const CodeLine line = line_at(now, Focus::direction);
+    INFO(line.text << " for " << event.expression);
+    const bool in_two_steps = event.expression == "AB×AO×AB" && line.text.ends_with("d ← v");  // Algorithm 3 tests it
+    CHECK((line.text.ends_with("d ← " + event.expression) || in_two_steps));
+  });
+}
+
+TEST_CASE("Algorithm 1 is at its support function, its crossing test and its end when the search is there") {
+  after_each<gjk::SupportFound>(
+      [](const auto&, const Moment& now) { CHECK(line_at(now, Focus::support).kind == LineKind::support); });
+  after_each<gjk::CrossingTested>(
+      [](const auto&, const Moment& now) { CHECK(line_at(now, Focus::crossing).kind == LineKind::crossing); });
+  after_each<gjk::Finished>([](const gjk::Finished<double>& event, const Moment& now) {
+    const LineKind kind = line_at(now, Focus::end).kind;
+    CHECK((kind == LineKind::intersecting) == (event.result.status == gjk::Status::intersecting));
+    CHECK((kind == LineKind::separated) == (event.result.reason == gjk::Reason::origin_not_crossed));
+  });
+}

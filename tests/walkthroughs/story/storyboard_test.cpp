@@ -1,0 +1,91 @@
+// The frames: one for each event that changes the picture.
+
+#include "walkthroughs/story/storyboard.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/story/stories.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+TEST_CASE("A walkthrough has one frame for each event that changes the picture, in order") {
+  for (const Story& story : whole_searches()) {
+    INFO(story.walkthrough.name);
+    std::vector<Focus> expected, told;
+    for (const auto& event : shown(story)) expected.push_back(focus_of(event, story.walkthrough.naming).value());
+    if (first_return(story.tellings[0].trace)) expected.at(expected.size() - 2) = Focus::repetition;
+    for (const Frame& f : story.frames) told.push_back(f.focus);
+    CHECK(told == expected);
+  }
+}
+
+TEST_CASE("The numbers of frames are those that were looked at") {
+  const auto frames = [](const std::string& name) { return tell(walkthrough(name)).frames.size(); };
+  CHECK(frames("figure-1") == 1);
+  CHECK(frames("figure-2") == 4);
+  CHECK(frames("figure-3") == 3);
+  CHECK(frames("figure-4") == 4);
+  CHECK(frames("figure-4-left") == 18);
+  CHECK(frames("figure-4-right") == 6);
+  CHECK(frames("figure-4-right-no-crossing-test") == 12);
+  CHECK(frames("figure-5") == 3);
+  CHECK(frames("figure-6") == 2);
+  CHECK(frames("figure-7") == 2);
+  CHECK(frames("figure-8") == 2);
+  CHECK(frames("regions/0-simplex-a-is-origin") == 3);
+  CHECK(frames("regions/2-simplex-r3") == 21);
+  CHECK(frames("regions/3-simplex-face-abc") == 32);
+  CHECK(frames("cycle-separated") == 63);
+  CHECK(frames("cycle-intersecting") == 59);
+  CHECK(frames("as-printed-spheres") == 8);
+}
+
+TEST_CASE("The moment of a frame is the one after its event") {
+  for (const Story& story : whole_searches()) {
+    const auto events = shown(story);
+    REQUIRE(events.size() == story.frames.size());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      REQUIRE(story.frames[i].moments.size() == 1);
+      const Moment& now = story.frames[i].moments[0];
+      CHECK(now.iteration == iteration_of(events[i]));
+      CHECK(now.result.has_value() == (story.frames[i].focus == Focus::end));
+      if (const auto* e = std::get_if<gjk::SupportFound<double>>(&events[i])) CHECK(now.found->w == e->vertex.w);
+      if (const auto* e = std::get_if<gjk::CrossingTested<double>>(&events[i])) CHECK(now.crossing->value == e->value);
+      if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&events[i]))
+        CHECK((now.added && now.processed.size() == e->simplex.size()));
+      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&events[i]))
+        CHECK(now.regions.back().feature == e->feature);
+      if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&events[i]))
+        CHECK(now.simplex.size() == e->after.size());
+      if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&events[i]))
+        CHECK(now.direction->value == e->direction);
+    }
+  }
+}
+
+TEST_CASE("A frame for each step is the last one of its iteration") {
+  const Story decisions = tell(walkthrough("figure-4-left")), steps = tell(walkthrough("figure-4-left"), Detail::step);
+  REQUIRE(steps.frames.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Frame& step = steps.frames[i];
+    CHECK(step.moments[0].iteration == static_cast<int>(i) + 1);
+    CHECK(step.caption == decisions.frames.at(last_of_each_iteration(decisions.frames).at(i)).caption);
+  }
+  CHECK(steps.frames.back().focus == Focus::end);
+}
+
+TEST_CASE("The frames of a search cover its events without a gap, whatever the detail") {
+  for (const Walkthrough& w : catalogue()) {
+    if (w.layout != Layout::search) continue;
+    for (const Detail detail : {Detail::decision, Detail::step}) {
+      const Story story = tell(w, detail);
+      std::size_t next = 0;
+      for (const Frame& f : story.frames) {
+        CHECK(f.events.at(0).first == next);
+        CHECK(f.events.at(0).last >= f.events.at(0).first);
+        next = f.events.at(0).last + 1;
+      }
+      CHECK(next == story.tellings[0].trace.events.size());
+    }
+  }
+}

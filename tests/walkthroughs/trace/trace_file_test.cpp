@@ -1,0 +1,407 @@
+// Traces read back: they redraw their frames, and what contradicts itself is refused with the line and the reason.
+#include "walkthroughs/trace/trace_file.hpp"
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/trace/traces.hpp"
+#include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/picture/draw.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+// -- Frames -----------------------------------------------------------------------------------------------------------
+
+render::Canvas laid_out(const Story& story, std::size_t frame, render::Font& font) {
+  const Look look;
+  render::Canvas canvas(frame_page, frame_page, look.style.theme.paper, font);
+  draw_frame(canvas, story, frame, look);
+  return canvas;
+}
+
+bool is_same(const render::CanvasVertex& v, const render::CanvasVertex& u) {
+  return v.x == u.x && v.y == u.y && v.u == u.u && v.v == u.v && v.half_length == u.half_length &&
+         v.radius == u.radius && v.color == u.color && v.kind == u.kind;
+}
+
+bool is_same(const render::Canvas::Run& r, const render::Canvas::Run& s) {
+  return r.first == s.first && r.left == s.left && r.top == s.top && r.right == s.right && r.bottom == s.bottom;
+}
+
+/// The same triangles in the same order make the same pixels.
+void check_same_frames(const Story& told, const Story& retold) {
+  static render::Font font(render::Font::default_directory());
+  REQUIRE(retold.frames.size() == told.frames.size());
+  for (std::size_t i = 0; i < told.frames.size(); ++i) {
+    const render::Canvas first = laid_out(told, i, font), second = laid_out(retold, i, font);
+    const auto same = [](const auto& x, const auto& y) { return is_same(x, y); };
+    CHECK(std::ranges::equal(first.vertices(), second.vertices(), same));
+    CHECK(std::ranges::equal(first.runs(), second.runs(), same));
+    CHECK(alternative_text(told, i) == alternative_text(retold, i));
+  }
+}
+
+void check_redraws(const Walkthrough& w) {
+  INFO(w.name);
+  const TraceFile file = parse_trace(trace_text(w), "trace.jsonl");
+  CHECK(file.walkthrough.name == w.name);
+  check_same_frames(tell(w), tell(file.walkthrough, file.traces));
+}
+
+// -- Scenes that need all bits ------------------------------------------------------------------------------------------
+
+/// Random objects of every kind, turned and moved, of the size of a power of ten.
+class RandomScenes {
+ public:
+  explicit RandomScenes(unsigned seed) : random_(seed) {}
+
+  Walkthrough next(int power) {
+    size_ = std::pow(10, power);
+    Walkthrough w = walkthrough_of({{0, 0, 0}});
+    w.naming = Naming::roles;
+    Scene& scene = w.scenes[0];
+    scene.dimension = Dimension::space;
+    scene.a = object("first");
+    scene.b = object("second");
+    scene.options.first_direction = point();
+    scene.options.crossing_test = pick(4) == 0 ? gjk::CrossingTest::off : gjk::CrossingTest::on;
+    scene.rules = pick(4) == 0 ? RuleSet::as_printed : RuleSet::as_intended;
+    return w;
+  }
+
+ private:
+  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+  double number() { return std::uniform_real_distribution<double>(-1, 1)(random_) * size_; }
+  Point point() { return {number(), number(), pick(5) == 0 ? -0.0 : number()}; }
+
+  std::variant<Points, Ball, Cylinder> form() {
+    if (const int kind = pick(4); kind < 2) {
+      std::vector<Point> list;
+      for (int i = pick(8); i >= 0; --i) list.push_back(point());
+      return points(std::move(list));
+    } else if (kind == 2) {
+      return Ball(point(), std::abs(number()));
+    }
+    return Cylinder(point(), point(), std::abs(number()), std::abs(number()));
+  }
+
+  Object object(const std::string& name) {
+    Object o{name, form()};
+    if (pick(2) == 0) return o;
+    const double angle = std::uniform_real_distribution<double>(-4, 4)(random_);
+    o.pose.rotation = Eigen::AngleAxisd(angle, Point(point() / size_).normalized()).toRotationMatrix();
+    o.pose.translation = point();
+    return o;
+  }
+
+  std::mt19937 random_;
+  double size_ = 1;
+};
+
+std::vector<std::string> event_texts(const Trace& trace) {
+  std::vector<std::string> texts;
+  for (const auto& event : trace.events) texts.push_back(event_json(event));
+  return texts;
+}
+
+/// The header too: its scenes run to the identical events.
+void check_reads_back(const Walkthrough& w) {
+  const std::string text = trace_text(w);
+  INFO(text.substr(0, 1500));
+  const std::string complaint = complaint_about_trace(text);
+  INFO(complaint);
+  REQUIRE(complaint == "read");
+  const TraceFile file = parse_trace(text, "trace.jsonl");
+  for (std::size_t s = 0; s < w.scenes.size(); ++s) CHECK(event_texts(file.traces[s]) == event_texts(run(w.scenes[s])));
+  CHECK(trace_text(file.walkthrough) == text);
+}
+
+/// A file in a folder of its own.
+struct Written {
+  Written(const std::string& text, const std::string& name) : path(folder.path() / name) {
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  Folder folder;
+  fs::path path;
+};
+
+// -- Changing values --------------------------------------------------------------------------------------------------
+
+/// The traces that together have every event, every kind of object, and each way to end.
+std::vector<std::string> texts_to_change() {
+  std::vector<std::string> texts;
+  for (const char* name :
+       {"figure-4-right", "figure-4-right-no-crossing-test", "as-printed-spheres", "regions/2-simplex-r1-below",
+        "regions/3-simplex-inside", "regions/3-simplex-face-acd", "regions/3-simplex-face-adb-edge-ad",
+        "regions/0-simplex-a-is-origin", "vehicle-and-threat/vehicle-near-miss"})
+    texts.push_back(trace_text(walkthrough(name)));
+  Walkthrough short_of_breath = walkthrough("regions/3-simplex-inside");
+  short_of_breath.scenes[0].options.iteration_limit = 2;
+  texts.push_back(trace_text(short_of_breath));
+  return texts;
+}
+
+/// What nothing in the trace follows from. Points of objects count only where the search found them, and no point that it
+/// did not find may reach farther.
+bool is_free(const std::string& path, const OrderedJson& line) {
+  const bool is_header = line.contains("schema");
+  const auto has = [&](const char* part) { return path.find(part) != std::string::npos; };
+  if (is_header)
+    return path == "/walkthrough" || has("/presentation/") || path.ends_with("/name") || has("/points/") ||
+           has("/iteration_limit") || has("/dimension") || has("/rules") ||
+           has("/cylinder/axis/0");  // along x: its multiples are the same axis
+  return path == "/why" || (path == "/reason" && line.at("event") == "region-tested");
+}
+
+/// Each word that a trace has at that key.
+using Vocabulary = std::map<std::string, std::set<std::string>>;
+
+Vocabulary vocabulary() {
+  Vocabulary words;
+  for (const Walkthrough* w : searches())
+    for (const OrderedJson& line : json_lines(trace_text(*w))) {
+      const OrderedJson flat = line.flatten();
+      for (const auto& [path, value] : flat.items())
+        if (value.is_string()) words[path.substr(path.rfind('/'))].insert(value.get<std::string>());
+    }
+  return words;
+}
+
+std::vector<OrderedJson> other_values(const OrderedJson& value, const std::set<std::string>& words) {
+  if (value.is_boolean()) return {!value.get<bool>()};
+  if (value.is_number_integer()) return {value.get<int>() + 1, value.get<int>() - 1};
+  if (value.is_number()) {
+    const double x = value.get<double>();
+    std::vector<OrderedJson> others{x + 1, "nan", nullptr};
+    if (x != 0) others.insert(others.end(), {x * (1 + 1e-9), -x});
+    return others;
+  }
+  std::vector<OrderedJson> others{"-", 0, nullptr};
+  for (const std::string& word : words)
+    if (word != value.get<std::string>()) others.emplace_back(word);
+  return others;
+}
+
+}  // namespace
+
+// -- What is read -----------------------------------------------------------------------------------------------------
+
+TEST_CASE("A trace read back redraws the identical frames, for every walkthrough that has a search", "[trace-file]") {
+  for (const Walkthrough* w : searches()) check_redraws(*w);
+}
+
+TEST_CASE("A trace of an own scene redraws the identical frames, whatever its numbers", "[trace-file]") {
+  RandomScenes scenes(7474);
+  for (const int power : {-155, -100, -3, 0, 0, 0, 3, 76, 110, 149}) check_redraws(scenes.next(power));
+}
+
+TEST_CASE("Reading a trace and telling it asks no support function", "[trace-file]") {
+  for (const Walkthrough* w : searches()) {
+    TraceFile file = parse_trace(trace_text(*w), "trace.jsonl");
+    file.walkthrough.panels.hull = false;
+    tell(file.walkthrough, file.traces);
+    for (const Scene& scene : file.walkthrough.scenes) CHECK(scene.a.support_calls + scene.b.support_calls == 0);
+  }
+}
+
+TEST_CASE("Scenes and events of random objects read back as the identical numbers", "[trace-file]") {
+  RandomScenes scenes(1);
+  for (int i = 0; i < 1000; ++i) check_reads_back(scenes.next(i % 3 == 0 ? i % 305 - 155 : i % 9 - 4));
+}
+
+// -- What is refused --------------------------------------------------------------------------------------------------
+
+TEST_CASE("A trace that ends anywhere but at its end is refused", "[trace-file]") {
+  const std::string text = trace_text(walkthrough("figure-4-right"));
+  for (std::size_t length = 0; length + 1 < text.size(); ++length) {
+    const std::string said = complaint_about_trace(text.substr(0, length));
+    INFO(length << " of " << text.size() << " bytes: " << said);
+    const auto line = 1 + std::ranges::count(text.substr(0, length), '\n');
+    const std::string place = "bad.jsonl:" + std::to_string(line) + ": ";
+    const std::string next_place = "bad.jsonl:" + std::to_string(line + 1) + ": ";
+    CHECK((said.starts_with(place) || (text[length] == '\n' && said.starts_with(next_place))));
+    CHECK(said.find("cut off") != std::string::npos);
+  }
+}
+
+TEST_CASE("No value of a trace can be changed without contradicting the others", "[trace-file]") {
+  const Vocabulary words = vocabulary();
+  int refused = 0;
+  for (const std::string& text : texts_to_change()) {
+    REQUIRE(complaint_about_trace(text) == "read");
+    const std::vector<OrderedJson> lines = json_lines(text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const OrderedJson flat = lines[i].flatten();
+      for (const auto& [path, value] : flat.items()) {
+        if (is_free(path, lines[i]) || value.is_array()) continue;
+        const auto known = words.find(path.substr(path.rfind('/')));
+        for (const OrderedJson& other :
+             other_values(value, known == words.end() ? std::set<std::string>{} : known->second)) {
+          std::vector<OrderedJson> changed = lines;
+          changed[i][OrderedJson::json_pointer(path)] = other;
+          const std::string said = complaint_about_trace(text_of(changed));
+          if (said != "read") {
+            ++refused;
+            continue;
+          }
+          INFO("line " << i + 1 << " of " << lines[0].at("walkthrough") << ": " << path << " changed from " << value
+                       << " to " << other);
+          CHECK(said != "read");
+        }
+      }
+    }
+  }
+  CHECK(refused > 10000);
+}
+
+TEST_CASE("No key of a trace can be left out, but for remarks and the pose of an object", "[trace-file]") {
+  for (const std::string& text : texts_to_change()) {
+    const std::vector<OrderedJson> lines = json_lines(text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const auto& [key, value] : lines[i].items()) {
+        std::vector<OrderedJson> changed = lines;
+        changed[i].erase(key);
+        INFO("line " << i + 1 << " of " << lines[0].at("walkthrough") << " without " << key);
+        CHECK(complaint_about_trace(text_of(changed)).starts_with("bad.jsonl:" + std::to_string(i + 1) + ": "));
+        changed = lines;
+        changed[i]["more-" + key] = value;
+        CHECK(complaint_about_trace(text_of(changed)).starts_with("bad.jsonl:" + std::to_string(i + 1) + ": "));
+      }
+    }
+  }
+}
+
+TEST_CASE("No line of a trace can be left out, doubled, or change places with the next", "[trace-file]") {
+  for (const std::string& text : texts_to_change()) {
+    const std::vector<OrderedJson> lines = json_lines(text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      INFO("line " << i + 1 << " of " << lines[0].at("walkthrough"));
+      const auto at = [&](std::vector<OrderedJson>& list) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
+      std::vector<OrderedJson> without = lines, doubled = lines, swapped = lines;
+      without.erase(at(without));
+      doubled.insert(at(doubled), lines[i]);
+      CHECK(complaint_about_trace(text_of(without)) != "read");
+      CHECK(complaint_about_trace(text_of(doubled)) != "read");
+      if (i + 1 == lines.size()) continue;
+      std::swap(swapped[i], swapped[i + 1]);
+      CHECK(complaint_about_trace(text_of(swapped)) != "read");
+    }
+  }
+}
+
+TEST_CASE("A point of an object that the search found cannot be changed", "[trace-file]") {
+  std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("figure-4-right")));
+  const std::size_t found = lines[2].at("a").at("index");
+  lines[0]["scenes"][0]["a"]["points"][found][0] = 4.0;
+  CHECK(complaint_about_trace(text_of(lines)).starts_with("bad.jsonl:3: 'a' is not where the point of index"));
+}
+
+TEST_CASE("A file that is larger than a trace may be is refused", "[trace-file]") {
+  const Written long_trace(std::string(trace_limits::bytes + 1, ' '), "long.jsonl");
+  try {
+    read_trace(long_trace.path);
+    FAIL("was read");
+  } catch (const TraceError& error) {
+    CHECK(std::string(error.what()).ends_with("is larger than 64 MiB; a trace has no need for so much"));
+  }
+}
+
+// -- The corpus -------------------------------------------------------------------------------------------------------
+
+namespace {
+
+struct Damage {
+  const char* file;
+  int line;
+  const char* reason;  ///< a part of what is said
+};
+
+const Damage damages[] = {
+    {"cut-in-line", 5, "the line ends in the middle"},
+    {"cut-at-line", 6, "the trace is cut off"},
+    {"cut-in-header", 1, "the line ends in the middle"},
+    {"cut-after-first-scene", 36, "of the scene 'right' is missing"},
+    {"empty", 1, "its first line is missing"},
+    {"blank-line", 3, "is empty"},
+    {"not-json", 1, "is not JSON"},
+    {"comment", 2, "is not JSON"},
+    {"scene-file", 1, "is not the first line of a trace"},
+    {"version-1", 1, "version 1 is not known"},
+    {"version-3", 1, "version 3 is not known"},
+    {"name-elsewhere", 1, "cannot name a folder"},
+    {"name-absolute", 1, "cannot name a folder"},
+    {"unknown-key", 3, "is not a key"},
+    {"infinite-scene", 1, "expected a number"},
+    {"first-direction", 2, "the scene's 'first_direction'"},
+    {"not-a-rotation", 1, "is not a rotation"},
+    {"two-scenes-one-name", 1, "two scenes of the name"},
+    {"one-scene-in-step", 1, "shows 2 scenes"},
+    {"close-up-too-late", 1, "no crossing test in iteration 19"},
+    {"corners-of-a-sphere", 1, "'corners' needs point sets"},
+    {"other-scene", 3, "has not finished"},
+    {"event-missing", 4, "cannot follow here"},
+    {"event-twice", 6, "cannot follow here"},
+    {"goes-on", 18, "nothing may follow"},
+    {"iteration", 8, "count up by one"},
+    {"iterations", 17, "'iterations' is 9"},
+    {"not-a-minus-b", 3, "but a - b is"},
+    {"not-the-vertex-of-its-index", 3, "has index 99"},
+    {"other-direction", 8, "the direction chosen last"},
+    {"new", 3, "'new' is false"},
+    {"not-the-farthest", 3, "reaches farther"},
+    {"crossing-value", 9, "but w·direction is"},
+    {"crossing-verdict", 9, "says 'not-crossed'"},
+    {"order-of-simplex", 10, "vertex 0 of 'simplex'"},
+    {"vertex-of-simplex", 10, "vertex 0 of 'simplex'"},
+    {"region-verdict", 22, "'verdict' is 'rejected'"},
+    {"region-value", 22, "but ABn·AO is"},
+    {"region-normal", 22, "but AB×ABCn is"},
+    {"region-relation", 22, "'relation' cannot be"},
+    {"region-feature", 22, "are not those that are looked at"},
+    {"region-left-out", 18, "are not those that are looked at"},
+    {"region-size", 22, "'simplex_size' is 2"},
+    {"kept", 23, "'kept' is 'CA'"},
+    {"dropped", 23, "'dropped' is ''"},
+    {"after", 23, "of 'after'"},
+    {"direction-value", 14, "but AB×AO×AB is"},
+    {"direction-expression", 14, "'expression' is 'AO'"},
+    {"status", 10, "the search ends here 'separated'"},
+    {"reason", 10, "the search ends here 'separated'"},
+    {"no-separation", 10, "'separation' is there exactly"},
+    {"support-value", 10, "but w·direction is"},
+    {"support-value-positive", 10, "proves nothing"},
+};
+
+}  // namespace
+
+TEST_CASE("Each damaged trace of the corpus is refused with its line and its reason", "[trace-file]") {
+  for (const Damage& damage : damages) {
+    const std::string said =
+        complaint_about_trace(bytes_of(fs::path(GJKSTEP_TRACES) / ("bad-" + std::string(damage.file) + ".jsonl")));
+    INFO(damage.file << ": " << said);
+    CHECK(said.starts_with("bad.jsonl:" + std::to_string(damage.line) + ": "));
+    CHECK(said.find(damage.reason) != std::string::npos);
+    CHECK(said.size() < 600);
+  }
+}
+
+TEST_CASE("Each trace of the corpus is read or has a place in the table of damages", "[trace-file]") {
+  std::size_t read = 0, refused = 0;
+  for (const auto& entry : fs::directory_iterator(GJKSTEP_TRACES)) {
+    const std::string file = entry.path().filename().string();
+    INFO(file);
+    CHECK(entry.file_size() <= 20480);
+    const bool is_sound = complaint_about_trace(bytes_of(entry.path())) == "read";
+    CHECK(is_sound == file.starts_with("ok-"));
+    ++(is_sound ? read : refused);
+  }
+  CHECK(read >= 13);
+  CHECK(refused == std::size(damages));
+}

@@ -1,0 +1,52 @@
+/// Traces as texts, for the tests of their reader.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/trace/trace_file.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+namespace walkthroughs::test {
+
+using OrderedJson = nlohmann::ordered_json;
+
+inline std::string trace_text(const Walkthrough& w) {
+  std::ostringstream out;
+  write_traces(out, w);
+  return out.str();
+}
+
+inline std::vector<OrderedJson> json_lines(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<OrderedJson> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(OrderedJson::parse(line));
+  return lines;
+}
+
+inline std::string text_of(const std::vector<OrderedJson>& lines) {
+  std::string text;
+  for (const OrderedJson& line : lines) text += line.dump() + "\n";
+  return text;
+}
+
+/// Returns: what the reader says about it; "read" where it has no complaint.
+inline std::string complaint_about_trace(const std::string& text) {
+  try {
+    parse_trace(text, "bad.jsonl");
+  } catch (const TraceError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+/// Returns: the walkthroughs of the catalogue that have a search.
+inline std::vector<const Walkthrough*> searches() {
+  std::vector<const Walkthrough*> list;
+  for (const Walkthrough& w : catalogue())
+    if (w.layout != Layout::diagrams) list.push_back(&w);
+  return list;
+}
+
+}  // namespace walkthroughs::test

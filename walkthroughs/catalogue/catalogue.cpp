@@ -1,0 +1,56 @@
+#include <algorithm>
+
+#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/model/walkthrough.hpp"
+
+namespace walkthroughs {
+namespace {
+
+std::vector<Walkthrough> all_walkthroughs() {
+  std::vector<Walkthrough> all = {figure_1(),
+                                  figure_2(),
+                                  figure_3(),
+                                  figure_4(),
+                                  figure_4_left(),
+                                  figure_4_right(),
+                                  figure_4_right_no_crossing_test(),
+                                  figure_5(),
+                                  figure_6(),
+                                  figure_7(),
+                                  figure_8()};
+  for (const auto& folder : {regions_of_0_simplex(), regions_of_1_simplex(), regions_of_2_simplex(),
+                             regions_of_3_simplex(), vehicle_and_threat()})
+    all.insert(all.end(), folder.begin(), folder.end());
+  for (const Walkthrough& each : {cycle_separated(), cycle_intersecting(), as_printed_spheres()}) all.push_back(each);
+  for (const Walkthrough& each : failures()) all.push_back(each);
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Walkthrough>& catalogue() {
+  static const std::vector<Walkthrough> all = all_walkthroughs();
+  return all;
+}
+
+std::vector<const Walkthrough*> find_walkthroughs(std::string_view name) {
+  std::vector<const Walkthrough*> found;
+  const std::string folder = std::string(name) + (name.ends_with('/') ? "" : "/");
+  for (const Walkthrough& each : catalogue())
+    if (each.name == name || each.name.starts_with(folder)) found.push_back(&each);
+  return found;
+}
+
+const Walkthrough* find_walkthrough(std::string_view name) {
+  const auto& all = catalogue();
+  const auto found = std::ranges::find(all, name, &Walkthrough::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string nearest_name(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Walkthrough& w : catalogue()) names.push_back(w.name);
+  return nearest(name, names);
+}
+
+}  // namespace walkthroughs

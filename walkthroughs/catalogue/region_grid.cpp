@@ -1,0 +1,246 @@
+#include "walkthroughs/catalogue/region_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/gjk.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Role;
+using render::Vec2;
+
+/// Returns: the part of `v` perpendicular to `others`, which are at most two and linearly independent.
+Point perpendicular_part(Point v, const std::vector<Point>& others) {
+  std::vector<Point> basis;
+  const auto remove_from = [&](Point u) {
+    for (const Point& b : basis) u -= b * (b.dot(u) / b.squaredNorm());
+    return u;
+  };
+  for (const Point& other : others) basis.push_back(remove_from(other));
+  return remove_from(v);
+}
+
+/// The directions from the first of `points` to the others.
+std::vector<Point> spanned(const std::vector<Point>& points) {
+  std::vector<Point> vectors;
+  for (std::size_t i = 1; i < points.size(); ++i) vectors.push_back(points[i] - points[0]);
+  return vectors;
+}
+
+/// Returns: what a translucent colour looks like on paper.
+render::Color on_paper(render::Color color, render::Color paper) {
+  const auto mix = [&](std::uint8_t over, std::uint8_t under) {
+    return static_cast<std::uint8_t>((over * color.a + under * (255 - color.a) + 127) / 255);
+  };
+  return {mix(color.r, paper.r), mix(color.g, paper.g), mix(color.b, paper.b)};
+}
+
+/// Keeps what a picture needs of the events.
+struct Listener {
+  Answer& answer;
+  void operator()(gjk::RegionTested<double>&& event) { answer.regions.push_back(std::move(event)); }
+  void operator()(gjk::DirectionChosen<double>&& event) { answer.direction = event.direction; }
+  template <class E>
+  void operator()(const E&) {}
+};
+
+}  // namespace
+
+// -- Geometry: the regions of the report ----------------------------------------------------------------------------
+
+// A point p lies beyond a feature when the nearest point of the feature's line or plane is one of the feature, and the step
+// from there to p leads away from every other vertex. Both are linear in p: with the parts perpendicular to the feature
+// (or to the feature without one of its vertices) they are signs of dot products.
+std::vector<HalfSpace> region_beyond(const Simplex& simplex, std::string_view feature) {
+  std::vector<Point> in, out;
+  for (int i = 0; i < simplex.size(); ++i) {
+    const Role role = static_cast<Role>(i);
+    (feature.find(gjk::letter(role)) != std::string_view::npos ? in : out).push_back(simplex.point(role));
+  }
+  std::vector<HalfSpace> spaces;
+  for (std::size_t i = 0; in.size() > 1 && i < in.size(); ++i) {
+    std::vector<Point> rest = in;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+    spaces.push_back({rest[0], perpendicular_part(in[i] - rest[0], spanned(rest))});
+  }
+  for (const Point& other : out) spaces.push_back({in[0], -perpendicular_part(other - in[0], spanned(in))});
+  return spaces;
+}
+
+std::vector<Vec2> common_part(std::vector<Vec2> polygon, const std::vector<HalfSpace>& spaces, double height) {
+  for (const HalfSpace& space : spaces)
+    polygon = render::clip_polygon(polygon, space.normal.head<2>(), space(Point(0, 0, height)));
+  return polygon;
+}
+
+bool lies_in(const Point& p, const std::vector<HalfSpace>& spaces) {
+  return std::ranges::all_of(spaces, [&](const HalfSpace& space) { return space(p) >= 0; });
+}
+
+// -- Answers of the algorithm -----------------------------------------------------------------------------------------
+
+Simplex simplex_of(const std::vector<Point>& oldest_first) {
+  Simplex simplex;
+  for (const Point& w : oldest_first) simplex.add({.a = w, .b = Point(Point::Zero()), .w = w});
+  return simplex;
+}
+
+const gjk::RegionTested<double>& Answer::chosen() const {
+  return *std::find_if(regions.rbegin(), regions.rend(),
+                       [](const auto& r) { return r.verdict == gjk::Verdict::chosen; });
+}
+
+Answer ask(const Simplex& simplex, const Point& origin) {
+  Simplex moved;
+  for (int i = 0; i < simplex.size(); ++i) {
+    Vertex vertex = simplex[i];
+    vertex.a.point -= origin;
+    vertex.w -= origin;
+    moved.add(vertex);
+  }
+  Answer answer;
+  Listener listener{answer};
+  gjk::Teller<Listener> tell(listener, gjk::CrossingTest::on);
+  gjk::process<gjk::AsIntended>(moved, tell);
+  return answer;
+}
+
+std::string name_of(const Answer& answer, const Simplex& simplex) {
+  const gjk::RegionTested<double>& chosen = answer.chosen();
+  if (chosen.label == "R3 or R4") {
+    const Point BA = simplex.point(Role::A) - simplex.point(Role::B);
+    return BA.cross(answer.direction).z() > 0 ? "R3" : "R4";
+  }
+  if (!chosen.label.empty()) return chosen.label;
+  if (chosen.feature == "ABCD") return "inside";
+  return chosen.face.empty() ? chosen.feature : chosen.feature + " of " + chosen.face;
+}
+
+std::vector<HalfSpace> tested_half_spaces(const Answer& answer, const Simplex& simplex) {
+  std::vector<HalfSpace> spaces;
+  for (const gjk::RegionTested<double>& region : answer.regions) {
+    if (!region.normal || region.relation != gjk::Relation::positive) continue;
+    const bool chosen = region.verdict == gjk::Verdict::chosen;
+    spaces.push_back({simplex.point(Role::A), chosen ? *region.normal : Point(-*region.normal)});
+  }
+  return spaces;
+}
+
+// -- The grid ---------------------------------------------------------------------------------------------------------
+
+std::vector<Vec2> Window::corners() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
+
+Window Window::with_margin() const {
+  constexpr double share = 0.1;  // of its size, on each side
+  const Vec2 margin = (high - low) * share;
+  return {low - margin, high + margin, height};
+}
+
+RegionGrid::RegionGrid(const Window& window, int columns, int rows, const std::function<std::string(const Point&)>& ask)
+    : window_(window), columns_(columns), rows_(rows) {
+  kinds_.reserve(static_cast<std::size_t>(columns * rows));
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) kinds_.push_back(kind_of(ask(middle(column, row))));
+}
+
+std::size_t RegionGrid::kind_of(const std::string& text) {
+  const auto known = std::ranges::find(texts_, text);
+  if (known != texts_.end()) return static_cast<std::size_t>(known - texts_.begin());
+  texts_.push_back(text);
+  return texts_.size() - 1;
+}
+
+Point RegionGrid::middle(int column, int row) const {
+  const Vec2 size = window_.high - window_.low;
+  return {window_.low.x() + size.x() * (column + 0.5) / columns_, window_.low.y() + size.y() * (row + 0.5) / rows_,
+          window_.height};
+}
+
+const std::string& RegionGrid::at(int column, int row) const {
+  return texts_[kinds_[static_cast<std::size_t>(row * columns_ + column)]];
+}
+
+std::vector<RegionGrid::Run> RegionGrid::runs_of(int row) const {
+  std::vector<Run> runs;
+  for (int column = 0; column < columns_; ++column) {
+    const std::size_t kind = kinds_[static_cast<std::size_t>(row * columns_ + column)];
+    if (runs.empty() || runs.back().kind != kind)
+      runs.push_back({column, column, kind});
+    else
+      runs.back().last = column;
+  }
+  return runs;
+}
+
+std::vector<RegionGrid::Block> RegionGrid::blocks() const {
+  const Vec2 size = window_.high - window_.low;
+  const auto corner = [&](int column, int row) {
+    return Vec2(window_.low.x() + size.x() * column / columns_, window_.low.y() + size.y() * row / rows_);
+  };
+  std::vector<Block> blocks;
+  for (int row = 0; row < rows_;) {
+    const std::vector<Run> runs = runs_of(row);
+    int next = row + 1;
+    while (next < rows_ && runs_of(next) == runs) ++next;
+    for (const Run& run : runs)
+      blocks.push_back({corner(run.first, row), corner(run.last + 1, next), texts_[run.kind]});
+    row = next;
+  }
+  return blocks;
+}
+
+RegionGrid ask_everywhere(const Simplex& simplex, const Window& window, double cell) {
+  const Vec2 size = window.high - window.low;
+  const auto cells = [&](double length) { return std::max(1, static_cast<int>(std::lround(length / cell))); };
+  return {window, cells(size.x()), cells(size.y()),
+          [&](const Point& origin) { return name_of(ask(simplex, origin), simplex); }};
+}
+
+std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGrid& grid) {
+  std::vector<AnsweredArea> areas;
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const std::string& name = grid.at(column, row);
+      if (std::ranges::find(areas, name, &AnsweredArea::name) != areas.end()) continue;
+      areas.push_back({name, tested_half_spaces(ask(simplex, grid.middle(column, row)), simplex)});
+    }
+  }
+  return areas;
+}
+
+std::vector<std::string> reasons_for_skipping(const Answer& answer) {
+  std::vector<std::pair<std::string, std::string>> names_by_reason;
+  for (const gjk::RegionTested<double>& region : answer.regions) {
+    if (region.verdict != gjk::Verdict::skipped) continue;
+    const std::string& name = region.label.empty() ? region.feature : region.label;
+    const auto known = std::ranges::find(names_by_reason, region.reason, &std::pair<std::string, std::string>::second);
+    if (known == names_by_reason.end())
+      names_by_reason.emplace_back(name, region.reason);
+    else
+      known->first += ", " + name;
+  }
+  std::vector<std::string> texts;
+  for (const auto& [names, reason] : names_by_reason) texts.push_back(names + ": " + reason);
+  return texts;
+}
+
+// -- Drawing ----------------------------------------------------------------------------------------------------------
+
+void draw_blocks(render::Panel& panel, const std::vector<RegionGrid::Block>& blocks,
+                 const std::function<render::Color(const std::string&)>& fill, render::Color paper) {
+  // Of each block below its right and upper neighbours, which are drawn later: no seams.
+  const Vec2 overlap = Vec2::Constant(4 / panel.view().scale());
+  for (const RegionGrid::Block& block : blocks)
+    panel.polygon(Window{block.low, block.high + overlap}.corners(), on_paper(fill(block.text), paper));
+}
+
+void draw_ruled_out(render::Panel& panel, const std::vector<Vec2>& area, const Style& style) {
+  constexpr std::uint8_t veil = 150;
+  if (area.empty()) return;
+  panel.polygon(area, style.theme.paper.with_alpha(veil));
+  panel.hatch(area, style.hatch_spacing, style.hatching);
+}
+
+}  // namespace walkthroughs

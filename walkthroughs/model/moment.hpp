@@ -1,0 +1,40 @@
+/// The state of a search at one moment, replayed from its trace alone.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "walkthroughs/model/scene.hpp"
+
+namespace walkthroughs {
+
+using Vertex = gjk::Vertex<double>;
+using Simplex = gjk::Simplex<double>;
+
+struct Direction {
+  std::string expression;  ///< empty for the first direction, which comes from no feature
+  Point value;
+  Simplex from;  ///< the simplex that it leads away from; empty for the first direction
+};
+
+struct Moment {
+  int iteration = 0;
+  std::optional<Direction> direction;
+  std::optional<Vertex> found;  ///< what the support function returned for `direction`
+  bool added = false;           ///< whether `found` has joined the simplex
+  Simplex simplex;              ///< as it stands, `found` included once it was added
+  Simplex processed;            ///< the one that the letters A, B, C, D speak of: as of the last VertexAdded
+  std::vector<std::pair<Point, Point>> segments;         ///< edges that simplices of this search have had, oldest first
+  std::optional<gjk::CrossingTested<double>> crossing;   ///< of `found`
+  std::vector<gjk::RegionTested<double>> regions;        ///< of this iteration so far, the skipped ones included
+  std::optional<gjk::SimplexReduced<double>> reduction;  ///< of this iteration
+  std::optional<gjk::Result<double>> result;
+};
+
+/// Returns: the moment after the first `count` events. Requires: count <= trace.events.size().
+Moment replay(const Trace& trace, std::size_t count);
+
+}  // namespace walkthroughs

@@ -1,0 +1,123 @@
+/// A walkthrough: scenes, and which panels their frames have; or diagrams, which no search makes. `catalogue()` lists all.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/canvas.hpp"
+#include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/picture/style.hpp"
+
+namespace walkthroughs {
+
+/// What a walkthrough tells, and of how many scenes.
+enum class Layout {
+  search,           ///< one scene, from the first event to the last
+  close_ups,        ///< two scenes: the first move of each, seen close up in its difference
+  in_step,          ///< two scenes, iteration by iteration
+  until_they_part,  ///< two scenes with the same objects, event by event; where their traces part is marked
+  diagrams,         ///< no scene: pictures made by `diagrams`
+};
+
+/// Parts of a frame of Layout::search. The search itself (simplex, origin, directions) is always shown; it comes from
+/// the trace alone. What is not asked for is not computed.
+struct Panels {
+  bool objects = true;    ///< the two objects
+  bool hull = true;       ///< the outline of the whole difference, behind the search
+  bool algorithm = true;  ///< the pseudo-code that is running
+};
+
+/// What the vertices of the difference are called.
+enum class Naming {
+  corners,  ///< the corners of a planar hull A, B, C, … all around, as in Figure 4
+  roles,    ///< the vertices of the simplex A (newest), B, C, D, as in Algorithms 2-5, and P for the point just found
+};
+
+/// A sentence that only this walkthrough can say, joined to the caption of one event.
+struct Remark {
+  enum class At { support_found, crossing_tested, region_tested, reduced, direction_chosen, end };
+  At at;
+  int iteration;
+  std::string text;
+  std::string only_for =
+      {};                 ///< region_tested: the label, feature or "face feature" meant, such as "R3", "AB" or "ACD AC"
+  std::string fact = {};  ///< a line of its own below the caption; empty where there is none
+};
+
+/// The move that close-ups show: the one that iteration `iteration` makes, in three sentences.
+struct CloseUp {
+  int iteration;
+  std::string direction, support, crossing;
+};
+
+/// One picture that no search makes.
+struct Diagram {
+  std::string caption;             ///< one sentence, with markup
+  std::vector<std::string> facts;  ///< lines below it
+  std::string description;         ///< what is to be seen, for readers who cannot see it
+  /// Draws into `box`. Returns: how many labels could not be kept clear.
+  std::function<int(render::Canvas&, const render::Box& box, const Style&)> draw;
+};
+
+/// The case of Section 3.2 that a walkthrough of the region catalogue is about.
+struct RegionCase {
+  std::string text;     ///< "R3: the origin lies beyond AB"
+  std::string section;  ///< "3.2.3"
+};
+
+struct Walkthrough {
+  std::string name;     ///< as on the command line; "regions/2-simplex-r3"
+  std::string title;    ///< heads every frame
+  std::string source;   ///< where the report tells it
+  std::string summary;  ///< one line for `gjkstep list`
+  Layout layout = Layout::search;
+  Panels panels = {};
+  Naming naming = Naming::corners;
+  std::vector<Scene> scenes = {};
+  std::vector<Remark> remarks = {};
+  std::function<std::vector<Remark>(const Trace&)> findings = {};  ///< remarks that come from the first scene's trace
+  std::optional<CloseUp> close_up = {};                            ///< Layout::close_ups only
+  std::function<std::vector<Diagram>()> diagrams = {};             ///< Layout::diagrams only
+  std::optional<RegionCase> region_case = {};                      ///< walkthroughs regions/… only
+};
+
+/// Returns: the remarks of a walkthrough, and those that its findings make. Requires: the traces of its scenes.
+std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces);
+
+/// Returns: all walkthroughs, in the order of the report.
+const std::vector<Walkthrough>& catalogue();
+
+/// Returns: the walkthrough of that name, or all walkthroughs of the folder of that name ("regions"); none if there is neither.
+std::vector<const Walkthrough*> find_walkthroughs(std::string_view name);
+
+/// Returns: the walkthrough of that name, or null.
+const Walkthrough* find_walkthrough(std::string_view name);
+
+/// Returns: the name of a walkthrough that is spelled most like `name`.
+std::string nearest_name(std::string_view name);
+
+Walkthrough figure_1();
+Walkthrough figure_2();
+Walkthrough figure_3();
+Walkthrough figure_4();
+Walkthrough figure_4_left();
+Walkthrough figure_4_right();
+Walkthrough figure_4_right_no_crossing_test();
+Walkthrough figure_5();
+Walkthrough figure_6();
+Walkthrough figure_7();
+Walkthrough figure_8();
+std::vector<Walkthrough> regions_of_0_simplex();
+std::vector<Walkthrough> regions_of_1_simplex();
+std::vector<Walkthrough> regions_of_2_simplex();
+std::vector<Walkthrough> regions_of_3_simplex();
+std::vector<Walkthrough> vehicle_and_threat();
+Walkthrough cycle_separated();
+Walkthrough cycle_intersecting();
+Walkthrough as_printed_spheres();
+std::vector<Walkthrough> failures();
+
+}  // namespace walkthroughs

@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/story/pseudocode.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using render::Vec2;
+
+constexpr double text_size = 17, least_text_size = 12, indent_width = 20, margin = 14, most_pitch = 26;
+
+/// The value of a test and what came of it: "= −0.42 ✗".
+std::string outcome(const gjk::RegionTested<double>& test) {
+  const double* value = std::get_if<double>(&test.value);
+  return (value ? "= " + short_number(*value) + " " : "") + (test.verdict == gjk::Verdict::chosen ? "✓" : "✗");
+}
+
+/// "Algorithm 4", and where the picture has its own letters, who is who: "Algorithm 4: A is G, B is E, C is A".
+std::string title_of(int number, const Names& names, const Simplex& simplex) {
+  std::string title = "Algorithm " + std::to_string(number);
+  if (number == 1) return title;
+  std::string translation;
+  for (int i = 0; i < simplex.size(); ++i) {
+    const gjk::Role role = static_cast<gjk::Role>(i);
+    if (names.of(role) == std::string(1, gjk::letter(role))) continue;
+    translation.append(translation.empty() ? ": " : ", ") += std::string(1, gjk::letter(role)) + " = " + names.of(role);
+  }
+  return title + translation;
+}
+
+/// Draws the lines in equal steps from top to bottom.
+class Listing {
+ public:
+  Listing(render::Canvas& canvas, const render::Box& room, int number, const Shown& shown)
+      : canvas_(canvas),
+        number_(number),
+        room_(room),
+        shown_(shown),
+        style_(shown.style),
+        pitch_(std::min(most_pitch, room.height() / (static_cast<double>(algorithm(number).size()) + 0.7))),
+        text_{.size = std::clamp(pitch_ * 0.8, least_text_size, text_size), .color = style_.theme.ink} {}
+
+  void line(std::size_t index, const CodeLine& line, bool is_current) {
+    const double baseline = room_.min.y() + pitch_ * static_cast<double>(index + 1);
+    if (is_current) mark(baseline);
+    render::TextStyle text = text_;
+    if (is_current) text.weight = render::Weight::bold;
+    const std::string words = number_ == 1 ? line.text : shown_.names.translate(line.text);
+    const double left = room_.min.x() + margin + 14 + indent_width * line.indent;
+    const double needed = canvas_.text_box({0, 0}, words, text).width(), room = room_.max.x() - 6 - left;
+    if (needed > room) text.size *= room / needed;
+    canvas_.text({left, baseline}, words, text);
+    if (const auto* test = test_of(line, shown_.now))
+      value(baseline, *test, left + canvas_.text_box({0, 0}, words, text).width());
+  }
+
+ private:
+  void mark(double baseline) {
+    const double middle = baseline - text_.size * 0.35;
+    canvas_.rectangle({{room_.min.x() + 4, middle - pitch_ / 2}, {room_.max.x() - 4, middle + pitch_ / 2}},
+                      style_.tested_fill);
+    const Vec2 tip(room_.min.x() + margin + 8, middle);
+    const Vec2 arrow[] = {tip, tip + Vec2(-9, -6), tip + Vec2(-9, 6)};
+    canvas_.polygon(arrow, style_.tested.color);
+  }
+
+  /// At the right, smaller where there is less room.
+  void value(double baseline, const gjk::RegionTested<double>& test, double from) {
+    render::TextStyle text = text_;
+    text.weight = render::Weight::bold;
+    text.align = render::Align::right;
+    text.color = test.verdict == gjk::Verdict::chosen ? style_.theme.green : style_.theme.vermillion;
+    const std::string words = outcome(test);
+    const double right = room_.max.x() - margin;
+    const double room = right - from - 8, needed = canvas_.text_box({0, 0}, words, text).width();
+    if (needed > room) text.size *= room / needed;
+    canvas_.text({right, baseline}, words, text);
+  }
+
+  render::Canvas& canvas_;
+  const int number_;
+  const render::Box& room_;
+  const Shown& shown_;
+  const Style& style_;
+  const double pitch_;
+  const render::TextStyle text_;
+};
+
+}  // namespace
+
+void draw_algorithm(render::Canvas& canvas, const render::Box& frame, const Shown& shown) {
+  const int number = running_algorithm(shown.now, shown.focus);
+  const std::vector<CodeLine>& code = algorithm(number);
+  draw_panel_title(canvas, frame, title_of(number, shown.names, shown.now.processed), {}, shown.style);
+  const render::Box room = below_title(frame);
+  const std::optional<std::size_t> current = current_line(code, shown.now, shown.focus);
+  Listing listing(canvas, room, number, shown);
+  for (std::size_t i = 0; i < code.size(); ++i) listing.line(i, code[i], current == i);
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,59 @@
+#include "walkthroughs/picture/diagram_parts.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using render::Box;
+using render::Vec2;
+
+// Page units.
+constexpr double gap_between_frames = 20;
+constexpr double title_height = 36, title_left = 14, title_baseline = 26;
+constexpr double paper_around_point = 2, ring_width = 2.5;
+constexpr double origin_arm = 10;
+
+}  // namespace
+
+std::vector<Box> side_by_side(const Box& box, int count) {
+  const double width = (box.width() - gap_between_frames * (count - 1)) / count;
+  std::vector<Box> frames;
+  for (int i = 0; i < count; ++i) {
+    const double left = box.min.x() + i * (width + gap_between_frames);
+    frames.push_back({{left, box.min.y()}, {left + width, box.max.y()}});
+  }
+  return frames;
+}
+
+Box room_below_title(const Box& frame) { return {frame.min + Vec2(0, title_height), frame.max}; }
+
+Box draw_titled_frame(render::Canvas& canvas, const Box& frame, const std::string& title, const Style& style) {
+  const Vec2 corners[] = {frame.min, {frame.max.x(), frame.min.y()}, frame.max, {frame.min.x(), frame.max.y()}};
+  canvas.outline(corners, style.frame);
+  const Box room = room_below_title(frame);
+  canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
+  canvas.text(frame.min + Vec2(title_left, title_baseline), title, style.panel_title);
+  return room;
+}
+
+void draw_point(render::Panel& panel, const Vec2& at, render::Color color, const Style& style) {
+  panel.disc(at, style.point_radius + paper_around_point, style.theme.paper);
+  panel.disc(at, style.point_radius, color);
+}
+
+void draw_hollow_point(render::Panel& panel, const Vec2& at, render::Color color, const Style& style) {
+  panel.disc(at, style.point_radius, style.theme.paper);
+  panel.circle(at, style.point_radius - 1, {color, ring_width * style.theme.line});
+}
+
+void draw_origin(render::Panel& panel, const Style& style) {
+  panel.plus(Vec2::Zero(), origin_arm, style.origin);
+  panel.label(Vec2::Zero(), {1, 1}, "O", style.label(style.theme.ink));
+}
+
+std::string with_commas(std::size_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,309 @@
+#include <algorithm>
+
+#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/picture/pencil.hpp"
+#include "walkthroughs/picture/region_picture.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using render::Stroke;
+using render::Vec2;
+
+constexpr double line_label_gap = 9;
+
+// -- The key ----------------------------------------------------------------------------------------------------------
+
+KeyEntry dashes(const std::string& text, const Stroke& stroke) {
+  return {text,
+          [=](render::Canvas& canvas, const Vec2& at) { canvas.line(at - Vec2(15, 0), at + Vec2(15, 0), stroke); }};
+}
+
+KeyEntry ringed_point(const Style& style) {
+  return {"newest", [&style](render::Canvas& canvas, const Vec2& at) {
+            canvas.disc(at, style.point_radius - 1, style.theme.green);
+            canvas.circle(at, style.point_radius + 3, {style.theme.ink, 2});
+          }};
+}
+
+/// An area with the supporting line as its border.
+KeyEntry far_side(const Style& style) {
+  return {"out of reach", [&style](render::Canvas& canvas, const Vec2& at) {
+            canvas.rectangle({at - Vec2(15, 8), at + Vec2(15, 8)}, style.out_of_reach);
+            canvas.line(at + Vec2(-15, -8), at + Vec2(15, -8), style.support_line);
+          }};
+}
+
+Stroke solid(Stroke stroke) {
+  stroke.dash = {};
+  return stroke;
+}
+
+// -- The picture ------------------------------------------------------------------------------------------------------
+
+/// What both pictures of a difference set share.
+class DifferencePicture {
+ public:
+  DifferencePicture(render::Panel& panel, const Shown& shown)
+      : panel_(panel),
+        pencil_(panel, shown.lens, shown.style),
+        shown_(shown),
+        now_(shown.now),
+        style_(shown.style),
+        outline_(shown.telling.panels.hull
+                     ? outline_of_difference(shown.telling.scene, shown.telling.difference, shown.lens)
+                     : std::vector<Vec2>{}),
+        center_(outline_.empty() ? pencil_.at(middle_of_search()) : middle_of(outline_)) {}
+
+  void set() {
+    if (!pencil_.in_space()) panel_.grid(1, style_.grid);
+    if (!outline_.empty()) hull();
+  }
+
+  void names() {
+    if (!shown_.telling.hull.corners.empty()) {
+      for (const Vec2& corner : shown_.telling.hull.corners) name({corner.x(), corner.y(), 0});
+      return;
+    }
+    std::vector<Point> named = points_of(now_.simplex);
+    if (now_.found) named.push_back(now_.found->w);
+    std::vector<Point> done;
+    for (const Point& w : named) {
+      if (std::ranges::count(done, w) == 0) name(w);
+      done.push_back(w);
+    }
+  }
+
+  void name(const Point& w) {
+    panel_.label(pencil_.at(w), pencil_.at(w) - center_, shown_.names.label(w),
+                 style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
+  }
+
+  void triad(render::Canvas& canvas, const render::Box& frame) { pencil_.triad(canvas, frame); }
+
+  void origin() {
+    panel_.plus(pencil_.at(Point::Zero()), 10, style_.origin);
+    panel_.label(pencil_.at(Point::Zero()), center_ - pencil_.at(Point::Zero()), "O", style_.label(style_.theme.ink));
+  }
+
+  void regions() { draw_regions(pencil_, shown_); }
+  void name_rejected_faces() { walkthroughs::name_rejected_faces(pencil_, shown_); }
+
+  /// Where no point of the set can lie, because the support function has looked.
+  void beyond_found() { pencil_.out_of_reach(now_.found->w, now_.direction->value); }
+
+  /// Eq. 9: the vector from the origin to the point found, and d, drawn from the origin. The origin was crossed where
+  /// the foot of that vector on the line of d lies ahead of the origin.
+  void crossing() {
+    const Point &w = now_.found->w, d = now_.direction->value.stableNormalized() * pencil_.length(1500);
+    pencil_.line(-d, d, style_.thin);
+    pencil_.line(Point::Zero(), projection(), style_.projection);
+    if (!w.isZero(0)) {
+      const Vec2 tip = pencil_.at(w);
+      panel_.arrow(pencil_.at(Point::Zero()), tip - tip.stableNormalized() * pencil_.length(style_.point_radius + 6),
+                   style_.normal);
+      panel_.label(tip / 2, {-tip.y(), tip.x()}, "O" + shown_.names.of(w),
+                   style_.label(style_.normal.color, render::Weight::bold), line_label_gap);
+    }
+    pencil_.direction(Point::Zero(), now_.direction->value, style_.direction, "d");
+  }
+
+  void name_projection() {
+    panel_.label(pencil_.at(projection()), pencil_.at(projection()), shown_.names.of(now_.found->w) + "·d",
+                 style_.small_label(), line_label_gap);
+  }
+
+  void segments() {
+    const bool covers_regions = pencil_.in_space() && shown_.focus == Focus::region;
+    for (const auto& [from, to] : now_.segments)
+      if (!covers_regions && (!in_simplex(from) || !in_simplex(to))) pencil_.line(from, to, style_.former);
+    simplex();
+    if (now_.found && !in_simplex(now_.found->w))
+      for (const Point& corner : points_of(now_.simplex)) pencil_.line(corner, now_.found->w, style_.move);
+  }
+
+  void vertices() {
+    for (const Point& corner : points_of(now_.simplex)) pencil_.point(corner, style_.theme.green);
+    if (now_.found && !in_simplex(now_.found->w)) pencil_.point(now_.found->w, style_.theme.vermillion);
+    if (now_.found)
+      ring(now_.found->w, style_.theme.ink);
+    else if (now_.simplex.size() > 0)
+      ring(now_.simplex.point(gjk::Role::A), style_.theme.ink);
+  }
+
+  void dropped() {
+    for (const char letter : now_.reduction->dropped) {
+      const auto role = static_cast<gjk::Role>(letter - 'A');
+      const Vec2 at = pencil_.at(now_.reduction->before.point(role));
+      pencil_.cross(now_.reduction->before.point(role), 11);
+      if (shown_.telling.hull.corners.empty())
+        panel_.label(at, at - center_, shown_.names.of(role), style_.label(style_.theme.grey));
+    }
+  }
+
+  void direction() {
+    if (!now_.direction) return;
+    const Simplex& from = now_.direction->from;
+    const Point start = from.size() > 0 ? middle_of(points_of(from)) : middle_of_search();
+    pencil_.direction(start, now_.direction->value, style_.direction, "d");
+  }
+
+  /// Marks the simplex that was here before.
+  void repetition() {
+    for (const Point& corner : points_of(now_.simplex)) {
+      panel_.circle(pencil_.at(corner), style_.point_radius + 9, style_.support_line);
+      panel_.circle(pencil_.at(corner), style_.point_radius + 13, style_.support_line);
+    }
+    if (now_.simplex.size() > 1)
+      panel_.label(pencil_.at(middle_of(points_of(now_.simplex))), Vec2::Zero(), "again",
+                   style_.label(style_.theme.vermillion, render::Weight::bold), line_label_gap);
+  }
+
+ private:
+  void hull() {
+    if (pencil_.in_space() && shown_.focus == Focus::region)  // its edges would hide the regions
+      panel_.polygon(outline_, style_.hull_fill.with_alpha(60));
+    else
+      pencil_.body(outline_, shown_.telling.difference.faces, style_.hull_fill, hull_stroke());
+  }
+
+  Stroke hull_stroke() const {
+    return pencil_.in_space() ? Stroke{style_.hull.color, style_.hull.width * 0.6} : style_.hull;
+  }
+
+  /// The simplex itself. In space its edges in front are solid, because dashes tell there what lies behind.
+  void simplex() {
+    const std::vector<Point> corners = points_of(now_.simplex);
+    if (corners.size() == 4 && pencil_.in_space()) {
+      const std::vector<render::Face> faces = faces_of_tetrahedron(corners);
+      if (shown_.focus != Focus::region)
+        for (const std::size_t i : render::back_to_front(faces, *shown_.lens.camera))
+          pencil_.polygon(faces[i].corners, style_.simplex_fill);
+      pencil_.edges(faces, solid(style_.simplex));
+      return;
+    }
+    if (corners.size() == 3 && shown_.focus != Focus::region) pencil_.polygon(corners, style_.simplex_fill);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t j = i + 1; j < corners.size(); ++j)
+        pencil_.line(corners[i], corners[j], pencil_.in_space() ? solid(style_.simplex) : style_.simplex);
+  }
+
+  /// Returns: the foot of w on the line through the origin along d. The sign of w·d tells on which side of the origin.
+  Point projection() const {
+    const Point unit = now_.direction->value.stableNormalized();
+    return unit * unit.dot(now_.found->w);
+  }
+
+  /// Returns: the middle of everything that the search ever finds.
+  Point middle_of_search() const {
+    std::vector<Point> found = {Point::Zero()};
+    for (const auto& event : shown_.telling.trace.events)
+      if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) found.push_back(support->vertex.w);
+    return middle_of(found);
+  }
+
+  bool in_simplex(const Point& w) const { return std::ranges::count(points_of(now_.simplex), w) > 0; }
+
+  void ring(const Point& p, render::Color color) {
+    panel_.circle(pencil_.at(p), style_.point_radius + 5, {color, 2.5});
+  }
+
+  render::Panel& panel_;
+  Pencil pencil_;
+  const Shown& shown_;
+  const Moment& now_;
+  const Style& style_;
+  const std::vector<Vec2> outline_;
+  const Vec2 center_;
+};
+
+std::vector<Vec2> corners_of(const render::Box& box) {
+  return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+}
+
+Bounds bounds(const std::vector<Vec2>& points) {
+  Bounds box{points.front(), points.front()};
+  for (const Vec2& p : points) box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
+  return box;
+}
+
+}  // namespace
+
+Bounds bounds_of_difference(const Telling& telling, const Lens& lens) {
+  std::vector<Vec2> points = {lens(Point::Zero())};
+  if (telling.panels.hull) {
+    const std::vector<Vec2> outline = outline_of_difference(telling.scene, telling.difference, lens);
+    points.insert(points.end(), outline.begin(), outline.end());
+  }
+  for (const auto& event : telling.trace.events)
+    if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) points.push_back(lens(support->vertex.w));
+  return bounds(points);
+}
+
+Bounds bounds_of_decision(const Moment& now, const Lens& lens) {
+  std::vector<Vec2> points = {lens(Point::Zero())};
+  for (const Point& p : points_of(now.processed)) points.push_back(lens(p));
+  Bounds box = bounds(points);
+  const double margin = 0.3 * (box.high - box.low).maxCoeff();
+  box.low.array() -= margin;
+  box.high.array() += margin;
+  return box;
+}
+
+Bounds bounds_of_move(const Moment& now, const Lens& lens) {
+  std::vector<Vec2> points = {lens(Point::Zero()), lens(now.direction->value.stableNormalized())};
+  for (const Point& p : points_of(now.simplex)) points.push_back(lens(p));
+  if (now.found) points.push_back(lens(now.found->w));
+  return bounds(points);
+}
+
+int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
+  const Style& style = shown.style;
+  const Focus focus = shown.focus;
+  const bool looking = focus == Focus::support || focus == Focus::crossing;
+  draw_panel_title(canvas, place.frame, place.title,
+                   {ringed_point(style), dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
+                    looking ? far_side(style) : dashes("earlier", style.former)},
+                   style);
+  if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
+  render::Panel panel(canvas, below_title(place.frame), place.view);
+  DifferencePicture picture(panel, shown);
+  picture.set();
+  const bool separated = shown.now.result && shown.now.result->separation;
+  const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
+  if (focus == Focus::region) picture.regions();
+  if (shown.now.found && searching) picture.beyond_found();
+  picture.segments();
+  if (focus == Focus::support || focus == Focus::direction || focus == Focus::repetition || separated)
+    picture.direction();
+  if (focus == Focus::crossing) picture.crossing();
+  picture.vertices();
+  picture.triad(canvas, place.frame);
+  if (focus == Focus::reduction) picture.dropped();
+  if (focus == Focus::repetition) picture.repetition();
+  picture.origin();
+  picture.names();
+  if (focus == Focus::region) picture.name_rejected_faces();
+  return panel.place_labels();
+}
+
+int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
+  draw_panel_title(canvas, place.frame, place.title, {ringed_point(shown.style), far_side(shown.style)}, shown.style);
+  render::Panel panel(canvas, below_title(place.frame), place.view);
+  DifferencePicture picture(panel, shown);
+  picture.set();
+  if (shown.now.found) picture.beyond_found();
+  picture.segments();
+  picture.direction();
+  if (shown.focus == Focus::crossing) {
+    picture.crossing();
+    picture.name_projection();
+  }
+  picture.vertices();
+  picture.origin();
+  for (const Point& corner : points_of(shown.now.simplex)) picture.name(corner);
+  if (shown.now.found) picture.name(shown.now.found->w);
+  return panel.place_labels();
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,333 @@
+#include "walkthroughs/picture/draw.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using render::Box;
+using render::Canvas;
+using render::TextStyle;
+using render::Vec2;
+using render::View;
+
+// The page, in page units.
+constexpr double left_margin = 40, right_margin = 1240, panel_gap = 14;
+constexpr double panels_top = 72, panels_height = 448, margin_without_text = 20;
+constexpr double objects_width = 300, algorithm_width = 372;
+constexpr double text_left = 250, mark_width = 34;
+constexpr double first_line = 556, line_pitch = 30, small_pitch = 26, last_line = 714;
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double most_page_units =
+    1e12;  // from the zero of a scene to its points, so that these are placed to a thousandth
+constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
+constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
+
+Box panel_box(double left, double right, double top) { return {{left, top}, {right, top + panels_height}}; }
+
+/// One scene of one frame.
+Shown shown(const Story& story, const Names& names, std::size_t scene, const Frame& frame, const Lens& lens,
+            const Style& style) {
+  return {story.tellings[scene], frame.moments[scene], names, frame.focus_of(scene), lens, style};
+}
+
+Lens turned(const Lens& lens, double degrees) {
+  return lens.camera && degrees != 0 ? Lens{lens.camera->turned(degrees)} : lens;
+}
+
+// -- Around the panels ------------------------------------------------------------------------------------------------
+
+/// The title, smaller where it is long, and the source as far as there is room for it.
+void draw_header(Canvas& canvas, const Walkthrough& walkthrough, const Style& style) {
+  const std::string title = literal(walkthrough.title);
+  TextStyle heading = style.title;
+  const double width = canvas.text_box({0, 0}, title, heading).width(), room = right_margin - left_margin;
+  if (width > room) heading.size *= room / width;
+  canvas.text({left_margin, 48}, title, heading);
+  TextStyle source = style.small;
+  source.align = render::Align::right;
+  if (canvas.text_box({right_margin, 48}, walkthrough.source, source).min.x() > left_margin + width + panel_gap)
+    canvas.text({right_margin, 48}, walkthrough.source, source);
+}
+
+void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark, const Style& style) {
+  TextStyle text{.size = 24, .weight = render::Weight::bold};
+  text.color = mark == Fact::Mark::yes ? style.theme.green : style.theme.vermillion;
+  if (mark == Fact::Mark::yes) canvas.text(at, "✓", text);
+  if (mark == Fact::Mark::no) canvas.text(at, "✗", text);
+  if (mark == Fact::Mark::truth) canvas.text(at, "≠", text);
+}
+
+/// Lines below each other, as far as the page goes.
+class Column {
+ public:
+  Column(Canvas& canvas, double left, double right) : canvas_(canvas), left_(left), right_(right) {}
+
+  void write(const std::string& text, const TextStyle& style, double indent, double pitch) {
+    for (const std::string& line : render::wrap(canvas_, text, style, right_ - left_ - indent)) {
+      if (baseline_ > last_line) return;
+      canvas_.text({left_ + indent, baseline_}, line, style);
+      baseline_ += pitch;
+    }
+  }
+  Vec2 next() const { return {left_, baseline_}; }
+  bool is_full() const { return baseline_ > last_line; }
+
+ private:
+  Canvas& canvas_;
+  double left_, right_, baseline_ = first_line;
+};
+
+void draw_facts(Canvas& canvas, Column& column, const Frame& frame, const Style& style) {
+  for (const Fact& fact : frame.facts) {
+    if (column.is_full()) return;
+    draw_mark(canvas, column.next(), fact.mark, style);
+    TextStyle text = style.fact;
+    if (fact.mark == Fact::Mark::answer || fact.mark == Fact::Mark::truth) text.weight = render::Weight::bold;
+    if (fact.mark == Fact::Mark::skipped)
+      column.write("skipped " + fact.text, style.skipped, mark_width, small_pitch);
+    else
+      column.write(fact.text, text, mark_width, line_pitch);
+  }
+}
+
+/// "step n of N", the caption, and the numbers that decide.
+void draw_footer(Canvas& canvas, const Story& story, std::size_t index, const Style& style) {
+  const Frame& frame = story.frames[index];
+  Column progress(canvas, left_margin, text_left - panel_gap);
+  TextStyle bold{.size = 24, .weight = render::Weight::bold, .color = style.theme.ink};
+  progress.write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold, 0,
+                 line_pitch);
+  if (!frame.moments.empty()) {
+    const bool in_float = story.tellings[0].scene.scalar == Scalar::binary32;
+    progress.write("iteration " + std::to_string(frame.moments[0].iteration) + (in_float ? ", in float" : ""),
+                   style.small, 0, line_pitch);
+    if (frame.moments.size() == 1) {
+      const Simplex& simplex = frame.moments[0].simplex;
+      progress.write(simplex.size() == 0 ? "no simplex yet" : "simplex " + story.names(index, 0).list(simplex),
+                     style.small, 0, line_pitch);
+    }
+  }
+  Column text(canvas, text_left, right_margin);
+  text.write(frame.caption, style.caption, 0, line_pitch);
+  draw_facts(canvas, text, frame, style);
+}
+
+// -- One scene --------------------------------------------------------------------------------------------------------
+
+/// The panels of a search from left to right: objects, difference, algorithm.
+struct Columns {
+  std::optional<Box> objects, algorithm;
+  Box difference;
+};
+
+Columns columns(const Panels& panels, double top) {
+  double left = left_margin, right = right_margin;
+  Columns all;
+  if (panels.objects) {
+    all.objects = panel_box(left, left + objects_width, top);
+    left += objects_width + panel_gap;
+  }
+  if (panels.algorithm) {
+    all.algorithm = panel_box(right - algorithm_width, right, top);
+    right -= algorithm_width + panel_gap;
+  }
+  all.difference = panel_box(left, right, top);
+  return all;
+}
+
+/// At most at that scale, and no larger than what doubles can place.
+View fit(const Bounds& bounds, const Box& room, double max_scale = unlimited) {
+  const double farthest = std::max(bounds.low.cwiseAbs().maxCoeff(), bounds.high.cwiseAbs().maxCoeff());
+  const double sharp = most_page_units / (farthest > 0 ? farthest : 1);
+  return View::fit(bounds.low, bounds.high, room, std::min(max_scale, sharp));
+}
+
+/// Where a simplex would be small in the whole set, its regions are shown close up.
+bool is_close_up(const Shown& what, const Box& room) {
+  if (what.focus != Focus::region || what.now.processed.size() < 2) return false;
+  const double whole = fit(bounds_of_difference(what.telling, what.lens), room).scale();
+  return fit(bounds_of_decision(what.now, what.lens), room).scale() > least_magnification * whole;
+}
+
+View view_of_difference(const Shown& what, const Box& room) {
+  return is_close_up(what, room) ? fit(bounds_of_decision(what.now, what.lens), room)
+                                 : fit(bounds_of_difference(what.telling, what.lens), room);
+}
+
+int draw_search(Canvas& canvas, const Story& story, std::size_t index, double top, const Look& look) {
+  const Telling& telling = story.tellings[0];
+  const Lens lens = turned(telling.lens, look.turn);
+  const Names names = story.names(index, 0);
+  const Shown what = shown(story, names, 0, story.frames[index], lens, look.style);
+  const Columns boxes = columns(telling.panels, top);
+  const Box room = below_title(boxes.difference).grown(-difference_margin);
+  View view = view_of_difference(what, room);
+  int crowded = 0;
+  if (boxes.objects) {
+    const Bounds objects = bounds_of_objects(telling, lens);
+    const Box room_left = below_title(*boxes.objects).grown(-objects_margin);
+    View left = fit(objects, room_left);
+    if (!lens.camera &&
+        !is_close_up(what,
+                     room)) {  // One scale for both, so that a length in one panel is the same length in the other.
+      const double scale = std::min(left.scale(), view.scale());
+      left = fit(objects, room_left, scale);
+      view = view.with_scale(scale);
+    }
+    crowded += draw_objects(canvas, {*boxes.objects, "", left}, what);
+  }
+  crowded += draw_difference(
+      canvas, {boxes.difference, is_close_up(what, room) ? "a − b, close up" : "difference a − b", view}, what);
+  if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);
+  return crowded;
+}
+
+// -- Two scenes -------------------------------------------------------------------------------------------------------
+
+/// "left set", "as printed"; with the answer once the search has ended.
+std::string title_of_scene(const Story& story, std::size_t scene, const Frame& frame) {
+  const std::string& name = story.tellings[scene].scene.name;
+  if (story.walkthrough.layout != Layout::until_they_part) return name + " set";
+  const std::optional<gjk::Result<double>>& result = frame.moments[scene].result;
+  return result ? name + ": " + std::string(gjk::to_string(result->status)) : name;
+}
+
+bool shows_a_move(const Story& story) { return story.walkthrough.layout == Layout::close_ups; }
+
+Bounds bounds_of_scene(const Story& story, std::size_t scene, const Frame& frame, const Lens& lens) {
+  return shows_a_move(story) ? bounds_of_move(frame.moments[scene], lens)
+                             : bounds_of_difference(story.tellings[scene], lens);
+}
+
+int draw_scene(Canvas& canvas, const Story& story, const Place& place, const Shown& what) {
+  return shows_a_move(story) ? draw_move(canvas, place, what) : draw_difference(canvas, place, what);
+}
+
+int draw_pair(Canvas& canvas, const Story& story, std::size_t index, double top, const Look& look) {
+  const double middle = (left_margin + right_margin) / 2;
+  const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, top),
+                       panel_box(middle + panel_gap / 2, right_margin, top)};
+  const auto view = [&](std::size_t s, const Lens& lens, double scale) {
+    const Bounds box =
+        bounds_of_scene(story, s, story.frames.back(), lens);  // of the last frame, so that nothing jumps
+    return fit(box, below_title(boxes[s]).grown(-difference_margin), scale);
+  };
+  const Lens lenses[] = {turned(story.tellings[0].lens, look.turn), turned(story.tellings[1].lens, look.turn)};
+  const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());
+  int crowded = 0;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const Names names = story.names(index, s);
+    crowded +=
+        draw_scene(canvas, story, {boxes[s], title_of_scene(story, s, story.frames[index]), view(s, lenses[s], scale)},
+                   shown(story, names, s, story.frames[index], lenses[s], look.style));
+  }
+  return crowded;
+}
+
+// -- The strip --------------------------------------------------------------------------------------------------------
+
+// In page units.
+constexpr int cell_width = 420, cell_height = 490;
+constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
+
+/// One panel of the strip: its picture fills the box and `caption` stands below.
+struct Cell {
+  std::size_t frame, scene;
+  std::string title, caption;
+};
+
+std::vector<Cell> cells(const Story& story) {
+  std::vector<Cell> list;
+  if (story.walkthrough.layout == Layout::diagrams) {
+    for (std::size_t i = 0; i < story.frames.size(); ++i) list.push_back({i, 0, "", story.frames[i].caption});
+    return list;
+  }
+  if (story.walkthrough.layout != Layout::search) {
+    const std::size_t last = story.frames.size() - 1;
+    for (std::size_t s = 0; s < story.tellings.size(); ++s) {
+      std::string said;
+      for (const Fact& fact : story.frames[last].facts)
+        if (said.empty() && fact.text.starts_with(story.tellings[s].scene.name)) said = fact.text;
+      list.push_back({last, s, title_of_scene(story, s, story.frames[last]), said});
+    }
+    return list;
+  }
+  for (const std::size_t i : last_of_each_iteration(story.frames)) {
+    const Frame& frame = story.frames[i];
+    list.push_back({i, 0, "iteration " + std::to_string(frame.moments[0].iteration), frame.headline});
+  }
+  return list;
+}
+
+int draw_cell_picture(Canvas& canvas, const Story& story, const Cell& cell, const Box& frame, const Look& look) {
+  const Frame& shown_frame = story.frames[cell.frame];
+  if (story.walkthrough.layout == Layout::diagrams) return story.diagrams[cell.frame].draw(canvas, frame, look.style);
+  const Lens lens = turned(story.tellings[cell.scene].lens, look.turn);
+  const Names names = story.names(cell.frame, cell.scene);
+  const Bounds box = bounds_of_scene(story, cell.scene, shown_frame, lens);
+  const Place place{frame, cell.title, fit(box, below_title(frame).grown(-cell_margin))};
+  return draw_scene(canvas, story, place, shown(story, names, cell.scene, shown_frame, lens, look.style));
+}
+
+/// The width of one cell; a diagram keeps the shape that it has in a frame.
+int width_of_cell(const Story& story) { return story.walkthrough.layout == Layout::diagrams ? 1220 : cell_width; }
+
+double bottom_of_panel(const Story& story) {
+  return story.walkthrough.layout == Layout::diagrams ? cell_gap + panels_height : cell_panel_bottom;
+}
+
+int draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left, const Look& look) {
+  const Box frame{{left + cell_gap, cell_gap}, {left + width_of_cell(story) - cell_gap, bottom_of_panel(story)}};
+  const int crowded = draw_cell_picture(canvas, story, cell, frame, look);
+  double y = frame.max.y() + line_pitch;
+  for (const std::string& line : render::wrap(canvas, cell.caption, look.style.fact, frame.width())) {
+    canvas.text({frame.min.x(), y}, line, look.style.fact);
+    y += line_pitch * 0.95;
+  }
+  return crowded;
+}
+
+}  // namespace
+
+render::Size page_of_frame(Text text) {
+  if (text == Text::around) return frame_page;
+  return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
+}
+
+int draw_frame(Canvas& canvas, const Story& story, std::size_t index, const Look& look) {
+  const double top = look.text == Text::around ? panels_top : margin_without_text;
+  if (look.text == Text::around) {
+    draw_header(canvas, story.walkthrough, look.style);
+    draw_footer(canvas, story, index, look.style);
+  }
+  switch (story.walkthrough.layout) {
+    case Layout::search: return draw_search(canvas, story, index, top, look);
+    case Layout::diagrams:
+      return story.diagrams[index].draw(canvas, panel_box(left_margin, right_margin, top), look.style);
+    default: return draw_pair(canvas, story, index, top, look);
+  }
+}
+
+render::Size strip_page(const Story& story) {
+  const int extra = static_cast<int>(bottom_of_panel(story) - cell_panel_bottom);
+  return {width_of_cell(story) * static_cast<int>(cells(story).size()), cell_height + extra};
+}
+
+int draw_strip(Canvas& canvas, const Story& story, const Look& look) {
+  int crowded = 0;
+  double left = 0;
+  for (const Cell& cell : cells(story)) {
+    crowded += draw_cell(canvas, story, cell, left, look);
+    left += width_of_cell(story);
+  }
+  return crowded;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,42 @@
+/// Frames to pictures. Reads the story; computes nothing that the trace or the hull already states.
+///
+/// What draws returns how many labels could not be kept clear of lines, of each other and of the panel's frame.
+#pragma once
+
+#include <cstddef>
+
+#include "render/canvas.hpp"
+#include "walkthroughs/story/storyboard.hpp"
+
+namespace walkthroughs {
+
+/// What stands around the panels.
+enum class Text {
+  around,  ///< a title above; step, caption and facts below
+  none,    ///< nothing: a document brings its own
+};
+
+/// What a picture looks like, apart from what it tells.
+struct Look {
+  Style style{render::themes::report};
+  Text text = Text::around;
+  double turn = 0;  ///< degrees by which the camera of a scene in space is moved around the vertical axis
+};
+
+/// The page that a frame with text is laid out on; smaller and larger pictures are this page, scaled.
+inline constexpr render::Size frame_page{1280, 720};
+
+/// Returns: the page of a frame; without text it is as wide and less high.
+render::Size page_of_frame(Text text);
+
+/// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper; index < story.frames.size().
+int draw_frame(render::Canvas& canvas, const Story& story, std::size_t index, const Look& look = {});
+
+/// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
+/// picture of each.
+render::Size strip_page(const Story& story);
+
+/// Requires: a canvas with the page strip_page(story), in the colour of the paper.
+int draw_strip(render::Canvas& canvas, const Story& story, const Look& look = {});
+
+}  // namespace walkthroughs

@@ -1,0 +1,89 @@
+#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/picture/pencil.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using render::Vec2;
+
+KeyEntry swatch(const std::string& text, render::Color fill, const render::Stroke& outline) {
+  return {text, [=](render::Canvas& canvas, const Vec2& at) {
+            const render::Box box{at - Vec2(9, 7), at + Vec2(9, 7)};
+            const Vec2 corners[] = {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+            canvas.polygon(corners, fill);
+            canvas.outline(corners, {outline.color, 2.5});
+          }};
+}
+
+/// The caps of a cylinder in space: the one in sight whole, the other as far as it lies behind thin and dashed.
+void draw_caps(Pencil& pencil, const Object& object, const render::Stroke& stroke) {
+  const auto* cylinder = std::get_if<Cylinder>(&object.form);
+  if (!cylinder || !pencil.in_space()) return;
+  for (const double end : {-1.0, 1.0}) {
+    const Point outward = object.pose.rotation * cylinder->to_cap() * end;
+    std::vector<Point> rim = rim_of(*cylinder, end);
+    for (Point& p : rim) p = object.pose(p);
+    const bool seen = pencil.lens().camera->sees(outward);
+    const render::Stroke thin{stroke.color, stroke.width / 2, seen ? render::Dash{} : pencil.style().hidden_edge.dash};
+    pencil.panel().outline(pencil.at(rim), thin);
+  }
+}
+
+void draw_object(Pencil& pencil, const Object& object, const Body& body, render::Color fill,
+                 const render::Stroke& stroke) {
+  pencil.body(outline(object, body, pencil.lens()), body.faces, fill, stroke);
+  draw_caps(pencil, object, stroke);
+}
+
+Point middle_of_object(const Object& object, const Body& body) {
+  if (!body.vertices.empty()) return middle_of(body.vertices);
+  if (const auto* ball = std::get_if<Ball>(&object.form)) return object.pose(ball->center());
+  return object.pose(std::get<Cylinder>(object.form).center());
+}
+
+}  // namespace
+
+Bounds bounds_of_objects(const Telling& telling, const Lens& lens) {
+  std::vector<Vec2> points = outline(telling.scene.a, telling.a, lens);
+  const std::vector<Vec2> b = outline(telling.scene.b, telling.b, lens);
+  points.insert(points.end(), b.begin(), b.end());
+  Bounds box{points.front(), points.front()};
+  for (const Vec2& p : points) box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
+  return box;
+}
+
+int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown) {
+  const Style& style = shown.style;
+  const Scene& scene = shown.telling.scene;
+  draw_panel_title(canvas, place.frame, place.title,
+                   {swatch(literal(scene.a.name), style.object_a_fill, style.object_a),
+                    swatch(literal(scene.b.name), style.object_b_fill, style.object_b)},
+                   style);
+  render::Panel panel(canvas, below_title(place.frame), place.view);
+  Pencil pencil(panel, shown.lens, style);
+  if (!pencil.in_space()) panel.grid(1, style.grid);
+  draw_object(pencil, scene.a, shown.telling.a, style.object_a_fill, style.object_a);
+  draw_object(pencil, scene.b, shown.telling.b, style.object_b_fill, style.object_b);
+  pencil.triad(canvas, place.frame);
+  const Point d = shown.now.direction->value;
+  if (!shown.now.found) {
+    pencil.direction(middle_of_object(scene.a, shown.telling.a), d, style.direction, "d");
+    pencil.direction(middle_of_object(scene.b, shown.telling.b), -d, style.direction, "−d");
+    return panel.place_labels();
+  }
+  const Point &a = shown.now.found->a.point, &b = shown.now.found->b.point;
+  if ((shown.focus == Focus::support || shown.focus == Focus::crossing) && !pencil.in_space()) {
+    pencil.supporting_line(a, d, style.support_line);
+    pencil.supporting_line(b, d, style.support_line);
+  }
+  const Vec2 along = pencil.at(d);
+  panel.label(pencil.at(a), -along, "a", style.label(style.object_a.color, render::Weight::bold));
+  panel.label(pencil.at(b), along, "b", style.label(style.object_b.color, render::Weight::bold));
+  pencil.direction(a, d, style.direction, "d");
+  pencil.direction(b, -d, style.direction, "−d");
+  pencil.point(a, style.object_a.color);
+  pencil.point(b, style.object_b.color);
+  return panel.place_labels();
+}
+
+}  // namespace walkthroughs

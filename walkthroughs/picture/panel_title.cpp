@@ -1,0 +1,52 @@
+#include <numeric>
+
+#include "walkthroughs/picture/panels.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using render::Vec2;
+
+constexpr double title_height = 36, margin = 14;
+constexpr double least_key_size = 11;
+constexpr double key_pitch = 42;  // a sign with the space around it
+
+/// Draws the entries at the right end of `room`, in smaller letters where they would not fit, or as many as fit then.
+void draw_key(render::Canvas& canvas, render::Interval room, double baseline, const std::vector<KeyEntry>& key,
+              const Style& style) {
+  render::TextStyle text = style.panel_title;
+  const auto width = [&](const KeyEntry& entry) {
+    return key_pitch + canvas.text_box({0, 0}, entry.text, text).width();
+  };
+  const auto needed = [&] {
+    return std::accumulate(key.begin(), key.end(), 0.0, [&](double sum, const KeyEntry& e) { return sum + width(e); });
+  };
+  while (text.size > least_key_size && needed() > room.to - room.from) text.size -= 1;
+  std::size_t fitting = 0;
+  for (double end = room.from; fitting < key.size(); ++fitting)
+    if ((end += width(key[fitting])) > room.to) break;
+  double right = room.to;
+  for (std::size_t i = fitting; i-- > 0;) {
+    const double left = right - width(key[i]);
+    canvas.text({left + key_pitch, baseline}, key[i].text, text);
+    key[i].draw(canvas, {left + key_pitch - 21, baseline - 6});
+    right = left;
+  }
+}
+
+}  // namespace
+
+render::Box below_title(const render::Box& frame) { return {frame.min + Vec2(0, title_height), frame.max}; }
+
+void draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
+                      const std::vector<KeyEntry>& key, const Style& style) {
+  const Vec2 corners[] = {frame.min, {frame.max.x(), frame.min.y()}, frame.max, {frame.min.x(), frame.max.y()}};
+  canvas.outline(corners, style.frame);
+  canvas.line(below_title(frame).min, {frame.max.x(), below_title(frame).min.y()}, style.frame);
+  const double baseline = frame.min.y() + 26;
+  if (!title.empty()) canvas.text({frame.min.x() + margin, baseline}, title, style.panel_title);
+  const double title_width = title.empty() ? 0 : canvas.text_box({0, 0}, title, style.panel_title).width();
+  draw_key(canvas, {frame.min.x() + margin + title_width, frame.max.x() - margin}, baseline, key, style);
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,145 @@
+#include "walkthroughs/picture/pencil.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace walkthroughs {
+namespace {
+
+using render::Stroke;
+using render::Vec2;
+
+constexpr double page_diagonal = 1500;   // page units: longer than any panel
+constexpr double patch_half_side = 110;  // page units
+constexpr double triad_length = 30, triad_margin = 48, least_between_names = 14, least_named_axis = 0.3;
+
+/// Returns: two unit vectors that span the plane across `d`, the first level where possible.
+std::pair<Point, Point> span_across(const Point& d) {
+  const Point unit = d.stableNormalized();
+  const Point level = unit.cross(Point::UnitZ());
+  const Point first = level.norm() > 1e-3 ? Point(level.normalized()) : unit.unitOrthogonal();
+  return {first, unit.cross(first)};
+}
+
+}  // namespace
+
+std::vector<Vec2> Pencil::at(const std::vector<Point>& points) const {
+  std::vector<Vec2> picture;
+  for (const Point& p : points) picture.push_back(lens_(p));
+  return picture;
+}
+
+void Pencil::point(const Point& p, render::Color color) {
+  panel_.disc(at(p), style_.point_radius + 2, style_.theme.paper);
+  panel_.disc(at(p), style_.point_radius, color);
+}
+
+void Pencil::direction(const Point& from, const Point& d, const Stroke& stroke, const std::string& name) {
+  if (d.isZero(0) || !d.allFinite()) return;  // it leads nowhere
+  const Point to = from + d.stableNormalized() * length(style_.arrow_length);
+  const Vec2 tail = at(from), tip = at(to), along = tip - tail;
+  panel_.arrow(tail, tip, stroke);
+  panel_.label(tail + along * 0.8, Vec2(-along.y(), along.x()), name, style_.label(stroke.color, render::Weight::bold));
+}
+
+std::vector<Point> Pencil::patch(const Point& on, const Point& d) const {
+  const auto [u, v] = span_across(d);
+  const double half_side = length(patch_half_side);
+  return {on + (u + v) * half_side, on + (u - v) * half_side, on - (u + v) * half_side, on - (u - v) * half_side};
+}
+
+void Pencil::supporting_line(const Point& on, const Point& d, const Stroke& stroke) {
+  if (in_space()) {
+    panel_.outline(at(patch(on, d)), stroke);
+    return;
+  }
+  const Vec2 normal = d.head<2>();
+  const Vec2 along = Vec2(-normal.y(), normal.x()).stableNormalized() * length(page_diagonal);
+  panel_.line(at(on) - along, at(on) + along, stroke);
+}
+
+void Pencil::out_of_reach(const Point& on, const Point& d) {
+  if (in_space())
+    polygon(patch(on, d), style_.out_of_reach);
+  else
+    panel_.polygon(half(panel_.corners(), at(on), d.head<2>()), style_.out_of_reach);
+  supporting_line(on, d, style_.support_line);
+}
+
+void Pencil::cross(const Point& on, double arm) {
+  const Vec2 middle = at(on), up(length(arm), length(arm)), down(length(arm), -length(arm));
+  panel_.line(middle - up, middle + up, style_.cross);
+  panel_.line(middle - down, middle + down, style_.cross);
+}
+
+void Pencil::edges(const std::vector<render::Face>& faces, const Stroke& stroke) {
+  const std::vector<render::Edge> all = render::edges_of(faces, *lens_.camera);
+  const Stroke behind{stroke.color.with_alpha(170), style_.hidden_edge.width, style_.hidden_edge.dash};
+  for (const render::Edge& edge : all)
+    if (edge.hidden) line(edge.from, edge.to, behind);
+  for (const render::Edge& edge : all)
+    if (!edge.hidden) line(edge.from, edge.to, stroke);
+}
+
+void Pencil::body(const std::vector<Vec2>& outline, const std::vector<render::Face>& faces, render::Color fill,
+                  const Stroke& stroke) {
+  if (outline.size() == 1) {
+    panel_.disc(outline[0], style_.point_radius, stroke.color);
+    return;
+  }
+  if (faces.empty() || !in_space()) {
+    if (outline.size() > 2) panel_.polygon(outline, fill);
+    panel_.outline(outline, stroke);
+    return;
+  }
+  for (const std::size_t i : render::back_to_front(faces, *lens_.camera)) {
+    // Two layers lie over each other: half the strength each, and those turned away from above a little stronger.
+    const double light = 0.5 - 0.18 * faces[i].outward().stableNormalized().z();
+    polygon(faces[i].corners, fill.with_alpha(static_cast<std::uint8_t>(fill.a * light)));
+  }
+  edges(faces, stroke);
+}
+
+void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
+  if (!in_space()) return;
+  const Vec2 start(frame.min.x() + triad_margin, frame.max.y() - triad_margin);
+  panel_.disc(panel_.view().scene(start), triad_margin - 2, style_.theme.paper.with_alpha(170));
+  const render::TextStyle text{.size = 17, .color = style_.theme.grey, .align = render::Align::center};
+  const char* const names[] = {"x", "y", "z"};
+  std::vector<Vec2> named;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec2 picture = (*lens_.camera)(Point::Unit(axis)), along(picture.x(), -picture.y());
+    canvas.arrow(start, start + along * triad_length, {style_.theme.grey, 2});
+    if (along.norm() <= least_named_axis) continue;
+    Vec2 at = start + along * triad_length + along.stableNormalized() * 9 + Vec2(0, 5);
+    for (const Vec2& other : named)
+      if ((at - other).norm() < least_between_names)
+        at = other + Vec2(0, at.y() < other.y() ? -1 : 1) * least_between_names;
+    named.push_back(at);
+    canvas.text(at, names[axis], text);
+  }
+}
+
+std::vector<Vec2> half(const std::vector<Vec2>& polygon, const Vec2& on, const Vec2& toward) {
+  return render::clip_polygon(polygon, toward, -toward.dot(on));
+}
+
+std::vector<Point> points_of(const gjk::Simplex<double>& simplex) {
+  std::vector<Point> points;
+  for (int i = 0; i < simplex.size(); ++i) points.push_back(simplex[i].w);
+  return points;
+}
+
+std::vector<render::Face> faces_of_tetrahedron(const std::vector<Point>& v) {
+  const int corners[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};  // the last is not on the face
+  std::vector<render::Face> faces;
+  for (const auto& [i, j, k, opposite] : corners) {
+    const auto at = [&](int index) -> const Point& { return v[static_cast<std::size_t>(index)]; };
+    render::Face face{{at(i), at(j), at(k)}};
+    if (face.outward().dot(at(opposite) - at(i)) > 0) std::swap(face.corners[1], face.corners[2]);
+    faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+}  // namespace walkthroughs

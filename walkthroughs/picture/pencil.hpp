@@ -1,0 +1,76 @@
+/// Drawing things of a scene, flat or through a camera, on a panel: bodies, points, directions, planes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/panel.hpp"
+#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/picture/style.hpp"
+
+namespace walkthroughs {
+
+class Pencil {
+ public:
+  Pencil(render::Panel& panel, const Lens& lens, const Style& style) : panel_(panel), lens_(lens), style_(style) {}
+
+  render::Panel& panel() { return panel_; }
+  const Style& style() const { return style_; }
+  const Lens& lens() const { return lens_; }
+  render::Vec2 at(const Point& p) const { return lens_(p); }
+  std::vector<render::Vec2> at(const std::vector<Point>& points) const;
+  bool in_space() const { return lens_.camera.has_value(); }
+  /// Returns: so many page units as a length in the scene.
+  double length(double page_units) const { return page_units / panel_.view().scale(); }
+
+  void line(const Point& from, const Point& to, const render::Stroke& stroke) { panel_.line(at(from), at(to), stroke); }
+  void polygon(const std::vector<Point>& corners, render::Color fill) { panel_.polygon(at(corners), fill); }
+  void point(const Point& p, render::Color color);
+  /// An arrow of the usual length along `d`, named. In space its picture is shorter the more it points at the viewer.
+  void direction(const Point& from, const Point& d, const render::Stroke& stroke, const std::string& name);
+  /// Where nothing lies beyond `on` in direction `d`: the far half of the plane; in space a patch of the plane between.
+  void out_of_reach(const Point& on, const Point& d);
+  /// The border of that alone.
+  void supporting_line(const Point& on, const Point& d, const render::Stroke& stroke);
+  /// A cross of `arm` page units.
+  void cross(const Point& on, double arm);
+
+  /// The filled outline of a body and, in space, its faces from back to front with the edges behind thin and dashed.
+  void body(const std::vector<render::Vec2>& outline, const std::vector<render::Face>& faces, render::Color fill,
+            const render::Stroke& stroke);
+  /// The edges of a closed surface, those behind thin and dashed in the same colour.
+  void edges(const std::vector<render::Face>& faces, const render::Stroke& stroke);
+
+  /// Three small arrows in the lower left corner of the panel's `frame` that tell where x, y and z point. Nothing in the
+  /// plane.
+  void triad(render::Canvas& canvas, const render::Box& frame);
+
+ private:
+  /// Returns: a square in the plane through `on` across `d`.
+  std::vector<Point> patch(const Point& on, const Point& d) const;
+
+  render::Panel& panel_;
+  const Lens& lens_;
+  const Style& style_;
+};
+
+/// Returns: the part of a convex polygon on the side of `on` that `toward` points to.
+std::vector<render::Vec2> half(const std::vector<render::Vec2>& polygon, const render::Vec2& on,
+                               const render::Vec2& toward);
+
+/// Requires: at least one point.
+template <class Points>
+auto middle_of(const Points& points) {
+  auto sum = points.front();
+  sum.setZero();
+  for (const auto& p : points) sum += p;
+  return decltype(sum)(sum / static_cast<double>(points.size()));
+}
+
+/// Returns: the vertices of a simplex, oldest first.
+std::vector<Point> points_of(const gjk::Simplex<double>& simplex);
+
+/// Returns: the faces of a tetrahedron, seen from outside counter-clockwise, whatever the order of its vertices.
+std::vector<render::Face> faces_of_tetrahedron(const std::vector<Point>& vertices);
+
+}  // namespace walkthroughs

@@ -1,0 +1,355 @@
+#include "walkthroughs/picture/region_picture.hpp"
+
+#include <algorithm>
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Role;
+using gjk::Verdict;
+using render::Vec2;
+using Region = gjk::RegionTested<double>;
+
+constexpr double cross_label_gap = 34;  // far enough for a leader: faces overlap in the picture
+constexpr double foot_radius = 3.5;
+constexpr double margin_in_space = 0.45;  // of the drawn part of a plane around its triangle, in widths of it
+
+/// A plane of the scene with its own two coordinates. The plane of a flat scene is the page.
+class Plane {
+ public:
+  Plane() = default;
+  /// Through `on`, its first axis along `first`, its second toward `side`. Requires: the two are not parallel.
+  Plane(const Point& on, const Point& first, const Point& side) : on_(on), first_(first.stableNormalized()) {
+    second_ = (side - first_ * first_.dot(side)).stableNormalized();
+  }
+
+  Vec2 in(const Point& p) const { return {first_.dot(p - on_), second_.dot(p - on_)}; }
+  Point out(const Vec2& p) const { return on_ + first_ * p.x() + second_ * p.y(); }
+
+ private:
+  Point on_ = Point::Zero(), first_ = Point::UnitX(), second_ = Point::UnitY();
+};
+
+/// Returns: a rectangle of the plane around what must be seen of it.
+std::vector<Vec2> around(const std::vector<Vec2>& points) {
+  Vec2 low = points.front(), high = points.front();
+  for (const Vec2& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double margin = margin_in_space * (high - low).maxCoeff();
+  low.array() -= margin;
+  high.array() += margin;
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+/// One region, ready to be drawn.
+struct Candidate {
+  std::string name;                ///< "R3", or what it is: "beyond AC"
+  std::vector<Vec2> area;          ///< in the plane
+  const Region* region = nullptr;  ///< what was said of it, if anything was
+};
+
+/// Draws the regions in one plane.
+class RegionPicture {
+ public:
+  RegionPicture(Pencil& pencil, const Shown& shown) : pencil_(pencil), shown_(shown), style_(shown.style) {}
+
+  void segment() {
+    const Point A = vertex(Role::A), B = vertex(Role::B);
+    if (A == B) return;
+    if (pencil_.in_space()) plane_ = Plane(A, B - A, toward_origin(A, B));
+    const std::vector<Vec2> clip = drawn_part({A, B, Point::Zero()});
+    const auto areas = regions_of_segment(plane_.in(A), plane_.in(B), clip);
+    const Region* sides = find("", "R3 or R4");
+    const Vec2 origin = plane_.in(Point::Zero());
+    const bool left = areas[2].empty() || turn(plane_.in(B), plane_.in(A), origin) > 0;
+    draw({"R1", areas[0], find("", "R1")});
+    draw({"R2", areas[1], find("", "R2")});
+    draw({pencil_.in_space() ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], nullptr});
+    draw({pencil_.in_space() ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides});
+  }
+
+  void triangle() {
+    const Point A = vertex(Role::A), B = vertex(Role::B), C = vertex(Role::C);
+    if (!spans(A, B, C)) return;
+    if (pencil_.in_space()) plane_ = Plane(A, B - A, C - A);
+    const auto areas =
+        regions_of_triangle(plane_.in(A), plane_.in(B), plane_.in(C), drawn_part({A, B, C, Point::Zero()}));
+    for (const int number : {4, 5, 6, 2, 3, 7, 1}) {
+      const std::string label = "R" + std::to_string(number);
+      draw({label, areas[static_cast<std::size_t>(number - 1)], find("", label)});
+    }
+    foot_of_origin();
+  }
+
+  void tetrahedron() {
+    const Region& now = shown_.now.regions.back();
+    faces();
+    edges_looking_back();
+    if (edges_shown())
+      edges_of_face(now.face);
+    else
+      normal(now);
+  }
+
+  void name_rejected_faces() {
+    if (edges_shown()) return;
+    render::TextStyle text = style_.small_label();
+    text.size *= 0.85;
+    for (const char* face : {"ABC", "ACD", "ADB"}) {
+      const Region* region = find("", face);
+      if (state_of(region) != RegionState::rejected) continue;  // the one just tested is named by its normal
+      const Point middle = (vertex(face[0]) + vertex(face[1]) + vertex(face[2])) / 3;
+      pencil_.panel().label(pencil_.at(middle), Vec2::Zero(), shown_.names.sorted(face) + " ✗", text, cross_label_gap);
+    }
+  }
+
+ private:
+  Point vertex(Role role) const { return shown_.now.simplex.point(role); }
+  Point vertex(char letter) const { return vertex(static_cast<Role>(letter - 'A')); }
+
+  static double turn(const Vec2& from, const Vec2& to, const Vec2& p) {
+    return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
+  }
+  static bool spans(const Point& A, const Point& B, const Point& C) { return !(B - A).cross(C - A).isZero(0); }
+
+  /// Returns: the direction from AB to the origin, or any across it where the origin lies on its line.
+  static Point toward_origin(const Point& A, const Point& B) {
+    const Point across = (B - A).cross(-A).cross(B - A);
+    return across.isZero(0) ? Point((B - A).unitOrthogonal()) : across;
+  }
+
+  std::vector<Vec2> drawn_part(const std::vector<Point>& points) const {
+    if (!pencil_.in_space()) return pencil_.panel().corners();
+    std::vector<Vec2> in_plane;
+    for (const Point& p : points) in_plane.push_back(plane_.in(p));
+    return around(in_plane);
+  }
+
+  /// Returns: what has been said of a region, by its label or by its feature.
+  const Region* find(const std::string& face, const std::string& name) const {
+    for (const Region& region : shown_.now.regions)
+      if (region.face == face && (region.label == name || region.feature == name)) return &region;
+    return nullptr;
+  }
+
+  RegionState state_of(const Region* region) const {
+    if (!region) return RegionState::pending;
+    if (region->verdict == Verdict::skipped) return RegionState::skipped;
+    if (region->verdict == Verdict::chosen) return RegionState::chosen;
+    return region == &shown_.now.regions.back() ? RegionState::just_rejected : RegionState::rejected;
+  }
+
+  std::vector<Vec2> picture(const std::vector<Vec2>& area) const {
+    std::vector<Vec2> corners;
+    for (const Vec2& p : area) corners.push_back(pencil_.at(plane_.out(p)));
+    return corners;
+  }
+
+  void draw(const Candidate& candidate) {
+    if (candidate.area.size() < 3) return;
+    const std::vector<Vec2> corners = picture(candidate.area);
+    const RegionState state = state_of(candidate.region);
+    fill(corners, state);
+    if (!candidate.name.empty()) name(corners, candidate, state);
+    if (candidate.region == &shown_.now.regions.back()) normal(*candidate.region);
+  }
+
+  void fill(const std::vector<Vec2>& corners, RegionState state) {
+    render::Panel& panel = pencil_.panel();
+    switch (state) {
+      case RegionState::pending: break;
+      case RegionState::skipped: panel.hatch(corners, style_.hatch_spacing, style_.hatching); break;
+      case RegionState::rejected: panel.polygon(corners, style_.rejected_fill); break;
+      case RegionState::just_rejected: panel.polygon(corners, style_.tested_fill); break;
+      case RegionState::chosen: panel.polygon(corners, style_.chosen_fill); break;
+    }
+    panel.outline(corners, style_.thin);
+    if (state == RegionState::just_rejected) panel.outline(corners, style_.tested);
+    if (state == RegionState::chosen) panel.outline(corners, {style_.theme.green, 3 * style_.theme.line});
+  }
+
+  void name(const std::vector<Vec2>& corners, const Candidate& candidate, RegionState state) {
+    render::TextStyle text = style_.small_label();
+    std::string with_mark = candidate.name;
+    switch (state) {
+      case RegionState::pending: text.color = style_.theme.grey; break;
+      case RegionState::skipped: text.color = style_.theme.grey; break;
+      case RegionState::rejected:
+      case RegionState::just_rejected: with_mark += " ✗"; break;
+      case RegionState::chosen:
+        // Without the crossing test the ends of a segment are not ruled out: nothing is certain yet.
+        with_mark += uncertain(*candidate.region) ? ", if not R2" : " ✓";
+        text.weight = render::Weight::bold;
+        break;
+    }
+    const std::string inequality = candidate.region ? inequality_of(*candidate.region) : "";
+    text.size *= 0.85;
+    const bool must_be_named = state != RegionState::pending && state != RegionState::skipped;
+    pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality,
+                              must_be_named ? with_mark : "", text);
+  }
+
+  bool uncertain(const Region& region) const {
+    return shown_.now.crossing->verdict == gjk::Crossing::switched_off && region.simplex_size == 2;
+  }
+
+  /// "AB_n·AO = −0.42 ≤ 0"; nothing where the value is no number.
+  std::string inequality_of(const Region& region) const {
+    const double* value = std::get_if<double>(&region.value);
+    if (!value) return "";
+    const std::string relation = region.verdict == Verdict::rejected          ? " ≤ 0"
+                                 : region.relation == gjk::Relation::positive ? " > 0"
+                                 : region.relation == gjk::Relation::negative ? " < 0"
+                                                                              : "";
+    return shown_.names.translate(region.expression) + " = " + number(*value) + relation;
+  }
+
+  /// The normal of the region just tested, from the middle of its feature.
+  void normal(const Region& region) {
+    if (!region.normal) return;
+    std::vector<Point> corners;
+    for (const char letter : region.feature) corners.push_back(vertex(letter));
+    const std::string name = region.expression.substr(0, region.expression.find("·"));
+    const bool out_of_page = !pencil_.in_space() && region.feature.size() == 3;
+    if (!out_of_page && !region.normal->isZero(0))
+      pencil_.direction(middle_of(corners), *region.normal, style_.normal, shown_.names.translate(name));
+  }
+
+  /// Where the origin lies in the plane of the triangle, above or below which it is.
+  void foot_of_origin() {
+    if (!pencil_.in_space()) return;
+    const Point foot = plane_.out(plane_.in(Point::Zero()));
+    pencil_.line(Point::Zero(), foot, style_.foot);
+    pencil_.panel().disc(pencil_.at(foot), foot_radius, style_.foot.color);
+  }
+
+  // -- A tetrahedron --
+
+  /// Whether the last test was of an edge in the plane of a face, so that the regions beside that face are drawn.
+  bool edges_shown() const { return !shown_.now.regions.back().face.empty(); }
+
+  /// The faces from back to front. Of the three that meet A each may have been tested; BCD is behind the search.
+  void faces() {
+    const std::string names[] = {"ABC", "ACD", "ADB", "BCD"};
+    std::vector<render::Face> list;
+    for (const std::string& name : names) list.push_back({{vertex(name[0]), vertex(name[1]), vertex(name[2])}});
+    for (const std::size_t i : render::back_to_front(list, *pencil_.lens().camera)) face(names[i], list[i]);
+    if (const Region* inside = find("", "ABCD"); inside != nullptr)
+      for (const render::Face& face : list) pencil_.panel().polygon(pencil_.at(face.corners), style_.chosen_fill);
+    outline_tested(names, list);
+  }
+
+  void face(const std::string& feature, const render::Face& face) {
+    const std::vector<Vec2> corners = pencil_.at(face.corners);
+    const RegionState state = state_of(find("", feature));
+    const bool rejected = state == RegionState::rejected || state == RegionState::just_rejected;
+    render::Panel& panel = pencil_.panel();
+    switch (state) {
+      case RegionState::pending: panel.polygon(corners, style_.simplex_fill); break;
+      case RegionState::skipped:  // only BCD
+        panel.hatch(corners, style_.hatch_spacing, bcd_is_behind() ? style_.hidden_hatching : style_.hatching);
+        break;
+      case RegionState::rejected: panel.polygon(corners, style_.rejected_fill); break;
+      case RegionState::just_rejected: panel.polygon(corners, style_.tested_fill); break;
+      case RegionState::chosen:
+        if (!edges_shown()) panel.polygon(corners, style_.chosen_fill);
+        break;
+    }
+    if (rejected) pencil_.cross(middle_of(face.corners), 11);
+  }
+
+  /// Whether the viewer looks at the inside of BCD, through the other faces. Its outward normal is BD×BC: A lies in the
+  /// direction BC×BD (Section 3.2.4).
+  bool bcd_is_behind() const {
+    const Point B = vertex('B');
+    return !pencil_.lens().camera->sees((vertex('D') - B).cross(vertex('C') - B));
+  }
+
+  void outline_tested(std::span<const std::string> names, const std::vector<render::Face>& list) {
+    const Region& now = shown_.now.regions.back();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (now.feature != names[i] || now.verdict == Verdict::skipped) continue;
+      const bool chosen = now.verdict == Verdict::chosen;
+      pencil_.panel().outline(pencil_.at(list[i].corners),
+                              chosen ? render::Stroke{style_.theme.green, 4 * style_.theme.line} : style_.tested);
+    }
+  }
+
+  /// B, C, D and the edges between them: the search has just moved away from there.
+  void edges_looking_back() {
+    for (const char* edge : {"BC", "CD", "DB"}) pencil_.line(vertex(edge[0]), vertex(edge[1]), style_.thin);
+  }
+
+  /// The regions beside a face APQ in its plane: beyond AQ, beyond AP, and above the face itself.
+  void edges_of_face(const std::string& face) {
+    const char P = face[1], Q = face[2];
+    const Point A = vertex('A');
+    if (!spans(A, vertex(P), vertex(Q))) return;
+    plane_ = Plane(A, vertex(P) - A, vertex(Q) - A);
+    const auto areas = regions_of_triangle(plane_.in(A), plane_.in(vertex(P)), plane_.in(vertex(Q)),
+                                           drawn_part({A, vertex(P), vertex(Q), Point::Zero()}));
+    const auto beyond = [&](char other) {
+      return std::string("beyond ") + shown_.names.sorted(std::string("A") + other);
+    };
+    const bool neither = shown_.now.regions.back().verdict == Verdict::rejected &&
+                         shown_.now.regions.back().feature == std::string("A") + P;
+    draw({beyond(Q), areas[6], find(face, std::string("A") + Q)});
+    draw({beyond(P), areas[2], find(face, std::string("A") + P)});
+    draw({"above " + shown_.names.sorted(face), areas[0], neither ? find("", face) : nullptr});
+    foot_of_origin();
+  }
+
+  Pencil& pencil_;
+  const Shown& shown_;
+  const Style& style_;
+  Plane plane_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> regions_of_segment(const Vec2& A, const Vec2& B, const std::vector<Vec2>& clip) {
+  const Vec2 along = A - B, left(-along.y(), along.x());
+  const std::vector<Vec2> between = half(half(clip, A, -along), B, along);
+  return {half(clip, B, -along), half(clip, A, along), half(between, A, left), half(between, A, -left)};
+}
+
+std::vector<std::vector<Vec2>> regions_of_triangle(const Vec2& A, const Vec2& B, const Vec2& C,
+                                                   const std::vector<Vec2>& clip) {
+  /// The part beyond the edge PQ, between the lines across its ends; R is the third corner.
+  const auto beyond_edge = [&](const Vec2& P, const Vec2& Q, const Vec2& R) {
+    const Vec2 along = Q - P;
+    Vec2 outward(along.y(), -along.x());
+    if (outward.dot(R - P) > 0) outward = -outward;
+    return half(half(half(clip, P, outward), P, along), Q, -along);
+  };
+  const auto beyond_corner = [&](const Vec2& P, const Vec2& Q, const Vec2& R) {
+    return half(half(clip, P, P - Q), P, P - R);
+  };
+  return {{A, B, C},
+          beyond_corner(A, B, C),
+          beyond_edge(A, B, C),
+          beyond_corner(B, C, A),
+          beyond_edge(B, C, A),
+          beyond_corner(C, A, B),
+          beyond_edge(A, C, B)};
+}
+
+void draw_regions(Pencil& pencil, const Shown& shown) {
+  if (shown.now.regions.empty()) return;  // of two scenes side by side, only the other one tests
+  RegionPicture picture(pencil, shown);
+  switch (shown.now.simplex.size()) {
+    case 2: picture.segment(); break;
+    case 3: picture.triangle(); break;
+    case 4: picture.tetrahedron(); break;
+    default: break;
+  }
+}
+
+void name_rejected_faces(Pencil& pencil, const Shown& shown) {
+  if (shown.now.simplex.size() != 4 || shown.now.regions.empty()) return;
+  RegionPicture(pencil, shown).name_rejected_faces();
+}
+
+}  // namespace walkthroughs

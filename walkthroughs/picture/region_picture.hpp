@@ -1,0 +1,33 @@
+/// All regions of a simplex at once, each drawn as what the algorithm has made of it so far.
+#pragma once
+
+#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/picture/pencil.hpp"
+
+namespace walkthroughs {
+
+/// What the algorithm has said of a region up to one moment. Nothing may be told by colour alone: skipped regions are
+/// hatched, rejected ones named with ✗, the chosen one with ✓, and the one just tested has a strong border and its normal.
+enum class RegionState { pending, skipped, rejected, just_rejected, chosen };
+
+/// Draws the regions of the simplex that is being processed (of one face and its edges, where Algorithm 5 has come to
+/// them). Nothing where no region has been tested in this iteration.
+void draw_regions(Pencil& pencil, const Shown& shown);
+
+/// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are
+/// shown. To be asked for after the vertices have their names, which are more important.
+void name_rejected_faces(Pencil& pencil, const Shown& shown);
+
+/// The regions of a triangle ABC as Fig. 7 numbers them: R1 inside, R2 beyond A, R3 beyond AB, R4 beyond B, R5 beyond
+/// BC, R6 beyond C, R7 beyond AC; each the part of the convex polygon `clip` that lies in it.
+/// Requires: A, B, C not on one line.
+std::vector<std::vector<render::Vec2>> regions_of_triangle(const render::Vec2& A, const render::Vec2& B,
+                                                           const render::Vec2& C,
+                                                           const std::vector<render::Vec2>& clip);
+
+/// The regions of a segment AB as Fig. 6 numbers them: R1 beyond B, R2 beyond A, R3 to the left and R4 to the right of
+/// the way from B to A.
+std::vector<std::vector<render::Vec2>> regions_of_segment(const render::Vec2& A, const render::Vec2& B,
+                                                          const std::vector<render::Vec2>& clip);
+
+}  // namespace walkthroughs

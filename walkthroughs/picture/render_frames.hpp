@@ -1,0 +1,83 @@
+/// Walkthroughs to PNG files.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "render/font.hpp"
+#include "render/rasterizer.hpp"
+#include "render/worker.hpp"
+#include "walkthroughs/picture/draw.hpp"
+
+namespace walkthroughs {
+
+/// Told after each file: its path, and which frame of the story it shows.
+using FrameWritten = std::function<void(const std::filesystem::path& file, std::size_t index)>;
+/// Told after a file that shows more than one frame.
+using FileWritten = std::function<void(const std::filesystem::path& file)>;
+
+/// Where, how large, and with what around the panels. The size is that of a frame with text; what has another page, such
+/// as a strip or a frame without text, is as wide and as high as it needs to be at the same scale.
+struct Output {
+  std::filesystem::path folder;
+  render::Size size;
+  Look look = {};
+  int turns = 0;  ///< views of each frame beside the usual one, around the vertical axis, of scenes in space
+};
+
+/// The tools of drawing, made once for all pictures.
+struct Studio {
+  render::Backend backend = render::default_backend();
+  std::filesystem::path font_folder = render::Font::default_directory();
+  render::Font font{font_folder};
+  render::OffscreenContext context{backend};
+  render::Rasterizer rasterizer{context};
+};
+
+/// Draws on the thread that calls, encodes and writes on a second one, so that the next picture is drawn while the last
+/// one is compressed. Files are written, and told of on the second thread, in the order in which they were asked for.
+/// A few pictures are in memory at a time, however many there are.
+/// Errors of all functions: render::FileError, also of files asked for earlier; render::ContextError. Files asked for
+/// before the one that could not be written are there, later ones are not.
+class Renderer {
+ public:
+  /// `studio` must outlive the renderer.
+  explicit Renderer(Studio& studio) : studio_(studio) {}
+
+  /// Writes FOLDER/NAME/000.png, 001.png, …; of a scene in space also 000-turn-1.png, … up to `output.turns`, the
+  /// camera moved on by equal angles all around. Removes what an earlier, longer run has left of these.
+  /// With `animation_seconds` writes FOLDER/NAME/animation.png last, which shows each frame for so long, the last one
+  /// `last_frame_times` as long, and tells `animation_written`.
+  /// Reads the story before it returns, and not after.
+  void frames(const Story& story, const Output& output, FrameWritten written,
+              std::optional<double> animation_seconds = {}, FileWritten animation_written = {});
+  /// Writes FOLDER/NAME/strip.png.
+  void strip(const Story& story, const Output& output, FileWritten written);
+  /// Writes FOLDER/NAME/sheet.png, a contact sheet of all frames in reading order. Each frame is drawn anew at
+  /// `sheet_scale` of its size.
+  void sheet(const Story& story, const Output& output, FileWritten written);
+  /// Returns when all files are written.
+  void finish() { writer_.finish(); }
+
+ private:
+  render::Image draw(const Story& story, std::size_t index, const Output& output);
+  void write(std::filesystem::path file, render::Image image, render::PngText text, FileWritten written);
+
+  Studio& studio_;
+  render::Worker writer_{2};
+};
+
+/// As Renderer::frames, strip and sheet, one at a time; each returns when its files are written, and the last two return
+/// the path.
+void render_frames(const Story& story, const Output& output, Studio& studio, const FrameWritten& written);
+std::filesystem::path render_strip(const Story& story, const Output& output, Studio& studio);
+std::filesystem::path render_sheet(const Story& story, const Output& output, Studio& studio);
+
+inline constexpr double sheet_scale = 0.375;
+inline constexpr int sheet_columns = 4, sheet_gap = 8;  // at most so many in a row; pixels around each frame
+inline constexpr double last_frame_times = 2;           // how much longer the last frame of an animation is shown
+
+}  // namespace walkthroughs

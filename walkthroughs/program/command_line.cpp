@@ -1,0 +1,71 @@
+#include "walkthroughs/program/command_line.hpp"
+
+#include <charconv>
+#include <cstdlib>
+
+#include "render/rasterizer.hpp"
+#include "walkthroughs/text/nearest.hpp"
+
+namespace walkthroughs {
+
+const Walkthrough& walkthrough_named(const std::string& name) {
+  if (const Walkthrough* found = find_walkthrough(name)) return *found;
+  throw UsageError("there is no walkthrough '" + name + "'; did you mean '" + nearest_name(name) +
+                   "'? 'gjkstep list' shows all");
+}
+
+std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {
+  const std::vector<const Walkthrough*> found = find_walkthroughs(name);
+  return found.empty() ? std::vector{&walkthrough_named(name)} : found;
+}
+
+render::Size parse_size(const std::string& text) {
+  render::Size size;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  const bool has_x = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = has_x ? std::from_chars(width.ptr + 1, end, size.height) : width;
+  const auto fits = [](int pixels) { return render::min_pixels <= pixels && pixels <= render::max_pixels; };
+  if (!has_x || height.ec != std::errc() || height.ptr != end || !fits(size.width) || !fits(size.height))
+    throw UsageError("--size '" + text + "': expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
+                     std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
+  return size;
+}
+
+void expect_named(const std::string& option, const std::string& name, const std::string& example) {
+  if (name.empty() || name.starts_with("--")) throw UsageError(option + " '" + name + "': name " + example);
+}
+
+// ---------------------------------------------------------------------------------------------- --gl
+
+namespace {
+
+constexpr const char* backend_variable = "GJKSTEP_GL";
+
+/// Requires: `source` is where the name was found. Errors: UsageError.
+render::Backend backend_named(const std::string& name, const std::string& source) {
+  std::string names;
+  for (const render::Backend each : render::all_backends()) {
+    if (render::name_of(each) == name) return each;
+    names.append(names.empty() ? "" : " or ").append(render::name_of(each));
+  }
+  throw UsageError(source + " '" + name + "': expected " + names);
+}
+
+}  // namespace
+
+void add_backend_option(CLI::App& command, std::optional<std::string>& name) {
+  const std::string usual(render::name_of(render::default_backend()));
+  command.add_option("--gl", name,
+                     "draw with osmesa or egl, which give the same pixels; if not given, what " +
+                         std::string(backend_variable) + " says, or " + usual);
+}
+
+render::Backend chosen_backend(const std::optional<std::string>& name) {
+  if (name) return backend_named(*name, "--gl");
+  const char* const set = std::getenv(backend_variable);
+  const bool is_set = set != nullptr && *set != '\0';
+  return is_set ? backend_named(set, backend_variable) : render::default_backend();
+}
+
+}  // namespace walkthroughs

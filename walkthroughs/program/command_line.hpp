@@ -1,0 +1,45 @@
+/// What the words of all commands have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "render/geometry.hpp"
+#include "render/offscreen_context.hpp"
+#include "walkthroughs/model/walkthrough.hpp"
+
+namespace walkthroughs {
+
+/// The command line asks for something that there is not; what() says what there is instead.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Errors: UsageError, with the name that was probably meant.
+const Walkthrough& walkthrough_named(const std::string& name);
+
+/// Returns: the walkthrough of that name, or those of the folder of that name. Errors: as walkthrough_named().
+std::vector<const Walkthrough*> walkthroughs_named(const std::string& name);
+
+/// Reads "1280x720". Errors: UsageError.
+render::Size parse_size(const std::string& text);
+
+/// The option --gl of all commands that draw. Adding it to a command fills `name`, which must live as long.
+void add_backend_option(CLI::App& command, std::optional<std::string>& name);
+
+/// Returns: the backend of that name (what --gl says); else the one that the environment variable GJKSTEP_GL names; else
+/// the default. Whether this build has it shows when the context is made.
+/// Errors: UsageError, with the names that there are.
+render::Backend chosen_backend(const std::optional<std::string>& name);
+
+/// Errors: UsageError where what is to be written has no name, or that of the next option. `example`: what to
+/// name, and how.
+void expect_named(const std::string& option, const std::string& name, const std::string& example);
+
+/// Whether a word of the command line means a scene file and not a walkthrough.
+inline bool is_scene_file(const std::string& name) { return name.ends_with(".json"); }
+
+}  // namespace walkthroughs

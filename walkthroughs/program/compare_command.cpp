@@ -1,0 +1,174 @@
+#include "walkthroughs/program/compare_command.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <vector>
+
+#include "render/compare_report.hpp"
+#include "render/file.hpp"
+#include "walkthroughs/program/command_line.hpp"
+
+namespace walkthroughs {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum ExitCode { same = 0, different = 1, unreadable = 3 };
+
+fs::file_type kind_of(const std::string& word) {
+  std::error_code error;
+  const fs::file_status status = fs::status(word, error);
+  if (!fs::exists(status))
+    throw render::ReadError("cannot read " + word + ": " + (error ? error.message() : "No such file or directory") +
+                            "; name a PNG file or a folder of them");
+  return status.type();
+}
+
+/// Returns: the pictures to compare, at least one.
+std::vector<render::FilePair> pairs_of(const std::string& expected, const std::string& actual) {
+  const bool expected_folder = kind_of(expected) == fs::file_type::directory,
+             actual_folder = kind_of(actual) == fs::file_type::directory;
+  if (expected_folder != actual_folder)
+    throw UsageError("compare: '" + (expected_folder ? expected : actual) + "' is a folder and '" +
+                     (expected_folder ? actual : expected) + "' is not; name two files or two folders");
+  if (!expected_folder) return {{fs::path(actual).filename().string(), expected, actual}};
+  std::vector<render::FilePair> pairs = render::file_pairs(expected, actual);
+  if (pairs.empty())
+    throw UsageError("compare: there is no .png file in '" + expected + "' nor in '" + actual +
+                     "'; name folders of pictures");
+  return pairs;
+}
+
+/// Names of files can hold anything, also what would move the cursor of a terminal.
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return text;
+}
+
+/// Returns: `path` as one word of a shell, and not an option.
+std::string shell_word(const fs::path& path) {
+  const std::string text = path.string().starts_with('-') ? "./" + path.string() : path.string();
+  const auto plain = [](unsigned char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '/' || c == '.' ||
+           c == '_' || c == '-' || c == '+' || c == ',' || c == '=' || c == ':' || c == '@';
+  };
+  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// Returns: the command that makes the new state the expected one; empty where that would accept a damaged file.
+std::string accept_command(const render::ComparedFiles& compared) {
+  const render::FilePair& files = compared.files;
+  if (compared.verdict == render::Verdict::unreadable) return "";
+  if (files.sides == render::Sides::only_expected) return "rm " + shell_word(files.expected);
+  const std::string copy = "cp " + shell_word(files.actual) + " " + shell_word(files.expected);
+  const fs::path folder = files.expected.parent_path();
+  std::error_code unknown;
+  if (folder.empty() || fs::is_directory(folder, unknown)) return copy;
+  return "mkdir -p " + shell_word(folder) + " && " + copy;
+}
+
+fs::path folder_of(const std::string& side) {
+  return fs::is_directory(side) ? fs::path(side) : fs::path(side).parent_path();
+}
+
+render::CompareReport empty_report(const CompareCommand& command) {
+  return render::CompareReport({.expected = command.expected,
+                                .actual = command.actual,
+                                .expected_by = render::read_rendered_by(folder_of(command.expected)),
+                                .actual_by = render::read_rendered_by(folder_of(command.actual)),
+                                .where = fs::current_path().string()});
+}
+
+fs::path write_report(const render::CompareReport& report, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw render::FileError("cannot create the folder " + folder.string() + ": " + error.message() +
+                            "; choose another with --report");
+  const fs::path page = folder / "index.html";
+  render::write_file(page, report.html());
+  return page;
+}
+
+/// Counts verdicts, and says each that is not plainly "same".
+class Tally {
+ public:
+  void add(const render::ComparedFiles& compared) {
+    ++count_[compared.verdict];
+    const std::string line = compared.verdict == render::Verdict::unreadable
+                                 ? compared.words
+                                 : compared.files.name + ": " + render::name(compared.verdict) + ": " + compared.words;
+    if (compared.verdict == render::Verdict::unreadable)
+      std::cerr << "gjkstep: " << printable(line) << std::endl;
+    else if (compared.verdict != render::Verdict::same)
+      std::cout << printable(line) << std::endl;
+  }
+
+  /// Returns: "2 of 5 pictures differ (1 different, 1 missing)" or "5 pictures are the same, 1 of them within the tolerance".
+  std::string summary() const {
+    int all = 0, failed = 0;
+    std::string kinds;
+    for (const auto& [verdict, count] : count_) {
+      all += count;
+      if (render::passes(verdict)) continue;
+      failed += count;
+      kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + render::name(verdict);
+    }
+    const std::string pictures = std::to_string(all) + (all == 1 ? " picture" : " pictures");
+    if (failed > 0)
+      return std::to_string(failed) + " of " + pictures + (failed == 1 ? " differs (" : " differ (") + kinds + ")";
+    const auto within = count_.find(render::Verdict::within_tolerance);
+    return pictures + (all == 1 ? " is the same" : " are the same") +
+           (within == count_.end() ? "" : ", " + std::to_string(within->second) + " of them within the tolerance");
+  }
+
+  int exit_code() const {
+    if (count_.contains(render::Verdict::unreadable)) return unreadable;
+    return std::ranges::all_of(count_, [](const auto& each) { return render::passes(each.first); }) ? same : different;
+  }
+
+ private:
+  std::map<render::Verdict, int> count_;
+};
+
+}  // namespace
+
+int CompareCommand::run() const {
+  if (report) expect_named("--report", *report, "a folder to write to, for example --report differences");
+  const std::vector<render::FilePair> pairs = pairs_of(expected, actual);
+  std::optional<render::CompareReport> page;
+  if (report) page = empty_report(*this);
+  Tally tally;
+  for (const render::FilePair& files : pairs) {
+    const render::ComparedFiles compared = render::compare_files(files);
+    tally.add(compared);
+    if (page) page->add(compared, accept_command(compared));
+  }
+  std::cout << tally.summary() << std::endl;
+  if (page) std::cout << "report: " << write_report(*page, *report).string() << std::endl;
+  return tally.exit_code();
+}
+
+CLI::App* add_compare_command(CLI::App& app, CompareCommand& compare) {
+  CLI::App* const command = app.add_subcommand("compare", "are two pictures, or two folders of pictures, the same?");
+  command->add_option("EXPECTED", compare.expected, "PNG file, or folder of them and of folders")->required();
+  command->add_option("ACTUAL", compare.actual, "what to compare it with: as EXPECTED a file or a folder")->required();
+  command->add_option("--report", compare.report,
+                      "folder to write index.html to: a page that shows what differs, and how to accept it");
+  command->footer(
+      "Decoded pixels are compared, transparent ones on white, of animations the first picture. A pixel is off when a\n"
+      "channel differs by more than 2. Pictures pass when at most 8 pixels are off (in large pictures: one in 50,000) "
+      "and\n"
+      "no group of them, joined by edges or corners, is larger than 4. In folders, a file that one side lacks is a\n"
+      "difference. If a folder holds rendered-by.json, an object of strings, the report shows it.\n"
+      "Exit codes: 0 the same, 1 different, 2 wrong usage, 3 a picture cannot be read, 5 cannot write.");
+  return command;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,81 @@
+#include "walkthroughs/program/listing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "walkthroughs/story/exact.hpp"
+#include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+/// Returns: what stands before the last '/', or nothing.
+std::string folder_of(const Walkthrough& w) {
+  const std::size_t slash = w.name.rfind('/');
+  return slash == std::string::npos ? "" : w.name.substr(0, slash);
+}
+
+/// Returns: how many characters of UTF-8 `text` has.
+std::size_t length(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string spaces(std::size_t count) { return std::string(count, ' '); }
+
+using Row = std::array<std::string, 5>;
+
+std::string how_it_ends(const Story& story) {
+  std::string ends;
+  for (const Telling& telling : story.tellings)
+    if (const auto* end = std::get_if<gjk::Finished<double>>(&telling.trace.events.back()))
+      ends += (ends.empty() ? "" : ", ") + std::string(to_string(end->result.status));
+  return ends.empty() ? "-" : ends;
+}
+
+/// What is true, where the walkthrough is about an answer that is not.
+std::string in_truth(const Walkthrough& w) {
+  return w.findings ? " (in truth " + std::string(to_string(exact_answer(w.scenes[0]))) + ")" : "";
+}
+
+Row row_of(const Walkthrough& w) {
+  const Story story = tell(w);
+  return {w.name, plain(w.region_case ? w.region_case->text : w.summary),
+          w.region_case ? w.region_case->section : w.source, how_it_ends(story) + in_truth(w), std::to_string(story.frames.size())};
+}
+
+void write_row(std::ostream& out, const Row& row, const std::array<std::size_t, 5>& widths) {
+  for (std::size_t column = 0; column + 1 < row.size(); ++column)
+    out << row[column] << spaces(widths[column] - length(row[column]) + 2);
+  out << spaces(widths.back() - length(row.back())) << row.back() << '\n';  // a number: to the right
+}
+
+}  // namespace
+
+void write_list(std::ostream& out, const std::vector<Walkthrough>& walkthroughs) {
+  std::vector<std::string> folders;
+  for (const Walkthrough& w : walkthroughs)
+    if (std::ranges::count(folders, folder_of(w)) == 0) folders.push_back(folder_of(w));
+  for (const std::string& folder : folders) {
+    if (folder != folders.front()) out << '\n';
+    std::size_t widest = 0;
+    for (const Walkthrough& w : walkthroughs)
+      if (folder_of(w) == folder) widest = std::max(widest, length(w.name));
+    for (const Walkthrough& w : walkthroughs)
+      if (folder_of(w) == folder) out << w.name << spaces(widest + 2 - length(w.name)) << w.summary << '\n';
+  }
+}
+
+void write_table(std::ostream& out, const std::vector<const Walkthrough*>& walkthroughs) {
+  std::vector<Row> rows = {{"name", "case", "section", "status", "frames"}};
+  for (const Walkthrough* w : walkthroughs) rows.push_back(row_of(*w));
+  std::array<std::size_t, 5> widths{};
+  for (const Row& row : rows)
+    for (std::size_t column = 0; column < row.size(); ++column)
+      widths[column] = std::max(widths[column], length(row[column]));
+  for (const Row& row : rows) write_row(out, row, widths);
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,197 @@
+// gjkstep: watch GJK decide. Reads the command line, calls the rest, turns failures into exit codes.
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+#include <optional>
+
+#include "render/file.hpp"
+#include "render/font.hpp"
+#include "render/offscreen_context.hpp"
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/compare_command.hpp"
+#include "walkthroughs/program/listing.hpp"
+#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/program/query_command.hpp"
+#include "walkthroughs/program/render_command.hpp"
+#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+namespace {
+
+using walkthroughs::UsageError;
+using walkthroughs::Walkthrough;
+
+enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
+
+constexpr const char* footer =
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace, a query; also: a missing font), 4 no OpenGL "
+    "context,\n"
+    "5 cannot write, 1 anything else (of compare: pictures differ).\n"
+    "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
+
+void write_trace(const std::string& name) {
+  if (walkthroughs::is_scene_file(name))
+    return walkthroughs::write_traces(std::cout, walkthroughs::read_scene(name).walkthrough);
+  if (walkthroughs::find_walkthrough(name) == nullptr && !walkthroughs::find_walkthroughs(name).empty())
+    throw UsageError("'" + name + "' is a folder: name one of its walkthroughs; 'gjkstep list " + name +
+                     "' shows them");
+  const Walkthrough& found = walkthroughs::walkthrough_named(name);
+  if (found.layout == walkthroughs::Layout::diagrams)
+    throw UsageError("'" + name + "' is a diagram, which no search makes: there is no trace of it");
+  walkthroughs::write_traces(std::cout, found);
+}
+
+struct TraceCommand {
+  bool schema = false;
+  std::string name;
+
+  void run() const {
+    if (schema)
+      std::cout << walkthroughs::trace_schema();
+    else if (name.empty())
+      throw UsageError("trace what? NAME is required: a walkthrough or a scene file; or say --schema");
+    else
+      write_trace(name);
+  }
+};
+
+void list(const std::string& name) {
+  if (name.empty())
+    walkthroughs::write_list(std::cout, walkthroughs::catalogue());
+  else
+    walkthroughs::write_table(std::cout, walkthroughs::walkthroughs_named(name));
+}
+
+struct SceneCommand {
+  bool example = false;
+  std::optional<std::string> check;
+
+  void run() const {
+    if (example) {
+      std::cout << walkthroughs::example_scene();
+    } else if (check) {
+      const walkthroughs::SceneFile scene = walkthroughs::read_scene(*check);
+      std::cout << *check << ": ok: " << walkthroughs::summary(scene) << '\n';
+    } else {
+      throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
+    }
+  }
+};
+
+void print_version(const std::optional<std::string>& gl) {
+  const render::Backend backend = walkthroughs::chosen_backend(gl);
+  std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
+  std::cout << render::OffscreenContext(backend).description() << '\n';
+}
+
+ExitCode flush_output() {
+  if (!std::cout.flush())
+    throw render::FileError(
+        "cannot write to standard output; check that the disk has space left, or that who reads has not left");
+  return ok;
+}
+
+/// Returns: the parser's complaint and what to do about it.
+std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
+  std::string complaint = error.what();
+  if (app.get_subcommands().empty() && !app.remaining().empty()) {
+    const std::string word = app.remaining().front();
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+    const bool is_name = walkthroughs::find_walkthrough(word) != nullptr;
+    complaint = "there is no command '" + word + "'; did you mean '" +
+                (is_name ? "render " + word : walkthroughs::nearest(word, commands)) + "'?";
+  }
+  return complaint + (complaint.ends_with('?') ? " " : "; ") +
+         "'gjkstep --help' and 'gjkstep COMMAND --help' show what there is";
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "Draws, step by step, how the Gilbert-Johnson-Keerthi algorithm decides whether two convex objects "
+      "collide.");
+  app.footer(footer);
+  app.require_subcommand(0, 1);
+  bool version = false;
+  app.add_flag("--version", version, "print the version and the OpenGL renderer");
+  walkthroughs::RenderCommand render;
+  walkthroughs::add_backend_option(app, render.gl);
+  std::string listed;
+  CLI::App* const list_command = app.add_subcommand("list", "the walkthroughs, one line each, or those of a folder");
+  list_command->add_option("NAME", listed, "a folder or a walkthrough: its cases and how they end, as a table");
+  CLI::App* const render_command = walkthroughs::add_render_command(app, render);
+  TraceCommand trace;
+  CLI::App* const trace_command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
+  CLI::Option* const traced =
+      trace_command->add_option("NAME", trace.name, "walkthrough or scene file (.json) to trace");
+  trace_command->add_flag("--schema", trace.schema, "print the JSON Schema of one line of a trace")->excludes(traced);
+
+  SceneCommand scene;
+  CLI::App* const scene_command = app.add_subcommand("scene", "files with scenes of your own");
+  CLI::Option* const example =
+      scene_command->add_flag("--example", scene.example, "print a scene file that shows every key");
+  scene_command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
+  walkthroughs::CompareCommand compare;
+  CLI::App* const compare_command = walkthroughs::add_compare_command(app, compare);
+  walkthroughs::QueryCommand query;
+  CLI::App* const query_command = walkthroughs::add_query_command(app, query);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+    return flush_output();
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(what_was_wrong(app, error));
+  }
+  int answer = ok;
+  if (version)
+    print_version(render.gl);
+  else if (*list_command)
+    list(listed);
+  else if (*render_command)
+    render.run();
+  else if (*trace_command)
+    trace.run();
+  else if (*scene_command)
+    scene.run();
+  else if (*compare_command)
+    answer = compare.run();
+  else if (*query_command)
+    answer = query.run();
+  else
+    throw UsageError("what to do? 'gjkstep --help' shows the commands");
+  flush_output();
+  return answer;
+}
+
+int fail(ExitCode code, const std::exception& error) {
+  std::cerr << "gjkstep: " << error.what() << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, told like others
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(wrong_usage, error);
+  } catch (const walkthroughs::InputError& error) {
+    return fail(bad_input, error);
+  } catch (const render::FontError& error) {
+    return fail(bad_input, error);
+  } catch (const render::ContextError& error) {
+    return fail(no_context, error);
+  } catch (const render::ReadError& error) {
+    return fail(bad_input, error);
+  } catch (const render::FileError& error) {
+    return fail(cannot_write, error);
+  } catch (const std::bad_alloc&) {
+    return fail(unexpected, std::runtime_error("out of memory; choose a smaller --size"));
+  } catch (const std::exception& error) {
+    return fail(unexpected, error);
+  }
+}

@@ -1,0 +1,130 @@
+#include "walkthroughs/program/query_command.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <iostream>
+#include <span>
+#include <string_view>
+
+#include "render/file.hpp"
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/query/query.hpp"
+#include "walkthroughs/model/words_of.hpp"
+
+namespace walkthroughs {
+namespace {
+
+constexpr const char* footer =
+    R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
+('gjkstep scene --example'), one of
+  {"points": [[x, y, z], ...]}
+  {"sphere": {"center": [x, y, z], "radius": r}}
+  {"cylinder": {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}}
+with a "pose" and a "name" if you like; exact takes points only. A number is read as the nearest double and then
+converted. A line may have 16 MiB, and end in CR LF.
+Standard output: one line for each, in the same order,
+  {"status": "intersecting", "separated" or "undecided", "iterations": n, "reason": "...", "evidence": {...}}
+Evidence: where separated, a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0; else the
+simplex, its newest vertex last, each w = a - b. An index is the position in "points", from 0. Numbers are the
+shortest that read back the same in the scalar. Strings are: the fractions of exact ("1/3"), long doubles beyond all
+doubles, "inf", "-inf" and "nan".
+A bad line, also a blank one, gives {"error": "...", "line": n}, and the others are answered.
+Answers are written before more is read, so a program may ask one pair and wait.
+Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
+
+enum ExitCode { all_answered = 0, bad_lines = 3 };
+
+/// A pipe may have been set, by another program that holds it, to fail rather than wait (O_NONBLOCK).
+/// Returns: whether errno says so; then it has waited. Keeps errno.
+bool wait_for(int descriptor, short event) {
+  const int reason = errno;
+  pollfd polled{descriptor, event, 0};
+  const bool waits = reason == EAGAIN || reason == EWOULDBLOCK;
+  if (waits) ::poll(&polled, 1, -1);
+  errno = reason;
+  return waits;
+}
+
+std::size_t read_some(std::span<char> bytes) {
+  for (;;) {
+    const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (wait_for(STDIN_FILENO, POLLIN)) continue;
+    if (errno != EINTR)
+      throw InputError(std::string("standard input cannot be read: ") + std::strerror(errno) +
+                       "; give it pairs, one a line");
+  }
+}
+
+std::string what_to_do(int error_number) {
+  switch (error_number) {
+    case EPIPE: return "who reads the answers has left before the last one; let it read to the end";
+    case ENOSPC:
+    case EDQUOT: return "make room, or write to another disk";
+    default: return "check where the output goes";
+  }
+}
+
+[[noreturn]] void fail_to_write(int error_number) {
+  throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(error_number) + "; " +
+                          what_to_do(error_number));
+}
+
+void write_all(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && wait_for(STDOUT_FILENO, POLLOUT)) continue;
+    if (count < 0) fail_to_write(errno);
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+/// Returns: the enumerator at the position of the word. Errors: UsageError.
+template <class Enumerator, std::size_t count>
+Enumerator choice(const std::string& option, const std::string& word,
+                  const std::array<std::string_view, count>& words) {
+  const auto found = std::ranges::find(words, word);
+  if (found != words.end()) return static_cast<Enumerator>(found - words.begin());
+  const std::vector<std::string> known(words.begin(), words.end());
+  throw UsageError(option + " '" + word + "' is not known; did you mean '" + nearest(word, known) +
+                   "'? 'gjkstep query --help' shows all");
+}
+
+}  // namespace
+
+int QueryCommand::run() const {
+  QueryOptions options{.scalar = choice<QueryScalar>("--scalar", scalar, query_scalars),
+                       .rules = choice<RuleSet>("--rules", rules, words_of::rules)};
+  if (max_iterations < 1 || max_iterations > scene_limits::iterations)
+    throw UsageError("--max-iterations " + std::to_string(max_iterations) + ": expected a whole number from 1 to " +
+                     std::to_string(scene_limits::iterations));
+  options.iteration_limit = max_iterations;
+  std::signal(SIGPIPE, SIG_IGN);  // so that a reader who leaves is an error of writing, told like others
+  const QueryTally tally = answer_lines(options, read_some, write_all);
+  if (tally.bad == 0) return all_answered;
+  std::cerr << "gjkstep: " << tally.bad << " of " << tally.lines << (tally.lines == 1 ? " line is" : " lines are")
+            << " not answered; the first is line " << tally.first_bad << ", and its \"error\" says why\n";
+  return bad_lines;
+}
+
+CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
+  CLI::App* const command =
+      app.add_subcommand("query", "answer pairs of objects: one pair a line in, one answer a line out");
+  command->add_option("--scalar", query.scalar, "compute in float, double, long-double or exact fractions")
+      ->capture_default_str();
+  command->add_option("--rules", query.rules, "as-intended, or as-printed: Algorithm 1 read literally")
+      ->capture_default_str();
+  command->add_option("--max-iterations", query.max_iterations, "1 to 1000; then the answer is undecided")
+      ->capture_default_str();
+  command->footer(footer);
+  return command;
+}
+
+}  // namespace walkthroughs

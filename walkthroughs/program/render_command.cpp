@@ -1,0 +1,226 @@
+#include "walkthroughs/program/render_command.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <deque>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "render/file.hpp"
+#include "render/rendered_by.hpp"
+#include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/picture/movie.hpp"
+#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/trace/trace_file.hpp"
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+/// The walkthroughs that the words of a command choose, each once, in the order named. Keeps those that files describe.
+class Selection {
+ public:
+  struct Chosen {
+    const Walkthrough* walkthrough;
+    std::optional<render::Size> size = {};       ///< that its file asks for
+    const std::vector<Trace>* traces = nullptr;  ///< where they have been read
+  };
+
+  void add(const std::string& word) {
+    if (!is_scene_file(word)) return add(walkthroughs_named(word));
+    if (!files_read_.insert(word).second) return;
+    const SceneFile& file = files_.emplace_back(read_scene(word));
+    refuse_name_twice(file.walkthrough, word);
+    chosen_.push_back({&file.walkthrough, file.size});
+  }
+  void add_trace(const std::string& file) {
+    if (!files_read_.insert(file).second) return;
+    const TraceFile& read = traces_.emplace_back(read_trace(file));
+    refuse_name_twice(read.walkthrough, file);
+    chosen_.push_back({&read.walkthrough, {}, &read.traces});
+  }
+  void add(const std::vector<const Walkthrough*>& several) {
+    for (const Walkthrough* w : several) {
+      if (std::ranges::count(chosen_, w, &Chosen::walkthrough) > 0) continue;
+      refuse_name_twice(*w, w->name);
+      chosen_.push_back({w});
+    }
+  }
+  const std::vector<Chosen>& chosen() const { return chosen_; }
+
+ private:
+  /// Pictures go to a folder of that name: the second walkthrough would overwrite those of the first.
+  void refuse_name_twice(const Walkthrough& w, const std::string& word) const {
+    for (const Chosen& other : chosen_)
+      if (other.walkthrough->name == w.name)
+        throw UsageError("'" + word + "': there is another walkthrough of the name '" + w.name +
+                         "' on the command line; render them into different folders with --out");
+  }
+
+  std::deque<SceneFile> files_;  // that do not move when more come
+  std::deque<TraceFile> traces_;
+  std::set<std::string> files_read_;
+  std::vector<Chosen> chosen_;
+};
+
+/// One run of the command.
+class Rendering {
+ public:
+  explicit Rendering(const RenderCommand& command) : command_(command) {}
+
+  void run() const {
+    const Output output = checked_output();
+    const Selection selection = select();
+    Written written;  // before the renderer, which writes what it was given even when it goes early
+    Studio studio{chosen_backend(command_.gl)};
+    Renderer renderer(studio);
+    for (const Selection::Chosen& each : selection.chosen()) {
+      Output sized = output;
+      if (!command_.size && each.size) sized.size = *each.size;
+      render(each, sized, renderer, written);
+    }
+    renderer.finish();
+    if (command_.rendered_by) write_rendered_by(studio, output.folder);
+    if (command_.captions) write_captions(written.frames);
+    if (command_.movie) print_movies(selection, output);
+  }
+
+ private:
+  /// What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
+  struct Written {
+    std::vector<FrameFile> frames;
+    std::vector<std::shared_ptr<const Story>> stories;
+  };
+
+  static constexpr double shortest_frame = 0.02, longest_frame = 60;  // seconds
+
+  Output checked_output() const {
+    expect_named("--out", command_.out, "a folder to write to, for example --out pictures");
+    if (command_.captions)
+      expect_named("--captions", *command_.captions, "a file to write, for example --captions captions.json");
+    if (!(shortest_frame <= command_.frame_time && command_.frame_time <= longest_frame))
+      throw UsageError("--frame-time: expected seconds from 0.02 to 60, for example 2");
+    const Look look{.style = Style(theme_named(command_.theme)),
+                    .text = command_.no_captions ? Text::none : Text::around};
+    return {.folder = command_.out,
+            .size = parse_size(command_.size.value_or("1280x720")),
+            .look = look,
+            .turns = command_.turns};
+  }
+
+  Selection select() const {
+    Selection selection;
+    for (const std::string& name : command_.names) selection.add(name);
+    for (const std::string& file : command_.traces) selection.add_trace(file);
+    if (command_.all)
+      for (const Walkthrough& w : catalogue()) selection.add({&w});
+    if (selection.chosen().empty())
+      throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
+    return selection;
+  }
+
+  void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
+    const Walkthrough& w = *chosen.walkthrough;
+    const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
+    const auto story = std::make_shared<const Story>(chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown));
+    if (command_.captions) written.stories.push_back(story);
+    const auto report_frame = [this, story, &written](const std::filesystem::path& file, std::size_t index) {
+      const FrameFile frame{file, *story, index};
+      if (command_.captions) written.frames.push_back(frame);
+      report(frame);
+    };
+    const auto report_file = [&w](const std::filesystem::path& file) {
+      std::cout << file.string() << "  " << w.title << std::endl;
+    };
+    renderer.frames(*story, output, report_frame, command_.apng ? std::optional(command_.frame_time) : std::nullopt,
+                    report_file);
+    if (command_.strip) renderer.strip(*story, output, report_file);
+    if (command_.sheet) renderer.sheet(*story, output, report_file);
+  }
+
+  /// One line for each file, and on a terminal how far it is.
+  static void report(const FrameFile& frame) {
+    static const bool terminal = isatty(STDERR_FILENO) != 0;
+    const std::size_t count = frame.story.frames.size();
+    if (terminal) std::cerr << "\r\033[K";
+    std::cout << frame.file.string() << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
+    if (terminal && frame.index + 1 < count)
+      std::cerr << frame.story.walkthrough.name << ": frame " << frame.index + 1 << " of " << count << std::flush;
+  }
+
+  static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {
+    const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
+    const std::filesystem::path file = folder / render::rendered_by_file;
+    render::write_file(file, text);
+    std::cout << file.string() << "  what drew these pictures\n";
+  }
+
+  void write_captions(const std::vector<FrameFile>& written) const {
+    const std::string text = captions_json(written);
+    render::write_file(*command_.captions, text);
+    std::cout << *command_.captions << "  captions and descriptions of the frames\n";
+  }
+
+  void print_movies(const Selection& selection, const Output& output) const {
+    const Movie kind = *command_.movie == "gif" ? Movie::gif : Movie::mp4;
+    for (const Selection::Chosen& each : selection.chosen())
+      std::cout << ffmpeg_line(kind, output.folder / each.walkthrough->name, command_.frame_time,
+                               output.look.style.theme.paper)
+                << '\n';
+  }
+
+  const RenderCommand& command_;
+};
+
+}  // namespace
+
+void RenderCommand::run() const { Rendering(*this).run(); }
+
+CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
+  CLI::App* const command = app.add_subcommand("render", "write the frames OUT/NAME/000.png, 001.png, ...");
+  command->add_option("NAME", render.names, "walkthroughs to render, folders of them, or scene files (.json)");
+  command
+      ->add_option("--from-trace", render.traces,
+                   "file that 'gjkstep trace' wrote: its frames are drawn without a search; may be repeated")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--all", render.all, "render every walkthrough");
+  command->add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
+  command->add_flag("--sheet", render.sheet, "write OUT/NAME/sheet.png as well: all frames on one page");
+  command->add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
+  command->add_option("--movie", render.movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif")
+      ->check(CLI::IsMember({"mp4", "gif"}));
+  command
+      ->add_option("--frame-time", render.frame_time,
+                   "seconds for which animation and movie show a frame; the last one is shown twice as long")
+      ->capture_default_str();
+  command->add_option("--detail", render.detail, "a frame for each decision, or for each step (iteration)")
+      ->check(CLI::IsMember({"decision", "step"}))
+      ->capture_default_str();
+  command->add_option("--theme", render.theme, "colours and weights: for a report, for slides, or on a dark ground")
+      ->check(CLI::IsMember({"report", "slides", "dark"}))
+      ->capture_default_str();
+  command
+      ->add_option("--turn", render.turns,
+                   "further views of each frame of a scene in space, from all around: 000-turn-1.png, ...")
+      ->check(CLI::Range(0, 72))
+      ->capture_default_str();
+  command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
+  command->add_option("--captions", render.captions,
+                      "JSON file to write: caption, description and events of each frame");
+  command->add_flag("--rendered-by", render.rendered_by,
+                    "write OUT/rendered-by.json as well: what drew the pictures; 'gjkstep compare' shows it");
+  command->add_option("--out", render.out, "folder to write to")->capture_default_str();
+  command->add_option("--size", render.size,
+                      "width and height in pixels; if not given, what the scene file says, or 1280x720");
+  add_backend_option(*command, render.gl);
+  return command;
+}
+
+}  // namespace walkthroughs

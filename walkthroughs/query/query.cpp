@@ -1,0 +1,98 @@
+#include "walkthroughs/query/query.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/gjk.hpp"
+#include "walkthroughs/query/query_evidence.hpp"
+#include "walkthroughs/query/query_object.hpp"
+#include "walkthroughs/text/scene_object.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using namespace reading;
+
+struct PairAsWritten {
+  ObjectAsWritten a, b;
+};
+
+/// Errors: DocumentError.
+PairAsWritten read_pair(std::string_view line) {
+  if (line.find_first_not_of(" \t\r") == std::string_view::npos)
+    throw DocumentError(1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out");
+  const Document document = Document::of_line(line);
+  const Value root = document.root();
+  expect_object(root, {"a", "b"}, "an object { ... } with 'a' and 'b'");
+  const Space space{.dimension = Dimension::space, .if_two_numbers = "; give the third, 0 in the plane"};
+  ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);
+  return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
+}
+
+template <class S>
+void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
+  const QueryObject<S> a = query_object<S>(pair.a, "a"), b = query_object<S>(pair.b, "b");
+  gjk::Options<S> options;
+  options.iteration_limit = query.iteration_limit;
+  switch (query.rules) {
+    case RuleSet::as_intended: return write_answer(gjk::collision<S, gjk::AsIntended>(a, b, options), out);
+    case RuleSet::as_printed: return write_answer(gjk::collision<S, gjk::AsPrinted>(a, b, options), out);
+  }
+}
+
+void answer(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
+  switch (query.scalar) {
+    case QueryScalar::binary32: return answer_in<float>(pair, query, out);
+    case QueryScalar::binary64: return answer_in<double>(pair, query, out);
+    case QueryScalar::long_double: return answer_in<long double>(pair, query, out);
+    case QueryScalar::exact: return answer_in<Exact>(pair, query, out);
+  }
+}
+
+void write_error(const std::string& reason, std::size_t line_number, std::string& out) {
+  using Json = nlohmann::ordered_json;
+  // What was read may be in the reason, and need not be UTF-8.
+  out += Json{{"error", reason}, {"line", line_number}}.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_too_long(std::size_t line_number, std::string& out) {
+  write_error("the line is longer than " + std::to_string(query_limits::line >> 20) + " MiB; give fewer points",
+              line_number, out);
+}
+
+}  // namespace
+
+bool answer_line(std::string_view line, std::size_t line_number, const QueryOptions& options, std::string& out) {
+  try {
+    answer(read_pair(line), options, out);
+    return true;
+  } catch (const DocumentError& error) {
+    write_error((error.key.empty() ? "" : error.key + ": ") + error.what(), line_number, out);
+    return false;
+  }
+}
+
+QueryTally answer_lines(const QueryOptions& options, const ReadSome& read, const Write& write) {
+  constexpr std::size_t enough = 1 << 16;
+  QueryTally tally;
+  std::string out;
+  const auto write_answers = [&] {
+    if (!out.empty()) write(out);
+    out.clear();
+  };
+  const auto write_then_read = [&](std::span<char> bytes) {
+    write_answers();
+    return read(bytes);
+  };
+  LineReader lines(write_then_read, query_limits::line);
+  while (const auto line = lines.next()) {
+    ++tally.lines;
+    const bool good = !line->is_too_long && answer_line(line->text, tally.lines, options, out);
+    if (line->is_too_long) write_too_long(tally.lines, out);
+    if (!good && ++tally.bad == 1) tally.first_bad = tally.lines;
+    if (out.size() >= enough) write_answers();
+  }
+  write_answers();
+  return tally;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,89 @@
+/// Answers of queries as JSON. Written by hand: a tree of JSON in between would take longer than the query.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/gjk.hpp"
+#include "walkthroughs/model/words_of.hpp"
+
+namespace walkthroughs {
+
+template <std::floating_point S>
+void write(const S& x, std::string& out) {
+  if (!std::isfinite(x)) {
+    out += std::isnan(x) ? "\"nan\"" : x > 0 ? "\"inf\"" : "\"-inf\"";
+    return;
+  }
+  char text[64];
+  const std::string_view digits(text, std::to_chars(text, text + sizeof text, x).ptr);
+  if (static_cast<long double>(std::fabs(x)) >
+      std::numeric_limits<double>::max()) {  // many readers of JSON would stop at such a number
+    out.append("\"").append(digits).append("\"");
+    return;
+  }
+  out += digits;
+  if (x == 0 && std::signbit(x)) out += ".0";  // readers take "-0" for a whole number, which has no sign
+}
+
+template <class S>
+requires(!std::floating_point<S>) void write(const S& fraction, std::string& out) {
+  out += '"';
+  out += fraction.str();
+  out += '"';
+}
+
+template <class S>
+void write(const gjk::Vec3<S>& v, std::string& out) {
+  out += '[';
+  write(v.x(), out);
+  out += ',';
+  write(v.y(), out);
+  out += ',';
+  write(v.z(), out);
+  out += ']';
+}
+
+template <class S>
+void write_sources(const gjk::Vertex<S>& vertex, std::string& out) {
+  const auto write_index = [&](std::string_view key, const std::optional<int>& index) {
+    if (index) out.append(key).append(std::to_string(*index));
+  };
+  write(vertex.a.point, out += "\"a\":");
+  write(vertex.b.point, out += ",\"b\":");
+  write_index(",\"a_index\":", vertex.a.index);
+  write_index(",\"b_index\":", vertex.b.index);
+}
+
+template <class S>
+void write(const gjk::Simplex<S>& simplex, std::string& out) {
+  out += '[';
+  for (int i = 0; i < simplex.size(); ++i) {
+    write(simplex[i].w, out += i == 0 ? "{\"w\":" : ",{\"w\":");
+    write_sources(simplex[i], out += ',');
+    out += '}';
+  }
+  out += ']';
+}
+
+template <class S>
+void write_answer(const gjk::Result<S>& result, std::string& out) {
+  out.append("{\"status\":\"").append(words_of::of(words_of::status, result.status));
+  out.append("\",\"iterations\":").append(std::to_string(result.iterations));
+  out.append(",\"reason\":\"").append(words_of::of(words_of::reason, result.reason)).append("\",\"evidence\":{");
+  if (const auto& proof = result.separation) {
+    write(proof->direction, out += "\"direction\":");
+    write(proof->support_value, out += ",\"support_value\":");
+    write_sources(proof->vertex, out += ',');
+  } else {
+    write(result.simplex, out += "\"simplex\":");
+  }
+  out += "}}\n";
+}
+
+}  // namespace walkthroughs

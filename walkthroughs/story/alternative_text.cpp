@@ -1,0 +1,91 @@
+#include "walkthroughs/story/alternative_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int captions_version = 1;
+
+/// Returns: the vertices of the difference or the simplex with their places, as far as they have names.
+std::string vertices_in_words(const Telling& telling, const Names& names, const Moment& now) {
+  std::string text;
+  const auto append = [&](const Point& w) {
+    text += (text.empty() ? "" : ", ") + names.label(w) + " " + vector(w, telling.scene.dimension);
+  };
+  if (!telling.hull.corners.empty()) {
+    for (const render::Vec2& corner : telling.hull.corners) append({corner.x(), corner.y(), 0});
+    return "The difference of a " + telling.scene.a.name + " and a " + telling.scene.b.name + " has the corners " +
+           text + ". ";
+  }
+  for (int i = 0; i < now.simplex.size(); ++i) append(now.simplex[i].w);
+  const std::string what =
+      "It is about the difference of a " + telling.scene.a.name + " and a " + telling.scene.b.name + ". ";
+  return text.empty() ? what : what + "The vertices of the simplex are " + text + ". ";
+}
+
+std::string described(const Telling& telling, const Names& names, const Moment& now) {
+  const Dimension dimension = telling.scene.dimension;
+  std::string text = vertices_in_words(telling, names, now);
+  text += now.simplex.size() == 0 ? "There is no simplex yet."
+                                  : "The simplex, oldest first, is " + names.list(now.simplex) + ".";
+  if (now.direction) text += " The search direction d is " + vector(now.direction->value, dimension) + ".";
+  if (now.found)
+    text += " The support points are a " + vector(now.found->a.point, dimension) + " and b " +
+            vector(now.found->b.point, dimension) + "; a minus b is " + names.of(now.found->w) + " " +
+            vector(now.found->w, dimension) + ".";
+  return text;
+}
+
+std::string mark_in_words(Fact::Mark mark) {
+  switch (mark) {
+    case Fact::Mark::yes: return "True: ";
+    case Fact::Mark::no: return "Not so: ";
+    case Fact::Mark::skipped: return "Skipped: ";
+    case Fact::Mark::answer: return "Answer: ";
+    case Fact::Mark::truth:  // says so itself
+    case Fact::Mark::none: return "";
+  }
+  return "";
+}
+
+Json json(const FrameFile& item) {
+  const Frame& frame = item.story.frames[item.index];
+  Json facts = Json::array(), events = Json::object();
+  for (const Fact& fact : frame.facts) facts.push_back(plain(fact.text));
+  for (std::size_t s = 0; s < frame.events.size(); ++s)
+    events[item.story.walkthrough.scenes[s].name] = {frame.events[s].first, frame.events[s].last};
+  return {{"file", item.file.string()},
+          {"walkthrough", item.story.walkthrough.name},
+          {"caption", plain(frame.caption)},
+          {"facts", facts},
+          {"alternative_text", alternative_text(item.story, item.index)},
+          {"events", events}};
+}
+
+}  // namespace
+
+std::string alternative_text(const Story& story, std::size_t index) {
+  const Frame& frame = story.frames[index];
+  std::string text = plain(frame.caption);
+  if (frame.focus == Focus::diagram) text += "\n" + plain(story.diagrams[index].description);
+  for (std::size_t s = 0; s < frame.moments.size(); ++s) {
+    const bool several = frame.moments.size() > 1;
+    text += (several ? "\nOf the two, " + story.tellings[s].scene.name + ": " : "\n") +
+            described(story.tellings[s], story.names(index, s), frame.moments[s]);
+  }
+  for (const Fact& fact : frame.facts) text += "\n" + mark_in_words(fact.mark) + plain(fact.text) + ".";
+  return text;
+}
+
+std::string captions_json(const std::vector<FrameFile>& frames) {
+  Json list = Json::array();
+  for (const FrameFile& frame : frames) list.push_back(json(frame));
+  return Json{{"schema", "gjkstep-captions"}, {"version", captions_version}, {"frames", list}}.dump(2) + "\n";
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,27 @@
+/// Frames in words, for readers who cannot see them.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "walkthroughs/story/storyboard.hpp"
+
+namespace walkthroughs {
+
+/// Returns: the caption, what the panels show, and the facts, in sentences without markup.
+std::string alternative_text(const Story& story, std::size_t index);
+
+/// One frame that was written to a file.
+struct FrameFile {
+  std::filesystem::path file;
+  const Story& story;
+  std::size_t index;
+};
+
+/// Returns: a JSON document: for each frame its file, walkthrough, caption, facts, alternative text, and for each scene
+/// the range of its events.
+std::string captions_json(const std::vector<FrameFile>& frames);
+
+}  // namespace walkthroughs

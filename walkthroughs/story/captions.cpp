@@ -1,0 +1,306 @@
+#include "walkthroughs/story/captions.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using Mark = Fact::Mark;
+using gjk::Crossing;
+using gjk::Relation;
+using gjk::Verdict;
+
+/// What is said of a number that only the zero test takes for zero.
+std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 0"; }
+
+/// What follows the number that decides. A zero speaks for itself.
+std::string sign(Relation relation, double value) {
+  switch (relation) {
+    case Relation::positive: return " > 0";
+    case Relation::negative: return " < 0";
+    case Relation::zero: return as_zero(value);
+    case Relation::not_zero: return " ≠ 0";
+  }
+  return "";
+}
+
+// -- Remarks ----------------------------------------------------------------------------------------------------------
+
+bool is_about(const Remark& remark, const gjk::RegionTested<double>& region) {
+  const std::string& wanted = remark.only_for;
+  return wanted.empty() || wanted == region.label || wanted == region.feature ||
+         wanted == region.face + " " + region.feature;
+}
+
+bool is_about(const Remark& remark, const gjk::Event<double>& event) {
+  if (std::visit([](const auto& e) { return e.iteration; }, event) != remark.iteration) return false;
+  switch (remark.at) {
+    case Remark::At::support_found: return std::holds_alternative<gjk::SupportFound<double>>(event);
+    case Remark::At::crossing_tested: return std::holds_alternative<gjk::CrossingTested<double>>(event);
+    case Remark::At::reduced: return std::holds_alternative<gjk::SimplexReduced<double>>(event);
+    case Remark::At::direction_chosen: return std::holds_alternative<gjk::DirectionChosen<double>>(event);
+    case Remark::At::end: return std::holds_alternative<gjk::Finished<double>>(event);
+    case Remark::At::region_tested: break;
+  }
+  const auto* region = std::get_if<gjk::RegionTested<double>>(&event);
+  return region && is_about(remark, *region);
+}
+
+// -- Captions ---------------------------------------------------------------------------------------------------------
+
+/// Writes caption and facts for one event; `now` is the moment after it. Events that do not change the picture, or that
+/// are told together with the next one, give nothing.
+class Captions {
+ public:
+  Captions(const Story& story, const Telling& telling, const Moment& now)
+      : walkthrough_(story.walkthrough),
+        remarks_(story.remarks),
+        scene_(telling.scene),
+        hull_(telling.hull),
+        now_(now),
+        names_(walkthrough_.naming, hull_, now) {}
+
+  std::optional<Frame> operator()(const gjk::SearchStarted<double>&) const { return std::nullopt; }
+
+  std::optional<Frame> operator()(const gjk::SupportFound<double>& event) const {
+    const std::string name = names_.of(event.vertex.w);
+    const std::string along = event.direction == Point(1, 0, 0) ? "Along +x" : "Along d";
+    Frame frame = frame_about(Focus::support, along + " the farthest point of the difference is " + name +
+                                                  (event.is_new ? "" : " again, so there is no new point"));
+    if (walkthrough_.naming == Naming::roles && !event.is_new)
+      frame = frame_about(Focus::support, along + " the farthest point, P, is one that was found before");
+    const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
+    frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
+                   {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
+                                    " = " + vec(event.vertex.w)}};
+    if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
+    return frame;
+  }
+
+  std::optional<Frame> operator()(const gjk::CrossingTested<double>& event) const {
+    if (!event.value) return std::nullopt;
+    const std::string name = names_.of(now_.found->w);
+    const std::string value = name + "·d = " + number(*event.value);
+    if (event.verdict == Crossing::not_crossed)
+      return frame_about(
+          Focus::crossing,
+          "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d",
+          {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}});
+    if (!(*event.value > 0))
+      return frame_about(Focus::crossing,
+                         "The move to " + name + " just reached the origin's level, so the search goes on",
+                         {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}});
+    return frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
+                       {{Mark::yes, value + " > 0: the origin was crossed"}});
+  }
+
+  /// Joins to a frame what the walkthrough has to say about its event.
+  void add_remarks(Frame& frame, const gjk::Event<double>& event) const {
+    for (const Remark& remark : remarks_) {
+      if (!is_about(remark, event)) continue;
+      frame.caption.replace(frame.caption.size() - 1, 1, "; " + in_letters(remark.text) + ".");
+      if (!remark.fact.empty()) frame.facts.insert(frame.facts.begin() + 1, {Mark::truth, in_letters(remark.fact)});
+    }
+  }
+
+  /// Corners keep their names, so there is nothing to tell; roles move on.
+  std::optional<Frame> operator()(const gjk::VertexAdded<double>& event) const {
+    if (walkthrough_.naming == Naming::corners || event.simplex.size() == 1) return std::nullopt;
+    return frame_about(Focus::added, "P joins the simplex as its newest vertex, A",
+                       {{Mark::none, "the simplex is " + names_.list(event.simplex) + ", oldest first"}});
+  }
+
+  std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
+    if (event.verdict == Verdict::skipped) return std::nullopt;
+    Frame frame = frame_about(Focus::region, region_caption(event), {decision(event)});
+    if (event.normal)
+      frame.facts.push_back({Mark::none, names_.translate(event.expression.substr(0, event.expression.find("·")) +
+                                                          " = " + event.formula) +
+                                             " = " + vector(*event.normal, Dimension::space)});
+    append_skipped(frame.facts);
+    return frame;
+  }
+
+  std::optional<Frame> operator()(const gjk::SimplexReduced<double>& event) const {
+    Frame frame = frame_about(Focus::reduction, event.dropped.empty() ? "The simplex stays, but its order changes"
+                                                                      : dropped_caption(event.dropped));
+    frame.facts = {{Mark::none, names_.list(event.before) + " becomes " + names_.list(event.after) + " (oldest first)"},
+                   {Mark::none, names_.translate(event.why)}};
+    return frame;
+  }
+
+  std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
+    return frame_about(Focus::direction,
+                       "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
+                       {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
+  }
+
+  std::optional<Frame> operator()(const gjk::Finished<double>& event) const {
+    const gjk::Result<double>& result = event.result;
+    const std::string count =
+        " after " + std::to_string(result.iterations) + (result.iterations == 1 ? " iteration" : " iterations");
+    Frame frame = frame_about(Focus::end, answer_caption(result),
+                              {{Mark::answer, std::string(gjk::to_string(result.status)) + count}});
+    append_evidence(result, frame.facts);
+    return frame;
+  }
+
+ private:
+  /// `caption`: without the full stop.
+  static Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
+    return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
+  }
+
+  /// Remarks are written in the letters of the picture already; where these are roles, normals get their subscript.
+  std::string in_letters(const std::string& text) const {
+    return walkthrough_.naming == Naming::roles ? names_.translate(text) : text;
+  }
+
+  std::string vec(const Point& value) const { return vector(value, scene_.dimension); }
+
+  std::string first_point_fact() const {
+    return scene_.options.crossing_test == gjk::CrossingTest::on ? "the crossing test does not apply to the first point"
+                                                                 : "this run does without the crossing test";
+  }
+
+  bool without_crossing_test() const { return now_.crossing && now_.crossing->verdict == Crossing::switched_off; }
+
+  /// How far the point found reaches along d, and the corner of the hull that comes next: "E·d = 4.375, then F·d = 3.25".
+  std::string farthest_two(const gjk::SupportFound<double>& event) const {
+    const auto text = [&](const Point& w) { return names_.of(w) + "·d = " + number(event.direction.dot(w)); };
+    if (hull_.corners.empty()) return text(event.vertex.w) + " is the largest w·d";
+    std::vector<Point> others;
+    for (const render::Vec2& corner : hull_.corners)
+      if (corner != event.vertex.w.head<2>()) others.emplace_back(corner.x(), corner.y(), 0);
+    const auto reach = [&](const Point& w) { return event.direction.dot(w); };
+    return others.empty() ? text(event.vertex.w)
+                          : text(event.vertex.w) + ", then " + text(*std::ranges::max_element(others, {}, reach));
+  }
+
+  std::string dropped_caption(const std::string& dropped) const {
+    const std::string names = names_.sorted(dropped);
+    if (dropped.size() == 1) return names + " is no longer needed and leaves the simplex";
+    return names_.sorted(dropped.substr(0, 1)) + " and " + names_.sorted(dropped.substr(1)) +
+           " are no longer needed and leave the simplex";
+  }
+
+  std::string answer_caption(const gjk::Result<double>& result) const {
+    switch (result.status) {
+      case gjk::Status::intersecting:
+        return "The origin lies in " + names_.simplex(result.simplex) + ", so the objects intersect";
+      case gjk::Status::separated: return "The difference does not contain the origin, so the objects do not intersect";
+      case gjk::Status::undecided: return "The search ends without an answer";
+    }
+    return "";
+  }
+
+  /// What a reader needs to check the answer: the tests that the last simplex passed, or the separating direction.
+  void append_evidence(const gjk::Result<double>& result, std::vector<Fact>& facts) const {
+    if (result.reason == gjk::Reason::no_new_vertex)
+      facts.push_back({Mark::none, "the search has run out of points: " + names_.of(now_.found->w) + " is not new"});
+    if (result.reason == gjk::Reason::iteration_limit) facts.push_back({Mark::none, "the iteration limit is reached"});
+    if (result.reason == gjk::Reason::unusable_direction)
+      facts.push_back({Mark::none, "the search direction is zero or not finite"});
+    if (result.separation)
+      facts.push_back({Mark::none, "with d = " + vec(result.separation->direction) + ": w·d ≤ " +
+                                       names_.of(result.separation->vertex.w) +
+                                       "·d = " + number(result.separation->support_value) + " < 0 for every w" +
+                                       (scene_.scalar == Scalar::binary32 ? ", as far as floats tell" : "")});
+    if (result.status != gjk::Status::intersecting) return;
+    for (const auto& region : now_.regions)
+      if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});
+  }
+
+  /// Without the full stop.
+  std::string region_caption(const gjk::RegionTested<double>& event) const {
+    const std::string feature = names_.sorted(event.feature);
+    const bool zero = event.relation == Relation::zero;
+    switch (event.simplex_size) {
+      case 1: return feature + (zero ? " is the origin" : " is not the origin");
+      case 2:
+        return std::string("The origin lies ") + (zero ? "on" : "to one side of") +
+               (without_crossing_test() ? " the line " : " segment ") + feature;  // its ends may not be ruled out
+      case 3: return caption_of_triangle(event, feature);
+      default: return caption_of_tetrahedron(event, feature);
+    }
+  }
+
+  static std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) {
+    const std::string lies = event.verdict == Verdict::chosen ? "The origin lies " : "The origin does not lie ";
+    if (event.label != "R1") return lies + "beyond edge " + feature;
+    const char* const where = event.relation == Relation::zero       ? "in"
+                              : event.relation == Relation::positive ? "above"
+                                                                     : "below";
+    return lies + where + " triangle " + feature;
+  }
+
+  std::string caption_of_tetrahedron(const gjk::RegionTested<double>& event, const std::string& feature) const {
+    const std::string lies = event.verdict == Verdict::chosen ? "The origin lies " : "The origin does not lie ";
+    if (event.feature.size() == 4) return "No face sees the origin: it lies in tetrahedron " + feature;
+    if (event.face.empty()) return lies + "above face " + feature;
+    return lies + "beyond edge " + feature + " of face " + names_.sorted(event.face);
+  }
+
+  /// The inequality that decides, with the region's name: "R3: GE_n·GO = 5.2 > 0".
+  Fact decision(const gjk::RegionTested<double>& event) const {
+    const bool chosen = event.verdict == Verdict::chosen;
+    if (event.expression.empty()) return {Mark::yes, "no normal points toward the origin"};
+    std::string text = event.label.empty() ? "" : event.label + ": ";
+    if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";
+    text += names_.translate(event.expression);
+    if (const double* value = std::get_if<double>(&event.value))
+      text += " = " + number(*value) + (chosen ? sign(event.relation, *value) : *value > 0 ? as_zero(*value) : " ≤ 0");
+    if (const Point* value = std::get_if<Point>(&event.value))
+      text += " = " + vec(*value) + sign(event.relation, value->cwiseAbs().maxCoeff());
+    if (event.simplex_size == 1 || (event.simplex_size == 2 && without_crossing_test())) return {Mark::none, text};
+    return {chosen ? Mark::yes : Mark::no, text};
+  }
+
+  /// One line for each reason: "skipped R4, R5, R6: …".
+  void append_skipped(std::vector<Fact>& facts) const {
+    std::string reason;
+    for (const auto& region : now_.regions) {
+      if (region.verdict != Verdict::skipped) continue;
+      const std::string name = region.label.empty() ? names_.sorted(region.feature) : region.label;
+      if (region.reason != reason) {
+        facts.push_back({Mark::skipped, name + ": " + names_.translate(region.reason)});
+      } else {
+        std::string& line = facts.back().text;
+        line.insert(line.find(':'), ", " + name);
+      }
+      reason = region.reason;
+    }
+  }
+
+  const Walkthrough& walkthrough_;
+  const std::vector<Remark>& remarks_;
+  const Scene& scene_;
+  const LabelledHull& hull_;
+  const Moment& now_;
+  const Names names_;
+};
+
+}  // namespace
+
+std::optional<Frame> caption(const gjk::Event<double>& event, const Story& story, const Telling& telling,
+                             const Moment& now) {
+  const Captions captions(story, telling, now);
+  std::optional<Frame> frame = std::visit(captions, event);
+  if (frame) captions.add_remarks(*frame, event);
+  return frame;
+}
+
+Frame repetition(Frame frame, int earlier) {
+  const std::string before = "iteration " + std::to_string(earlier);
+  frame.focus = Focus::repetition;
+  frame.headline = "The simplex and the direction are those of " + before + ".";
+  frame.caption =
+      "The simplex and the direction are those of " + before + ": from here on everything repeats, for ever.";
+  frame.facts.push_back({Mark::no, "the search goes round in a circle; the iterations up to the limit are left out"});
+  return frame;
+}
+
+}  // namespace walkthroughs

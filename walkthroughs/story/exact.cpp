@@ -1,0 +1,244 @@
+#include "walkthroughs/story/exact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_dec_float.hpp>
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "core/gjk.hpp"
+#include "walkthroughs/story/words.hpp"
+#include "walkthroughs/model/words_of.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Vec = gjk::Vec3<Exact>;
+using ExactTrace = gjk::Trace<Exact>;
+
+// -- The search -------------------------------------------------------------------------------------------------------
+
+Vec exact(const Point& p) { return {Exact(p.x()), Exact(p.y()), Exact(p.z())}; }
+
+gjk::PointSet<Exact> exact(const Object& object) {
+  std::vector<Vec> vertices;
+  for (const Point& p : vertices_of(object)) vertices.push_back(exact(p));
+  return gjk::PointSet<Exact>(std::move(vertices));
+}
+
+ExactTrace run_exactly(const Scene& scene) {
+  const gjk::Options<Exact> options{.first_direction = exact(scene.options.first_direction),
+                                    .iteration_limit = scene.options.iteration_limit,
+                                    .crossing_test = scene.options.crossing_test};
+  ExactTrace trace;
+  if (scene.rules == RuleSet::as_printed)
+    gjk::collision<Exact, gjk::AsPrinted>(exact(scene.a), exact(scene.b), options, trace);
+  else
+    gjk::collision<Exact, gjk::AsIntended>(exact(scene.a), exact(scene.b), options, trace);
+  return trace;
+}
+
+// -- Decisions --------------------------------------------------------------------------------------------------------
+
+/// What an event decides, apart from its numbers: searches that agree in it do the same next.
+struct DecisionOf {
+  template <class S>
+  std::string operator()(const gjk::SupportFound<S>& e) const {
+    return std::to_string(e.vertex.a.index.value()) + ", " + std::to_string(e.vertex.b.index.value());
+  }
+  template <class S>
+  std::string operator()(const gjk::CrossingTested<S>& e) const {
+    return std::string(words_of::of(words_of::crossing, e.verdict));
+  }
+  template <class S>
+  std::string operator()(const gjk::RegionTested<S>& e) const {
+    return e.face + " " + e.feature + " " + std::string(words_of::of(words_of::relation, e.relation)) + " " +
+           std::string(words_of::of(words_of::verdict, e.verdict));
+  }
+  template <class S>
+  std::string operator()(const gjk::DirectionChosen<S>& e) const {
+    return e.expression + (gjk::is_usable_direction(e.direction) ? "" : ", of no use");
+  }
+  template <class S>
+  std::string operator()(const gjk::Finished<S>& e) const {
+    return std::string(words_of::of(words_of::reason, e.result.reason));
+  }
+  template <class E>
+  std::string operator()(const E&) const {  // follows from the events before
+    return "";
+  }
+};
+
+/// Returns: the place of the first event of both that decides differently.
+std::size_t first_other_decision(const Trace& trace, const ExactTrace& exactly) {
+  const std::size_t shorter = std::min(trace.events.size(), exactly.events.size());
+  for (std::size_t i = 0; i < shorter; ++i)
+    if (std::visit(DecisionOf{}, trace.events[i]) != std::visit(DecisionOf{}, exactly.events[i])) return i;
+  throw std::logic_error("exact arithmetic decides as this search does");
+}
+
+// -- Numbers ----------------------------------------------------------------------------------------------------------
+
+/// As number() of words.hpp, for numbers that no double holds too.
+std::string written(const Exact& x) {
+  const double near = x.convert_to<double>();
+  if (x == 0 || std::isnormal(near)) return number(near);
+  using Decimal = boost::multiprecision::cpp_dec_float_50;
+  const Decimal decimal = Decimal(numerator(x).str()) / Decimal(denominator(x).str());
+  std::string text = decimal.str(6);
+  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) text.replace(at, 1, "−");
+  return text;
+}
+
+/// Returns: with two digits behind the point.
+std::string fixed(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%s%.2f", x < 0 ? "−" : "", std::abs(x));
+  return text;
+}
+
+std::string written(const Vec& v, Dimension dimension) {
+  std::string text = "(" + written(v.x()) + ", " + written(v.y());
+  return text + (dimension == Dimension::plane ? ")" : ", " + written(v.z()) + ")");
+}
+
+/// A place, to six digits and in any case to a hundredth.
+std::string place(const Vec& v, Dimension dimension) {
+  const auto rounded = [](const Exact& x) {
+    const double near = x.convert_to<double>();
+    return std::abs(near) < 1e4 || std::abs(near) >= 1e12 ? written(x) : fixed(near);
+  };
+  std::string text = "(" + rounded(v.x()) + ", " + rounded(v.y());
+  return text + (dimension == Dimension::plane ? ")" : ", " + rounded(v.z()) + ")");
+}
+
+Exact largest(const Vec& v) {
+  Exact most = 0;
+  for (const Exact& x : v) most = std::max(most, Exact(abs(x)));
+  return most;
+}
+
+/// Returns: n/|d|.
+std::string quotient_with_length(const Exact& n, const Vec& d) {
+  const Exact scale = largest(d);  // so that no square of a double over- or underflows
+  Point scaled;
+  for (int i = 0; i < 3; ++i) scaled[i] = Exact(d[i] / scale).convert_to<double>();
+  return written(Exact(n / scale / Exact(scaled.norm())));
+}
+
+// -- The first wrong decision -----------------------------------------------------------------------------------------
+
+constexpr const char* exactly = "in exact arithmetic: ";
+
+/// Says what exact arithmetic finds where the search of rounded numbers went wrong.
+class ExactFinding {
+ public:
+  ExactFinding(const Scene& scene, const gjk::Event<double>& rounded)
+      : dimension_(scene.dimension), rounded_(rounded) {}
+
+  Remark operator()(const gjk::SupportFound<Exact>& e) const {
+    const auto& found = std::get<gjk::SupportFound<double>>(rounded_).vertex;
+    const Vec taken = exact(found.a.point) - exact(found.b.point);
+    return {.at = Remark::At::support_found,
+            .iteration = e.iteration,
+            .text = {},
+            .fact = exactly + ("P·d = " + written(Exact(taken.dot(e.direction)))) + ", but " +
+                    written(e.vertex.w, dimension_) + "·d = " + written(Exact(e.vertex.w.dot(e.direction)))};
+  }
+  Remark operator()(const gjk::CrossingTested<Exact>& e) const {
+    return {.at = Remark::At::crossing_tested,
+            .iteration = e.iteration,
+            .text = {},
+            .fact = exactly + ("P·d = " + written(e.value.value()))};
+  }
+  Remark operator()(const gjk::RegionTested<Exact>& e) const {
+    const Exact* value = std::get_if<Exact>(&e.value);
+    return {.at = Remark::At::region_tested,
+            .iteration = e.iteration,
+            .text = {},
+            .only_for = e.face.empty() ? e.feature : e.face + " " + e.feature,
+            .fact = exactly + e.expression + " = " +
+                    (value ? written(*value) : written(std::get<Vec>(e.value), dimension_))};
+  }
+  Remark operator()(const gjk::DirectionChosen<Exact>& e) const {
+    return {.at = Remark::At::direction_chosen,
+            .iteration = e.iteration,
+            .text = {},
+            .fact = exactly + e.expression + " = " + written(e.direction, dimension_)};
+  }
+  template <class E>
+  Remark operator()(const E&) const {
+    throw std::logic_error("this event has no number that could be wrong");
+  }
+
+ private:
+  Dimension dimension_;
+  const gjk::Event<double>& rounded_;
+};
+
+// -- The truth --------------------------------------------------------------------------------------------------------
+
+/// Returns: the coordinates of the origin in terms of the vertices, newest first. Requires: a simplex that contains it and is not flat.
+std::vector<Exact> coordinates_of_origin(const gjk::Simplex<Exact>& simplex) {
+  const auto to = [&](gjk::Role role) { return Vec(simplex.point(role) - simplex.point(gjk::Role::A)); };
+  const Vec AO = -simplex.point(gjk::Role::A);
+  std::vector<Exact> coordinates{1};
+  if (simplex.size() == 2) {
+    const Vec AB = to(gjk::Role::B);
+    coordinates.push_back(AO.dot(AB) / AB.dot(AB));
+  } else if (simplex.size() == 3) {
+    const Vec AB = to(gjk::Role::B), AC = to(gjk::Role::C), n = AB.cross(AC);
+    for (const Vec& area : {AO.cross(AC), AB.cross(AO)}) coordinates.push_back(area.dot(n) / n.dot(n));
+  } else if (simplex.size() == 4) {
+    const Vec AB = to(gjk::Role::B), AC = to(gjk::Role::C), AD = to(gjk::Role::D);
+    const Exact volume = AB.dot(AC.cross(AD));
+    for (const Vec& area : {AC.cross(AD), AD.cross(AB), AB.cross(AC)}) coordinates.push_back(AO.dot(area) / volume);
+  }
+  for (std::size_t i = 1; i < coordinates.size(); ++i) coordinates[0] -= coordinates[i];
+  return coordinates;
+}
+
+Vec shared_point(const gjk::Simplex<Exact>& simplex) {
+  const std::vector<Exact> coordinates = coordinates_of_origin(simplex);
+  Vec point = Vec::Zero();
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const Vec& a = simplex[static_cast<gjk::Role>(i)].a.point;
+    for (int k = 0; k < 3; ++k) point[k] += coordinates[i] * a[k];
+  }
+  return point;
+}
+
+std::string truth(const gjk::Result<Exact>& result, Dimension dimension) {
+  if (result.status == gjk::Status::intersecting)
+    return "in truth both objects hold the point " + place(shared_point(result.simplex), dimension);
+  if (result.status == gjk::Status::separated)
+    return "in truth the objects are at least " +
+           quotient_with_length(-result.separation->support_value, result.separation->direction) + " apart";
+  throw std::logic_error("exact arithmetic finds no answer");
+}
+
+const gjk::Result<Exact>& result_of(const ExactTrace& trace) {
+  return std::get<gjk::Finished<Exact>>(trace.events.back()).result;
+}
+
+}  // namespace
+
+gjk::Status exact_answer(const Scene& scene) { return result_of(run_exactly(scene)).status; }
+
+std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace) {
+  const ExactTrace exact_trace = run_exactly(scene);
+  const std::size_t i = first_other_decision(trace, exact_trace);
+  Remark wrong = std::visit(ExactFinding(scene, trace.events[i]), exact_trace.events[i]);
+  wrong.text = turn.cause;
+  const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;
+  return {wrong,
+          {.at = Remark::At::end,
+           .iteration = last,
+           .text = turn.truth,
+           .fact = truth(result_of(exact_trace), scene.dimension)}};
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,144 @@
+#include "walkthroughs/story/pseudocode.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Relation;
+using Kind = LineKind;
+
+std::vector<CodeLine> algorithm_1() {
+  return {{0, "d ← first direction, simplex ← [ ]"},
+          {0, "repeat, at most N times"},
+          {1, "P ← support(a, d) − support(b, −d)", Kind::support},
+          {1, "if not the first and P·d < 0", Kind::crossing},
+          {2, "separated", Kind::separated},
+          {1, "P joins the simplex and becomes A", Kind::add},
+          {1, "process it by Algorithms 2 to 5", Kind::process},
+          {1, "if it contains the origin"},
+          {2, "intersecting", Kind::intersecting},
+          {0, "undecided", Kind::undecided}};
+}
+
+std::vector<CodeLine> algorithm_2() {
+  return {{0, "if AO = 0", Kind::test, "", "A", Relation::zero},
+          {1, "the origin is A", Kind::action},
+          {0, "else", Kind::test, "", "A", Relation::not_zero},
+          {1, "keep [A],  d ← AO", Kind::action}};
+}
+
+std::vector<CodeLine> algorithm_3() {
+  return {{0, "v ← AB×AO×AB"},
+          {0, "if v = 0", Kind::test, "", "AB", Relation::zero},
+          {1, "the origin is on AB", Kind::action},
+          {0, "else (R3 or R4)", Kind::test, "", "AB", Relation::not_zero},
+          {1, "keep [B, A],  d ← v", Kind::action}};
+}
+
+std::vector<CodeLine> algorithm_4() {
+  return {{0, "ABCn ← AB×AC"},
+          {0, "ABn ← AB×ABCn,  ACn ← ABCn×AC"},
+          {0, "if ABn·AO > 0 (R3)", Kind::test, "", "AB"},
+          {1, "keep [B, A],  d ← AB×AO×AB", Kind::action},
+          {0, "else if ACn·AO > 0 (R7)", Kind::test, "", "AC"},
+          {1, "keep [C, A],  d ← AC×AO×AC", Kind::action},
+          {0, "else (R1)"},
+          {1, "if ABCn·AO = 0", Kind::test, "", "ABC", Relation::zero},
+          {2, "the origin is in ABC", Kind::action},
+          {1, "if ABCn·AO > 0 (above)", Kind::test, "", "ABC", Relation::positive},
+          {2, "keep [C, B, A],  d ← ABCn", Kind::action},
+          {1, "if ABCn·AO < 0 (below)", Kind::test, "", "ABC", Relation::negative},
+          {2, "keep [C, A, B],  d ← −ABCn", Kind::action}};
+}
+
+/// One face APQ of Algorithm 5.
+void append_face(std::vector<CodeLine>& code, char P, char Q, const std::string& kept_face) {
+  const std::string face = {'A', P, Q}, AP = {'A', P}, AQ = {'A', Q};
+  const auto keep_edge = [](char other, const std::string& edge) {
+    return std::string("keep [") + other + ", A],  d ← " + edge + "×AO×" + edge;
+  };
+  code.push_back({0, (code.size() > 2 ? "else if " : "if ") + face + "n·AO > 0", Kind::test, "", face});
+  code.push_back({1, "if " + AQ + "n·AO > 0", Kind::test, face, AQ});
+  code.push_back({2, keep_edge(Q, AQ), Kind::action});
+  code.push_back({1, "else if " + AP + "n·AO > 0", Kind::test, face, AP});
+  code.push_back({2, keep_edge(P, AP), Kind::action});
+  code.push_back({1, "else keep [" + kept_face + "],  d ← " + face + "n", Kind::action});
+}
+
+std::vector<CodeLine> algorithm_5() {
+  std::vector<CodeLine> code = {{0, "ABCn ← AB×AC,  ACDn ← AC×AD"}, {0, "ADBn ← AD×AB"}};
+  append_face(code, 'B', 'C', "C, B, A");
+  append_face(code, 'C', 'D', "D, C, A");
+  append_face(code, 'D', 'B', "B, D, A");
+  code.push_back({0, "else the origin is in ABCD", Kind::test, "", "ABCD"});
+  return code;
+}
+
+LineKind kind_of(Focus focus, const Moment& now) {
+  switch (focus) {
+    case Focus::support: return Kind::support;
+    case Focus::crossing: return Kind::crossing;
+    case Focus::added: return Kind::add;
+    case Focus::end:
+      if (now.result->status == gjk::Status::intersecting) return Kind::intersecting;
+      if (now.result->reason == gjk::Reason::origin_not_crossed) return Kind::separated;
+      return now.result->reason == gjk::Reason::no_new_vertex ? Kind::support : Kind::undecided;
+    default: return Kind::process;
+  }
+}
+
+std::optional<std::size_t> place_of(const std::vector<CodeLine>& code, LineKind kind) {
+  const auto line = std::ranges::find(code, kind, &CodeLine::kind);
+  if (line == code.end()) return std::nullopt;
+  return static_cast<std::size_t>(line - code.begin());
+}
+
+/// Returns: the last line whose test has been made; tests are made from top to bottom.
+std::optional<std::size_t> last_test(const std::vector<CodeLine>& code, const Moment& now) {
+  std::optional<std::size_t> last;
+  for (std::size_t i = 0; i < code.size(); ++i)
+    if (const auto* test = test_of(code[i], now); test && test == &now.regions.back()) last = i;
+  return last;
+}
+
+/// Returns: the action after test line `at`: the next one, or where its last test was rejected, the "else" that follows.
+std::optional<std::size_t> action_after(const std::vector<CodeLine>& code, std::size_t at, const Moment& now) {
+  const bool rejected = now.regions.back().verdict == gjk::Verdict::rejected;
+  for (std::size_t i = at + 1, skipped = 0; i < code.size(); ++i)
+    if (code[i].kind == Kind::action && skipped++ == (rejected ? 1U : 0U)) return i;
+  return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<CodeLine>& algorithm(int number) {
+  static const std::array<std::vector<CodeLine>, 5> all = {algorithm_1(), algorithm_2(), algorithm_3(), algorithm_4(),
+                                                           algorithm_5()};
+  return all.at(static_cast<std::size_t>(number - 1));
+}
+
+int running_algorithm(const Moment& now, Focus focus) {
+  const bool processing =
+      focus == Focus::region || focus == Focus::reduction || focus == Focus::direction || focus == Focus::repetition;
+  return processing ? now.processed.size() + 1 : 1;
+}
+
+const gjk::RegionTested<double>* test_of(const CodeLine& line, const Moment& now) {
+  if (line.kind != Kind::test) return nullptr;
+  for (const auto& region : now.regions)
+    if (region.verdict != gjk::Verdict::skipped && region.face == line.face && region.feature == line.feature &&
+        (!line.relation || *line.relation == region.relation))
+      return &region;
+  return nullptr;
+}
+
+std::optional<std::size_t> current_line(const std::vector<CodeLine>& code, const Moment& now, Focus focus) {
+  if (running_algorithm(now, focus) == 1) return place_of(code, kind_of(focus, now));
+  const std::optional<std::size_t> tested = last_test(code, now);
+  if (focus == Focus::region || !tested) return tested;
+  return action_after(code, *tested, now);
+}
+
+}  // namespace walkthroughs

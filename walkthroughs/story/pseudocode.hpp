@@ -1,0 +1,37 @@
+/// Algorithms 1-5 of the report in our own notation, each line knowing which event is its own.
+///
+/// `[C, B, A]` is a simplex, oldest first; `d` the search direction; N the iteration limit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "walkthroughs/story/storyboard.hpp"
+
+namespace walkthroughs {
+
+/// What a line does. A test stands for the region test with its face, feature and relation; an action for what
+/// follows the test before it.
+enum class LineKind { plain, support, crossing, add, process, intersecting, separated, undecided, test, action };
+
+struct CodeLine {
+  int indent;
+  std::string text;  ///< in roles: "if ABn·AO > 0"
+  LineKind kind = LineKind::plain;
+  std::string face = {}, feature = {};         ///< of a test
+  std::optional<gjk::Relation> relation = {};  ///< of a test that has one line for each outcome
+};
+
+/// Returns: Algorithm 1 to 5. Requires: 1 <= number <= 5.
+const std::vector<CodeLine>& algorithm(int number);
+
+/// Returns: the number of the algorithm that was running when this was the last event, as `focus` tells it.
+int running_algorithm(const Moment& now, Focus focus);
+
+/// Returns: the line where it was, or nothing where no line stands for it.
+std::optional<std::size_t> current_line(const std::vector<CodeLine>& code, const Moment& now, Focus focus);
+
+/// Returns: the test that a line has made in this iteration so far, or null.
+const gjk::RegionTested<double>* test_of(const CodeLine& line, const Moment& now);
+
+}  // namespace walkthroughs

@@ -1,0 +1,255 @@
+#include "walkthroughs/story/storyboard.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "walkthroughs/story/captions.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+namespace walkthroughs {
+namespace {
+
+// -- One scene --------------------------------------------------------------------------------------------------------
+
+/// Returns: the first iteration that the walkthrough has something to say about.
+std::optional<int> decisive_iteration(const std::vector<Remark>& remarks) {
+  for (const Remark& remark : remarks)
+    if (remark.at == Remark::At::region_tested || remark.at == Remark::At::reduced) return remark.iteration;
+  return std::nullopt;
+}
+
+Telling tell_scene(const Story& story, const Scene& scene, Trace trace) {
+  const Walkthrough& walkthrough = story.walkthrough;
+  Telling telling{scene, std::move(trace), {}, {}, {}, {}, walkthrough.panels, {}};
+  const Panels& panels = walkthrough.panels;
+  if (walkthrough.naming == Naming::corners) telling.hull = difference_hull(scene);
+  if (panels.objects || panels.hull) {
+    telling.a = body_of(scene.a, scene.dimension);
+    telling.b = body_of(scene.b, scene.dimension);
+  }
+  if (panels.hull) telling.difference = body_of_difference(scene, telling.a, telling.b);
+  if (scene.dimension == Dimension::space)
+    telling.lens.camera = choose_camera(telling.trace, decisive_iteration(story.remarks));
+  return telling;
+}
+
+/// Where a search stands when it has chosen a direction: the simplex in its order, and the direction; without the crossing
+/// test also how many points it knows, by which it may end. The rest of an exact repetition is the repetition.
+std::vector<double> state_of(const Moment& now, std::size_t known_points) {
+  std::vector<double> state;
+  const auto append = [&](const Point& p) { state.insert(state.end(), {p.x(), p.y(), p.z()}); };
+  for (int i = 0; i < now.simplex.size(); ++i) append(now.simplex[i].w);
+  append(now.direction->value);
+  if (now.crossing->verdict == gjk::Crossing::switched_off) state.push_back(static_cast<double>(known_points));
+  return state;
+}
+
+/// One scene, told from the first event to the last. When the search comes back to where it was before, one frame says
+/// so, and the rounds that follow are left out.
+void tell_whole_search(Story& story) {
+  const Telling& telling = story.tellings[0];
+  const std::vector<gjk::Event<double>>& events = telling.trace.events;
+  std::map<std::vector<double>, int> states;  // to the iteration that reached them first
+  std::size_t known_points = 0;
+  bool repeats = false;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (repeats && i + 1 < events.size()) continue;
+    if (const auto* found = std::get_if<gjk::SupportFound<double>>(&events[i]); found && found->is_new) ++known_points;
+    Moment now = replay(telling.trace, i + 1);
+    std::optional<Frame> frame = caption(events[i], story, telling, now);
+    if (!frame) continue;
+    if (frame->focus == Focus::direction) {
+      const auto [state, is_new] = states.emplace(state_of(now, known_points), now.iteration);
+      repeats = !is_new;
+      if (repeats) frame = repetition(std::move(*frame), state->second);
+    }
+    frame->moments = {std::move(now)};
+    frame->events = {{0, i}};
+    story.frames.push_back(std::move(*frame));
+  }
+}
+
+// -- Two scenes -------------------------------------------------------------------------------------------------------
+
+/// Returns: the place of the first event of type `E` in that iteration.
+template <class E>
+std::size_t find_event(const Trace& trace, int iteration) {
+  for (std::size_t i = 0; i < trace.events.size(); ++i)
+    if (const E* event = std::get_if<E>(&trace.events[i]); event && event->iteration == iteration) return i;
+  throw std::logic_error("the scene of this walkthrough ends before the move that it is meant to show");
+}
+
+/// Returns: what a frame would say about event `at` of that scene; nothing where it says nothing.
+std::optional<Frame> frame_of(const Story& story, std::size_t scene, std::size_t at) {
+  const Telling& telling = story.tellings[scene];
+  Moment now = replay(telling.trace, at + 1);
+  std::optional<Frame> frame = caption(telling.trace.events[at], story, telling, now);
+  if (!frame) return std::nullopt;
+  frame->moments = {std::move(now)};
+  frame->events = {{0, at}};
+  return frame;
+}
+
+/// Adds what `one` says of its scene to a frame about several.
+void join(Frame& all, const Scene& scene, const Frame& one) {
+  for (const Fact& fact : one.facts) all.facts.push_back({fact.mark, scene.name + ": " + fact.text});
+  all.moments.push_back(one.moments[0]);
+  all.events.push_back(one.events[0]);
+}
+
+/// One frame about the same kind of event in every scene.
+template <class E>
+void tell_side_by_side(Story& story, int iteration, const std::string& sentence) {
+  Frame all{Focus::support, sentence, sentence, {}, {}, {}, {}};
+  for (std::size_t s = 0; s < story.tellings.size(); ++s) {
+    const Frame one = frame_of(story, s, find_event<E>(story.tellings[s].trace, iteration)).value();
+    all.focus = one.focus;
+    join(all, story.tellings[s].scene, one);
+  }
+  story.frames.push_back(std::move(all));
+}
+
+/// A move and whether it crossed the origin (Eq. 9).
+void tell_move(Story& story, const CloseUp& move) {
+  tell_side_by_side<gjk::DirectionChosen<double>>(story, move.iteration - 1, move.direction);
+  tell_side_by_side<gjk::SupportFound<double>>(story, move.iteration, move.support);
+  tell_side_by_side<gjk::CrossingTested<double>>(story, move.iteration, move.crossing);
+}
+
+/// Returns: the last event of that iteration that a frame says something about; of the last iteration where there are fewer.
+Frame last_frame_of(const Story& story, std::size_t scene, int iteration) {
+  std::optional<Frame> last;
+  for (std::size_t i = 0; i < story.tellings[scene].trace.events.size(); ++i) {
+    std::optional<Frame> frame = frame_of(story, scene, i);
+    if (frame && frame->moments[0].iteration <= iteration) last = std::move(frame);
+  }
+  return std::move(last.value());
+}
+
+int iterations_of(const Trace& trace) { return std::get<gjk::Finished<double>>(trace.events.back()).result.iterations; }
+
+/// Two searches, iteration by iteration.
+void tell_in_step(Story& story) {
+  const int count = std::max(iterations_of(story.tellings[0].trace), iterations_of(story.tellings[1].trace));
+  for (int iteration = 1; iteration <= count; ++iteration) {
+    const std::string sentence =
+        iteration == count ? "Where the two searches end." : "After iteration " + std::to_string(iteration) + ".";
+    Frame all{Focus::direction, sentence, sentence, {}, {}, {}, {}};
+    for (std::size_t s = 0; s < story.tellings.size(); ++s) {
+      Frame one = last_frame_of(story, s, iteration);
+      one.facts = {{Fact::Mark::none, one.headline}};
+      join(all, story.tellings[s].scene, one);
+      all.own_focus.push_back(one.focus);
+    }
+    story.frames.push_back(std::move(all));
+  }
+}
+
+/// Returns: how many events the two traces have in common from the start, but for what numbers them.
+std::size_t common_events(const Trace& left, const Trace& right) {
+  const std::size_t shorter = std::min(left.events.size(), right.events.size());
+  std::size_t count = 0;
+  while (count < shorter && event_json(left.events[count]) == event_json(right.events[count])) ++count;
+  return count;
+}
+
+/// Returns: a frame about event `i` of both runs, which part at `common`; nothing where neither has anything to say.
+std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t common) {
+  std::vector<std::pair<const Scene*, Frame>> said;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const bool runs = i < story.tellings[s].trace.events.size();
+    std::optional<Frame> one = runs ? frame_of(story, s, i) : std::nullopt;
+    if (one) said.emplace_back(&story.tellings[s].scene, std::move(*one));
+  }
+  if (said.empty()) return std::nullopt;
+  const Frame& first = said[0].second;
+  if (i < common) return Frame{first.focus, "Both: " + first.caption, first.headline, first.facts, {}, {}, {}};
+  const std::string sentence = i == common        ? "Here the two runs part: these are the first events that differ."
+                               : said.size() == 1 ? "Only one run goes on: " + said[0].first->name + "."
+                                                  : "Both runs go on.";
+  Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
+  for (const auto& [scene, one] : said) {
+    const bool as_intended = scene->rules == RuleSet::as_intended;
+    frame.facts.push_back({as_intended ? Fact::Mark::yes : Fact::Mark::no, scene->name + ": " + one.caption});
+  }
+  return frame;
+}
+
+/// Two runs on the same objects, until they part and to the end of each.
+void tell_until_they_part(Story& story) {
+  const Trace &left = story.tellings[0].trace, &right = story.tellings[1].trace;
+  const std::size_t common = common_events(left, right);
+  for (std::size_t i = 0; i < std::max(left.events.size(), right.events.size()); ++i) {
+    std::optional<Frame> frame = tell_both(story, i, common);
+    if (!frame) continue;
+    for (const Trace* trace : {&left, &right}) {
+      const std::size_t at = std::min(i, trace->events.size() - 1);
+      frame->moments.push_back(replay(*trace, at + 1));
+      frame->events.push_back({0, at});
+    }
+    story.frames.push_back(std::move(*frame));
+  }
+}
+
+// -- Diagrams ---------------------------------------------------------------------------------------------------------
+
+void tell_diagrams(Story& story) {
+  story.diagrams = story.walkthrough.diagrams();
+  for (const Diagram& diagram : story.diagrams) {
+    Frame frame{Focus::diagram, diagram.caption, diagram.caption, {}, {}, {}, {}};
+    for (const std::string& fact : diagram.facts) frame.facts.push_back({Fact::Mark::none, fact});
+    story.frames.push_back(std::move(frame));
+  }
+}
+
+// -- All --------------------------------------------------------------------------------------------------------------
+
+void keep_last_of_each_iteration(std::vector<Frame>& frames) {
+  std::vector<Frame> kept;
+  for (const std::size_t i : last_of_each_iteration(frames)) kept.push_back(std::move(frames[i]));
+  frames = std::move(kept);
+}
+
+/// Each frame covers what has happened since the one before.
+void set_first_events(std::vector<Frame>& frames) {
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    for (std::size_t s = 0; s < frames[i].events.size(); ++s)
+      frames[i].events[s].first = std::min(frames[i - 1].events[s].last + 1, frames[i].events[s].last);
+}
+
+}  // namespace
+
+std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames) {
+  const auto iteration = [&](std::size_t i) { return frames[i].moments[0].iteration; };
+  std::vector<std::size_t> last;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (i + 1 == frames.size() || frames[i].moments.empty() || iteration(i + 1) != iteration(i)) last.push_back(i);
+  return last;
+}
+
+Story tell(const Walkthrough& walkthrough, Detail detail) {
+  std::vector<Trace> traces;
+  for (const Scene& scene : walkthrough.scenes) traces.push_back(run(scene));
+  return tell(walkthrough, std::move(traces), detail);
+}
+
+Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail detail) {
+  Story story{walkthrough, {}, remarks_of(walkthrough, traces), {}, {}};
+  for (std::size_t s = 0; s < walkthrough.scenes.size(); ++s)
+    story.tellings.push_back(tell_scene(story, walkthrough.scenes[s], std::move(traces[s])));
+  switch (walkthrough.layout) {
+    case Layout::search: tell_whole_search(story); break;
+    case Layout::close_ups: tell_move(story, walkthrough.close_up.value()); break;
+    case Layout::in_step: tell_in_step(story); break;
+    case Layout::until_they_part: tell_until_they_part(story); break;
+    case Layout::diagrams: tell_diagrams(story); break;
+  }
+  if (detail == Detail::step) keep_last_of_each_iteration(story.frames);
+  set_first_events(story.frames);
+  return story;
+}
+
+}  // namespace walkthroughs

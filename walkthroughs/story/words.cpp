@@ -1,0 +1,145 @@
+#include "walkthroughs/story/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Role;
+
+constexpr std::string_view all_roles = "ABCD";
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+/// Returns: whether `word` names vertices, a vector or a normal in roles: "AB", "AO", "ABCn".
+bool is_role_word(std::string_view word) {
+  if (word.size() > 1 && word.ends_with('n')) word.remove_suffix(1);
+  return word.find_first_not_of("ABCDO") == std::string_view::npos;
+}
+
+Role role_of(char letter) { return static_cast<Role>(letter - 'A'); }
+
+std::string joined(const std::vector<std::string>& names, std::string_view between) {
+  std::string text;
+  for (const std::string& name : names) text.append(text.empty() ? "" : between).append(name);
+  return text;
+}
+
+std::string with_digits(double value, int digits) {
+  if (std::isnan(value)) return "nan";  // its sign means nothing
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value == 0 ? 0.0 : value);  // == 0 for -0 too
+  std::string text = buffer;
+  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) text.replace(at, 1, "−");
+  return text;
+}
+
+}  // namespace
+
+std::string number(double value) {
+  return with_digits(value, value == std::round(value) && std::abs(value) < 1e8 ? 8 : 6);
+}
+
+std::string short_number(double value) { return with_digits(value, value == std::round(value) ? 6 : 4); }
+
+std::string vector(const Point& value, Dimension dimension) {
+  const int components = dimension == Dimension::plane ? 2 : 3;
+  std::vector<std::string> numbers;
+  for (int i = 0; i < components; ++i) numbers.push_back(number(value[i]));
+  return "(" + joined(numbers, ", ") + ")";
+}
+
+std::string Names::of(Role role) const {
+  if (naming_ == Naming::roles) return std::string(1, gjk::letter(role));
+  return static_cast<int>(role) < now_.processed.size() ? hull_.name(now_.processed.point(role)) : "";
+}
+
+std::string Names::of(const Point& w) const {
+  if (naming_ == Naming::corners) return hull_.name(w);
+  if (now_.found && !now_.added && now_.found->w == w) return "P";
+  for (int i = 0; i < now_.processed.size(); ++i)
+    if (const Role role = static_cast<Role>(i); now_.processed.point(role) == w) return of(role);
+  return "";
+}
+
+std::string Names::label(const Point& w) const {
+  if (naming_ == Naming::corners) return hull_.name(w);
+  std::vector<std::string> names;
+  if (now_.found && !now_.added && now_.found->w == w) names.emplace_back("P");
+  for (int i = 0; i < now_.processed.size(); ++i)
+    if (const Role role = static_cast<Role>(i); now_.processed.point(role) == w) names.push_back(of(role));
+  return joined(names, " = ");
+}
+
+std::string Names::sorted(std::string_view roles) const {
+  std::vector<std::string> names;
+  for (const char letter : roles) names.push_back(of(role_of(letter)));
+  if (naming_ == Naming::corners) std::ranges::sort(names);  // the report writes faces of the simplex as ACD, ADB
+  return joined(names, "");
+}
+
+std::string Names::translate(std::string_view text) const {
+  std::string out;
+  while (!text.empty()) {
+    const auto end = std::ranges::find_if(text, [&](char c) { return is_letter(c) != is_letter(text.front()); });
+    const std::string_view word(text.begin(), end);
+    text.remove_prefix(word.size());
+    if (!is_role_word(word)) {
+      out += word;
+      continue;
+    }
+    for (const char c : word) out += c == 'O' ? "O" : c == 'n' ? "_n" : of(role_of(c));
+  }
+  return out;
+}
+
+/// Vertices at one place share their roles out among them, the oldest taking the last.
+std::vector<std::string> Names::names_of(const Simplex& simplex) const {
+  std::vector<std::string> names;
+  for (int i = 0; i < simplex.size(); ++i) {
+    std::string name = of(simplex[i].w);
+    for (int role = now_.processed.size() - 1; naming_ == Naming::roles && role >= 0; --role) {
+      const std::string other = of(static_cast<Role>(role));
+      if (now_.processed.point(static_cast<Role>(role)) != simplex[i].w || std::ranges::count(names, other)) continue;
+      name = other;
+      break;
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string Names::list(const Simplex& simplex) const { return "[" + joined(names_of(simplex), ", ") + "]"; }
+
+std::string Names::simplex(const Simplex& simplex) const {
+  std::vector<std::string> names = names_of(simplex);
+  std::ranges::sort(names);
+  return with_kind(joined(names, ""));
+}
+
+std::string with_kind(const std::string& feature) {
+  const char* const kinds[] = {"", "", "segment ", "triangle ", "tetrahedron "};
+  return kinds[std::min<std::size_t>(feature.size(), 4)] + feature;
+}
+
+std::string literal(std::string_view text) {
+  std::string out;
+  for (const char c : text) out.append(c == '_' ? "\\_" : std::string(1, c));
+  return out;
+}
+
+std::string plain(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.substr(i).starts_with("\\_"))
+      out += text[++i];
+    else if (text[i] != '_' && text[i] != '{' && text[i] != '}')
+      out += text[i];
+  }
+  return out;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,66 @@
+/// Numbers, vectors and expressions as captions print them, in the letters of the picture.
+///
+/// The events speak of roles (A is the newest vertex). A picture may keep to them, or name the corners of the hull A … G
+/// (Naming). `Letters` translates: in a triangle of E, A and the newest vertex G, the event's "ABn·AO" becomes "GE_n·GO".
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/model/moment.hpp"
+#include "walkthroughs/model/walkthrough.hpp"
+
+namespace walkthroughs {
+
+/// Returns: whole numbers with up to eight digits, others with six significant ones; a true minus sign, never "-0".
+std::string number(double value);
+
+/// Returns: whole numbers with up to six digits, others with four significant ones, for where there is little room.
+std::string short_number(double value);
+
+/// Returns: "(x, y)" for vectors of the plane, "(x, y, z)" for those of space.
+std::string vector(const Point& value, Dimension dimension = Dimension::plane);
+
+/// What the vertices are called at one moment.
+class Names {
+ public:
+  Names(Naming naming, const LabelledHull& hull, const Moment& now) : naming_(naming), hull_(hull), now_(now) {}
+
+  /// Returns: the name of the vertex at `w`, or an empty string where it has none. Where several vertices of the simplex
+  /// lie at one place, that of the newest.
+  std::string of(const Point& w) const;
+  /// Returns: what to write beside that place: all names it has, "A = B".
+  std::string label(const Point& w) const;
+  /// Returns: the name of a vertex of the simplex that is being processed.
+  std::string of(gjk::Role role) const;
+  /// Returns: the letters of roles, "ABCD", in order of the alphabet of the picture.
+  std::string sorted(std::string_view roles) const;
+
+  /// Returns: `text` with every word that is made of the roles A … D, O and a final n for "normal" in the letters of the
+  /// picture, normals as subscripts: "ABn·AO" becomes "AB_n·AO".
+  std::string translate(std::string_view text) const;
+
+  /// Returns: "[A, E]", oldest first as the report lists a simplex.
+  std::string list(const Simplex& simplex) const;
+  /// Returns: "segment AE", "triangle AEG", the letters sorted; the bare name of a single vertex.
+  std::string simplex(const Simplex& simplex) const;
+
+ private:
+  std::vector<std::string> names_of(const Simplex& simplex) const;
+
+  Naming naming_;
+  const LabelledHull& hull_;
+  const Moment& now_;
+};
+
+/// Returns: "segment AE", "triangle AEG", or the bare name of a single vertex.
+std::string with_kind(const std::string& feature);
+
+/// Returns: `text` with its underscores marked as such, so that a user's own words are drawn as they are.
+std::string literal(std::string_view text);
+
+/// Returns: `text` without markup, for files and terminals.
+std::string plain(std::string_view text);
+
+}  // namespace walkthroughs

@@ -1,0 +1,342 @@
+#include "walkthroughs/text/document.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace walkthroughs {
+namespace {
+
+using Json = nlohmann::json;
+
+/// How far the parser has read. The parser keeps a copy of its iterator; this is what all copies share.
+struct Progress {
+  const char* begin;
+  const char* next;
+  const char* end;
+  int line = 1;  ///< of the last character read
+  const char* line_begin;
+
+  explicit Progress(std::string_view text)
+      : begin(text.data()), next(begin), end(begin + text.size()), line_begin(begin) {}
+
+  /// A number is known to be over only when the character behind it has been read. That may be the end of its line,
+  /// which therefore still belongs to the line.
+  void advance() {
+    if (next != begin && next[-1] == '\n') {
+      ++line;
+      line_begin = next;
+    }
+    ++next;
+  }
+
+  /// Passes over blanks behind a line break or tab, but for the last. The parser keeps what it reads for its messages,
+  /// eight letters for each such character. No string is changed: JSON allows no line breaks and tabs there.
+  void skip_blanks() {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+    if (next == begin || next[-1] == ' ' || !is_blank(next[-1])) return;
+    while (next + 1 < end && is_blank(next[0]) && is_blank(next[1])) advance();
+  }
+
+  std::ptrdiff_t column() const { return std::max<std::ptrdiff_t>(next - line_begin, 1); }
+};
+
+/// Lets the parser read while lines are counted.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator() = default;  ///< the end
+  explicit CountingIterator(Progress& progress) : progress_(&progress) {}
+
+  reference operator*() const {
+    progress_->skip_blanks();
+    return *progress_->next;
+  }
+  CountingIterator& operator++() {
+    progress_->advance();
+    return *this;
+  }
+  CountingIterator operator++(int) { return ++*this; }
+  friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.at_end() == b.at_end(); }
+
+ private:
+  bool at_end() const { return progress_ == nullptr || progress_->next == progress_->end; }
+  Progress* progress_ = nullptr;
+};
+
+/// Returns: the letters and digits around `at`, for example "NaN".
+std::string word_around(const char* at, const Progress& progress) {
+  const auto belongs = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.' || c == '_';
+  };
+  const char *first = at, *last = at;
+  while (first != progress.begin && belongs(first[-1])) --first;
+  while (last != progress.end && belongs(*last)) ++last;
+  return {first, last};
+}
+
+bool looks_not_finite(std::string word) {
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word.find("nan") != std::string::npos || word.find("inf") != std::string::npos;
+}
+
+/// Returns: the parser's own words without its prefix and without the text read, which may be long.
+std::string what_the_parser_says(const std::string& message) {
+  const std::size_t begin = message.find(" - "), end = message.find("; last read: ");
+  if (begin == std::string::npos) return message;
+  return message.substr(begin + 3, end == std::string::npos ? end : end - begin - 3);
+}
+
+std::string reason_of_syntax_error(const Progress& progress, const nlohmann::detail::exception& error) {
+  constexpr int number_overflow = 406;
+  if (error.id == number_overflow) {
+    const bool at_end = progress.next == progress.end && std::isdigit(static_cast<unsigned char>(progress.next[-1]));
+    const std::string word = word_around(progress.next - (at_end ? 0 : 1), progress);
+    return "the number " + in_quotes(word) + " is too large for floating point; numbers may go up to 1e150";
+  }
+  const std::string word = word_around(progress.next, progress), said = what_the_parser_says(error.what());
+  const std::string at_column = "is not JSON at column " + std::to_string(progress.column()) + ": ";
+  if (looks_not_finite(word)) return at_column + in_quotes(word) + " is not a number; write a finite one";
+  if (said == "invalid literal" && !word.empty())
+    return at_column + in_quotes(word) + " is not a value; names and other texts need double quotes";
+  return at_column + said + "; check brackets, commas and quotes there";
+}
+
+}  // namespace
+
+/// Receives what the parser finds, in the order of the text.
+class DocumentBuilder {
+ public:
+  DocumentBuilder(Document& document, const Progress& progress) : document_(document), progress_(progress) {}
+
+  bool null() { return add(Document::Kind::null); }
+  bool boolean(bool value) {
+    add(Document::Kind::boolean);
+    document_.nodes_.back().number = value ? 1 : 0;
+    return true;
+  }
+  bool number_integer(Json::number_integer_t value) { return add_number(static_cast<double>(value)); }
+  bool number_unsigned(Json::number_unsigned_t value) { return add_number(static_cast<double>(value)); }
+  bool number_float(Json::number_float_t value, const std::string&) { return add_number(value); }
+  bool string(std::string& value) {
+    add(Document::Kind::string);
+    document_.nodes_.back().text = keep(std::move(value));
+    return true;
+  }
+  bool binary(Json::binary_t&) { return false; }  // JSON has none
+  bool start_object(std::size_t) { return open(Document::Kind::object); }
+  bool start_array(std::size_t) { return open(Document::Kind::list); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    std::vector<std::string>& names = open_.back().names;
+    const std::string path = place() + (place().empty() ? "" : ".") + shown(name);
+    if (std::ranges::count(names, name) != 0)
+      throw DocumentError(progress_.line, path, "this key appears twice in its object; remove one");
+    if (names.size() == document_limits::members)
+      throw DocumentError(progress_.line, path,
+                          "too many keys; an object may have " + std::to_string(document_limits::members));
+    names.push_back(name);
+    key_ = keep(std::move(name));
+    return true;
+  }
+
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) {
+    throw DocumentError(progress_.line, place_of_next_value(), reason_of_syntax_error(progress_, error));
+  }
+
+  static std::string shown(const std::string& key) {
+    const std::string text = in_quotes(key);
+    return text.substr(1, text.size() - 2);
+  }
+
+ private:
+  struct Open {
+    Document::Index index;
+    std::size_t elements = 0;
+    std::vector<std::string> names = {};  // of an object
+  };
+
+  Document::Index keep(std::string&& text) {
+    document_.strings_.push_back(std::move(text));
+    return static_cast<Document::Index>(document_.strings_.size() - 1);
+  }
+
+  std::string place() const { return open_.empty() ? "" : document_.path(open_.back().index); }
+
+  /// Returns: the path that a value beginning here would have.
+  std::string place_of_next_value() const {
+    if (open_.empty()) return "";
+    if (document_.nodes_[open_.back().index].kind == Document::Kind::list)
+      return place() + "[" + std::to_string(open_.back().elements) + "]";
+    if (key_ == Document::none) return place();
+    return place() + (place().empty() ? "" : ".") + shown(document_.strings_[key_]);
+  }
+
+  bool add(Document::Kind kind) {
+    if (document_.nodes_.size() == document_limits::values)
+      throw DocumentError(progress_.line, place_of_next_value(),
+                          "too many values; a file may have " + std::to_string(document_limits::values));
+    const bool in_list = !open_.empty() && document_.nodes_[open_.back().index].kind == Document::Kind::list;
+    if (in_list && open_.back().elements == document_limits::elements)
+      throw DocumentError(progress_.line, place(),
+                          "too many elements; a list may have " + std::to_string(document_limits::elements));
+    Document::Node node{.line = progress_.line, .key = std::exchange(key_, Document::none), .kind = kind};
+    if (!open_.empty()) {
+      node.parent = open_.back().index;
+      ++open_.back().elements;
+    }
+    node.end = static_cast<Document::Index>(document_.nodes_.size() + 1);
+    document_.nodes_.push_back(node);
+    return true;
+  }
+
+  bool add_number(double value) {
+    add(Document::Kind::number);
+    document_.nodes_.back().number = value;
+    return true;
+  }
+
+  bool open(Document::Kind kind) {
+    if (open_.size() == document_limits::depth)
+      throw DocumentError(
+          progress_.line, place_of_next_value(),
+          "too many brackets in one another; " + std::to_string(document_limits::depth) + " levels are allowed");
+    add(kind);
+    open_.push_back({static_cast<Document::Index>(document_.nodes_.size() - 1)});
+    return true;
+  }
+
+  bool close() {
+    document_.nodes_[open_.back().index].end = static_cast<Document::Index>(document_.nodes_.size());
+    open_.pop_back();
+    return true;
+  }
+
+  Document& document_;
+  const Progress& progress_;
+  std::vector<Open> open_;
+  Document::Index key_ = Document::none;  // read, its value not yet
+};
+
+namespace {
+
+/// Finds what the parser would take for the end of the text, or complain about less clearly.
+void require_text(std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw DocumentError(1, "", "the file is empty; 'gjkstep scene --example' prints one to begin with");
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw DocumentError(1, "", "the text is UTF-16; save it as UTF-8");
+  const auto is_control = [](char c) { return '\0' <= c && c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
+  if (const auto at = std::ranges::find_if(text, is_control); at != text.end()) {
+    const auto lines = std::count(text.begin(), at, '\n');
+    throw DocumentError(1 + static_cast<int>(lines), "",
+                        "there is a byte " + std::to_string(*at) + ", which no text has; save it as UTF-8");
+  }
+}
+
+}  // namespace
+
+Document::Document(std::string_view text, Comments comments) {
+  require_text(text);
+  Progress progress(text);
+  DocumentBuilder builder(*this, progress);
+  constexpr bool strict = true;
+  Json::sax_parse(CountingIterator(progress), CountingIterator(), &builder, Json::input_format_t::json, strict,
+                  comments == Comments::allowed);
+}
+
+Value Document::root() const { return {*this, 0}; }
+
+std::string Document::path(Index index) const {
+  const Node& node = nodes_[index];
+  if (node.parent == none) return "";
+  const std::string front = path(node.parent);  // no deeper than document_limits::depth
+  if (node.key != none) return front + (front.empty() ? "" : ".") + DocumentBuilder::shown(strings_[node.key]);
+  std::size_t position = 0;
+  for (Index i = node.parent + 1; i != index; i = nodes_[i].end) ++position;
+  return front + "[" + std::to_string(position) + "]";
+}
+
+std::vector<Value> Value::children() const {
+  std::size_t count = 0;
+  for (Document::Index i = index_ + 1; i < node().end; i = document_->nodes_[i].end) ++count;
+  std::vector<Value> children;
+  children.reserve(count);
+  for (Document::Index i = index_ + 1; i < node().end; i = document_->nodes_[i].end)
+    children.push_back({*document_, i});
+  return children;
+}
+
+std::optional<Value> Value::member(std::string_view key) const {
+  if (!is(Document::Kind::object)) return std::nullopt;
+  for (Document::Index i = index_ + 1; i < node().end; i = document_->nodes_[i].end)
+    if (const Value child{*document_, i}; child.key() == key) return child;
+  return std::nullopt;
+}
+
+std::string_view Value::description() const {
+  switch (kind()) {
+    case Document::Kind::null: return "null";
+    case Document::Kind::boolean: return "true or false";
+    case Document::Kind::number: return "a number";
+    case Document::Kind::string: return "a string";
+    case Document::Kind::list: return "a list";
+    case Document::Kind::object: return "an object";
+  }
+  return "";
+}
+
+void Value::fail(const std::string& reason) const { throw DocumentError(node().line, document_->path(index_), reason); }
+
+void Value::fail_without(std::string_view key, const std::string& reason) const {
+  const std::string path = document_->path(index_);
+  throw DocumentError(node().line, path + (path.empty() ? "" : ".") + std::string(key), reason);
+}
+
+std::u32string code_points(std::string_view text) {
+  std::u32string points;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i++]);
+    const int more = lead < 0xC0 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
+    char32_t point = more == 0 ? lead : lead & (0x3Fu >> more);
+    for (int k = 0; k < more && i < text.size(); ++k)
+      point = point << 6 | (static_cast<unsigned char>(text[i++]) & 0x3Fu);
+    points += point;
+  }
+  return points;
+}
+
+bool is_printable(char32_t c) {
+  const bool control = c < 0x20 || (0x7F <= c && c < 0xA0);
+  const bool turns_or_breaks_lines = (0x200E <= c && c <= 0x200F) || (0x2028 <= c && c <= 0x202E) ||
+                                     (0x2066 <= c && c <= 0x2069) || c == 0x061C || c == 0xFEFF;
+  return !control && !turns_or_breaks_lines;
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string out = "'";
+  std::size_t count = 0;
+  for (std::size_t begin = 0, end; begin < text.size(); begin = end) {
+    if (++count > longest) {
+      out += "…";
+      break;
+    }
+    end = begin + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
+    const std::string_view letter = text.substr(begin, end - begin);
+    out += is_printable(code_points(letter)[0]) ? std::string(letter) : "�";
+  }
+  return out + "'";
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,249 @@
+#include "walkthroughs/text/scene_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "render/rasterizer.hpp"
+#include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/scene_object.hpp"
+#include "walkthroughs/model/words_of.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using namespace reading;
+
+// -- Objects -----------------------------------------------------------------------------------------------------------
+
+Object scene_object(const Value& value, const Space& space, Scalar scalar) {
+  ObjectAsWritten written = read_object(value, space);
+  auto form = form_of(std::move(written.form), scalar);
+  return {.name = std::move(written.name), .form = std::move(form), .pose = written.pose.value_or(Pose{})};
+}
+
+std::string kind_of(const Object& object, const Space& space) {
+  if (std::holds_alternative<Points>(object.form)) return "point set";
+  return std::holds_alternative<Cylinder>(object.form) ? "cylinder" : space.is_plane() ? "disc" : "sphere";
+}
+
+/// Objects without a name are called what they are; two of a kind are told apart.
+void name_the_nameless(Object& a, Object& b, const Space& space) {
+  const std::string kind_of_a = kind_of(a, space), kind_of_b = kind_of(b, space);
+  const bool alike = kind_of_a == kind_of_b;
+  if (a.name.empty()) a.name = kind_of_a + (alike ? " a" : "");
+  if (b.name.empty()) b.name = kind_of_b + (alike ? " b" : "");
+}
+
+// -- The rest ---------------------------------------------------------------------------------------------------------
+
+Space read_dimension(const Value& root) {
+  const auto dimension = root.member("dimension");
+  return {dimension && whole_number(*dimension, 2, 3) == 2 ? Dimension::plane : Dimension::space};
+}
+
+gjk::Options<double> read_options(const Value& root, const Space& space) {
+  gjk::Options<double> options;
+  if (const auto first = root.member("first_direction")) options.first_direction = space.direction(*first);
+  if (const auto limit = root.member("iteration_limit"))
+    options.iteration_limit = whole_number(*limit, 1, scene_limits::iterations);
+  if (const auto test = root.member("crossing_test"))
+    options.crossing_test = static_cast<gjk::CrossingTest>(choice(*test, words_of::crossing_test));
+  return options;
+}
+
+RuleSet read_rules(const Value& root) {
+  const auto rules = root.member("rules");
+  return rules ? static_cast<RuleSet>(choice(*rules, words_of::rules)) : RuleSet::as_intended;
+}
+
+ZeroTest read_zero_test(const Value& root) {
+  const auto test = root.member("zero_test");
+  return test ? static_cast<ZeroTest>(choice(*test, words_of::zero_test)) : ZeroTest::exact;
+}
+
+Panels read_panels(const Value& root) {
+  Panels panels;
+  const auto list = root.member("panels");
+  if (!list) return panels;
+  expect(*list, Kind::list, "a list out of 'objects', 'hull' and 'algorithm'");
+  panels = {.objects = false, .hull = false, .algorithm = false};
+  for (const Value& each : list->children()) {
+    bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm};
+    bool& panel = *all[choice(each, words_of::panels)];
+    if (panel) each.fail("'" + each.text() + "' appears twice; name it once");
+    panel = true;
+  }
+  return panels;
+}
+
+bool is_size(const render::Size& size) {
+  const auto fits = [](int pixels) { return render::min_pixels <= pixels && pixels <= render::max_pixels; };
+  return fits(size.width) && fits(size.height);
+}
+
+std::optional<render::Size> size_in(const std::string& text) {
+  render::Size size;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  if (height.ec != std::errc() || height.ptr != end || !is_size(size)) return std::nullopt;
+  return size;
+}
+
+std::optional<render::Size> read_size(const Value& root) {
+  const auto value = root.member("size");
+  if (!value) return std::nullopt;
+  const std::string expected = "expected \"1280x720\" or [1280, 720], each from " + std::to_string(render::min_pixels) +
+                               " to " + std::to_string(render::max_pixels);
+  if (value->is(Kind::string)) {
+    const auto size = size_in(value->text());
+    if (!size) value->fail(expected + ", found " + in_quotes(value->text()));
+    return size;
+  }
+  if (!value->is(Kind::list)) value->fail(expected + ", found " + std::string(value->description()));
+  const std::vector<Value> sides = value->children();
+  if (sides.size() != 2) value->fail(expected + ", found a list of " + std::to_string(sides.size()));
+  const auto side = [](const Value& v) { return whole_number(v, render::min_pixels, render::max_pixels); };
+  return render::Size{side(sides[0]), side(sides[1])};
+}
+
+// -- Names from file names --------------------------------------------------------------------------------------------
+
+bool is_plain_letter(char c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '.' || c == '_' || c == '-';
+}
+
+/// Returns: a name for a folder.
+std::string folder_name(const std::string& file_name) {
+  std::string name = std::filesystem::path(file_name).stem().string();
+  std::ranges::replace_if(
+      name, [](char c) { return !is_plain_letter(c); }, '-');
+  const bool is_usable = !name.empty() && name != "." && name != "..";
+  return is_usable ? name : "scene";
+}
+
+/// Returns: the stem as a title, where a title may be like that; else the name of the folder. An underscore would be read
+/// as the mark of a subscript.
+std::string title_from(const std::string& file_name) {
+  std::string stem = std::filesystem::path(file_name).stem().string();
+  const bool is_ascii = std::ranges::all_of(stem, [](char c) { return ' ' <= c && c <= '~'; });
+  const bool is_blank = stem.find_first_not_of(' ') == std::string::npos;
+  if (!is_ascii || is_blank) stem = folder_name(file_name);
+  std::ranges::replace(stem, '_', ' ');
+  return stem.substr(0, scene_limits::title);
+}
+
+SceneFile read_root(const Value& root, const std::string& file_name) {
+  expect_object(root,
+                {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
+                 "zero_test", "scalar", "panels", "size"},
+                "an object { ... } that holds the scene");
+  const auto title = root.member("title");
+  const std::string heading = title ? words(*title, scene_limits::title) : title_from(file_name);
+  const Space space = read_dimension(root);
+  const Scalar scalar = scalar_of(root);
+  Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
+  Object b = scene_object(required(root, "b", "give the second object"), space, scalar);
+  name_the_nameless(a, b, space);
+  const gjk::Options<double> options = read_options(root, space);
+  const RuleSet rules = read_rules(root);
+  const ZeroTest zero_test = read_zero_test(root);
+  const Panels panels = read_panels(root);
+  const std::optional<render::Size> size = read_size(root);
+
+  SceneFile file;
+  file.size = size;
+  file.walkthrough.name = folder_name(file_name);
+  file.walkthrough.title = file.walkthrough.summary = heading;
+  file.walkthrough.source = "scene file";
+  file.walkthrough.layout = Layout::search;
+  file.walkthrough.panels = panels;
+  file.walkthrough.naming = Naming::roles;
+  file.walkthrough.scenes.push_back(
+      in_its_scalar({"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test}, root));
+  return file;
+}
+
+}  // namespace
+
+SceneFile parse_scene(std::string_view text, const std::string& file_name) {
+  try {
+    const Document document(text);
+    return read_root(document.root(), file_name);
+  } catch (const DocumentError& error) {
+    throw SceneError(file_name + ":" + std::to_string(error.line) + ": " + error.key + (error.key.empty() ? "" : ": ") +
+                     error.what());
+  }
+}
+
+SceneFile read_scene(const std::filesystem::path& file) {
+  try {
+    return parse_scene(read_text(file, {"scene file", scene_limits::bytes}), file.string());
+  } catch (const SceneError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw SceneError(error.what());
+  }
+}
+
+std::string_view example_scene() {
+  return R"(// A scene for gjkstep. Only a and b must be there; everything else shows its default or an alternative.
+{
+  "title": "A can beside a tilted box",  // without it: the name of the file
+  "dimension": 3,                        // 2: the plane; points are [x, y], spheres are discs
+
+  // The two objects. Each has one shape: points, sphere or cylinder.
+  "a": {
+    "name": "box",  // as captions call it
+    "points": [     // their convex hull; the order does not matter
+      [-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1],
+      [-1, -1,  1], [1, -1,  1], [1, 1,  1], [-1, 1,  1]
+    ],
+    "pose": {  // first turned about the origin, then moved
+      "rotation": {"axis": [1, 1, 0], "degrees": 30},
+      "translation": [2.5, 0.5, 0]
+    }
+  },
+  "b": {
+    "name": "can",
+    "cylinder": {"center": [0, 0, 0], "axis": [0, 0, 1], "radius": 1, "height": 2}
+    // or "sphere": {"center": [0, 0, 0], "radius": 1}
+  },
+
+  // How the algorithm runs.
+  "first_direction": [1, 0, 0],
+  "iteration_limit": 20,
+  "crossing_test": "on",   // "off": go on until there are no new points
+  "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake
+  "zero_test": "exact",    // "relative": products that rounding may have made count as zero
+  "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
+
+  // What is shown beside the search. What is left out is not computed.
+  "panels": ["objects", "hull", "algorithm"],
+  "size": "1280x720"       // or [1280, 720]; pixels
+}
+)";
+}
+
+std::string summary(const SceneFile& file) {
+  const Walkthrough& walkthrough = file.walkthrough;
+  const Scene& scene = walkthrough.scenes.front();
+  const Space space{scene.dimension};
+  const auto object = [&](const Object& o) {
+    const auto* set = std::get_if<Points>(&o.form);
+    return "'" + o.name + "' (" +
+           (set ? std::to_string(set->points().size()) + (set->points().size() == 1 ? " point" : " points")
+                : kind_of(o, space)) +
+           ")";
+  };
+  std::string panels;
+  if (walkthrough.panels.objects) panels += ", objects";
+  if (walkthrough.panels.hull) panels += ", hull";
+  if (walkthrough.panels.algorithm) panels += ", algorithm";
+  return "'" + walkthrough.title + "', " + (space.is_plane() ? "plane" : "space") + ", " + object(scene.a) + " and " +
+         object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
+         (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") + ", panels: search" + panels;
+}
+
+}  // namespace walkthroughs

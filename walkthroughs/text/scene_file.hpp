@@ -1,0 +1,74 @@
+/// Scenes that users write: JSON files, read into walkthroughs.
+///
+/// A scene declares what it needs; what it does not declare is not computed. example_scene() shows every key.
+///
+///     key              value                                                                           without it
+///     title            heads every frame; 1 to 120 characters                                          the file's name
+///     dimension        2 (points are [x, y] or [x, y, 0]) or 3                                          3
+///     a, b             the two objects                                                                 an error
+///     first_direction  where the search begins; any length but zero                                    [1, 0, 0]
+///     iteration_limit  1 to 1000                                                                       20
+///     crossing_test    "on", "off" (Section 3.1.3)                                                     "on"
+///     rules            "as-intended", "as-printed" (Algorithm 1)                                       "as-intended"
+///     zero_test        "exact", "relative" (core/zero_test.hpp)                                        "exact"
+///     scalar           "double", "float"; numbers are rounded to the nearest float and computed with    "double"
+///     panels           those of "objects", "hull", "algorithm" to show beside the search               all three
+///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
+///
+/// An object has one shape, and may have a name (1 to 40 characters) and a pose:
+///
+///     points           [[x, y, z], ...], 1 to 100,000: their convex hull
+///     sphere           {"center": [x, y, z], "radius": r}; in the plane a disc
+///     cylinder         {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}; in space only
+///     pose             {"rotation": {"axis": [x, y, z], "degrees": d}, "translation": [x, y, z]}, either or both: the
+///                      shape is first turned about the origin, counter-clockwise seen from the tip of the axis, then
+///                      moved. In the plane the rotation is {"degrees": d}.
+///
+/// All numbers are finite and at most 1e150 in magnitude, so that the squares of lengths are finite.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "render/geometry.hpp"
+#include "walkthroughs/text/text_file.hpp"
+#include "walkthroughs/model/walkthrough.hpp"
+
+namespace walkthroughs {
+
+struct SceneError : InputError {
+  using InputError::InputError;
+};
+
+/// One scene as a walkthrough of Layout::search and Naming::roles. Its name is the file's without extension, with '-' for
+/// everything but letters, digits, '.', '_' and '-', so that it can name a folder.
+struct SceneFile {
+  Walkthrough walkthrough;
+  std::optional<render::Size> size;
+};
+
+namespace scene_limits {
+inline constexpr std::size_t bytes = 16 << 20;
+inline constexpr std::size_t points = 100000;         ///< of one object
+inline constexpr std::size_t title = 120, name = 40;  ///< characters
+inline constexpr int iterations = 1000;
+inline constexpr double magnitude = 1e150;
+}  // namespace scene_limits
+
+/// Errors: SceneError, about the first thing that is wrong. Reads regular files of at most scene_limits::bytes, and never
+/// more than that.
+SceneFile read_scene(const std::filesystem::path& file);
+
+/// `file_name`: names the walkthrough and stands in errors; nothing is read from there. Errors: SceneError.
+SceneFile parse_scene(std::string_view text, const std::string& file_name);
+
+/// Returns: a scene file with comments that shows every key.
+std::string_view example_scene();
+
+/// Returns: in one line what the scene declares.
+std::string summary(const SceneFile& scene);
+
+}  // namespace walkthroughs

@@ -1,0 +1,20 @@
+/// Objects as scene files and queries write them: a shape, and perhaps a name and a pose. scene_file.hpp says what each may
+/// hold.
+#pragma once
+
+#include <optional>
+
+#include "walkthroughs/text/scene_values.hpp"
+
+namespace walkthroughs::reading {
+
+struct ObjectAsWritten {
+  std::string name;  ///< empty where none is given
+  FormAsWritten form;
+  std::optional<Pose> pose;
+};
+
+/// Errors: DocumentError.
+ObjectAsWritten read_object(const Value& value, const Space& space);
+
+}  // namespace walkthroughs::reading

@@ -1,0 +1,72 @@
+/// The values that scene files and traces have in common, read from a document within scene_limits.
+///
+/// Errors of all functions: DocumentError, which says what is expected and what was found.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "walkthroughs/text/document.hpp"
+#include "walkthroughs/model/scene.hpp"
+
+namespace walkthroughs::reading {
+
+using Kind = Document::Kind;
+using Keys = std::initializer_list<std::string>;
+
+/// Returns: the shortest text that reads back as the same number.
+std::string written(double number);
+
+void expect(const Value& value, Kind kind, std::string_view expected);
+/// Expects an object that has no keys but these.
+void expect_object(const Value& value, const Keys& keys, std::string_view expected);
+Value required(const Value& object, std::string_view key, const std::string& what_to_do);
+
+double number(const Value& value);
+/// Returns: the positive number of that key.
+double length(const Value& object, std::string_view key);
+int whole_number(const Value& value, int low, int high);
+/// Returns: the position of the word in `words`.
+std::size_t choice(const Value& value, std::span<const std::string_view> words);
+/// Returns: a printable text that is not blank.
+std::string words(const Value& value, std::size_t longest);
+
+/// Where a scene lies decides what a point looks like.
+struct Space {
+  Dimension dimension;
+  std::string_view if_two_numbers = "; for a scene of the plane say \"dimension\": 2";  ///< what to do, in space
+
+  bool is_plane() const { return dimension == Dimension::plane; }
+  std::string point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }
+  Point point(const Value& value) const;
+  Point direction(const Value& value) const;
+};
+
+/// Returns: the one member of an object that gives its shape.
+Value shape_of(const Value& object);
+
+/// gjk::Cylinder divides its axis by the largest component, which rounds: the numbers here are those of the text.
+struct CylinderAsWritten {
+  Point center, axis;
+  double radius, height;
+};
+using FormAsWritten = std::variant<Points, Ball, CylinderAsWritten>;
+
+FormAsWritten read_form_as_written(const Value& shape, const Space& space);
+/// Returns: the form; of a scene in floats with the axis that its numbers have as floats, before any is divided.
+decltype(Object::form) form_of(FormAsWritten written, Scalar scalar);
+/// Both in one, in doubles.
+decltype(Object::form) read_form(const Value& shape, const Space& space);
+
+/// Returns: the direction in floats. Only the ratios matter: where floats have no such powers of two, another is taken.
+gjk::Vec3<float> direction_in_float(const Point& direction);
+
+/// Returns: what `declared` says with its key "scalar"; double where there is none.
+Scalar scalar_of(const Value& declared);
+/// Returns: the scene in the scalar that `declared` asks for with its key "scalar"; in doubles where there is none.
+Scene in_its_scalar(Scene scene, const Value& declared);
+
+}  // namespace walkthroughs::reading

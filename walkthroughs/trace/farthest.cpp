@@ -1,0 +1,90 @@
+#include "walkthroughs/trace/farthest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "walkthroughs/model/precision.hpp"
+
+namespace walkthroughs {
+namespace {
+
+/// A share of the largest coordinate: a few dozen roundings, and what a pose may lack of being a rotation.
+constexpr double roundings = 1024;
+
+double largest(const Point& p) { return p.cwiseAbs().maxCoeff(); }
+
+/// One overload for each form.
+class Objection {
+ public:
+  Objection(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
+            const Precision& precision)
+      : found_(found),
+        pose_(object.pose),
+        length_(largest(direction)),
+        along_(direction / length_),
+        precision_(precision) {}
+
+  std::string operator()(const Points& set) const {
+    const std::vector<Point>& points = set.points();
+    if (!found_.index) return "has no index, though it is one of a list of points";
+    if (*found_.index >= static_cast<int>(points.size()))
+      return "has index " + std::to_string(*found_.index) + ", but there are " + std::to_string(points.size()) +
+             " points";
+    double size = 0;
+    for (const Point& p : points) size = std::max(size, largest(p));
+    const double allowed = allowance(size);
+    const Point claimed = pose_(points[static_cast<std::size_t>(*found_.index)]);
+    if (!(largest(found_.point - claimed) <= allowed))
+      return "is not where the point of index " + std::to_string(*found_.index) + " lies";
+    const double vanished = 4 * precision_.least / length_;  // of the products with the direction itself
+    const bool may_overflow = !(3 * (size * length_) <= precision_.largest);
+    for (std::size_t i = 0; i < points.size() && !may_overflow; ++i)
+      if (pose_(points[i]).dot(along_) > found_.point.dot(along_) + 3 * allowed + vanished)
+        return "is not the farthest: the point of index " + std::to_string(i) + " reaches farther";
+    return "";
+  }
+
+  std::string operator()(const Ball& ball) const {
+    if (found_.index) return on_a_round_object();
+    const Point farthest = pose_(ball.center()) + along_ * (ball.radius() / along_.norm());
+    const bool is_there = largest(found_.point - farthest) <= allowance(largest(ball.center()) + ball.radius());
+    return is_there ? "" : "is not the farthest point of the sphere";
+  }
+
+  std::string operator()(const Cylinder& cylinder) const {
+    if (found_.index) return on_a_round_object();
+    const double half = cylinder.height() / 2, radius = cylinder.radius();
+    const double allowed = allowance(largest(cylinder.center()) + half + radius);
+    const Point axis = turned(cylinder.axis().normalized()), from_center = found_.point - pose_(cylinder.center());
+    const double height = from_center.dot(axis), distance = (from_center - height * axis).norm();
+    const bool in_cap = std::abs(std::abs(height) - half) <= allowed;
+    const bool on_rim = std::abs(distance - radius) <= allowed;
+    if (!in_cap || !(on_rim || distance <= allowed)) return "lies neither on a rim nor in the middle of a cap";
+    const double rise = along_.dot(axis);
+    const double reach = std::abs(rise) * half + (along_ - rise * axis).norm() * radius;
+    return from_center.dot(along_) >= reach - 3 * allowed ? "" : "is not the farthest point of the cylinder";
+  }
+
+ private:
+  static std::string on_a_round_object() { return "has an index, but spheres and cylinders have no list of points"; }
+
+  double allowance(double size) const {
+    return roundings * precision_.epsilon * (3 * size + largest(pose_.translation)) + precision_.least_normal;
+  }
+  Point turned(const Point& p) const { return Pose{pose_.rotation, Point::Zero()}(p); }
+
+  const gjk::SupportPoint<double>& found_;
+  const Pose& pose_;
+  const double length_;
+  const Point along_;  // its largest component is 1 or -1, so that nothing overflows
+  const Precision precision_;
+};
+
+}  // namespace
+
+std::string objection_to(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
+                         Scalar scalar) {
+  return std::visit(Objection(found, object, direction, precision_of(scalar)), object.form);
+}
+
+}  // namespace walkthroughs

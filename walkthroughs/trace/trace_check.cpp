@@ -1,0 +1,400 @@
+#include "walkthroughs/trace/trace_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/gjk.hpp"
+#include "walkthroughs/trace/farthest.hpp"
+#include "walkthroughs/text/scene_values.hpp"
+#include "walkthroughs/model/words_of.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Crossing;
+using gjk::CrossingTest;
+using gjk::Reason;
+using gjk::Relation;
+using gjk::Status;
+using gjk::Verdict;
+
+// -- Words ------------------------------------------------------------------------------------------------------------
+
+std::string written(const Point& p) {
+  return "[" + reading::written(p.x()) + ", " + reading::written(p.y()) + ", " + reading::written(p.z()) + "]";
+}
+
+std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
+
+[[noreturn]] void fail(const std::string& reason) { throw Contradiction(reason); }
+
+void require(bool holds, const std::string& reason) {
+  if (!holds) fail(reason);
+}
+
+void require_identical(const Point& found, const Point& expected, const std::string& key, const std::string& source) {
+  if (!is_identical(found, expected))
+    fail(quoted(key) + " is " + written(found) + ", but " + source + " is " + written(expected));
+}
+
+/// Returns: a - b in numbers of that scalar. Subtracted in floats, not in doubles that are rounded after: GCC 12 leaves out
+/// the roundings of x.cast<float>().cast<double>().
+Point difference(const Point& a, const Point& b, Scalar scalar) {
+  if (scalar == Scalar::binary64) return a - b;
+  const gjk::Vec3<float> w = a.cast<float>() - b.cast<float>();
+  return w.cast<double>();
+}
+
+// -- Comparing --------------------------------------------------------------------------------------------------------
+
+bool is_identical(const gjk::SupportPoint<double>& p, const gjk::SupportPoint<double>& q) {
+  return walkthroughs::is_identical(p.point, q.point) && p.index == q.index;
+}
+
+bool is_identical(const gjk::Vertex<double>& v, const gjk::Vertex<double>& u) {
+  return walkthroughs::is_identical(v.w, u.w) && is_identical(v.a, u.a) && is_identical(v.b, u.b);
+}
+
+void require_identical(const gjk::Simplex<double>& found, const gjk::Simplex<double>& expected, const std::string& key,
+                       const std::string& source) {
+  require(found.size() == expected.size(), quoted(key) + " has " + std::to_string(found.size()) +
+                                               " vertices, but there are " + std::to_string(expected.size()) + " in " +
+                                               source);
+  for (int i = 0; i < found.size(); ++i)
+    require(is_identical(found[i], expected[i]),
+            "vertex " + std::to_string(i) + " of " + quoted(key) + " is not that of " + source);
+}
+
+/// A number that is none stands in no relation but `not zero` and, after "zero" and "positive" did not hold either,
+/// `negative`: so does the last `else` of Algorithm 4.
+bool stands(double value, Relation relation) {
+  switch (relation) {
+    case Relation::positive: return value > 0;
+    case Relation::negative: return !(value >= 0);
+    case Relation::zero: return value == 0;
+    case Relation::not_zero: return value != 0;
+  }
+  return false;
+}
+
+bool stands(const Point& value, Relation relation) {
+  return gjk::is_zero(value) ? relation == Relation::zero : relation == Relation::not_zero;
+}
+
+std::string written(const std::variant<std::monostate, double, Point>& value) {
+  if (const double* number = std::get_if<double>(&value)) return reading::written(*number);
+  const Point* vector = std::get_if<Point>(&value);
+  return vector ? written(*vector) : "missing";
+}
+
+}  // namespace
+
+// -- The course of the search -----------------------------------------------------------------------------------------
+
+TraceCheck::TraceCheck(const Scene& scene) : scene_(scene) {}
+
+std::string TraceCheck::expected() const {
+  std::string list;
+  for (const Kind kind : expected_) list += (list.empty() ? "" : " or ") + quoted(words_of::of(words_of::event, kind));
+  return list;
+}
+
+void TraceCheck::operator()(const gjk::Event<double>& event) {
+  const auto kind = static_cast<Kind>(event.index());
+  if (std::ranges::count(expected_, kind) == 0)
+    fail(quoted(words_of::of(words_of::event, kind)) + (is_finished()
+                                                            ? " follows, but the search of this scene has finished"
+                                                            : " cannot follow here; expected " + expected()));
+  const int iteration = std::visit([](const auto& e) { return e.iteration; }, event);
+  const int expected_iteration = kind == Kind::support ? iteration_ + 1 : iteration_;
+  require(iteration == expected_iteration, "'iteration' is " + std::to_string(iteration) + "; expected " +
+                                               std::to_string(expected_iteration) + ", as they count up by one");
+  std::visit([this](const auto& e) { check(e); }, event);
+}
+
+void TraceCheck::check(const gjk::SearchStarted<double>& event) {
+  require_identical(event.direction, scene_.options.first_direction, "direction", "the scene's 'first_direction'");
+  direction_ = event.direction;
+  begin_search();
+}
+
+/// Algorithm 1 is at the top of its loop.
+void TraceCheck::begin_search() {
+  expected_ = {Kind::finished};
+  if (iteration_ >= scene_.options.iteration_limit)
+    endings_ = {{Status::undecided, Reason::iteration_limit}};
+  else if (!gjk::is_usable_direction(direction_))
+    endings_ = {{Status::undecided, Reason::unusable_direction}};
+  else
+    expected_ = {Kind::support};
+}
+
+void TraceCheck::check(const gjk::SupportFound<double>& event) {
+  ++iteration_;
+  require_identical(event.direction, direction_, "direction", "the direction chosen last");
+  const gjk::Vertex<double>& v = event.vertex;
+  require_identical(v.w, difference(v.a.point, v.b.point, scene_.scalar), "w", "a - b");
+  const std::string against_a = objection_to(v.a, scene_.a, direction_, scene_.scalar);
+  require(against_a.empty(), "'a' " + against_a);
+  const std::string against_b = objection_to(v.b, scene_.b, -direction_, scene_.scalar);
+  require(against_b.empty(), "'b' " + against_b);
+  require(event.is_new == !is_known(v.w), event.is_new ? "'new' is true, but an earlier w of this scene is the same"
+                                                       : "'new' is false, but no earlier w of this scene is the same");
+  if (event.is_new) known_.push_back(v.w);
+  vertex_ = v;
+  is_new_ = event.is_new;
+  reach_ = dot({v.w}, {direction_}, scene_.scalar);
+  expected_ = {Kind::crossing};
+}
+
+Crossing TraceCheck::crossing_that_follows(const gjk::CrossingTested<double>& event) const {
+  if (scene_.options.crossing_test == CrossingTest::off) return Crossing::switched_off;
+  if (simplex_.size() == 0) return Crossing::first_point;
+  const bool is_negative = event.value && *event.value < 0;
+  return is_negative && !(event.verdict == Crossing::crossed && reach_counts_as_zero()) ? Crossing::not_crossed
+                                                                                        : Crossing::crossed;
+}
+
+void TraceCheck::check(const gjk::CrossingTested<double>& event) {
+  const Crossing verdict = crossing_that_follows(event);
+  const bool is_applied = verdict == Crossing::crossed || verdict == Crossing::not_crossed;
+  require(event.value.has_value() == is_applied, is_applied
+                                                     ? "'value' is missing: the crossing test applies here"
+                                                     : "'value' is given, but the crossing test does not apply here");
+  if (event.value) {
+    require(agrees(*event.value, reach_),
+            "'value' is " + reading::written(*event.value) + ", but w·direction is " + reading::written(reach_.value));
+    reach_ = {*event.value};
+  }
+  require(event.verdict == verdict,
+          "'verdict' is " + quoted(words_of::of(words_of::crossing, event.verdict)) +
+              (event.value ? ", but the value " + reading::written(*event.value) : ", but the test") + " says " +
+              quoted(words_of::of(words_of::crossing, verdict)));
+  crossing_ = verdict;
+  decide_after_crossing(event);
+}
+
+/// Without the crossing test the trace does not tell w·d. Where it is too close to zero to know its sign, both ways of
+/// going on are accepted.
+void TraceCheck::decide_after_crossing(const gjk::CrossingTested<double>& event) {
+  expected_ = {Kind::added};
+  if (event.verdict == Crossing::not_crossed && scene_.rules == RuleSet::as_intended) {
+    expected_ = {Kind::finished};
+    end_outside(Reason::origin_not_crossed);
+  } else if (event.verdict == Crossing::switched_off && !is_new_) {
+    if (!has(vertex_.w) && !reach_.may_be_negative()) return;
+    const bool must_end = has(vertex_.w) || !reach_may_be_crossed();
+    expected_ = must_end ? std::vector{Kind::finished} : std::vector{Kind::added, Kind::finished};
+    end_outside(Reason::no_new_vertex);
+  }
+}
+
+void TraceCheck::check(const gjk::VertexAdded<double>& event) {
+  simplex_.add(vertex_);
+  require_identical(event.simplex, simplex_, "simplex", "the simplex before with the vertex found");
+  place_ = 0;
+  expected_ = {Kind::region};
+}
+
+// -- Regions ----------------------------------------------------------------------------------------------------------
+
+/// Returns: the row of the rule that the event's feature and relation choose.
+const RuleRow& TraceCheck::row_of(const gjk::RegionTested<double>& event) const {
+  const RuleRow* row = nullptr;
+  bool is_feature = false;
+  for (const RuleRow& each : rule_for(simplex_.size())) {
+    if (each.place != place_) continue;
+    is_feature = event.feature == each.feature && event.face == each.face;
+    if (!row || each.relation == event.relation) row = &each;
+  }
+  const std::string of_face = row->face.empty() ? "" : " of face " + quoted(row->face);
+  require(is_feature, "'feature' and 'face' are not those that are looked at here: " + quoted(row->feature) + of_face);
+  const bool has_value = !row->expression.empty();
+  require(!has_value || row->relation == event.relation, "'relation' cannot be " +
+                                                             quoted(words_of::of(words_of::relation, event.relation)) +
+                                                             " for " + quoted(row->expression));
+  const auto require_word = [&](std::string_view found, std::string_view expected, const char* key) {
+    require(found == expected, quoted(key) + " is " + quoted(found) + "; expected " + quoted(expected) +
+                                   " for the feature " + quoted(row->feature) + " and its relation");
+  };
+  require_word(event.label, row->label, "region");
+  require_word(event.expression, row->expression, "expression");
+  require_word(event.formula, row->formula, "formula");
+  return *row;
+}
+
+void TraceCheck::check_value(const gjk::RegionTested<double>& event) const {
+  const bool is_scalar = event.expression.find("·") != std::string::npos;
+  const bool has_right_kind = event.expression.empty() ? std::holds_alternative<std::monostate>(event.value)
+                              : is_scalar              ? std::holds_alternative<double>(event.value)
+                                                       : std::holds_alternative<Point>(event.value);
+  require(has_right_kind, "'value' is not of the kind that 'expression' has");
+  require(event.normal.has_value() == !event.formula.empty(), "'normal' and 'formula' belong together");
+  if (event.normal) {
+    const RoundedVector normal = evaluate(event.formula, simplex_, scene_.scalar);
+    require(agrees(*event.normal, normal),
+            "'normal' is " + written(*event.normal) + ", but " + event.formula + " is " + written(normal.value));
+  }
+  if (const double* value = std::get_if<double>(&event.value)) {
+    const RoundedScalar expected = dot({*event.normal}, evaluate("AO", simplex_, scene_.scalar), scene_.scalar);
+    require(agrees(*value, expected), "'value' is " + reading::written(*value) + ", but " + event.expression + " is " +
+                                          reading::written(expected.value));
+  }
+  if (const Point* value = std::get_if<Point>(&event.value)) {
+    const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
+    require(agrees(*value, expected),
+            "'value' is " + written(*value) + ", but " + event.expression + " is " + written(expected.value));
+  }
+}
+
+void TraceCheck::check(const gjk::RegionTested<double>& event) {
+  require(event.simplex_size == simplex_.size(), "'simplex_size' is " + std::to_string(event.simplex_size) +
+                                                     ", but the simplex has " + std::to_string(simplex_.size()) +
+                                                     " vertices");
+  const RuleRow& row = row_of(event);
+  check_value(event);
+  const std::optional<RuleStep>& step = event.verdict == Verdict::chosen     ? row.chosen
+                                        : event.verdict == Verdict::rejected ? row.rejected
+                                                                             : row.skipped;
+  const std::string verdict = "'verdict' is " + quoted(words_of::of(words_of::verdict, event.verdict));
+  const bool has_value = !std::holds_alternative<std::monostate>(event.value);
+  if (has_value && event.verdict != Verdict::skipped) {
+    const double* value = std::get_if<double>(&event.value);
+    const bool holds = value ? stands(*value, event.relation) : stands(std::get<Point>(event.value), event.relation);
+    const bool is_as_zero = counts_as_zero(event) && stands(0.0, event.relation) == (event.verdict == Verdict::chosen);
+    require(is_as_zero || holds == (event.verdict == Verdict::chosen),
+            verdict + ", but 'value' is " + written(event.value) + " and " + (holds ? "stands" : "does not stand") +
+                " in the relation " + quoted(words_of::of(words_of::relation, event.relation)));
+  }
+  require(step.has_value(), verdict + ", which is not possible for the feature " + quoted(row.feature) + " here");
+  go_on(*step);
+}
+
+/// Returns: whether its value may count as zero, though it may not be zero.
+bool TraceCheck::counts_as_zero(const gjk::RegionTested<double>& event) const {
+  if (scene_.zero_test == ZeroTest::exact) return false;
+  if (const Point* value = std::get_if<Point>(&event.value))
+    return may_count_as_zero(*value, size_of(event.expression, simplex_), scene_.scalar);
+  const double size = size_of(event.formula, simplex_) * size_of("AO", simplex_);
+  return may_count_as_zero(std::get<double>(event.value), size, scene_.scalar);
+}
+
+/// Returns: whether w·d may count as zero, though it may not be zero.
+bool TraceCheck::reach_counts_as_zero() const {
+  return scene_.zero_test == ZeroTest::relative &&
+         may_count_as_zero(reach_.value, length_of(vertex_) * direction_.lpNorm<1>(), scene_.scalar);
+}
+
+void TraceCheck::go_on(const RuleStep& step) {
+  place_ = step.place;
+  step_ = step;
+  expected_ = {!step.is_end             ? Kind::region
+               : step.direction.empty() ? Kind::finished
+               : step.kept.empty()      ? Kind::direction
+                                        : Kind::reduced};
+  if (!step.is_end || !step.direction.empty()) return;
+  const bool is_tested = scene_.options.crossing_test == CrossingTest::on;
+  endings_.clear();
+  if (!is_tested && reach_.may_be_negative()) end_outside(Reason::origin_not_crossed);
+  if (is_tested || reach_may_be_crossed() || std::isnan(reach_.value))
+    endings_.push_back({Status::intersecting, Reason::simplex_contains_origin});
+}
+
+// -- What follows from them -------------------------------------------------------------------------------------------
+
+void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
+  require_identical(event.before, simplex_, "before", "the simplex as it was");
+  std::string dropped;
+  for (int i = simplex_.size(); i-- > 0;)
+    if (const char name = gjk::letter(static_cast<gjk::Role>(i)); step_.kept.find(name) == std::string_view::npos)
+      dropped += name;
+  const auto require_word = [](std::string_view found, std::string_view expected, const char* key) {
+    require(found == expected, quoted(key) + " is " + quoted(found) + "; after this region it is " + quoted(expected));
+  };
+  require_word(event.kept, step_.kept, "kept");
+  require_word(event.dropped, dropped, "dropped");
+  Simplex kept;
+  for (const char name : step_.kept) kept.add(simplex_[static_cast<gjk::Role>(name - 'A')]);
+  require_identical(event.after, kept, "after", "the simplex that 'kept' says");
+  expected_ = {Kind::direction};
+}
+
+/// The letters of the expression are those of the simplex before it was reduced.
+void TraceCheck::check(const gjk::DirectionChosen<double>& event) {
+  require(event.expression == step_.direction,
+          "'expression' is " + quoted(event.expression) + "; after this region it is " + quoted(step_.direction));
+  const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
+  require(agrees(event.direction, expected), "'direction' is " + written(event.direction) + ", but " +
+                                                 event.expression + " is " + written(expected.value));
+  if (!step_.kept.empty()) {
+    Simplex kept;
+    for (const char name : step_.kept) kept.add(simplex_[static_cast<gjk::Role>(name - 'A')]);
+    simplex_ = kept;
+  }
+  if (crossing_ == Crossing::not_crossed) {  // as printed: the simplex was processed all the same
+    expected_ = {Kind::finished};
+    return end_outside(Reason::origin_not_crossed);
+  }
+  direction_ = event.direction;
+  begin_search();
+}
+
+// -- The end ----------------------------------------------------------------------------------------------------------
+
+/// The origin was not found; only a finite w·d < 0 proves that it is not there.
+void TraceCheck::end_outside(Reason reason) {
+  endings_.clear();
+  if (!std::isfinite(reach_.value)) {
+    endings_ = {{Status::undecided, Reason::unusable_direction}};
+    return;
+  }
+  if (reach_.may_be_negative()) endings_.push_back({Status::separated, reason});
+  if (reach_may_be_crossed()) endings_.push_back({Status::undecided, reason});
+}
+
+void TraceCheck::check(const gjk::Finished<double>& event) {
+  const gjk::Result<double>& result = event.result;
+  const auto words = [](Status status, Reason reason) {
+    return quoted(words_of::of(words_of::status, status)) + " because of " +
+           quoted(words_of::of(words_of::reason, reason));
+  };
+  std::string possible;
+  bool is_possible = false;
+  for (const Ending& ending : endings_) {
+    is_possible = is_possible || (ending.status == result.status && ending.reason == result.reason);
+    possible += (possible.empty() ? "" : " or ") + words(ending.status, ending.reason);
+  }
+  require(is_possible, "the search ends here " + possible + ", not " + words(result.status, result.reason));
+  require(result.iterations == iteration_,
+          "'iterations' is " + std::to_string(result.iterations) + ", but there were " + std::to_string(iteration_));
+  require_identical(result.simplex, simplex_, "simplex", "the last one");
+  require(result.separation.has_value() == (result.status == Status::separated),
+          "'separation' is there exactly where the status is 'separated'");
+  if (result.separation) check_separation(result);
+  expected_.clear();
+}
+
+void TraceCheck::check_separation(const gjk::Result<double>& result) const {
+  const gjk::Separation<double>& proof = *result.separation;
+  require_identical(proof.direction, direction_, "separation.direction", "the direction of the last search");
+  require(is_identical(proof.vertex, vertex_), "'separation.vertex' is not the vertex found last");
+  require(proof.support_value < 0, "'separation.support_value' is " + reading::written(proof.support_value) +
+                                       ", which is not below 0 and proves nothing");
+  require(agrees(proof.support_value, reach_), "'separation.support_value' is " +
+                                                   reading::written(proof.support_value) + ", but w·direction is " +
+                                                   reading::written(reach_.value));
+}
+
+bool TraceCheck::reach_may_be_crossed() const { return reach_.may_be_positive_or_zero() || reach_counts_as_zero(); }
+
+bool TraceCheck::is_known(const Point& w) const {
+  return std::ranges::any_of(known_, [&](const Point& earlier) { return earlier == w; });
+}
+
+bool TraceCheck::has(const Point& w) const {
+  for (int i = 0; i < simplex_.size(); ++i)
+    if (simplex_[i].w == w) return true;
+  return false;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,201 @@
+#include "walkthroughs/trace/trace_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "walkthroughs/model/words_of.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order in which a reader wants them
+
+/// What is not finite has no number in JSON and is a word.
+Json json(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+Json json(const Point& p) { return {json(p.x()), json(p.y()), json(p.z())}; }
+
+Json json(const gjk::SupportPoint<double>& support) {
+  Json j{{"point", json(support.point)}};
+  if (support.index) j["index"] = *support.index;
+  return j;
+}
+
+Json json(const gjk::Vertex<double>& vertex) {
+  return {{"w", json(vertex.w)}, {"a", json(vertex.a)}, {"b", json(vertex.b)}};
+}
+
+/// Oldest first, newest (A) last.
+Json json(const gjk::Simplex<double>& simplex) {
+  Json list = Json::array();
+  for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
+  return list;
+}
+
+/// The form of an object, as in scene files.
+struct FormJson {
+  Json operator()(const Points& set) const {
+    Json list = Json::array();
+    for (const Point& p : set.points()) list.push_back(json(p));
+    return {{"points", list}};
+  }
+  Json operator()(const Ball& ball) const {
+    return {{"sphere", {{"center", json(ball.center())}, {"radius", ball.radius()}}}};
+  }
+  Json operator()(const Cylinder& cylinder) const {
+    return {{"cylinder",
+             {{"center", json(cylinder.center())},
+              {"axis", json(cylinder.axis())},
+              {"radius", cylinder.radius()},
+              {"height", cylinder.height()}}}};
+  }
+};
+
+Json json(const Object& object) {
+  Json j{{"name", object.name}};
+  j.update(std::visit(FormJson{}, object.form));
+  if (!object.is_at_rest()) {
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
+    j["pose"] = {{"rotation", rows}, {"translation", json(object.pose.translation)}};
+  }
+  return j;
+}
+
+Json json(const Scene& scene) {
+  Json j{{"name", scene.name},
+         {"dimension", scene.dimension == Dimension::plane ? 2 : 3},
+         {"a", json(scene.a)},
+         {"b", json(scene.b)},
+         {"first_direction", json(scene.options.first_direction)},
+         {"iteration_limit", scene.options.iteration_limit},
+         {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
+         {"rules", words_of::of(words_of::rules, scene.rules)}};
+  if (scene.zero_test != ZeroTest::exact) j["zero_test"] = words_of::of(words_of::zero_test, scene.zero_test);
+  if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
+  return j;
+}
+
+/// One overload for each event: its name and what it carries. What an event does not have is left out.
+struct EventJson {
+  Json operator()(const gjk::SearchStarted<double>& e) const {
+    return {{"event", "search-started"}, {"direction", json(e.direction)}, {"why", e.why}};
+  }
+  Json operator()(const gjk::SupportFound<double>& e) const {
+    Json j{{"event", "support-found"}, {"direction", json(e.direction)}};
+    j.update(json(e.vertex));
+    j["new"] = e.is_new;
+    return j;
+  }
+  Json operator()(const gjk::CrossingTested<double>& e) const {
+    Json j{{"event", "crossing-tested"}};
+    if (e.value) j["value"] = json(*e.value);
+    j["verdict"] = words_of::of(words_of::crossing, e.verdict);
+    return j;
+  }
+  Json operator()(const gjk::VertexAdded<double>& e) const {
+    return {{"event", "vertex-added"}, {"simplex", json(e.simplex)}};
+  }
+  Json operator()(const gjk::RegionTested<double>& e) const {
+    Json j{{"event", "region-tested"}, {"simplex_size", e.simplex_size}, {"feature", e.feature}};
+    if (!e.label.empty()) j["region"] = e.label;
+    if (!e.face.empty()) j["face"] = e.face;
+    if (!e.expression.empty()) j["expression"] = e.expression;
+    if (!e.formula.empty()) j["formula"] = e.formula;
+    if (e.normal) j["normal"] = json(*e.normal);
+    if (const double* value = std::get_if<double>(&e.value)) j["value"] = json(*value);
+    if (const Point* value = std::get_if<Point>(&e.value)) j["value"] = json(*value);
+    if (j.contains("value")) j["relation"] = words_of::of(words_of::relation, e.relation);
+    j["verdict"] = words_of::of(words_of::verdict, e.verdict);
+    j["reason"] = e.reason;
+    return j;
+  }
+  Json operator()(const gjk::SimplexReduced<double>& e) const {
+    return {{"event", "simplex-reduced"}, {"before", json(e.before)},
+            {"after", json(e.after)},     {"kept", e.kept},
+            {"dropped", e.dropped},       {"why", e.why}};
+  }
+  Json operator()(const gjk::DirectionChosen<double>& e) const {
+    return {{"event", "direction-chosen"}, {"expression", e.expression}, {"direction", json(e.direction)}};
+  }
+  Json operator()(const gjk::Finished<double>& e) const {
+    Json j{{"event", "finished"},
+           {"status", words_of::of(words_of::status, e.result.status)},
+           {"reason", words_of::of(words_of::reason, e.result.reason)},
+           {"iterations", e.result.iterations},
+           {"simplex", json(e.result.simplex)}};
+    if (const auto& proof = e.result.separation)
+      j["separation"] = {{"direction", json(proof->direction)},
+                         {"vertex", json(proof->vertex)},
+                         {"support_value", json(proof->support_value)}};
+    return j;
+  }
+};
+
+// -- What the pictures need -------------------------------------------------------------------------------------------
+
+Json json(const Panels& panels) {
+  const bool shown[] = {panels.objects, panels.hull, panels.algorithm};
+  Json list = Json::array();
+  for (std::size_t i = 0; i < words_of::panels.size(); ++i)
+    if (shown[i]) list.push_back(words_of::panels[i]);
+  return list;
+}
+
+Json json(const Remark& remark) {
+  Json j{{"at", words_of::of(words_of::remark_at, remark.at)}, {"iteration", remark.iteration}, {"text", remark.text}};
+  if (!remark.only_for.empty()) j["only_for"] = remark.only_for;
+  if (!remark.fact.empty()) j["fact"] = remark.fact;
+  return j;
+}
+
+Json presentation(const Walkthrough& walkthrough, const std::vector<Remark>& remarks) {
+  Json j{{"title", walkthrough.title},         {"source", walkthrough.source},
+         {"summary", walkthrough.summary},     {"layout", words_of::of(words_of::layout, walkthrough.layout)},
+         {"panels", json(walkthrough.panels)}, {"naming", words_of::of(words_of::naming, walkthrough.naming)}};
+  if (!remarks.empty()) j["remarks"] = Json::array();
+  for (const Remark& remark : remarks) j["remarks"].push_back(json(remark));
+  if (const auto& move = walkthrough.close_up)
+    j["close_up"] = {{"iteration", move->iteration},
+                     {"direction", move->direction},
+                     {"support", move->support},
+                     {"crossing", move->crossing}};
+  return j;
+}
+
+Json json(const gjk::Event<double>& event) {
+  Json line{{"iteration", std::visit([](const auto& e) { return e.iteration; }, event)}};
+  line.update(std::visit(EventJson{}, event));
+  return line;
+}
+
+}  // namespace
+
+std::string event_json(const gjk::Event<double>& event) { return json(event).dump(); }
+
+void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
+  std::vector<Trace> traces;
+  for (const Scene& scene : walkthrough.scenes) traces.push_back(run(scene));
+  Json header{{"schema", "gjkstep-trace"},
+              {"version", trace_version},
+              {"walkthrough", walkthrough.name},
+              {"scalar", "double"},
+              {"presentation", presentation(walkthrough, remarks_of(walkthrough, traces))},
+              {"scenes", Json::array()}};
+  for (const Scene& scene : walkthrough.scenes) header["scenes"].push_back(json(scene));
+  out << header.dump() << '\n';
+  for (std::size_t s = 0; s < traces.size(); ++s) {
+    for (const gjk::Event<double>& event : traces[s].events) {
+      Json line{{"scene", walkthrough.scenes[s].name}};
+      line.update(json(event));
+      out << line.dump() << '\n';
+    }
+  }
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,33 @@
+/// Traces as JSON Lines.
+///
+/// The first line says what the rest is: schema name and version, walkthrough, scalar, how it is presented, and the scenes
+/// in full. Each further line is one event of one scene, in order. A trace is complete: it can be drawn and checked
+/// without a search, and without this program's catalogue.
+///
+/// Vectors are arrays of three numbers in scene units. Every finite number reads back as the same double; any other is one
+/// of the words "inf", "-inf" and "nan". The scalar of the first line is that of these numbers; a scene that was searched in
+/// another, or with another zero test, says so by a key of its own, and readers that do not know the key refuse it. trace_schema() says
+/// which keys and words a line may have.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "walkthroughs/model/walkthrough.hpp"
+
+namespace walkthroughs {
+
+inline constexpr int trace_version = 2;
+
+/// Returns: one event as in a trace, but for its scene.
+std::string event_json(const gjk::Event<double>& event);
+
+/// Returns: the JSON Schema (draft 2020-12) of one line of a trace.
+std::string_view trace_schema();
+
+/// Runs the scenes of `walkthrough` and writes their traces.
+void write_traces(std::ostream& out, const Walkthrough& walkthrough);
+
+}  // namespace walkthroughs
