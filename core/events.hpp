@@ -22,6 +22,7 @@ struct SearchStarted {
   int iteration = 0;
   Vec3<S> direction;
   std::string why;
+  friend bool operator==(const SearchStarted&, const SearchStarted&) = default;
 };
 
 /// Eqs. 5-8 were asked for the farthest vertex of the difference.
@@ -31,6 +32,7 @@ struct SupportFound {
   Vec3<S> direction;
   Vertex<S> vertex;
   bool is_new = true;  ///< no earlier vertex of this run lies at the same place
+  friend bool operator==(const SupportFound&, const SupportFound&) = default;
 };
 
 enum class Crossing { crossed, not_crossed, first_point, switched_off };
@@ -41,12 +43,14 @@ struct CrossingTested {
   int iteration = 0;
   std::optional<S> value;  ///< w·d; empty exactly where the test was not applied
   Crossing verdict = Crossing::crossed;
+  friend bool operator==(const CrossingTested&, const CrossingTested&) = default;
 };
 
 template <class S>
 struct VertexAdded {
   int iteration = 0;
   Simplex<S> simplex;  ///< the vertex added is the newest
+  friend bool operator==(const VertexAdded&, const VertexAdded&) = default;
 };
 
 /// What the value of a region test was compared with. A scalar is compared with 0, a vector with the zero vector.
@@ -70,6 +74,7 @@ struct RegionTested {
   Relation relation = Relation::positive;
   Verdict verdict = Verdict::skipped;
   std::string reason;  ///< skipped: the report's reason; else what the verdict means
+  friend bool operator==(const RegionTested&, const RegionTested&) = default;
 };
 
 template <class S>
@@ -79,6 +84,7 @@ struct SimplexReduced {
   std::string kept;     ///< roles in `before`, oldest first: "CA"
   std::string dropped;  ///< roles in `before`; empty where only the order changed
   std::string why;      ///< why these vertices, and why in this order
+  friend bool operator==(const SimplexReduced&, const SimplexReduced&) = default;
 };
 
 template <class S>
@@ -86,12 +92,14 @@ struct DirectionChosen {
   int iteration = 0;
   std::string expression;  ///< "AO", "AB×AO×AB", "ABCn", "−ABCn"
   Vec3<S> direction;
+  friend bool operator==(const DirectionChosen&, const DirectionChosen&) = default;
 };
 
 template <class S>
 struct Finished {
   int iteration = 0;
   Result<S> result;
+  friend bool operator==(const Finished&, const Finished&) = default;
 };
 
 template <class S>

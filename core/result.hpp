@@ -46,6 +46,7 @@ struct Separation {
   Vec3<S> direction;
   Vertex<S> vertex;  ///< the farthest one, not necessarily part of the simplex: vertex.w·direction = support_value
   S support_value;
+  friend bool operator==(const Separation&, const Separation&) = default;
 };
 
 template <class S>
@@ -55,6 +56,7 @@ struct Result {
   int iterations = 0;                       ///< how many times each of the two support functions was called
   Simplex<S> simplex;                       ///< the last one; the claim is that it contains the origin, if intersecting
   std::optional<Separation<S>> separation;  ///< present exactly when separated
+  friend bool operator==(const Result&, const Result&) = default;
 };
 
 constexpr std::string_view to_string(Status status) {

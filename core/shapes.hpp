@@ -27,6 +27,7 @@ struct SupportPoint {
 
   Vec3<S> point;
   std::optional<int> index;  ///< position in the list of vertices; empty for sets that have no such list
+  friend bool operator==(const SupportPoint&, const SupportPoint&) = default;
 };
 
 /// Anything with a support function is a shape; it may return a plain Vec3<S> where it has no vertices to number.
@@ -267,6 +268,7 @@ template <class S>
 struct Vertex {
   SupportPoint<S> a, b;
   Vec3<S> w;
+  friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
 /// Eq. 4: { X - Y }. Refers to its two sets, which must outlive it. It contains the origin exactly when the sets have

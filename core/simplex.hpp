@@ -50,6 +50,11 @@ class Simplex {
     return kept;
   }
 
+  friend bool operator==(const Simplex& x, const Simplex& y) {
+    return std::equal(x.vertices_.begin(), x.vertices_.begin() + x.size_, y.vertices_.begin(),
+                      y.vertices_.begin() + y.size_);
+  }
+
   /// Makes `vertex` the newest. Requires: size() < 4.
   void add(const Vertex<S>& vertex) {
     assert(size_ < 4);

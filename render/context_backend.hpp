@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/offscreen_context.hpp"
+#include "render/backend.hpp"
 
 namespace render {
 
@@ -18,7 +18,7 @@ class CurrentContext {
   CurrentContext& operator=(const CurrentContext&) = delete;
 
   /// Returns: the OpenGL function of that name, or null.
-  virtual OffscreenContext::Function function(const char* name) const = 0;
+  virtual GlFunction function(const char* name) const = 0;
 };
 
 /// Each in a file of its own, which is only compiled where its library is there. Require: this thread has no context.

@@ -24,6 +24,10 @@ struct Size {
   friend bool operator==(const Size&, const Size&) = default;
 };
 
+/// The smallest and largest picture that can be drawn, each way.
+inline constexpr int min_pixels = 16;
+inline constexpr int max_pixels = 8192;
+
 /// A box in page units; `min` is the top left corner.
 struct Box {
   Vec2 min = Vec2::Zero();

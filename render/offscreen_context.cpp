@@ -92,8 +92,8 @@ struct OffscreenContext::Impl {
   const BuiltIn& backend;
   std::unique_ptr<CurrentContext> context = backend.make();
 
-  Function function(const char* name) const {
-    if (const Function found = context->function(name)) return found;
+  GlFunction function(const char* name) const {
+    if (const GlFunction found = context->function(name)) return found;
     throw ContextError(std::string("the OpenGL driver has no ") + name + suspects());
   }
   /// Returns: what OpenGL says of itself, or nothing.
@@ -116,7 +116,7 @@ OffscreenContext::OffscreenContext(Backend backend) {
 
 OffscreenContext::~OffscreenContext() = default;
 
-OffscreenContext::Function OffscreenContext::function(const char* name) const { return impl_->function(name); }
+GlFunction OffscreenContext::function(const char* name) const { return impl_->function(name); }
 
 std::string OffscreenContext::description() const {
   return impl_->text(GL_RENDERER) + ", OpenGL " + impl_->text(GL_VERSION) + ", " + std::string(impl_->backend.title);

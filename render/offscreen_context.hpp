@@ -2,32 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <stdexcept>
 #include <string>
-#include <string_view>
+
+#include "render/backend.hpp"
 
 namespace render {
-
-/// No usable OpenGL context; what() says what failed and what to try.
-struct ContextError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// Ways to a context of llvmpipe, Mesa's software renderer. Both draw the same pixels.
-enum class Backend {
-  osmesa,  ///< one library and nothing else; left Mesa with version 25.1
-  egl,     ///< EGL without surfaces, on the software device even where there is a graphics card
-};
-
-/// Returns: all that there can be, whether this build has them or not.
-std::span<const Backend> all_backends();
-/// Returns: those that this build has, the default first; at least one.
-std::span<const Backend> built_in_backends();
-inline Backend default_backend() { return built_in_backends().front(); }
-
-/// Returns: for example "egl".
-std::string_view name_of(Backend backend);
 
 /// The current OpenGL 3.3 core context of the thread that made it, which must destroy it as well. One .cpp file knows
 /// OSMesa and one EGL; everything else asks for functions by name and draws into a framebuffer object of its own.
@@ -40,11 +19,10 @@ class OffscreenContext {
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  using Function = void (*)();
   /// Returns: the OpenGL function of that name.
   /// Errors: ContextError where the driver has none. (Mesa has a stub for every name that begins with gl, so this does
   /// not tell what it supports; that a context of version 3.3 was made does.)
-  Function function(const char* name) const;
+  GlFunction function(const char* name) const;
 
   /// Returns: for example "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6, OSMesa"; EGL ends
   /// with "EGL surfaceless".

@@ -61,7 +61,7 @@ class EglContext final : public CurrentContext {
  public:
   EglContext();
   ~EglContext() override;
-  OffscreenContext::Function function(const char* name) const override { return eglGetProcAddress(name); }
+  GlFunction function(const char* name) const override { return eglGetProcAddress(name); }
 
  private:
   EGLDisplay display_ = software_display();

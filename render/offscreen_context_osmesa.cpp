@@ -11,7 +11,7 @@ namespace {
 class OsmesaContext final : public CurrentContext {
  public:
   OsmesaContext();
-  OffscreenContext::Function function(const char* name) const override { return OSMesaGetProcAddress(name); }
+  GlFunction function(const char* name) const override { return OSMesaGetProcAddress(name); }
 
  private:
   struct Deleter {

@@ -9,10 +9,6 @@
 
 namespace render {
 
-/// The smallest and largest picture that can be drawn, each way.
-inline constexpr int min_pixels = 16;
-inline constexpr int max_pixels = 8192;
-
 class Rasterizer {
  public:
   /// Compiles the shader in `context`, which must outlive the rasterizer and be used by nothing else.

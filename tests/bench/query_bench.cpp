@@ -22,7 +22,7 @@ constexpr int pairs = 1000;
 
 /// Uniform in [-1, 1) with all digits, the same with every standard library.
 std::string number(std::mt19937_64& generator) {
-  return reading::written(static_cast<double>(generator() >> 11) * 0x1p-52 - 1);
+  return number_text(static_cast<double>(generator() >> 11) * 0x1p-52 - 1);
 }
 
 std::string point(std::mt19937_64& generator) {

@@ -37,12 +37,14 @@
 #include <vector>
 
 #include "render/image.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using walkthroughs::Story;
+using walkthroughs::StagedStory;
 using walkthroughs::Walkthrough;
 using Milliseconds = double;
 
@@ -79,7 +81,7 @@ struct Cost {
   Milliseconds layout = 0, draw = 0, read_back = 0, png = 0;
 };
 
-Cost cost_of(const Story& story, std::size_t index, walkthroughs::Studio& studio) {
+Cost cost_of(const StagedStory& story, std::size_t index, walkthroughs::Studio& studio) {
   const walkthroughs::Look look;
   const Milliseconds start = now();
   render::Canvas canvas(size, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
@@ -94,7 +96,7 @@ Cost cost_of(const Story& story, std::size_t index, walkthroughs::Studio& studio
 }
 
 void print_frames(const Walkthrough& walkthrough, walkthroughs::Studio& studio) {
-  const Story story = walkthroughs::tell(walkthrough);
+  const StagedStory story(walkthroughs::tell(walkthrough));
   std::vector<Cost> costs;
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (std::size_t i = 0; i < story.frames.size(); ++i) costs.push_back(cost_of(story, i, studio));
@@ -122,7 +124,7 @@ void print_start() {
   const Milliseconds start = now();
   walkthroughs::Studio studio;
   const Milliseconds started = now();
-  const Story story = walkthroughs::tell(*walkthroughs::find_walkthrough("figure-4-left"));
+  const StagedStory story(walkthroughs::tell(*walkthroughs::find_walkthrough("figure-4-left")));
   const Cost cost = cost_of(story, 0, studio);
   std::printf("%f %f\n", started - start, cost.layout + cost.draw + cost.read_back);
 }

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/walkthroughs/program/same_tree.hpp"
+#include "tests/walkthroughs/text/same_tree.hpp"
 #include "walkthroughs/query/query.hpp"
 
 namespace {

@@ -23,7 +23,7 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void lay_out(const walkthroughs::Story& story, std::size_t frame, render::Font& font) {
+void lay_out(const walkthroughs::StagedStory& story, std::size_t frame, render::Font& font) {
   const walkthroughs::Look look{.style = walkthroughs::Style(render::themes::report)};
   render::Canvas canvas({64, 36}, walkthroughs::frame_page, look.style.theme.paper, font);
   walkthroughs::draw_frame(canvas, story, frame, look);
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const walkthroughs::TraceFile file = walkthroughs::parse_trace(text, "fuzz.jsonl");
     require(file.traces.size() == file.walkthrough.scenes.size());
-    const walkthroughs::Story story = walkthroughs::tell(file.walkthrough, file.traces);
+    const walkthroughs::StagedStory story(walkthroughs::tell(file.walkthrough, file.traces));
     require(!story.frames.empty());
     lay_out(story, 0, font);
     lay_out(story, story.frames.size() - 1, font);

@@ -8,6 +8,8 @@
 #include "render/compare.hpp"
 #include "tests/catch.hpp"
 #include "tests/golden/pictures.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 using namespace golden;
 using render::CanvasVertex;
@@ -174,7 +176,7 @@ TEST_CASE("control: the noise of another processor passes") {
   const Image golden = bench.right(planar);
   passes(golden, with_noise(golden, 8, 2));
 
-  const walkthroughs::Story story = walkthroughs::tell(*walkthroughs::find_walkthrough(planar.walkthrough));
+  const walkthroughs::StagedStory story(walkthroughs::tell(*walkthroughs::find_walkthrough(planar.walkthrough)));
   const walkthroughs::Look look = look_of(planar);
   render::Canvas canvas(walkthroughs::frame_page, walkthroughs::frame_page, look.style.theme.paper, bench.studio.font);
   walkthroughs::draw_frame(canvas, story, planar.frame, look);

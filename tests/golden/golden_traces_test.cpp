@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/golden/store.hpp"
 #include "tests/golden/trace_difference.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 using namespace golden;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/story/storyboard.hpp"
+
 namespace golden {
 
 using walkthroughs::Text;
@@ -71,7 +74,7 @@ walkthroughs::Look look_of(const Picture& picture) {
 }
 
 render::Canvas canvas_of(const Picture& picture, const walkthroughs::Look& look, walkthroughs::Studio& studio) {
-  const walkthroughs::Story story = walkthroughs::tell(*walkthroughs::find_walkthrough(picture.walkthrough));
+  const walkthroughs::StagedStory story(walkthroughs::tell(*walkthroughs::find_walkthrough(picture.walkthrough)));
   render::Canvas canvas(pixels, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
   walkthroughs::draw_frame(canvas, story, picture.frame, look);
   if (picture.letters == left_out)

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs::test {

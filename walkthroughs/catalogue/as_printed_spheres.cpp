@@ -1,4 +1,4 @@
-#include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs {
 

@@ -1,7 +1,8 @@
+#include "walkthroughs/catalogue/catalogue.hpp"
+
 #include <algorithm>
 
 #include "walkthroughs/text/nearest.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -1,7 +1,7 @@
 // Two pairs of integer points on which Algorithm 5 goes round in a circle, in exact arithmetic too: it takes the first
 // face that sees the origin and never looks at the others, so what it keeps need not be what lies closest to the origin.
 
-#include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -1,8 +1,8 @@
 // Five wrong and undecided answers of the algorithm in floating point, each the fault of another operation. Not that of the
 // input: exact arithmetic, which is asked for comparison, starts from the floats of the scene.
 
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/exact.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
 
 namespace walkthroughs {
 namespace {

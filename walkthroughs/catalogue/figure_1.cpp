@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_1_sets.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/picture/diagram_parts.hpp"
 
 namespace walkthroughs {
 namespace {

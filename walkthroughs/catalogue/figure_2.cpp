@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_2_pins.hpp"
-#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/model/labelled_hull.hpp"
+#include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/outlines.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_3_objects.hpp"
+#include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/outlines.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {

@@ -1,5 +1,5 @@
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_4_objects.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
 
 namespace walkthroughs {
 

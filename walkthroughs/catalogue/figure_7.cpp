@@ -1,8 +1,8 @@
 #include <array>
 
-#include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/picture/diagram_parts.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -2,9 +2,9 @@
 #include <array>
 #include <map>
 
-#include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {

@@ -1,6 +1,7 @@
 // Figure 6 names the sides of AB, Algorithm 3 treats them alike ("R3 or R4"). Here R3 is the left side of the move from B to
 // A and R4 the right side, so that R3 of the segment AB is on the same side as R3 of the triangle ABC in Figure 7.
 
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/region_walkthrough.hpp"
 
 namespace walkthroughs {

@@ -1,3 +1,4 @@
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/region_walkthrough.hpp"
 
 namespace walkthroughs {

@@ -1,5 +1,6 @@
 // ABC, ACD and ADB stand for faces, and "the ACn of ABC" for the normal of the edge AC in the plane of the face ABC.
 
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/region_walkthrough.hpp"
 
 namespace walkthroughs {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/gjk.hpp"
-#include "walkthroughs/text/scene_values.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/widened.hpp"
 
 namespace walkthroughs {
@@ -91,7 +91,7 @@ class ObjectIn {
 
 double nearest_float(double x) {
   const double rounded = static_cast<float>(x);
-  if (!std::isfinite(rounded)) throw std::range_error(reading::written(x) + " is beyond all floats");
+  if (!std::isfinite(rounded)) throw std::range_error(number_text(x) + " is beyond all floats");
   return rounded;
 }
 
@@ -101,7 +101,7 @@ Point nearest_float(const Point& p) {
 
 double positive_float(double length) {
   const double rounded = nearest_float(length);
-  if (rounded == 0) throw std::range_error(reading::written(length) + " is too small for a float and becomes 0");
+  if (rounded == 0) throw std::range_error(number_text(length) + " is too small for a float and becomes 0");
   return rounded;
 }
 

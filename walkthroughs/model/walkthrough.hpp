@@ -1,4 +1,4 @@
-/// A walkthrough: scenes, and which panels their frames have; or diagrams, which no search makes. `catalogue()` lists all.
+/// A walkthrough: scenes, and which panels their frames have; or diagrams, which no search makes.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,16 @@
 #include <string_view>
 #include <vector>
 
-#include "render/canvas.hpp"
 #include "walkthroughs/model/scene.hpp"
-#include "walkthroughs/picture/style.hpp"
+
+namespace render {
+class Canvas;
+struct Box;
+}  // namespace render
 
 namespace walkthroughs {
+
+struct Style;
 
 /// What a walkthrough tells, and of how many scenes.
 enum class Layout {
@@ -86,38 +91,5 @@ struct Walkthrough {
 
 /// Returns: the remarks of a walkthrough, and those that its findings make. Requires: the traces of its scenes.
 std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces);
-
-/// Returns: all walkthroughs, in the order of the report.
-const std::vector<Walkthrough>& catalogue();
-
-/// Returns: the walkthrough of that name, or all walkthroughs of the folder of that name ("regions"); none if there is neither.
-std::vector<const Walkthrough*> find_walkthroughs(std::string_view name);
-
-/// Returns: the walkthrough of that name, or null.
-const Walkthrough* find_walkthrough(std::string_view name);
-
-/// Returns: the name of a walkthrough that is spelled most like `name`.
-std::string nearest_name(std::string_view name);
-
-Walkthrough figure_1();
-Walkthrough figure_2();
-Walkthrough figure_3();
-Walkthrough figure_4();
-Walkthrough figure_4_left();
-Walkthrough figure_4_right();
-Walkthrough figure_4_right_no_crossing_test();
-Walkthrough figure_5();
-Walkthrough figure_6();
-Walkthrough figure_7();
-Walkthrough figure_8();
-std::vector<Walkthrough> regions_of_0_simplex();
-std::vector<Walkthrough> regions_of_1_simplex();
-std::vector<Walkthrough> regions_of_2_simplex();
-std::vector<Walkthrough> regions_of_3_simplex();
-std::vector<Walkthrough> vehicle_and_threat();
-Walkthrough cycle_separated();
-Walkthrough cycle_intersecting();
-Walkthrough as_printed_spheres();
-std::vector<Walkthrough> failures();
 
 }  // namespace walkthroughs

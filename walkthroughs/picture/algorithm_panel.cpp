@@ -1,6 +1,8 @@
+#include "walkthroughs/picture/algorithm_panel.hpp"
+
 #include <algorithm>
 
-#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
 namespace walkthroughs {

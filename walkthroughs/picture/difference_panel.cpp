@@ -1,6 +1,8 @@
+#include "walkthroughs/picture/difference_panel.hpp"
+
 #include <algorithm>
 
-#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
 
@@ -51,7 +53,7 @@ class DifferencePicture {
         now_(shown.now),
         style_(shown.style),
         outline_(shown.telling.panels.hull
-                     ? outline_of_difference(shown.telling.scene, shown.telling.difference, shown.lens)
+                     ? outline_of_difference(shown.telling.scene, shown.stage.difference, shown.lens)
                      : std::vector<Vec2>{}),
         center_(outline_.empty() ? pencil_.at(middle_of_search()) : middle_of(outline_)) {}
 
@@ -164,7 +166,7 @@ class DifferencePicture {
     if (pencil_.in_space() && shown_.focus == Focus::region)  // its edges would hide the regions
       panel_.polygon(outline_, style_.hull_fill.with_alpha(60));
     else
-      pencil_.body(outline_, shown_.telling.difference.faces, style_.hull_fill, hull_stroke());
+      pencil_.body(outline_, shown_.stage.difference.faces, style_.hull_fill, hull_stroke());
   }
 
   Stroke hull_stroke() const {
@@ -229,10 +231,10 @@ Bounds bounds(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-Bounds bounds_of_difference(const Telling& telling, const Lens& lens) {
+Bounds bounds_of_difference(const Telling& telling, const Stage& stage, const Lens& lens) {
   std::vector<Vec2> points = {lens(Point::Zero())};
   if (telling.panels.hull) {
-    const std::vector<Vec2> outline = outline_of_difference(telling.scene, telling.difference, lens);
+    const std::vector<Vec2> outline = outline_of_difference(telling.scene, stage.difference, lens);
     points.insert(points.end(), outline.begin(), outline.end());
   }
   for (const auto& event : telling.trace.events)

@@ -5,7 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/picture/algorithm_panel.hpp"
+#include "walkthroughs/picture/difference_panel.hpp"
+#include "walkthroughs/picture/objects_panel.hpp"
+#include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -32,9 +36,9 @@ constexpr double objects_margin = 64, difference_margin = 64;  // around a scene
 Box panel_box(double left, double right, double top) { return {{left, top}, {right, top + panels_height}}; }
 
 /// One scene of one frame.
-Shown shown(const Story& story, const Names& names, std::size_t scene, const Frame& frame, const Lens& lens,
+Shown shown(const StagedStory& story, const Names& names, std::size_t scene, const Frame& frame, const Lens& lens,
             const Style& style) {
-  return {story.tellings[scene], frame.moments[scene], names, frame.focus_of(scene), lens, style};
+  return {story.tellings[scene], story.stages[scene], frame.moments[scene], names, frame.focus_of(scene), lens, style};
 }
 
 Lens turned(const Lens& lens, double degrees) {
@@ -98,7 +102,7 @@ void draw_facts(Canvas& canvas, Column& column, const Frame& frame, const Style&
 }
 
 /// "step n of N", the caption, and the numbers that decide.
-void draw_footer(Canvas& canvas, const Story& story, std::size_t index, const Style& style) {
+void draw_footer(Canvas& canvas, const StagedStory& story, std::size_t index, const Style& style) {
   const Frame& frame = story.frames[index];
   Column progress(canvas, left_margin, text_left - panel_gap);
   TextStyle bold{.size = 24, .weight = render::Weight::bold, .color = style.theme.ink};
@@ -152,18 +156,18 @@ View fit(const Bounds& bounds, const Box& room, double max_scale = unlimited) {
 /// Where a simplex would be small in the whole set, its regions are shown close up.
 bool is_close_up(const Shown& what, const Box& room) {
   if (what.focus != Focus::region || what.now.processed.size() < 2) return false;
-  const double whole = fit(bounds_of_difference(what.telling, what.lens), room).scale();
+  const double whole = fit(bounds_of_difference(what.telling, what.stage, what.lens), room).scale();
   return fit(bounds_of_decision(what.now, what.lens), room).scale() > least_magnification * whole;
 }
 
 View view_of_difference(const Shown& what, const Box& room) {
   return is_close_up(what, room) ? fit(bounds_of_decision(what.now, what.lens), room)
-                                 : fit(bounds_of_difference(what.telling, what.lens), room);
+                                 : fit(bounds_of_difference(what.telling, what.stage, what.lens), room);
 }
 
-int draw_search(Canvas& canvas, const Story& story, std::size_t index, double top, const Look& look) {
+int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
   const Telling& telling = story.tellings[0];
-  const Lens lens = turned(telling.lens, look.turn);
+  const Lens lens = turned(story.stages[0].lens, look.turn);
   const Names names = story.names(index, 0);
   const Shown what = shown(story, names, 0, story.frames[index], lens, look.style);
   const Columns boxes = columns(telling.panels, top);
@@ -171,7 +175,7 @@ int draw_search(Canvas& canvas, const Story& story, std::size_t index, double to
   View view = view_of_difference(what, room);
   int crowded = 0;
   if (boxes.objects) {
-    const Bounds objects = bounds_of_objects(telling, lens);
+    const Bounds objects = bounds_of_objects(telling, story.stages[0], lens);
     const Box room_left = below_title(*boxes.objects).grown(-objects_margin);
     View left = fit(objects, room_left);
     if (!lens.camera &&
@@ -192,25 +196,25 @@ int draw_search(Canvas& canvas, const Story& story, std::size_t index, double to
 // -- Two scenes -------------------------------------------------------------------------------------------------------
 
 /// "left set", "as printed"; with the answer once the search has ended.
-std::string title_of_scene(const Story& story, std::size_t scene, const Frame& frame) {
+std::string title_of_scene(const StagedStory& story, std::size_t scene, const Frame& frame) {
   const std::string& name = story.tellings[scene].scene.name;
   if (story.walkthrough.layout != Layout::until_they_part) return name + " set";
   const std::optional<gjk::Result<double>>& result = frame.moments[scene].result;
   return result ? name + ": " + std::string(gjk::to_string(result->status)) : name;
 }
 
-bool shows_a_move(const Story& story) { return story.walkthrough.layout == Layout::close_ups; }
+bool shows_a_move(const StagedStory& story) { return story.walkthrough.layout == Layout::close_ups; }
 
-Bounds bounds_of_scene(const Story& story, std::size_t scene, const Frame& frame, const Lens& lens) {
+Bounds bounds_of_scene(const StagedStory& story, std::size_t scene, const Frame& frame, const Lens& lens) {
   return shows_a_move(story) ? bounds_of_move(frame.moments[scene], lens)
-                             : bounds_of_difference(story.tellings[scene], lens);
+                             : bounds_of_difference(story.tellings[scene], story.stages[scene], lens);
 }
 
-int draw_scene(Canvas& canvas, const Story& story, const Place& place, const Shown& what) {
+int draw_scene(Canvas& canvas, const StagedStory& story, const Place& place, const Shown& what) {
   return shows_a_move(story) ? draw_move(canvas, place, what) : draw_difference(canvas, place, what);
 }
 
-int draw_pair(Canvas& canvas, const Story& story, std::size_t index, double top, const Look& look) {
+int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
   const double middle = (left_margin + right_margin) / 2;
   const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, top),
                        panel_box(middle + panel_gap / 2, right_margin, top)};
@@ -219,7 +223,7 @@ int draw_pair(Canvas& canvas, const Story& story, std::size_t index, double top,
         bounds_of_scene(story, s, story.frames.back(), lens);  // of the last frame, so that nothing jumps
     return fit(box, below_title(boxes[s]).grown(-difference_margin), scale);
   };
-  const Lens lenses[] = {turned(story.tellings[0].lens, look.turn), turned(story.tellings[1].lens, look.turn)};
+  const Lens lenses[] = {turned(story.stages[0].lens, look.turn), turned(story.stages[1].lens, look.turn)};
   const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());
   int crowded = 0;
   for (std::size_t s = 0; s < 2; ++s) {
@@ -243,7 +247,7 @@ struct Cell {
   std::string title, caption;
 };
 
-std::vector<Cell> cells(const Story& story) {
+std::vector<Cell> cells(const StagedStory& story) {
   std::vector<Cell> list;
   if (story.walkthrough.layout == Layout::diagrams) {
     for (std::size_t i = 0; i < story.frames.size(); ++i) list.push_back({i, 0, "", story.frames[i].caption});
@@ -266,10 +270,10 @@ std::vector<Cell> cells(const Story& story) {
   return list;
 }
 
-int draw_cell_picture(Canvas& canvas, const Story& story, const Cell& cell, const Box& frame, const Look& look) {
+int draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cell, const Box& frame, const Look& look) {
   const Frame& shown_frame = story.frames[cell.frame];
   if (story.walkthrough.layout == Layout::diagrams) return story.diagrams[cell.frame].draw(canvas, frame, look.style);
-  const Lens lens = turned(story.tellings[cell.scene].lens, look.turn);
+  const Lens lens = turned(story.stages[cell.scene].lens, look.turn);
   const Names names = story.names(cell.frame, cell.scene);
   const Bounds box = bounds_of_scene(story, cell.scene, shown_frame, lens);
   const Place place{frame, cell.title, fit(box, below_title(frame).grown(-cell_margin))};
@@ -277,13 +281,13 @@ int draw_cell_picture(Canvas& canvas, const Story& story, const Cell& cell, cons
 }
 
 /// The width of one cell; a diagram keeps the shape that it has in a frame.
-int width_of_cell(const Story& story) { return story.walkthrough.layout == Layout::diagrams ? 1220 : cell_width; }
+int width_of_cell(const StagedStory& story) { return story.walkthrough.layout == Layout::diagrams ? 1220 : cell_width; }
 
-double bottom_of_panel(const Story& story) {
+double bottom_of_panel(const StagedStory& story) {
   return story.walkthrough.layout == Layout::diagrams ? cell_gap + panels_height : cell_panel_bottom;
 }
 
-int draw_cell(Canvas& canvas, const Story& story, const Cell& cell, double left, const Look& look) {
+int draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, double left, const Look& look) {
   const Box frame{{left + cell_gap, cell_gap}, {left + width_of_cell(story) - cell_gap, bottom_of_panel(story)}};
   const int crowded = draw_cell_picture(canvas, story, cell, frame, look);
   double y = frame.max.y() + line_pitch;
@@ -301,7 +305,7 @@ render::Size page_of_frame(Text text) {
   return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
 }
 
-int draw_frame(Canvas& canvas, const Story& story, std::size_t index, const Look& look) {
+int draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   const double top = look.text == Text::around ? panels_top : margin_without_text;
   if (look.text == Text::around) {
     draw_header(canvas, story.walkthrough, look.style);
@@ -315,12 +319,12 @@ int draw_frame(Canvas& canvas, const Story& story, std::size_t index, const Look
   }
 }
 
-render::Size strip_page(const Story& story) {
+render::Size strip_page(const StagedStory& story) {
   const int extra = static_cast<int>(bottom_of_panel(story) - cell_panel_bottom);
   return {width_of_cell(story) * static_cast<int>(cells(story).size()), cell_height + extra};
 }
 
-int draw_strip(Canvas& canvas, const Story& story, const Look& look) {
+int draw_strip(Canvas& canvas, const StagedStory& story, const Look& look) {
   int crowded = 0;
   double left = 0;
   for (const Cell& cell : cells(story)) {

@@ -6,7 +6,8 @@
 #include <cstddef>
 
 #include "render/canvas.hpp"
-#include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/picture/stage.hpp"
+#include "walkthroughs/picture/style.hpp"
 
 namespace walkthroughs {
 
@@ -30,13 +31,13 @@ inline constexpr render::Size frame_page{1280, 720};
 render::Size page_of_frame(Text text);
 
 /// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper; index < story.frames.size().
-int draw_frame(render::Canvas& canvas, const Story& story, std::size_t index, const Look& look = {});
+int draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
 
 /// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
 /// picture of each.
-render::Size strip_page(const Story& story);
+render::Size strip_page(const StagedStory& story);
 
 /// Requires: a canvas with the page strip_page(story), in the colour of the paper.
-int draw_strip(render::Canvas& canvas, const Story& story, const Look& look = {});
+int draw_strip(render::Canvas& canvas, const StagedStory& story, const Look& look = {});
 
 }  // namespace walkthroughs

@@ -1,4 +1,4 @@
-// The one place that knows Qhull, which was chosen for points in space because it copes with coplanar points.
+#include "walkthroughs/picture/hull_faces.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,12 +8,10 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
-#include "walkthroughs/picture/hull.hpp"
-
 namespace walkthroughs {
 namespace {
 
-/// One run of Qhull on points in space; freed with everything it has allocated.
+/// The one place that knows Qhull, which was chosen for points in space because it copes with coplanar points: one run on points in space; freed with everything it has allocated.
 class Qhull {
  public:
   explicit Qhull(std::vector<double> coordinates) : coordinates_(std::move(coordinates)) {

@@ -1,4 +1,6 @@
-#include "walkthroughs/picture/panels.hpp"
+#include "walkthroughs/picture/objects_panel.hpp"
+
+#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
 namespace walkthroughs {
@@ -43,9 +45,9 @@ Point middle_of_object(const Object& object, const Body& body) {
 
 }  // namespace
 
-Bounds bounds_of_objects(const Telling& telling, const Lens& lens) {
-  std::vector<Vec2> points = outline(telling.scene.a, telling.a, lens);
-  const std::vector<Vec2> b = outline(telling.scene.b, telling.b, lens);
+Bounds bounds_of_objects(const Telling& telling, const Stage& stage, const Lens& lens) {
+  std::vector<Vec2> points = outline(telling.scene.a, stage.a, lens);
+  const std::vector<Vec2> b = outline(telling.scene.b, stage.b, lens);
   points.insert(points.end(), b.begin(), b.end());
   Bounds box{points.front(), points.front()};
   for (const Vec2& p : points) box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
@@ -62,13 +64,13 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   render::Panel panel(canvas, below_title(place.frame), place.view);
   Pencil pencil(panel, shown.lens, style);
   if (!pencil.in_space()) panel.grid(1, style.grid);
-  draw_object(pencil, scene.a, shown.telling.a, style.object_a_fill, style.object_a);
-  draw_object(pencil, scene.b, shown.telling.b, style.object_b_fill, style.object_b);
+  draw_object(pencil, scene.a, shown.stage.a, style.object_a_fill, style.object_a);
+  draw_object(pencil, scene.b, shown.stage.b, style.object_b_fill, style.object_b);
   pencil.triad(canvas, place.frame);
   const Point d = shown.now.direction->value;
   if (!shown.now.found) {
-    pencil.direction(middle_of_object(scene.a, shown.telling.a), d, style.direction, "d");
-    pencil.direction(middle_of_object(scene.b, shown.telling.b), -d, style.direction, "−d");
+    pencil.direction(middle_of_object(scene.a, shown.stage.a), d, style.direction, "d");
+    pencil.direction(middle_of_object(scene.b, shown.stage.b), -d, style.direction, "−d");
     return panel.place_labels();
   }
   const Point &a = shown.now.found->a.point, &b = shown.now.found->b.point;

@@ -1,6 +1,6 @@
-#include <numeric>
+#include "walkthroughs/picture/panel_title.hpp"
 
-#include "walkthroughs/picture/panels.hpp"
+#include <numeric>
 
 namespace walkthroughs {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/panel.hpp"
-#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/picture/lens.hpp"
 #include "walkthroughs/picture/style.hpp"
 
 namespace walkthroughs {

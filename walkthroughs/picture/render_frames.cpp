@@ -69,7 +69,7 @@ void remove_stale(const fs::path& folder, std::size_t count, int turns) {
 
 // ---------------------------------------------------------------------------------------------- Renderer
 
-render::Image Renderer::draw(const Story& story, std::size_t index, const Output& output) {
+render::Image Renderer::draw(const StagedStory& story, std::size_t index, const Output& output) {
   const render::Size page = page_of_frame(output.look.text);
   render::Canvas canvas(pixels_of(page, output), page, output.look.style.theme.paper, studio_.font);
   draw_frame(canvas, story, index, output.look);
@@ -84,7 +84,7 @@ void Renderer::write(fs::path file, render::Image image, render::PngText text, F
       });
 }
 
-void Renderer::frames(const Story& story, const Output& output, FrameWritten written,
+void Renderer::frames(const StagedStory& story, const Output& output, FrameWritten written,
                       std::optional<double> animation_seconds, FileWritten animation_written) {
   const Walkthrough& w = story.walkthrough;
   const fs::path folder = make_folder(output.folder / w.name);
@@ -115,7 +115,7 @@ void Renderer::frames(const Story& story, const Output& output, FrameWritten wri
   });
 }
 
-void Renderer::strip(const Story& story, const Output& output, FileWritten written) {
+void Renderer::strip(const StagedStory& story, const Output& output, FileWritten written) {
   const render::Size page = strip_page(story);
   render::Canvas canvas(pixels_of(page, output), page, output.look.style.theme.paper, studio_.font);
   draw_strip(canvas, story, output.look);
@@ -124,7 +124,7 @@ void Renderer::strip(const Story& story, const Output& output, FileWritten writt
         std::move(written));
 }
 
-void Renderer::sheet(const Story& story, const Output& output, FileWritten written) {
+void Renderer::sheet(const StagedStory& story, const Output& output, FileWritten written) {
   const auto reduced = [](int pixels) { return std::max(render::min_pixels, static_cast<int>(pixels * sheet_scale)); };
   Output small = output;
   small.size = {reduced(output.size.width), reduced(output.size.height)};
@@ -143,13 +143,13 @@ void Renderer::sheet(const Story& story, const Output& output, FileWritten writt
 
 // ---------------------------------------------------------------------------------------------- one at a time
 
-void render_frames(const Story& story, const Output& output, Studio& studio, const FrameWritten& written) {
+void render_frames(const StagedStory& story, const Output& output, Studio& studio, const FrameWritten& written) {
   Renderer renderer(studio);
   renderer.frames(story, output, written);
   renderer.finish();
 }
 
-fs::path render_strip(const Story& story, const Output& output, Studio& studio) {
+fs::path render_strip(const StagedStory& story, const Output& output, Studio& studio) {
   fs::path written;
   Renderer renderer(studio);
   renderer.strip(story, output, [&](const fs::path& file) { written = file; });
@@ -157,7 +157,7 @@ fs::path render_strip(const Story& story, const Output& output, Studio& studio) 
   return written;
 }
 
-fs::path render_sheet(const Story& story, const Output& output, Studio& studio) {
+fs::path render_sheet(const StagedStory& story, const Output& output, Studio& studio) {
   fs::path written;
   Renderer renderer(studio);
   renderer.sheet(story, output, [&](const fs::path& file) { written = file; });

@@ -52,18 +52,18 @@ class Renderer {
   /// With `animation_seconds` writes FOLDER/NAME/animation.png last, which shows each frame for so long, the last one
   /// `last_frame_times` as long, and tells `animation_written`.
   /// Reads the story before it returns, and not after.
-  void frames(const Story& story, const Output& output, FrameWritten written,
+  void frames(const StagedStory& story, const Output& output, FrameWritten written,
               std::optional<double> animation_seconds = {}, FileWritten animation_written = {});
   /// Writes FOLDER/NAME/strip.png.
-  void strip(const Story& story, const Output& output, FileWritten written);
+  void strip(const StagedStory& story, const Output& output, FileWritten written);
   /// Writes FOLDER/NAME/sheet.png, a contact sheet of all frames in reading order. Each frame is drawn anew at
   /// `sheet_scale` of its size.
-  void sheet(const Story& story, const Output& output, FileWritten written);
+  void sheet(const StagedStory& story, const Output& output, FileWritten written);
   /// Returns when all files are written.
   void finish() { writer_.finish(); }
 
  private:
-  render::Image draw(const Story& story, std::size_t index, const Output& output);
+  render::Image draw(const StagedStory& story, std::size_t index, const Output& output);
   void write(std::filesystem::path file, render::Image image, render::PngText text, FileWritten written);
 
   Studio& studio_;
@@ -72,9 +72,9 @@ class Renderer {
 
 /// As Renderer::frames, strip and sheet, one at a time; each returns when its files are written, and the last two return
 /// the path.
-void render_frames(const Story& story, const Output& output, Studio& studio, const FrameWritten& written);
-std::filesystem::path render_strip(const Story& story, const Output& output, Studio& studio);
-std::filesystem::path render_sheet(const Story& story, const Output& output, Studio& studio);
+void render_frames(const StagedStory& story, const Output& output, Studio& studio, const FrameWritten& written);
+std::filesystem::path render_strip(const StagedStory& story, const Output& output, Studio& studio);
+std::filesystem::path render_sheet(const StagedStory& story, const Output& output, Studio& studio);
 
 inline constexpr double sheet_scale = 0.375;
 inline constexpr int sheet_columns = 4, sheet_gap = 8;  // at most so many in a row; pixels around each frame

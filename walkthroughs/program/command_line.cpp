@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cstdlib>
 
-#include "render/rasterizer.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/text/nearest.hpp"
 
 namespace walkthroughs {

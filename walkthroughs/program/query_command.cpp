@@ -12,10 +12,12 @@
 #include <string_view>
 
 #include "render/file.hpp"
-#include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/text/nearest.hpp"
-#include "walkthroughs/query/query.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/query/query.hpp"
+#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
+#include "walkthroughs/text/text_file.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -11,13 +11,15 @@
 
 #include "render/file.hpp"
 #include "render/rendered_by.hpp"
-#include "walkthroughs/story/alternative_text.hpp"
-#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/movie.hpp"
 #include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
-#include "walkthroughs/story/words.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -127,7 +129,8 @@ class Rendering {
   void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
     const Walkthrough& w = *chosen.walkthrough;
     const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
-    const auto story = std::make_shared<const Story>(chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown));
+    const auto story =
+        std::make_shared<const StagedStory>(chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown));
     if (command_.captions) written.stories.push_back(story);
     const auto report_frame = [this, story, &written](const std::filesystem::path& file, std::size_t index) {
       const FrameFile frame{file, *story, index};

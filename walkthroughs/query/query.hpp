@@ -17,9 +17,9 @@
 #include <string>
 #include <string_view>
 
-#include "walkthroughs/query/query_lines.hpp"
 #include "walkthroughs/model/scene.hpp"
-#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/query/query_lines.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 
 namespace walkthroughs {
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/gjk.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 
 namespace walkthroughs {
@@ -20,14 +21,11 @@ void write(const S& x, std::string& out) {
     out += std::isnan(x) ? "\"nan\"" : x > 0 ? "\"inf\"" : "\"-inf\"";
     return;
   }
-  char text[64];
-  const std::string_view digits(text, std::to_chars(text, text + sizeof text, x).ptr);
-  if (static_cast<long double>(std::fabs(x)) >
-      std::numeric_limits<double>::max()) {  // many readers of JSON would stop at such a number
-    out.append("\"").append(digits).append("\"");
-    return;
-  }
-  out += digits;
+  // Many readers of JSON would stop at such a number.
+  const bool beyond_double = static_cast<long double>(std::fabs(x)) > std::numeric_limits<double>::max();
+  if (beyond_double) out += '"';
+  append_number(x, out);
+  if (beyond_double) out += '"';
   if (x == 0 && std::signbit(x)) out += ".0";  // readers take "-0" for a whole number, which has no sign
 }
 

@@ -109,7 +109,7 @@ class InScalar {
  private:
   [[noreturn]] void fail(double x, const std::string& reason) const {
     throw DocumentError(1, place_,
-                        reading::written(x) + " " + reason + "; choose another unit of length, or --scalar double");
+                        number_text(x) + " " + reason + "; choose another unit of length, or --scalar double");
   }
   [[noreturn]] void fail_round(const std::string& kind) const {
     throw DocumentError(1, place_,

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {
 

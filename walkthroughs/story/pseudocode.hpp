@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {
 

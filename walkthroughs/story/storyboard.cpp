@@ -7,32 +7,15 @@
 #include <variant>
 
 #include "walkthroughs/story/captions.hpp"
-#include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs {
 namespace {
 
 // -- One scene --------------------------------------------------------------------------------------------------------
 
-/// Returns: the first iteration that the walkthrough has something to say about.
-std::optional<int> decisive_iteration(const std::vector<Remark>& remarks) {
-  for (const Remark& remark : remarks)
-    if (remark.at == Remark::At::region_tested || remark.at == Remark::At::reduced) return remark.iteration;
-  return std::nullopt;
-}
-
-Telling tell_scene(const Story& story, const Scene& scene, Trace trace) {
-  const Walkthrough& walkthrough = story.walkthrough;
-  Telling telling{scene, std::move(trace), {}, {}, {}, {}, walkthrough.panels, {}};
-  const Panels& panels = walkthrough.panels;
+Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene, Trace trace) {
+  Telling telling{scene, std::move(trace), {}, walkthrough.panels};
   if (walkthrough.naming == Naming::corners) telling.hull = difference_hull(scene);
-  if (panels.objects || panels.hull) {
-    telling.a = body_of(scene.a, scene.dimension);
-    telling.b = body_of(scene.b, scene.dimension);
-  }
-  if (panels.hull) telling.difference = body_of_difference(scene, telling.a, telling.b);
-  if (scene.dimension == Dimension::space)
-    telling.lens.camera = choose_camera(telling.trace, decisive_iteration(story.remarks));
   return telling;
 }
 
@@ -152,7 +135,7 @@ void tell_in_step(Story& story) {
 std::size_t common_events(const Trace& left, const Trace& right) {
   const std::size_t shorter = std::min(left.events.size(), right.events.size());
   std::size_t count = 0;
-  while (count < shorter && event_json(left.events[count]) == event_json(right.events[count])) ++count;
+  while (count < shorter && left.events[count] == right.events[count]) ++count;
   return count;
 }
 
@@ -239,7 +222,7 @@ Story tell(const Walkthrough& walkthrough, Detail detail) {
 Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail detail) {
   Story story{walkthrough, {}, remarks_of(walkthrough, traces), {}, {}};
   for (std::size_t s = 0; s < walkthrough.scenes.size(); ++s)
-    story.tellings.push_back(tell_scene(story, walkthrough.scenes[s], std::move(traces[s])));
+    story.tellings.push_back(tell_scene(walkthrough, walkthrough.scenes[s], std::move(traces[s])));
   switch (walkthrough.layout) {
     case Layout::search: tell_whole_search(story); break;
     case Layout::close_ups: tell_move(story, walkthrough.close_up.value()); break;

@@ -1,66 +1,12 @@
-/// Events to frames: which moments get a picture, and what is said under it.
+/// Events to frames: which moments get a picture.
 #pragma once
 
-#include <functional>
-#include <string>
+#include <cstddef>
 #include <vector>
 
-#include "walkthroughs/picture/hull.hpp"
-#include "walkthroughs/model/moment.hpp"
-#include "walkthroughs/model/walkthrough.hpp"
-#include "walkthroughs/story/words.hpp"
+#include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {
-
-/// What a frame wants the reader to look at first.
-enum class Focus { support, crossing, added, region, reduction, direction, repetition, parting, end, diagram };
-
-/// A number that decides, or a reason, in one line.
-struct Fact {
-  enum class Mark { none, yes, no, skipped, answer, truth };
-  Mark mark = Mark::none;
-  std::string text;  ///< with the markup of render/font.hpp
-};
-
-/// The events that a frame adds to the one before, counted from 0 in the trace of its scene; both ends belong to it.
-struct EventRange {
-  std::size_t first = 0, last = 0;
-};
-
-struct Frame {
-  Focus focus;
-  std::string caption;   ///< one sentence, with markup
-  std::string headline;  ///< the same without the walkthrough's own remark
-  std::vector<Fact> facts;
-  std::vector<Moment> moments;     ///< one for each scene
-  std::vector<EventRange> events;  ///< one for each scene
-  std::vector<Focus> own_focus;    ///< one for each scene where these differ; else empty
-
-  Focus focus_of(std::size_t scene) const { return own_focus.empty() ? focus : own_focus[scene]; }
-};
-
-/// One scene as it went, with what the panels need to show it. Panels that were not asked for leave their part empty.
-struct Telling {
-  const Scene& scene;
-  Trace trace;
-  LabelledHull hull;      ///< where corners have names
-  Body a, b, difference;  ///< where there is a panel for them
-  Panels panels;
-  Lens lens;
-};
-
-/// A walkthrough with everything its frames need. Made once; frames and pictures only read it.
-struct Story {
-  const Walkthrough& walkthrough;
-  std::vector<Telling> tellings;  ///< one for each scene
-  std::vector<Remark> remarks;    ///< all, the findings included
-  std::vector<Diagram> diagrams;  ///< Layout::diagrams: one for each frame
-  std::vector<Frame> frames;
-
-  Names names(std::size_t frame, std::size_t scene) const {
-    return {walkthrough.naming, tellings[scene].hull, frames[frame].moments[scene]};
-  }
-};
 
 enum class Detail {
   decision,  ///< one frame for each event that changes the picture

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
 

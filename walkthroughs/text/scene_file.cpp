@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 
-#include "render/rasterizer.hpp"
-#include "walkthroughs/text/document.hpp"
-#include "walkthroughs/text/scene_object.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
+#include "walkthroughs/text/scene_object.hpp"
 
 namespace walkthroughs {
 namespace {

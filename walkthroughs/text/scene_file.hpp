@@ -34,8 +34,9 @@
 #include <string_view>
 
 #include "render/geometry.hpp"
-#include "walkthroughs/text/text_file.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
+#include "walkthroughs/text/text_file.hpp"
 
 namespace walkthroughs {
 
@@ -49,14 +50,6 @@ struct SceneFile {
   Walkthrough walkthrough;
   std::optional<render::Size> size;
 };
-
-namespace scene_limits {
-inline constexpr std::size_t bytes = 16 << 20;
-inline constexpr std::size_t points = 100000;         ///< of one object
-inline constexpr std::size_t title = 120, name = 40;  ///< characters
-inline constexpr int iterations = 1000;
-inline constexpr double magnitude = 1e150;
-}  // namespace scene_limits
 
 /// Errors: SceneError, about the first thing that is wrong. Reads regular files of at most scene_limits::bytes, and never
 /// more than that.

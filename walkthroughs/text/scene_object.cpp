@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 
 namespace walkthroughs::reading {
 namespace {

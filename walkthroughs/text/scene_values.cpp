@@ -5,19 +5,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "walkthroughs/text/nearest.hpp"
-#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 
 namespace walkthroughs::reading {
 
 // -- Words ------------------------------------------------------------------------------------------------------------
-
-std::string written(double number) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-  return {text, end};
-}
 
 namespace {
 
@@ -57,7 +52,7 @@ Value required(const Value& object, std::string_view key, const std::string& wha
 double number(const Value& value) {
   expect(value, Kind::number, "a number");
   if (!(std::abs(value.number()) <= scene_limits::magnitude))
-    value.fail(written(value.number()) +
+    value.fail(number_text(value.number()) +
                " is beyond 1e150 in magnitude, where squares of lengths overflow; choose a larger unit of length");
   return value.number();
 }
@@ -65,7 +60,7 @@ double number(const Value& value) {
 double length(const Value& object, std::string_view key) {
   const Value value = required(object, key, "give it as a positive number");
   const double found = number(value);
-  if (!(found > 0)) value.fail("must be larger than 0, found " + written(found) + "; give a positive length");
+  if (!(found > 0)) value.fail("must be larger than 0, found " + number_text(found) + "; give a positive length");
   return found;
 }
 
@@ -74,7 +69,7 @@ int whole_number(const Value& value, int low, int high) {
   expect(value, Kind::number, range);
   const double found = value.number();
   if (found != std::floor(found) || found < low || found > high)
-    value.fail("expected " + range + ", found " + written(found));
+    value.fail("expected " + range + ", found " + number_text(found));
   return static_cast<int>(found);
 }
 
@@ -116,7 +111,7 @@ Point Space::point(const Value& value) const {
   Point found = Point::Zero();
   for (std::size_t i = 0; i < numbers.size(); ++i) found[static_cast<int>(i)] = number(numbers[i]);
   if (is_plane() && found.z() != 0)
-    numbers[2].fail("must be 0, because the scene has \"dimension\": 2; found " + written(found.z()));
+    numbers[2].fail("must be 0, because the scene has \"dimension\": 2; found " + number_text(found.z()));
   return found;
 }
 

@@ -9,16 +9,13 @@
 #include <string_view>
 #include <variant>
 
-#include "walkthroughs/text/document.hpp"
 #include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/text/document.hpp"
 
 namespace walkthroughs::reading {
 
 using Kind = Document::Kind;
 using Keys = std::initializer_list<std::string>;
-
-/// Returns: the shortest text that reads back as the same number.
-std::string written(double number);
 
 void expect(const Value& value, Kind kind, std::string_view expected);
 /// Expects an object that has no keys but these.

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "core/gjk.hpp"
-#include "walkthroughs/trace/farthest.hpp"
-#include "walkthroughs/text/scene_values.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/scene_values.hpp"
+#include "walkthroughs/trace/farthest.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -21,7 +22,7 @@ using gjk::Verdict;
 // -- Words ------------------------------------------------------------------------------------------------------------
 
 std::string written(const Point& p) {
-  return "[" + reading::written(p.x()) + ", " + reading::written(p.y()) + ", " + reading::written(p.z()) + "]";
+  return "[" + number_text(p.x()) + ", " + number_text(p.y()) + ", " + number_text(p.z()) + "]";
 }
 
 std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
@@ -82,7 +83,7 @@ bool stands(const Point& value, Relation relation) {
 }
 
 std::string written(const std::variant<std::monostate, double, Point>& value) {
-  if (const double* number = std::get_if<double>(&value)) return reading::written(*number);
+  if (const double* number = std::get_if<double>(&value)) return number_text(*number);
   const Point* vector = std::get_if<Point>(&value);
   return vector ? written(*vector) : "missing";
 }
@@ -163,12 +164,12 @@ void TraceCheck::check(const gjk::CrossingTested<double>& event) {
                                                      : "'value' is given, but the crossing test does not apply here");
   if (event.value) {
     require(agrees(*event.value, reach_),
-            "'value' is " + reading::written(*event.value) + ", but w·direction is " + reading::written(reach_.value));
+            "'value' is " + number_text(*event.value) + ", but w·direction is " + number_text(reach_.value));
     reach_ = {*event.value};
   }
   require(event.verdict == verdict,
           "'verdict' is " + quoted(words_of::of(words_of::crossing, event.verdict)) +
-              (event.value ? ", but the value " + reading::written(*event.value) : ", but the test") + " says " +
+              (event.value ? ", but the value " + number_text(*event.value) : ", but the test") + " says " +
               quoted(words_of::of(words_of::crossing, verdict)));
   crossing_ = verdict;
   decide_after_crossing(event);
@@ -237,8 +238,8 @@ void TraceCheck::check_value(const gjk::RegionTested<double>& event) const {
   }
   if (const double* value = std::get_if<double>(&event.value)) {
     const RoundedScalar expected = dot({*event.normal}, evaluate("AO", simplex_, scene_.scalar), scene_.scalar);
-    require(agrees(*value, expected), "'value' is " + reading::written(*value) + ", but " + event.expression + " is " +
-                                          reading::written(expected.value));
+    require(agrees(*value, expected),
+            "'value' is " + number_text(*value) + ", but " + event.expression + " is " + number_text(expected.value));
   }
   if (const Point* value = std::get_if<Point>(&event.value)) {
     const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
@@ -378,11 +379,10 @@ void TraceCheck::check_separation(const gjk::Result<double>& result) const {
   const gjk::Separation<double>& proof = *result.separation;
   require_identical(proof.direction, direction_, "separation.direction", "the direction of the last search");
   require(is_identical(proof.vertex, vertex_), "'separation.vertex' is not the vertex found last");
-  require(proof.support_value < 0, "'separation.support_value' is " + reading::written(proof.support_value) +
+  require(proof.support_value < 0, "'separation.support_value' is " + number_text(proof.support_value) +
                                        ", which is not below 0 and proves nothing");
-  require(agrees(proof.support_value, reach_), "'separation.support_value' is " +
-                                                   reading::written(proof.support_value) + ", but w·direction is " +
-                                                   reading::written(reach_.value));
+  require(agrees(proof.support_value, reach_), "'separation.support_value' is " + number_text(proof.support_value) +
+                                                   ", but w·direction is " + number_text(reach_.value));
 }
 
 bool TraceCheck::reach_may_be_crossed() const { return reach_.may_be_positive_or_zero() || reach_counts_as_zero(); }

@@ -6,13 +6,15 @@
 #include <optional>
 #include <utility>
 
-#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/model/labelled_hull.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/precision.hpp"
+#include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/scene_values.hpp"
 #include "walkthroughs/trace/trace_check.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
-#include "walkthroughs/model/words_of.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -242,7 +244,7 @@ void require_known_version(const Value& root) {
   const Value version = member(root, "version");
   expect(version, Kind::number, "a number");
   if (version.number() != trace_version)
-    version.fail("version " + written(version.number()) + " is not known; this program reads version " +
+    version.fail("version " + number_text(version.number()) + " is not known; this program reads version " +
                  std::to_string(trace_version) + ": " + trace_again);
 }
 

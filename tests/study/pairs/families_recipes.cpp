@@ -2,6 +2,14 @@
 
 namespace study {
 
+Family thrown(std::string name, std::string what, std::function<Pair(Dice&)> recipe) {
+  auto make = [name, recipe = std::move(recipe)](std::uint64_t seed, std::uint64_t index) {
+    Dice dice(seed, name, index);
+    return recipe(dice);
+  };
+  return {std::move(name), std::move(what), {}, std::move(make)};
+}
+
 Points points_in_unit_cube(Dice& dice, int count) {
   Points points(static_cast<std::size_t>(count));
   for (Vec& p : points)

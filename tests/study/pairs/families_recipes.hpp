@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/study/pairs/dice.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/family.hpp"
 
 namespace study {
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/study/sweep/failure_files.hpp"
-#include "tests/study/report/folder.hpp"
 #include "tests/study/methods/methods.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"
 #include "tests/study/report/results.hpp"
+#include "tests/study/sweep/failure_files.hpp"
+#include "tests/study/sweep/folder.hpp"
 
 namespace study {
 namespace {

@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "render/file.hpp"
-#include "tests/study/report/folder.hpp"
 #include "tests/study/report/pictures.hpp"
 #include "tests/study/report/tables.hpp"
+#include "tests/study/sweep/folder.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {

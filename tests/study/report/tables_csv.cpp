@@ -2,16 +2,10 @@
 #include <sstream>
 
 #include "tests/study/report/tables.hpp"
+#include "walkthroughs/model/number_text.hpp"
 
 namespace study {
 namespace {
-
-/// Returns: the shortest digits that read back as the same number.
-std::string digits(double value) {
-  char text[32];
-  const auto end = std::to_chars(std::begin(text), std::end(text), value).ptr;
-  return {text, end};
-}
 
 std::string head(const Header& header) {
   return "# " + header.command + "\n# seed " + std::to_string(header.seed) + "; gjkstep-study " + header.version +
@@ -33,15 +27,15 @@ class Line {
   Line& operator<<(const Rate& rate) {
     *this << rate.count;
     if (rate.trials == 0) return nothing(3);
-    *this << digits(rate.share());
+    *this << walkthroughs::number_text(rate.share());
     if (!rate.has_interval()) return nothing(2);
     const Interval interval = rate.interval();
-    return *this << digits(interval.low) << digits(interval.high);
+    return *this << walkthroughs::number_text(interval.low) << walkthroughs::number_text(interval.high);
   }
   Line& operator<<(const Histogram& iterations) {
     if (total(iterations) == 0) return nothing(3);
     const Spread spread = spread_of(iterations);
-    return *this << digits(spread.mean) << spread.p99 << spread.max;
+    return *this << walkthroughs::number_text(spread.mean) << spread.p99 << spread.max;
   }
   std::string end() const { return text_.str() + '\n'; }
 
@@ -91,7 +85,7 @@ std::string timings_csv(const Settings& settings) {
     for (const auto& [limit, timing] : row.timings) {
       Line fields;
       fields << row.family << row.rules << row.scalar << row.zero_test << limit << timing.queries
-             << digits(timing.per_query());
+             << walkthroughs::number_text(timing.per_query());
       text += fields.end();
     }
   return text;

@@ -5,18 +5,17 @@
 #include <cmath>
 
 #include "render/file.hpp"
-#include "tests/study/report/folder.hpp"
-#include "walkthroughs/text/scene_file.hpp"
+#include "tests/study/sweep/folder.hpp"
+#include "walkthroughs/model/number_text.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 
 namespace study {
 namespace {
 
-std::string digits(double value) {
-  char text[32];
-  return {text, std::to_chars(std::begin(text), std::end(text), value).ptr};
+std::string list_of(const Vec& v) {
+  return "[" + walkthroughs::number_text(v.x()) + ", " + walkthroughs::number_text(v.y()) + ", " +
+         walkthroughs::number_text(v.z()) + "]";
 }
-
-std::string list_of(const Vec& v) { return "[" + digits(v.x()) + ", " + digits(v.y()) + ", " + digits(v.z()) + "]"; }
 
 struct ShapeText {
   std::string operator()(const Points& points) const {
@@ -25,11 +24,13 @@ struct ShapeText {
     return text + "]}";
   }
   std::string operator()(const Ball& ball) const {
-    return "{\"sphere\": {\"center\": " + list_of(ball.center) + ", \"radius\": " + digits(ball.radius) + "}}";
+    return "{\"sphere\": {\"center\": " + list_of(ball.center) +
+           ", \"radius\": " + walkthroughs::number_text(ball.radius) + "}}";
   }
   std::string operator()(const Can& can) const {
     return "{\"cylinder\": {\"center\": " + list_of(can.center) + ", \"axis\": " + list_of(can.axis) +
-           ", \"radius\": " + digits(can.radius) + ", \"height\": " + digits(can.height) + "}}";
+           ", \"radius\": " + walkthroughs::number_text(can.radius) +
+           ", \"height\": " + walkthroughs::number_text(can.height) + "}}";
   }
 };
 
@@ -126,7 +127,7 @@ Saved write_failures(const std::filesystem::path& folder, const std::vector<Fail
 std::string left_out_words(const Saved& saved) {
   if (saved.left_out == 0) return "";
   return std::to_string(saved.left_out) + (saved.left_out == 1 ? " failure is" : " failures are") +
-         " not saved: a number in them is beyond " + digits(walkthroughs::scene_limits::magnitude) +
+         " not saved: a number in them is beyond " + walkthroughs::number_text(walkthroughs::scene_limits::magnitude) +
          ", the largest that a scene file may hold";
 }
 

@@ -1,3 +1,5 @@
+#include "walkthroughs/catalogue/catalogue.hpp"
+
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 

@@ -3,6 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -3,8 +3,9 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
+#include "walkthroughs/picture/draw.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -6,7 +6,9 @@
 #include "tests/core/oracle.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/exact.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

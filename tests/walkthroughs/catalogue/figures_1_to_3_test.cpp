@@ -5,7 +5,7 @@
 #include "walkthroughs/catalogue/figure_1_sets.hpp"
 #include "walkthroughs/catalogue/figure_2_pins.hpp"
 #include "walkthroughs/catalogue/figure_3_objects.hpp"
-#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/picture/outlines.hpp"
 
 using namespace walkthroughs;

@@ -6,6 +6,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

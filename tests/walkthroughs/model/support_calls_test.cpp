@@ -2,6 +2,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
 using namespace walkthroughs;
@@ -32,7 +33,7 @@ Calls calls_of_search(const Walkthrough& original) {
   return calls_of(w);
 }
 
-void draw_all(const Story& story) {
+void draw_all(const StagedStory& story) {
   render::Font font(render::Font::default_directory());
   const Look look;
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
@@ -58,7 +59,7 @@ TEST_CASE("Without the outline of the difference telling and drawing ask no supp
     if (original.layout != Layout::search) continue;
     INFO(original.name);
     const Walkthrough w = unasked(original, {.objects = true, .hull = false, .algorithm = true});
-    const Story story = tell(w);
+    const StagedStory story(tell(w));
     CHECK(calls_of(w) == calls_of_search(original));
     draw_all(story);
     CHECK(calls_of(w) == calls_of_search(original));
@@ -70,7 +71,7 @@ TEST_CASE("The outline of the difference asks the support functions of round obj
     if (original.layout != Layout::search) continue;
     INFO(original.name);
     const Walkthrough w = unasked(original, {.objects = true, .hull = true, .algorithm = true});
-    draw_all(tell(w));
+    draw_all(StagedStory(tell(w)));
     const Calls calls = calls_of(w), of_search = calls_of_search(original);
     CHECK((calls.at(0) > of_search.at(0)) == has_round_objects(w.scenes[0]));
     CHECK((calls.at(1) > of_search.at(1)) == has_round_objects(w.scenes[0]));

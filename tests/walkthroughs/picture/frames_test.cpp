@@ -45,7 +45,7 @@ const std::vector<Walkthrough>& of_each_kind() {
 void render_all(const fs::path& folder, Size size) {
   Studio studio;
   for (const Walkthrough& w : of_each_kind()) {
-    const Story story = tell(w);
+    const StagedStory story(tell(w));
     render_frames(story, {folder, size}, studio, nobody);
     render_strip(story, {folder, size}, studio);
   }
@@ -145,7 +145,7 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
   SECTION("Each frame differs from the one before, in its picture and not only in its text") {
     for (const Walkthrough& w : of_each_kind()) {
       const std::vector<Image> images = frames(w, usual);
-      const Story story = tell(w);
+      const StagedStory story(tell(w));
       for (std::size_t i = 1; i < images.size(); ++i) {
         INFO(w.name << ", frame " << i);
         std::size_t different = 0;
@@ -171,7 +171,7 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
     const Folder folder;
     Studio studio;
     for (const auto& [name, count] : panels) {
-      const Story story = tell(walkthrough(name));
+      const StagedStory story(tell(walkthrough(name)));
       const Image strip = render::read_png(render_strip(story, {folder.path(), usual}, studio));
       const Image half = render::read_png(render_strip(story, {folder.path(), other}, studio));
       CHECK(strip.size().width == 420 * count);
@@ -190,7 +190,7 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
 
   SECTION("A frame carries its step and its caption as text, for readers without the picture") {
     for (const Walkthrough& w : of_each_kind()) {
-      const Story story = tell(w);
+      const StagedStory story(tell(w));
       for (std::size_t i = 0; i < story.frames.size(); ++i) {
         const std::string bytes = bytes_of(rendered(usual) / w.name / number_of(i));
         INFO(w.name << ", frame " << i);
@@ -205,14 +205,14 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
 namespace {
 
 /// Returns: the picture of one frame alone.
-Image draw(Studio& studio, const Story& story, std::size_t index, const Look& look, Size size) {
+Image draw(Studio& studio, const StagedStory& story, std::size_t index, const Look& look, Size size) {
   render::Canvas canvas(page_of_frame(look.text), size, look.style.theme.paper, studio.font);
   draw_frame(canvas, story, index, look);
   return studio.rasterizer.draw(canvas);
 }
 
 /// Returns: the first frame about each kind of event.
-std::vector<std::size_t> one_of_each_focus(const Story& story) {
+std::vector<std::size_t> one_of_each_focus(const StagedStory& story) {
   std::vector<std::size_t> chosen;
   std::set<Focus> seen;
   for (std::size_t i = 0; i < story.frames.size(); ++i)
@@ -226,7 +226,7 @@ TEST_CASE("Every theme draws every kind of frame on its own paper") {
   Studio studio;
   for (const render::Theme& theme : {render::themes::report, render::themes::slides, render::themes::dark})
     for (const Walkthrough& w : of_each_kind()) {
-      const Story story = tell(w);
+      const StagedStory story(tell(w));
       for (const std::size_t i : one_of_each_focus(story)) {
         INFO(w.name << ", frame " << i);
         const Image image = draw(studio, story, i, {.style = Style(theme)}, {320, 180});
@@ -244,7 +244,7 @@ TEST_CASE("Nothing is drawn outside the panels of a frame without text") {
   const Size page = page_of_frame(Text::none);
   for (const Walkthrough& w : of_each_kind()) {
     if (w.layout == Layout::diagrams) continue;
-    const Story story = tell(w);
+    const StagedStory story(tell(w));
     for (const std::size_t i : one_of_each_focus(story)) {
       INFO(w.name << ", frame " << i);
       const Image image = draw(studio, story, i, {.text = Text::none}, page);
@@ -265,7 +265,7 @@ TEST_CASE("Nothing is drawn outside the panels of a frame without text") {
 
 TEST_CASE("A sheet shows every frame, drawn at its reduced size, in reading order") {
   const Folder folder;
-  const Story story = tell(walkthrough("figure-4-right"));  // six frames: four and two
+  const StagedStory story(tell(walkthrough("figure-4-right")));  // six frames: four and two
   Studio studio;
   const Size cell{480, 270};
   render_frames(story, {folder.path(), cell}, studio, nobody);
@@ -287,7 +287,7 @@ TEST_CASE("A sheet shows every frame, drawn at its reduced size, in reading orde
 TEST_CASE("Each file is reported once, in order") {
   const Folder folder;
   Studio studio;
-  const Story story = tell(walkthrough("figure-4-left"));
+  const StagedStory story(tell(walkthrough("figure-4-left")));
   std::vector<std::string> files;
   std::vector<std::size_t> indices;
   render_frames(story, {folder.path(), {64, 36}}, studio, [&](const fs::path& file, std::size_t index) {
@@ -304,9 +304,9 @@ TEST_CASE("Frames without text show the same panels at the same scale, and are l
   const Folder folder;
   rendered(usual);  // before the studio here: a thread has one context
   Studio studio;
-  const Story story = tell(walkthrough("figure-4-left"), Detail::step);
+  const StagedStory story(tell(walkthrough("figure-4-left"), Detail::step));
   render_frames(story, {folder.path(), usual, {.text = Text::none}}, studio, nobody);
-  const Story with_text = tell(walkthrough("figure-4-left"));
+  const StagedStory with_text(tell(walkthrough("figure-4-left")));
   const std::size_t last = with_text.frames.size() - 1;
   const Image bare = render::read_png(folder.path() / "figure-4-left" / number_of(story.frames.size() - 1));
   const Image whole = render::read_png(rendered(usual) / "figure-4-left" / number_of(last));
@@ -326,7 +326,7 @@ TEST_CASE("Frames that an earlier, longer run has left are removed, other files 
   const std::vector<std::string> foreign = {"002.txt", "04.png", "notes.txt", "strip.png", "x003.png"};
   for (const std::string& name : foreign) std::ofstream(own / name) << "mine";
   for (const std::string name : {"000.png", "003.png", "004.png", "005.png"}) std::ofstream(own / name) << "stale";
-  render_frames(tell(walkthrough("figure-5")), {folder.path(), {64, 36}}, studio, nobody);
+  render_frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), {64, 36}}, studio, nobody);
   std::vector<std::string> expected = {"000.png", "001.png", "002.png"};
   for (const std::string& name : foreign) {
     expected.push_back(name);
@@ -343,7 +343,7 @@ TEST_CASE("Where a frame cannot be written the error names the file, and nothing
   fs::create_directories(folder.path() / "figure-5" / "001.png" / "in the way");
   std::string error;
   try {
-    render_frames(tell(walkthrough("figure-5")), {folder.path(), {64, 36}}, studio, nobody);
+    render_frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), {64, 36}}, studio, nobody);
   } catch (const render::FileError& e) {
     error = e.what();
   }
@@ -356,7 +356,7 @@ TEST_CASE("The pictures in the README are the strips that the program draws") {
   INFO(name);
   const fs::path file = fs::path(GJKSTEP_README_PICTURES) / (fs::path(name).filename().string() + ".png");
   const Image committed = render::read_png(file);
-  const Story story = tell(walkthrough(name));
+  const StagedStory story(tell(walkthrough(name)));
   Studio studio;
   render::Canvas canvas(strip_page(story), strip_page(story), render::palette::white, studio.font);
   draw_strip(canvas, story);

@@ -4,6 +4,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -12,16 +13,17 @@ TEST_CASE("The camera sees the face that decides from its front in every walkthr
   int seen = 0;
   for (const Walkthrough* w : find_walkthroughs("regions")) {
     if (!w->name.starts_with("regions/3-simplex-")) continue;
-    const Story story = tell(*w);
+    const StagedStory story(tell(*w));
     const Telling& telling = story.tellings.at(0);
-    REQUIRE(telling.lens.camera);
+    const Lens& lens = story.stages.at(0).lens;
+    REQUIRE(lens.camera);
     const std::optional<int> decisive = w->remarks.at(0).iteration;
     for (const auto& event : all<gjk::RegionTested>(telling.trace)) {
       const bool decides = event.iteration == *decisive && event.simplex_size == 4 && event.face.empty() &&
                            event.verdict == gjk::Verdict::chosen && event.normal;
       if (!decides) continue;
       INFO(w->name << " " << event.feature);
-      CHECK(telling.lens.camera->sees(*event.normal));
+      CHECK(lens.camera->sees(*event.normal));
       ++seen;
     }
   }
@@ -30,8 +32,8 @@ TEST_CASE("The camera sees the face that decides from its front in every walkthr
 
 TEST_CASE("The camera keeps the vertices that decide and the origin apart in the picture") {
   for (const Walkthrough* w : find_walkthroughs("regions")) {
-    const Story story = tell(*w);
-    const Lens& lens = story.tellings.at(0).lens;
+    const StagedStory story(tell(*w));
+    const Lens& lens = story.stages.at(0).lens;
     if (!lens.camera) continue;
     for (const Frame& frame : story.frames) {
       const Moment& now = frame.moments.at(0);
@@ -53,7 +55,7 @@ TEST_CASE("A scene of the plane has no camera and one in space has the same at e
   for (const Walkthrough& w : catalogue())
     for (const Scene& scene : w.scenes) {
       INFO(w.name);
-      const auto of = [&] { return tell(w).tellings.at(0).lens.camera; };
+      const auto of = [&] { return StagedStory(tell(w)).stages.at(0).lens.camera; };
       CHECK(of().has_value() == (scene.dimension == Dimension::space));
       if (of()) CHECK(of()->toward_viewer() == of()->toward_viewer());
     }
@@ -62,12 +64,12 @@ TEST_CASE("A scene of the plane has no camera and one in space has the same at e
 TEST_CASE("The camera looks along the gap between objects that are separated") {
   int seen = 0;
   for (const Walkthrough* w : find_walkthroughs("vehicle-and-threat")) {
-    const Story story = tell(*w);
+    const StagedStory story(tell(*w));
     const auto& finished = std::get<gjk::Finished<double>>(story.tellings.at(0).trace.events.back());
     if (!finished.result.separation) continue;
     INFO(w->name);
     const Point across = finished.result.separation->direction.normalized();
-    CHECK(std::abs(story.tellings.at(0).lens.camera->toward_viewer().dot(across)) < 1e-12);
+    CHECK(std::abs(story.stages.at(0).lens.camera->toward_viewer().dot(across)) < 1e-12);
     ++seen;
   }
   CHECK(seen == 2);

@@ -1,13 +1,15 @@
 // What stands where in the pictures, told from single pixels in the colours of the palette.
 
-#include "walkthroughs/picture/panels.hpp"
-
 #include <limits>
 #include <set>
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/picture/difference_panel.hpp"
 #include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/objects_panel.hpp"
+#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
 #include "walkthroughs/picture/render_frames.hpp"
 
@@ -21,10 +23,16 @@ namespace {
 /// One scene of a walkthrough, asked about in letters, and what its panels need.
 struct Subject : Told {
   Naming naming;
-  Telling telling;
+  StagedStory story;
+  const Telling& telling;
+  const Stage& stage;
 
   explicit Subject(const std::string& name, std::size_t index = 0)
-      : Told(name, index), naming(walkthrough(name).naming), telling(tell(walkthrough(name)).tellings.at(index)) {}
+      : Told(name, index),
+        naming(walkthrough(name).naming),
+        story(tell(walkthrough(name))),
+        telling(story.tellings.at(index)),
+        stage(story.stages.at(index)) {}
 };
 
 using DrawPanel = int (*)(render::Canvas&, const Place&, const Shown&);
@@ -34,14 +42,14 @@ class Picture {
  public:
   Picture(const Subject& subject, const Moment& now, Focus focus, const Bounds& bounds, DrawPanel draw,
           const Style& style = Style(render::themes::report))
-      : lens_(subject.telling.lens) {
+      : lens_(subject.stage.lens) {
     constexpr render::Size page{800, 800};
     const render::Box whole{{0, 0}, {800, 800}};
     view_ = render::View::fit(bounds.low, bounds.high, below_title(whole).grown(-100), 1e9);
     Studio studio;
     render::Canvas canvas(page, page, palette::white, studio.font);
     const Names names(subject.naming, subject.telling.hull, now);
-    draw(canvas, Place{whole, "panel", view_}, Shown{subject.telling, now, names, focus, lens_, style});
+    draw(canvas, Place{whole, "panel", view_}, Shown{subject.telling, subject.stage, now, names, focus, lens_, style});
     image_ = studio.rasterizer.draw(canvas);
   }
 
@@ -84,16 +92,16 @@ Moment after(const Told& told, int iteration) {
 }
 
 Picture difference(const Subject& subject, const Moment& now, Focus focus) {
-  return {subject, now, focus, bounds_of_difference(subject.telling, subject.telling.lens), draw_difference};
+  return {subject, now, focus, bounds_of_difference(subject.telling, subject.stage, subject.stage.lens), draw_difference};
 }
 
 Picture objects(const Subject& subject, const Moment& now, Focus focus) {
-  return {subject, now, focus, bounds_of_objects(subject.telling, subject.telling.lens), draw_objects};
+  return {subject, now, focus, bounds_of_objects(subject.telling, subject.stage, subject.stage.lens), draw_objects};
 }
 
 /// The simplex that is being processed, close up.
 Picture decision(const Subject& subject, const Moment& now, const Style& style = Style(render::themes::report)) {
-  return {subject, now, Focus::region, bounds_of_decision(now, subject.telling.lens), draw_difference, style};
+  return {subject, now, Focus::region, bounds_of_decision(now, subject.stage.lens), draw_difference, style};
 }
 
 /// Returns: where in the picture of a decision there is hatching.
@@ -213,7 +221,7 @@ TEST_CASE("A region that was tested is shaded on its own side, green where the o
 TEST_CASE("A close-up shows the whole move and names no other corner") {
   const Subject told("figure-5", 1);
   const Moment now = after<gjk::CrossingTested>(told, 2);
-  const Picture picture(told, now, Focus::crossing, bounds_of_move(now, told.telling.lens), draw_move);
+  const Picture picture(told, now, Focus::crossing, bounds_of_move(now, told.stage.lens), draw_move);
   CHECK(picture.at(told.corner('A')) == palette::green);
   CHECK(picture.at(told.corner('E')) == palette::vermillion);
   CHECK(picture.at({0, 0}) == palette::ink);
@@ -224,7 +232,7 @@ TEST_CASE("A close-up shows the whole move and names no other corner") {
 TEST_CASE("Bounds hold everything that a panel must show") {
   for (const char* name : {"figure-4-left", "figure-4-right"}) {
     const Subject told(name);
-    const Bounds box = bounds_of_difference(told.telling, told.telling.lens);
+    const Bounds box = bounds_of_difference(told.telling, told.stage, told.stage.lens);
     CHECK((box.low.array() <= 0).all());
     CHECK((box.high.array() >= 0).all());
     for (const Vec2& corner : told.hull.corners) {
@@ -233,7 +241,7 @@ TEST_CASE("Bounds hold everything that a panel must show") {
     }
   }
   const Subject left("figure-4-left");
-  const Bounds of_objects = bounds_of_objects(left.telling, left.telling.lens);
+  const Bounds of_objects = bounds_of_objects(left.telling, left.stage, left.stage.lens);
   CHECK(of_objects.low == Vec2(-1.5, -1.75));
   CHECK(of_objects.high == Vec2(2.25, 2.25));
 }
@@ -286,7 +294,7 @@ TEST_CASE("Of a tetrahedron the face that was left behind is hatched and nothing
   const Moment now = when_chosen(told, 4);
   std::vector<Vec2> BCD;
   for (const gjk::Role role : {gjk::Role::B, gjk::Role::C, gjk::Role::D})
-    BCD.push_back(told.telling.lens(now.simplex.point(role)));
+    BCD.push_back(told.stage.lens(now.simplex.point(role)));
   const double pixel = decision(told, now).length(1.5);
   const std::vector<Vec2> places = hatched(told, now);
   CHECK(places.size() > 50);
@@ -299,7 +307,7 @@ bool is_in_space(const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0]
 
 /// Returns: how many labels each frame could not keep clear.
 std::vector<int> crowded_labels(const Walkthrough& w, render::Font& font) {
-  const Story story = tell(w);
+  const StagedStory story(tell(w));
   std::vector<int> crowded;
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
     render::Canvas page(frame_page, frame_page, palette::white, font);
@@ -347,7 +355,7 @@ TEST_CASE("No label of the strip of any figure stands over a line or over anothe
   for (const Walkthrough& w : catalogue()) {
     if (!w.name.starts_with("figure-")) continue;
     INFO(w.name);
-    const Story story = tell(w);
+    const StagedStory story(tell(w));
     render::Canvas strip(strip_page(story), strip_page(story), palette::white, font);
     CHECK(draw_strip(strip, story) == 0);
   }

@@ -36,7 +36,7 @@ TEST_CASE("Files are written and reported in the order asked for, whatever their
     files.push_back(file.lexically_relative(folder.path()).string());
   };
   for (const char* name : {"figure-5", "figure-4-right"}) {
-    const Story story = tell(walkthrough(name));  // gone before its last pictures are written
+    const StagedStory story(tell(walkthrough(name)));  // gone before its last pictures are written
     const Output output{folder.path(), small};
     renderer.frames(
         story, output, [=](const fs::path& file, std::size_t) { add(file); }, 1, add);
@@ -57,7 +57,7 @@ TEST_CASE("Views of a scene in space stand beside the frames, in folders of fold
   const Folder folder;
   Studio studio;
   const Walkthrough space = in_space();
-  const Story story = tell(space);
+  const StagedStory story(tell(space));
   const fs::path own = folder.path() / "in" / "space";
   render_frames(story, {folder.path(), small, {}, 3}, studio, nobody);
   CHECK(listing(own).size() == 4 * story.frames.size());
@@ -74,7 +74,7 @@ TEST_CASE("Views of a scene in space stand beside the frames, in folders of fold
 TEST_CASE("A scene in the plane has no further views") {
   const Folder folder;
   Studio studio;
-  render_frames(tell(walkthrough("figure-5")), {folder.path(), small, {}, 5}, studio, nobody);
+  render_frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small, {}, 5}, studio, nobody);
   CHECK(listing(folder.path()).size() == 3);
 }
 
@@ -86,9 +86,9 @@ TEST_CASE("A file that cannot be written is reported once, those before it are t
   std::optional<std::string> error;
   try {
     Renderer renderer(studio);
-    renderer.frames(tell(walkthrough("figure-4-right")), {folder.path(), small},
+    renderer.frames(StagedStory(tell(walkthrough("figure-4-right"))), {folder.path(), small},
                     [&](const fs::path&, std::size_t) { ++told; });
-    renderer.frames(tell(walkthrough("figure-5")), {folder.path(), small},
+    renderer.frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small},
                     [&](const fs::path&, std::size_t) { ++told; });
     renderer.finish();
   } catch (const render::FileError& e) {
@@ -105,7 +105,7 @@ TEST_CASE("A renderer that goes before it has finished has written what it was a
   Studio studio;
   {
     Renderer renderer(studio);
-    renderer.frames(tell(walkthrough("figure-5")), {folder.path(), small}, nobody);
+    renderer.frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, nobody);
   }
   CHECK(listing(folder.path()).size() == 3);
 }

@@ -7,6 +7,8 @@
 #include "render/image.hpp"
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

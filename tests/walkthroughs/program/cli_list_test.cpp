@@ -8,6 +8,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

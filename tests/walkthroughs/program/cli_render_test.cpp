@@ -14,6 +14,7 @@
 #include "render/image.hpp"
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -11,6 +11,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs::test {
 

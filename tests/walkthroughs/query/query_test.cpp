@@ -9,8 +9,9 @@
 #include "tests/core/support.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "tests/walkthroughs/query/queries.hpp"
-#include "walkthroughs/query/query_object.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/query/query_object.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

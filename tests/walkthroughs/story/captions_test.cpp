@@ -5,6 +5,8 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs::test {
 

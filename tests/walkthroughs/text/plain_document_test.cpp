@@ -5,7 +5,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/core/support.hpp"
-#include "tests/walkthroughs/program/same_tree.hpp"
+#include "tests/walkthroughs/text/same_tree.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -10,6 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 using namespace walkthroughs;

@@ -10,6 +10,7 @@
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -19,7 +20,7 @@ namespace {
 
 // -- Frames -----------------------------------------------------------------------------------------------------------
 
-render::Canvas laid_out(const Story& story, std::size_t frame, render::Font& font) {
+render::Canvas laid_out(const StagedStory& story, std::size_t frame, render::Font& font) {
   const Look look;
   render::Canvas canvas(frame_page, frame_page, look.style.theme.paper, font);
   draw_frame(canvas, story, frame, look);
@@ -36,7 +37,7 @@ bool is_same(const render::Canvas::Run& r, const render::Canvas::Run& s) {
 }
 
 /// The same triangles in the same order make the same pixels.
-void check_same_frames(const Story& told, const Story& retold) {
+void check_same_frames(const StagedStory& told, const StagedStory& retold) {
   static render::Font font(render::Font::default_directory());
   REQUIRE(retold.frames.size() == told.frames.size());
   for (std::size_t i = 0; i < told.frames.size(); ++i) {
@@ -52,7 +53,7 @@ void check_redraws(const Walkthrough& w) {
   INFO(w.name);
   const TraceFile file = parse_trace(trace_text(w), "trace.jsonl");
   CHECK(file.walkthrough.name == w.name);
-  check_same_frames(tell(w), tell(file.walkthrough, file.traces));
+  check_same_frames(StagedStory(tell(w)), StagedStory(tell(file.walkthrough, file.traces)));
 }
 
 // -- Scenes that need all bits ------------------------------------------------------------------------------------------

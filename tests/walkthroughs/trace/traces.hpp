@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 

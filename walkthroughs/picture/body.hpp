@@ -1,4 +1,4 @@
-/// Hulls and outlines of the objects and of their difference. GJK never needs them; only pictures do.
+/// The objects and their difference as pictures need them. GJK never needs their hulls and outlines; only pictures do.
 #pragma once
 
 #include <optional>
@@ -8,25 +8,6 @@
 #include "walkthroughs/picture/lens.hpp"
 
 namespace walkthroughs {
-
-/// Andrew's monotone chain (Inf. Proc. Letters 9, 1979).
-/// Returns: the corners of the hull, counter-clockwise from the leftmost (of two such, the lower), without collinear points.
-std::vector<render::Vec2> convex_hull(std::vector<render::Vec2> points);
-
-/// Qhull. Returns: the faces of the hull of points in space, coplanar triangles joined; none where the points are flat.
-std::vector<render::Face> hull_faces(const std::vector<Point>& points);
-
-/// The hull of a planar difference of point sets, its corners counter-clockwise, named "A", "B", … from the one farthest
-/// along +x (of two such, the upper), as in Figure 4.
-struct LabelledHull {
-  std::vector<render::Vec2> corners;
-
-  /// Returns: the letter of the corner at `w`, or an empty string where there is none.
-  std::string name(const Point& w) const;
-};
-
-/// Returns: the hull of all differences of the vertices, projected on the plane z = 0.
-LabelledHull difference_hull(const Scene& scene);
 
 /// A convex body as pictures need it. A polytope has vertices, and faces where it has a volume; a body with neither is
 /// asked for its outline through its support function.

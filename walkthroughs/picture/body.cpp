@@ -1,8 +1,11 @@
-#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/picture/body.hpp"
 
 #include <algorithm>
 #include <numbers>
 #include <tuple>
+
+#include "walkthroughs/model/labelled_hull.hpp"
+#include "walkthroughs/picture/hull_faces.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -13,33 +16,10 @@ constexpr int outline_directions = 180;
 constexpr int rim_points = 72;
 constexpr std::size_t most_differences = 20'000;  // more vertices could not be told apart in a picture
 
-bool turns_left(const Vec2& p, const Vec2& q, const Vec2& r) {
-  const Vec2 u = q - p, v = r - q;
-  return u.x() * v.y() - u.y() * v.x() > 0;
-}
-
-/// Appends the chain of left turns through `points` to `hull`, and drops its last point, where the next chain begins.
-template <class Points>
-void append_chain(const Points& points, std::vector<Vec2>& hull) {
-  const std::size_t start = hull.size();
-  for (const Vec2& p : points) {
-    while (hull.size() >= start + 2 && !turns_left(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
-    hull.push_back(p);
-  }
-  if (hull.size() > start + 1) hull.pop_back();
-}
-
 std::vector<Vec2> through(const Lens& lens, const std::vector<Point>& points) {
   std::vector<Vec2> picture;
   for (const Point& p : points) picture.push_back(lens(p));
   return picture;
-}
-
-std::vector<Point> differences(const std::vector<Point>& a, const std::vector<Point>& b) {
-  std::vector<Point> list;
-  for (const Point& p : a)
-    for (const Point& q : b) list.push_back(p - q);
-  return list;
 }
 
 double angle_of(int step, int steps) { return 2 * std::numbers::pi * step / steps; }
@@ -97,33 +77,6 @@ std::vector<Point> rim_of(const Cylinder& cylinder, double end) {
                   cylinder.radius() * (across * std::cos(angle) + other * std::sin(angle)));
   }
   return rim;
-}
-
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  const auto key = [](const Vec2& p) { return std::tuple(p.x(), p.y()); };
-  std::ranges::sort(points, {}, key);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<Vec2> hull;
-  append_chain(points, hull);
-  std::ranges::reverse(points);
-  if (points.size() > 1) append_chain(points, hull);
-  return hull;
-}
-
-std::string LabelledHull::name(const Point& w) const {
-  const auto corner = std::ranges::find(corners, Vec2(w.head<2>()));
-  if (corner == corners.end()) return "";
-  const auto index = corner - corners.begin();
-  const std::string letter(1, static_cast<char>('A' + index % 26));
-  return index < 26 ? letter : letter + std::to_string(index / 26);
-}
-
-LabelledHull difference_hull(const Scene& scene) {
-  std::vector<Vec2> corners = convex_hull(through(Lens{}, differences(vertices_of(scene.a), vertices_of(scene.b))));
-  if (corners.empty()) return {};
-  const auto first = std::ranges::max_element(corners, {}, [](const Vec2& p) { return std::tuple(p.x(), p.y()); });
-  std::rotate(corners.begin(), first, corners.end());
-  return {corners};
 }
 
 Body body_of(const Object& object, Dimension dimension) {

@@ -1,9 +1,10 @@
-#include "walkthroughs/picture/hull.hpp"
+#include "walkthroughs/model/labelled_hull.hpp"
 
 #include <numbers>
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

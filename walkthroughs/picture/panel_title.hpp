@@ -1,0 +1,26 @@
+/// The frame of a panel, with its title and its key.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/canvas.hpp"
+#include "walkthroughs/picture/style.hpp"
+
+namespace walkthroughs {
+
+/// Returns: the part of `frame` below the title.
+render::Box below_title(const render::Box& frame);
+
+/// A sign of a key and what it stands for; `draw` gets the middle of the sign.
+struct KeyEntry {
+  std::string text;
+  std::function<void(render::Canvas&, const render::Vec2&)> draw;
+};
+
+/// Draws the frame of a panel, its title at the left and at the right as much of its key as there is room for.
+void draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
+                      const std::vector<KeyEntry>& key, const Style& style);
+
+}  // namespace walkthroughs

@@ -1,0 +1,36 @@
+/// What a panel shows, and where it stands. Each function that draws one returns how many labels could not be kept clear
+/// of lines and of each other.
+#pragma once
+
+#include <string>
+
+#include "render/panel.hpp"
+#include "walkthroughs/picture/stage.hpp"
+#include "walkthroughs/picture/style.hpp"
+
+namespace walkthroughs {
+
+/// The smallest box of the picture that holds what a panel must show.
+struct Bounds {
+  render::Vec2 low, high;
+};
+
+/// Where a panel stands on the page: its title and its key on top, the scene below.
+struct Place {
+  render::Box frame;
+  std::string title;
+  render::View view;
+};
+
+/// What is shown, and how it is looked at.
+struct Shown {
+  const Telling& telling;
+  const Stage& stage;
+  const Moment& now;
+  const Names& names;
+  Focus focus;
+  const Lens& lens;
+  const Style& style;
+};
+
+}  // namespace walkthroughs

@@ -1,0 +1,14 @@
+/// How large a scene may be, in files, queries and traces.
+#pragma once
+
+#include <cstddef>
+
+namespace walkthroughs::scene_limits {
+
+inline constexpr std::size_t bytes = 16 << 20;
+inline constexpr std::size_t points = 100000;         ///< of one object
+inline constexpr std::size_t title = 120, name = 40;  ///< characters
+inline constexpr int iterations = 1000;
+inline constexpr double magnitude = 1e150;
+
+}  // namespace walkthroughs::scene_limits
