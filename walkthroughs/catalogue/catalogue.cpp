@@ -27,6 +27,13 @@ std::vector<Walkthrough> all_walkthroughs() {
   return all;
 }
 
+std::string small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 }  // namespace
 
 const std::vector<Walkthrough>& catalogue() {
@@ -48,10 +55,22 @@ const Walkthrough* find_walkthrough(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word) {
+  std::vector<const Walkthrough*> found;
+  for (const Walkthrough& w : catalogue()) {
+    const std::string said =
+        w.name + "\n" + w.title + "\n" + w.summary + "\n" + (w.region_case ? w.region_case->text : "");
+    if (small_letters(said).find(small_letters(word)) != std::string::npos) found.push_back(&w);
+  }
+  return found;
+}
+
 std::string nearest_name(std::string_view name) {
-  std::vector<std::string> names;
-  for (const Walkthrough& w : catalogue()) names.push_back(w.name);
-  return nearest(name, names);
+  std::vector<std::string> spellings;  // all names, then all without their folders
+  for (const Walkthrough& w : catalogue()) spellings.push_back(w.name);
+  for (const Walkthrough& w : catalogue()) spellings.push_back(w.name.substr(w.name.rfind('/') + 1));
+  const auto found = std::ranges::find(spellings, nearest(name, spellings)) - spellings.begin();
+  return spellings[static_cast<std::size_t>(found) % catalogue().size()];
 }
 
 }  // namespace walkthroughs

@@ -18,7 +18,10 @@ std::vector<const Walkthrough*> find_walkthroughs(std::string_view name);
 /// Returns: the walkthrough of that name, or null.
 const Walkthrough* find_walkthrough(std::string_view name);
 
-/// Returns: the name of a walkthrough that is spelled most like `name`.
+/// Returns: those with that word in name, title, summary or case; capitals do not matter.
+std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word);
+
+/// Returns: the name of the walkthrough that is spelled most like `name`, with or without its folder.
 std::string nearest_name(std::string_view name);
 
 Walkthrough figure_1();

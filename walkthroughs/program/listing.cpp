@@ -43,7 +43,8 @@ std::string in_truth(const Walkthrough& w) {
 Row row_of(const Walkthrough& w) {
   const Story story = tell(w);
   return {w.name, plain(w.region_case ? w.region_case->text : w.summary),
-          w.region_case ? w.region_case->section : w.source, how_it_ends(story) + in_truth(w), std::to_string(story.frames.size())};
+          w.region_case ? w.region_case->section : w.source, how_it_ends(story) + in_truth(w),
+          std::to_string(story.frames.size())};
 }
 
 void write_row(std::ostream& out, const Row& row, const std::array<std::size_t, 5>& widths) {

@@ -11,17 +11,17 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/compare_command.hpp"
-#include "walkthroughs/program/listing.hpp"
+#include "walkthroughs/program/list_command.hpp"
 #include "walkthroughs/program/query_command.hpp"
 #include "walkthroughs/program/render_command.hpp"
+#include "walkthroughs/program/scene_command.hpp"
+#include "walkthroughs/program/trace_command.hpp"
 #include "walkthroughs/text/nearest.hpp"
-#include "walkthroughs/text/scene_file.hpp"
-#include "walkthroughs/trace/trace_json.hpp"
+#include "walkthroughs/text/text_file.hpp"
 
 namespace {
 
 using walkthroughs::UsageError;
-using walkthroughs::Walkthrough;
 
 enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
 
@@ -30,55 +30,6 @@ constexpr const char* footer =
     "context,\n"
     "5 cannot write, 1 anything else (of compare: pictures differ).\n"
     "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
-
-void write_trace(const std::string& name) {
-  if (walkthroughs::is_scene_file(name))
-    return walkthroughs::write_traces(std::cout, walkthroughs::read_scene(name).walkthrough);
-  if (walkthroughs::find_walkthrough(name) == nullptr && !walkthroughs::find_walkthroughs(name).empty())
-    throw UsageError("'" + name + "' is a folder: name one of its walkthroughs; 'gjkstep list " + name +
-                     "' shows them");
-  const Walkthrough& found = walkthroughs::walkthrough_named(name);
-  if (found.layout == walkthroughs::Layout::diagrams)
-    throw UsageError("'" + name + "' is a diagram, which no search makes: there is no trace of it");
-  walkthroughs::write_traces(std::cout, found);
-}
-
-struct TraceCommand {
-  bool schema = false;
-  std::string name;
-
-  void run() const {
-    if (schema)
-      std::cout << walkthroughs::trace_schema();
-    else if (name.empty())
-      throw UsageError("trace what? NAME is required: a walkthrough or a scene file; or say --schema");
-    else
-      write_trace(name);
-  }
-};
-
-void list(const std::string& name) {
-  if (name.empty())
-    walkthroughs::write_list(std::cout, walkthroughs::catalogue());
-  else
-    walkthroughs::write_table(std::cout, walkthroughs::walkthroughs_named(name));
-}
-
-struct SceneCommand {
-  bool example = false;
-  std::optional<std::string> check;
-
-  void run() const {
-    if (example) {
-      std::cout << walkthroughs::example_scene();
-    } else if (check) {
-      const walkthroughs::SceneFile scene = walkthroughs::read_scene(*check);
-      std::cout << *check << ": ok: " << walkthroughs::summary(scene) << '\n';
-    } else {
-      throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
-    }
-  }
-};
 
 void print_version(const std::optional<std::string>& gl) {
   const render::Backend backend = walkthroughs::chosen_backend(gl);
@@ -118,21 +69,13 @@ int run(int argc, char** argv) {
   app.add_flag("--version", version, "print the version and the OpenGL renderer");
   walkthroughs::RenderCommand render;
   walkthroughs::add_backend_option(app, render.gl);
-  std::string listed;
-  CLI::App* const list_command = app.add_subcommand("list", "the walkthroughs, one line each, or those of a folder");
-  list_command->add_option("NAME", listed, "a folder or a walkthrough: its cases and how they end, as a table");
+  walkthroughs::ListCommand list;
+  CLI::App* const list_command = walkthroughs::add_list_command(app, list);
   CLI::App* const render_command = walkthroughs::add_render_command(app, render);
-  TraceCommand trace;
-  CLI::App* const trace_command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
-  CLI::Option* const traced =
-      trace_command->add_option("NAME", trace.name, "walkthrough or scene file (.json) to trace");
-  trace_command->add_flag("--schema", trace.schema, "print the JSON Schema of one line of a trace")->excludes(traced);
-
-  SceneCommand scene;
-  CLI::App* const scene_command = app.add_subcommand("scene", "files with scenes of your own");
-  CLI::Option* const example =
-      scene_command->add_flag("--example", scene.example, "print a scene file that shows every key");
-  scene_command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
+  walkthroughs::TraceCommand trace;
+  CLI::App* const trace_command = walkthroughs::add_trace_command(app, trace);
+  walkthroughs::SceneCommand scene;
+  CLI::App* const scene_command = walkthroughs::add_scene_command(app, scene);
   walkthroughs::CompareCommand compare;
   CLI::App* const compare_command = walkthroughs::add_compare_command(app, compare);
   walkthroughs::QueryCommand query;
@@ -150,7 +93,7 @@ int run(int argc, char** argv) {
   if (version)
     print_version(render.gl);
   else if (*list_command)
-    list(listed);
+    list.run();
   else if (*render_command)
     render.run();
   else if (*trace_command)

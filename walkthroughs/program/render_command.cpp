@@ -16,10 +16,10 @@
 #include "walkthroughs/picture/render_frames.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
-#include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -65,3 +65,26 @@ TEST_CASE("gjkstep list FOLDER prints a row for each walkthrough of the folder, 
     if (expected[i]->region_case) CHECK(has(printed[i + 1], " " + expected[i]->region_case->section + " "));
   }
 }
+
+TEST_CASE("gjkstep list WORD finds names, titles and cases, whatever the capitals") {
+  for (const std::string word : {"R7", "r7"}) {
+    const Outcome outcome = run("list " + word);
+    CHECK(outcome.exit_code == 0);
+    const std::vector<std::string> printed = lines(outcome.out);
+    CHECK(printed.size() > 1);
+    CHECK(std::ranges::count_if(printed, [](const std::string& l) { return l.starts_with("regions/2-simplex-r7 "); }) ==
+          1);
+    CHECK(std::ranges::none_of(printed, [](const std::string& l) { return l.starts_with("figure-4"); }));
+  }
+  CHECK(lines(run("list overflowed").out).size() == 2);
+}
+
+TEST_CASE("A word that no walkthrough says, and a name without its folder, get the name that was meant") {
+  const Outcome unknown = run("list figrue-4");
+  CHECK(unknown.exit_code == 2);
+  CHECK(unknown.out.empty());
+  CHECK(has(unknown.err, "no walkthrough has or says 'figrue-4'; did you mean 'figure-4'?"));
+  CHECK(has(run("render 2-simplex-r7").err, "did you mean 'regions/2-simplex-r7'?"));
+  CHECK(has(run("trace 2-simplex-r8").err, "did you mean 'regions/2-simplex-r"));
+  CHECK(has(run("trace regions/2-simplex-r8").err, "did you mean 'regions/2-simplex-r"));
+}

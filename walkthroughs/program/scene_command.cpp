@@ -1,0 +1,26 @@
+#include "walkthroughs/program/scene_command.hpp"
+
+#include <iostream>
+
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/text/scene_file.hpp"
+
+namespace walkthroughs {
+
+void SceneCommand::run() const {
+  if (example)
+    std::cout << example_scene();
+  else if (check)
+    std::cout << *check << ": ok: " << summary(read_scene(*check)) << '\n';
+  else
+    throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
+}
+
+CLI::App* add_scene_command(CLI::App& app, SceneCommand& scene) {
+  CLI::App* const command = app.add_subcommand("scene", "files with scenes of your own");
+  CLI::Option* const example = command->add_flag("--example", scene.example, "print a scene file that shows every key");
+  command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
+  return command;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,42 @@
+#include "walkthroughs/program/trace_command.hpp"
+
+#include <iostream>
+
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+namespace walkthroughs {
+namespace {
+
+void write_trace(const std::string& name) {
+  if (is_scene_file(name)) return write_traces(std::cout, read_scene(name).walkthrough);
+  if (find_walkthrough(name) == nullptr && !find_walkthroughs(name).empty())
+    throw UsageError("'" + name + "' is a folder: name one of its walkthroughs; 'gjkstep list " + name +
+                     "' shows them");
+  const Walkthrough& found = walkthrough_named(name);
+  if (found.layout == Layout::diagrams)
+    throw UsageError("'" + name + "' is a diagram, which no search makes: there is no trace of it");
+  write_traces(std::cout, found);
+}
+
+}  // namespace
+
+void TraceCommand::run() const {
+  if (schema)
+    std::cout << trace_schema();
+  else if (name.empty())
+    throw UsageError("trace what? NAME is required: a walkthrough or a scene file; or say --schema");
+  else
+    write_trace(name);
+}
+
+CLI::App* add_trace_command(CLI::App& app, TraceCommand& trace) {
+  CLI::App* const command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
+  CLI::Option* const name = command->add_option("NAME", trace.name, "walkthrough or scene file (.json) to trace");
+  command->add_flag("--schema", trace.schema, "print the JSON Schema of one line of a trace")->excludes(name);
+  return command;
+}
+
+}  // namespace walkthroughs
