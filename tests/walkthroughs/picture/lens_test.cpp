@@ -5,6 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/picture/stage.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
