@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Includes run one way: no folder knows one above it, no unit (foo.hpp with foo.cpp) includes itself in a circle.
+"""The README names every room, and includes run one way: no folder knows one above it, no unit (foo.hpp with foo.cpp) includes itself in a circle.
 
     python3 tests/rooms_test.py        # looks at this project, and first at small made-up ones with one mistake each
 """
@@ -84,8 +84,18 @@ def circle(edges):
     return []
 
 
+def missing_in_map(root):
+    """Folders of the project that the README's map does not name."""
+    readme = (root / "README.md").read_text() if (root / "README.md").is_file() else None
+    rooms = [folder.relative_to(root).as_posix() for folder in sorted((root / "walkthroughs").glob("*/"))]
+    if readme is None:
+        return []
+    return [f"README.md: the map does not name {room}" for room in ["core", "render", *rooms, "tests", "tests/study"]
+            if not re.search(rf"^\| (\[{room}\]|`{room}`)", readme, re.MULTILINE)]
+
+
 def problems(root):
-    edges, found = [], []
+    edges, found = [], missing_in_map(root)
     for file, included, is_there in includes(root):
         if not is_there:
             found.append(f"{file} includes {included}, which is not there")
@@ -131,6 +141,11 @@ class OneMistakeEach(unittest.TestCase):
                           "core/b.cpp": '#include "c.hpp"\n', "core/c.hpp": '#include "a.hpp"\n'})
         self.assertEqual(said, ["a circle: core/a.cpp includes core/b.hpp, core/b.cpp includes core/c.hpp, "
                                 "core/c.hpp includes core/a.hpp"])
+
+    def test_room_that_the_map_lacks(self):
+        said = self.told({"README.md": "| `core` | x |\n| `render` | x |\n| [tests](t) | x |\n| [tests/study](t) | x |\n",
+                          "walkthroughs/model/a.hpp": ""})
+        self.assertEqual(said, ["README.md: the map does not name walkthroughs/model"])
 
     def test_missing_and_unknown(self):
         self.assertIn("which is not there", self.told({"core/a.hpp": '#include "core/b.hpp"\n'})[0])
