@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/shapes.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/scene_object.hpp"
 
 namespace walkthroughs {
