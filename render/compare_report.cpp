@@ -31,7 +31,7 @@ p { margin: 4px 0 10px; max-width: 100ch; }
 code, kbd { font: 13px/1.5 "DejaVu Sans Mono", monospace; }
 kbd { border: 1px solid var(--grey); border-radius: 3px; padding: 0 5px; background: #fff; }
 .accept code { display: block; padding: 6px 10px; background: #f4f4f4; border-left: 4px solid var(--grey);
-               overflow-x: auto; white-space: pre; user-select: all; }
+               max-height: 12em; overflow: auto; white-space: pre; user-select: all; }
 .tools { position: sticky; top: 0; z-index: 1; padding: 8px 0; background: #fff; border-bottom: 1px solid var(--faint); }
 button { font: inherit; padding: 3px 12px; border: 1px solid var(--ink); border-radius: 4px; background: #fff; cursor: pointer; }
 button[aria-pressed=true] { background: var(--ink); color: #fff; }
@@ -212,10 +212,13 @@ std::string details(const ComparedFiles& pair) {
   return counted ? "<div class=\"facts\">\n" + facts(pair.comparison) + histogram(pair.comparison) + "</div>\n" : "";
 }
 
+std::string accept_block(const std::string& what, const std::string& command) {
+  return "<div class=\"accept\">" + what + ":<code>" + escaped(command) + "</code></div>\n";
+}
+
 std::string accept_line(Verdict verdict, const std::string& command) {
   if (command.empty()) return "";
-  const std::string what = verdict == Verdict::missing ? "Accept that it is gone:" : "Accept the new picture:";
-  return "<div class=\"accept\">" + what + "<code>" + escaped(command) + "</code></div>\n";
+  return accept_block(verdict == Verdict::missing ? "Accept that it is gone" : "Accept the new picture", command);
 }
 
 std::string cell(const std::optional<std::string>& value) {
@@ -266,6 +269,7 @@ bool CompareReport::take_pictures(const ComparedFiles& compared) {
 void CompareReport::add(const ComparedFiles& compared, const std::string& accept) {
   const bool good = passes(compared.verdict);
   ++(good ? passed_ : failed_);
+  if (!good && !accept.empty()) accept_all_ += (commands_++ == 0 ? "" : " &&\n") + accept;
   if (compared.verdict == Verdict::same) {
     same_ += "<li>" + escaped(compared.files.name) + "</li>\n";
     return;
@@ -293,6 +297,8 @@ std::string CompareReport::html() const {
   if (!failures_.empty()) {
     page += "<h2>Different</h2>\n";
     if (!head_.where.empty()) page += "<p>Commands are to be run in <code>" + escaped(head_.where) + "</code>.</p>\n";
+    if (commands_ > 1)
+      page += accept_block("Accept all: the " + std::to_string(commands_) + " commands below in one", accept_all_);
     page += failures_;
   }
   if (!passes_.empty()) page += "<h2>Within the tolerance</h2>\n" + passes_;

@@ -30,7 +30,8 @@ class CompareReport {
  public:
   explicit CompareReport(ReportHead head, ReportLimits limits = {}) : head_(std::move(head)), limits_(limits) {}
 
-  /// `accept` is the shell command that accepts the new picture, or empty where there is none.
+  /// `accept` is the shell command that accepts the new picture, or empty where there is none. Several are joined by &&
+  /// into one that accepts all.
   void add(const ComparedFiles& compared, const std::string& accept);
   /// Returns: the page, in UTF-8.
   std::string html() const;
@@ -41,8 +42,9 @@ class CompareReport {
   ReportHead head_;
   ReportLimits limits_;
   int failed_ = 0, passed_ = 0, failures_shown_ = 0, passes_shown_ = 0;
-  int without_pictures_ = 0;
+  int without_pictures_ = 0, commands_ = 0;
   std::string failures_, passes_, same_;  // HTML
+  std::string accept_all_;                // for a shell
 };
 
 }  // namespace render

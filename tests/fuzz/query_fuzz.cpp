@@ -1,5 +1,5 @@
 /// Whatever a stream of queries holds: each line gets one line, an answer or an error that names it, in every scalar; and
-/// the quick way through plain lines finds what the other reader finds.
+/// the quick way through lines finds what the other reader finds.
 ///
 ///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
 ///     ninja -C build/fuzz query-fuzz

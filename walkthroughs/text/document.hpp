@@ -40,7 +40,7 @@ class Document {
   /// Errors: DocumentError where `text` is not JSON, goes beyond the limits, or names a key twice in one object.
   explicit Document(std::string_view text, Comments comments = Comments::allowed);
 
-  /// One line of JSON Lines, without comments: the same as the constructor, several times as fast where the line is plain.
+  /// One line of JSON Lines, without comments: the same as the constructor, several times as fast where it is JSON.
   static Document of_line(std::string_view text);
 
   Value root() const;
@@ -48,7 +48,6 @@ class Document {
  private:
   friend class Value;
   friend class DocumentBuilder;
-  friend class PlainReader;
   using Index = std::uint32_t;
   static constexpr Index none = ~Index{0};
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <regex>
@@ -22,6 +23,9 @@ void draw(const fs::path& file, render::Color color, render::Size size = {16, 9}
 }
 
 constexpr render::Color one{10, 20, 30}, other{90, 20, 30}, nearly{12, 20, 30};
+
+/// Names that a shell would take for something else.
+constexpr std::array odd_names{"it's <1> & \"2\".png", "-rf $HOME `x`.png", "a\nb' && exit 1 #.png", "*.png"};
 
 /// Two folders of pictures, and a name for a third one.
 struct Sides {
@@ -123,7 +127,7 @@ TEST_CASE("A picture that cannot be read is exit code 3 and the others are compa
   CHECK(has(outcome.err, "cannot read " + (sides.actual / "2.png").string()));
   CHECK(has(outcome.err, "replace it"));
   CHECK(has(outcome.out, "3 of 3 pictures differ (2 different, 1 unreadable)"));
-  CHECK(accept_commands(sides.page()).size() == 2);
+  CHECK(accept_commands(sides.page()).size() == 3);  // of two pictures, and of both
 }
 
 TEST_CASE("A side that is not there is exit code 3 and the message names it") {
@@ -152,17 +156,33 @@ TEST_CASE("An empty folder lacks every picture of the other one") {
 
 TEST_CASE("The commands of the report make the actual pictures the expected ones") {
   const Sides sides;
-  sides.draw_both("it's <1> & \"2\".png", one, other);
-  sides.draw_both("-rf $HOME `x`.png", one, other);
+  const bool at_once = GENERATE(false, true);
+  CAPTURE(at_once);
+  for (const char* name : odd_names) sides.draw_both(name, one, other);
   draw(sides.expected / "gone.png", one);
-  draw(sides.actual / "new folder/new.png", one);
+  draw(sides.actual / "new folder/1.png", one);
+  draw(sides.actual / "new folder/2.png", one);
   REQUIRE(sides.compare_with_report().exit_code == 1);
-  const std::vector<std::string> commands = accept_commands(sides.page());
-  REQUIRE(commands.size() == 4);
+  std::vector<std::string> commands = accept_commands(sides.page());
+  REQUIRE(commands.size() == 1 + odd_names.size() + 3);  // the first is all others in one
+  commands.erase(at_once ? commands.begin() + 1 : commands.begin(), at_once ? commands.end() : commands.begin() + 1);
   for (const std::string& command : commands) {
     INFO(command);
     CHECK(std::system(command.c_str()) == 0);
   }
+  CHECK(sides.compare().exit_code == 0);
+}
+
+TEST_CASE("The command that accepts all of many stops at the first that fails, and its exit code says so") {
+  const Sides sides;
+  for (int i = 100; i < 300; ++i) sides.draw_both(std::to_string(i) + ".png", one, other);
+  REQUIRE(sides.compare_with_report().exit_code == 1);
+  const std::string all = accept_commands(sides.page()).at(0);
+  fs::rename(sides.actual / "298.png", sides.root.path() / "away");
+  CHECK(std::system(("{ " + all + "\n} 2>/dev/null").c_str()) != 0);
+  fs::rename(sides.root.path() / "away", sides.actual / "298.png");
+  CHECK(has(sides.compare().out, "2 of 200 pictures differ"));
+  CHECK(std::system(all.c_str()) == 0);
   CHECK(sides.compare().exit_code == 0);
 }
 

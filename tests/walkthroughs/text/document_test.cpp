@@ -1,4 +1,4 @@
-// Document::of_line() has a quick way through plain lines, which must not be seen but in the time it takes.
+// Document::of_line() has a quick way through lines, which must not be seen but in the time it takes.
 
 #include <optional>
 #include <string>
@@ -57,7 +57,7 @@ TEST_CASE("A line is read as the other reader reads it, number by number") {
        {"0", "-0", "-0.0", "0.0", "-0e5", "1", "-1", "1.5", "0.1", "1e5", "1E+5", "1e-5", "9007199254740993",
         "18446744073709551615", "18446744073709551616", "-9223372036854775808", "-9223372036854775809",
         "123456789012345678901234567890", "1e308", "1.7976931348623157e308", "1.7976931348623159e308", "1e400",
-        "-1e400", "1e-400", "5e-324", "4.9e-324", "2.4e-324", "2.2250738585072011e-308",
+        "-1e400", "1e-400", "-1e-400", "5e-324", "4.9e-324", "2.4e-324", "2.2250738585072011e-308",
         "0.1000000000000000055511151231257827", "1.00000000000000011102230246251565404236316680908203125", "0e400",
         // which JSON does not have
         "01", "-01", "+1", ".5", "5.", "1e", "1e+", "-", "--1", "0x10", "1_000", "1,5", "nan", "NaN", "inf", "-inf",
@@ -78,6 +78,14 @@ TEST_CASE("A line is read as the other reader reads it where it is odd or wrong"
                                                           "\"\"",
                                                           "\"a\\n\\u00e9\"",
                                                           "\"é\"",
+                                                          R"("\ud800\udc00")",
+                                                          R"("\ud800")",
+                                                          R"("\udc00")",
+                                                          R"("\ud800\u0041")",
+                                                          R"("\u0000\/\b\x")",
+                                                          "\"\xED\xA0\x80\"",
+                                                          "\"\xC0\x80\"",
+                                                          R"({"\u0000":1,"\u0000":2})",
                                                           "\"\x7f\"",
                                                           "null",
                                                           "true",
