@@ -4,6 +4,7 @@
 #include "walkthroughs/catalogue/figure_3_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/outlines.hpp"
+#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -117,7 +118,7 @@ int draw_example(render::Canvas& canvas, const render::Box& box, const Style& st
   const std::vector<render::Box> frames = side_by_side(box, 2);
   // One scale for both, so that a length in one panel is the same length in the other.
   const auto scale_of = [&](const Vec2& low, const Vec2& high) {
-    return render::View::fit(low, high, room_below_title(frames[0]).grown(-margin), any_scale).scale();
+    return render::View::fit(low, high, below_title(frames[0]).grown(-margin), any_scale).scale();
   };
   const double scale = std::min(scale_of(objects_low, objects_high), scale_of(difference_low, difference_high));
   return draw_sets(canvas, frames[0], style, example, step, scale) +

@@ -1,5 +1,7 @@
 #include "walkthroughs/picture/diagram_parts.hpp"
 
+#include "walkthroughs/picture/panel_title.hpp"
+
 namespace walkthroughs {
 namespace {
 
@@ -8,7 +10,6 @@ using render::Vec2;
 
 // Page units.
 constexpr double gap_between_frames = 20;
-constexpr double title_height = 36, title_left = 14, title_baseline = 26;
 constexpr double paper_around_point = 2, ring_width = 2.5;
 constexpr double origin_arm = 10;
 
@@ -24,15 +25,9 @@ std::vector<Box> side_by_side(const Box& box, int count) {
   return frames;
 }
 
-Box room_below_title(const Box& frame) { return {frame.min + Vec2(0, title_height), frame.max}; }
-
 Box draw_titled_frame(render::Canvas& canvas, const Box& frame, const std::string& title, const Style& style) {
-  const Vec2 corners[] = {frame.min, {frame.max.x(), frame.min.y()}, frame.max, {frame.min.x(), frame.max.y()}};
-  canvas.outline(corners, style.frame);
-  const Box room = room_below_title(frame);
-  canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
-  canvas.text(frame.min + Vec2(title_left, title_baseline), title, style.panel_title);
-  return room;
+  draw_panel_title(canvas, frame, title, {}, style);
+  return below_title(frame);
 }
 
 void draw_point(render::Panel& panel, const Vec2& at, render::Color color, const Style& style) {

@@ -16,9 +16,6 @@ std::vector<render::Box> side_by_side(const render::Box& box, int count);
 render::Box draw_titled_frame(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                               const Style& style);
 
-/// Returns: that room, without drawing.
-render::Box room_below_title(const render::Box& frame);
-
 void draw_point(render::Panel& panel, const render::Vec2& at, render::Color color, const Style& style);
 /// A ring, for a point that is not the one meant.
 void draw_hollow_point(render::Panel& panel, const render::Vec2& at, render::Color color, const Style& style);

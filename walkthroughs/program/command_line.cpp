@@ -1,10 +1,10 @@
 #include "walkthroughs/program/command_line.hpp"
 
-#include <charconv>
 #include <cstdlib>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/picture_size.hpp"
 
 namespace walkthroughs {
 
@@ -20,16 +20,9 @@ std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {
 }
 
 render::Size parse_size(const std::string& text) {
-  render::Size size;
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  const bool has_x = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-  const auto height = has_x ? std::from_chars(width.ptr + 1, end, size.height) : width;
-  const auto fits = [](int pixels) { return render::min_pixels <= pixels && pixels <= render::max_pixels; };
-  if (!has_x || height.ec != std::errc() || height.ptr != end || !fits(size.width) || !fits(size.height))
-    throw UsageError("--size '" + text + "': expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
-                     std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
-  return size;
+  if (const auto size = size_in(text)) return *size;
+  throw UsageError("--size '" + text + "': expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
+                   std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
 }
 
 void expect_named(const std::string& option, const std::string& name, const std::string& example) {

@@ -1,10 +1,10 @@
 #include "walkthroughs/text/scene_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/picture_size.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/scene_object.hpp"
 
@@ -74,21 +74,6 @@ Panels read_panels(const Value& root) {
     panel = true;
   }
   return panels;
-}
-
-bool is_size(const render::Size& size) {
-  const auto fits = [](int pixels) { return render::min_pixels <= pixels && pixels <= render::max_pixels; };
-  return fits(size.width) && fits(size.height);
-}
-
-std::optional<render::Size> size_in(const std::string& text) {
-  render::Size size;
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
-  const auto height = std::from_chars(width.ptr + 1, end, size.height);
-  if (height.ec != std::errc() || height.ptr != end || !is_size(size)) return std::nullopt;
-  return size;
 }
 
 std::optional<render::Size> read_size(const Value& root) {
