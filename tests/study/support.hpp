@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/methods/methods.hpp"
+#include "tests/study/methods/all_methods.hpp"
 #include "tests/study/sweep/settings.hpp"
 
 namespace study::test {
 
 inline const Method& method_named(const std::string& name) {
-  for (const Method& method : methods())
+  for (const Method& method : all_methods())
     if (method.name() == name) return method;
   throw std::invalid_argument("there is no method '" + name + "'");
 }

@@ -1,7 +1,7 @@
-#include "tests/study/methods/methods_of.hpp"
+#include "tests/study/methods/methods_of_scalar.hpp"
 
 namespace study {
 
-std::vector<Method> exact_methods() { return methods_of<Exact>("exact"); }
+std::vector<Method> exact_methods() { return methods_of_scalar<Exact>("exact"); }
 
 }  // namespace study

@@ -1,7 +1,7 @@
-#include "tests/study/methods/methods_of.hpp"
+#include "tests/study/methods/methods_of_scalar.hpp"
 
 namespace study {
 
-std::vector<Method> float_methods() { return methods_of<float>("float"); }
+std::vector<Method> float_methods() { return methods_of_scalar<float>("float"); }
 
 }  // namespace study

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/study/methods/methods.hpp"
+#include "tests/study/methods/all_methods.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"
 #include "tests/study/report/results.hpp"
@@ -20,7 +20,7 @@ void list() {
   std::cout << "families\n";
   for (const Family& family : families()) std::cout << "  " << family.name << ": " << family.what << '\n';
   std::cout << "rules, scalar and zero test (--rules, --scalar, --zero-test)\n";
-  for (const Method& method : methods())
+  for (const Method& method : all_methods())
     std::cout << "  " << method.rules << ", " << method.scalar.name << ", " << method.zero_test << '\n';
   std::cout << "iteration limits (--limit)\n ";
   for (const int limit : limits) std::cout << ' ' << limit;
@@ -80,7 +80,7 @@ void RunCommand::run() const {
   expect_named("--out", out);
   if (failures) expect_named("--save-failures", *failures);
   Request wanted = request;
-  wanted.effort = full ? Effort::full : Effort::quick;
+  wanted.scope = full ? Scope::full : Scope::quick;
   Plan plan = plan_of(wanted);
   if (shard) plan.shard = parse_shard(*shard);
   plan.threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());

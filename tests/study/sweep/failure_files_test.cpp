@@ -79,7 +79,7 @@ TEST_CASE("Balls and cylinders that went wrong are scenes as well", "[failures]"
 }
 
 TEST_CASE("Pairs with numbers that no scene can hold are not saved", "[failures]") {
-  Failure failure{"far", 0, &methods().front(), Kind::undecided, 20, Truth::separated, {}};
+  Failure failure{"far", 0, &all_methods().front(), Kind::undecided, 20, Truth::separated, {}};
   failure.pair = {Points{{1e150, 0, 0}}, Ball{{0, 0, 0}, 1}};
   CHECK(fits_scene(failure));
   failure.pair.a = Points{{0, 0, 0}, {0, -1.1e150, 0}};
@@ -88,7 +88,7 @@ TEST_CASE("Pairs with numbers that no scene can hold are not saved", "[failures]
 
 TEST_CASE("Failures that are not saved are counted and the reason is told", "[failures]") {
   const walkthroughs::test::Folder folder;
-  Failure failure{"far", 0, &methods().front(), Kind::undecided, 20, Truth::separated, {}};
+  Failure failure{"far", 0, &all_methods().front(), Kind::undecided, 20, Truth::separated, {}};
   failure.pair = {Points{{1, 0, 0}}, Points{{0, 0, 0}}};
   Failure far = failure;
   far.pair.a = Points{{1e151, 0, 0}};

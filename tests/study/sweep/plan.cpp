@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "tests/study/methods/methods.hpp"
+#include "tests/study/methods/all_methods.hpp"
 #include "walkthroughs/text/nearest.hpp"
 
 namespace study {
@@ -33,17 +33,17 @@ struct Amount {
   std::uint64_t pairs, slow_pairs;
 };
 
-/// On two cores: about twelve minutes, and less than one.
-Amount amount_of(Effort effort) { return effort == Effort::full ? Amount{500000, 10000} : Amount{3000, 60}; }
+/// On two cores: about seven minutes, and less than one.
+Amount amount_of(Scope scope) { return scope == Scope::full ? Amount{500000, 10000} : Amount{3000, 60}; }
 
 constexpr std::uint64_t worth_exhausting = 600'000;  // a full run asks all pairs of a list up to this length
 
 Part part_of(const Family& family, const Request& request) {
-  const Amount amount = amount_of(request.effort);
+  const Amount amount = amount_of(request.scope);
   const std::uint64_t weight = weight_of(family, request.seed);
   std::uint64_t pairs = request.pairs.value_or(amount.pairs / weight);
   if (family.size) {
-    const bool to_the_last = request.effort == Effort::full && !request.pairs && *family.size <= worth_exhausting;
+    const bool to_the_last = request.scope == Scope::full && !request.pairs && *family.size <= worth_exhausting;
     pairs = to_the_last ? *family.size : std::min(pairs, *family.size);
   }
   const std::uint64_t slow = request.pairs ? std::max<std::uint64_t>(pairs / 50, 1) : amount.slow_pairs / weight;
@@ -54,13 +54,13 @@ Part part_of(const Family& family, const Request& request) {
 
 std::vector<std::string> names_of(std::string Method::*name) {
   std::vector<std::string> names;
-  for (const Method& method : methods()) names.push_back(method.*name);
+  for (const Method& method : all_methods()) names.push_back(method.*name);
   return names;
 }
 
 std::vector<std::string> scalar_names() {
   std::vector<std::string> names;
-  for (const Method& method : methods()) names.push_back(method.scalar.name);
+  for (const Method& method : all_methods()) names.push_back(method.scalar.name);
   return names;
 }
 
@@ -76,12 +76,12 @@ bool is_chosen(const std::vector<std::string>& chosen, const std::string& name) 
   return chosen.empty() || std::ranges::find(chosen, name) != chosen.end();
 }
 
-std::vector<const Method*> methods_of(const Request& request) {
+std::vector<const Method*> chosen_methods(const Request& request) {
   expect_known(request.rules, names_of(&Method::rules), "set of rules");
   expect_known(request.zero_tests, names_of(&Method::zero_test), "zero test");
   expect_known(request.scalars, scalar_names(), "scalar");
   std::vector<const Method*> chosen;
-  for (const Method& method : methods())
+  for (const Method& method : all_methods())
     if (is_chosen(request.rules, method.rules) && is_chosen(request.zero_tests, method.zero_test) &&
         is_chosen(request.scalars, method.scalar.name))
       chosen.push_back(&method);
@@ -164,7 +164,7 @@ double seconds_of(const Plan& plan, const std::vector<const Method*>& methods, c
 Plan plan_of(const Request& request) {
   Plan plan;
   plan.seed = request.seed;
-  plan.methods = methods_of(request);
+  plan.methods = chosen_methods(request);
   plan.parts = parts_of(request);
   plan.limits = limits_of(request);
   plan.failure_limit = std::min(report_limit, plan.limits.back());
@@ -176,7 +176,7 @@ std::string command_of(const Request& request) {
   if (request.pairs)
     text += " --pairs " + std::to_string(*request.pairs);
   else
-    text += request.effort == Effort::full ? " --full" : " --quick";
+    text += request.scope == Scope::full ? " --full" : " --quick";
   return text + " --seed " + std::to_string(request.seed) + option("--families", request.families) +
          option("--rules", request.rules) + option("--scalar", request.scalars) +
          option("--zero-test", request.zero_tests) + option("--limit", words_of(request.limits));

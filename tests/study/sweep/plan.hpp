@@ -20,13 +20,13 @@ struct UsageError : std::runtime_error {
 inline constexpr std::uint64_t most_pairs = 1'000'000'000'000;  ///< of each family
 inline constexpr unsigned most_threads = 1024;
 
-enum class Effort { quick, full };
+enum class Scope { quick, full };
 
 /// What belongs to the study itself, whoever runs it and in how many shards. Empty lists: all that there are.
 struct Request {
-  Effort effort = Effort::quick;
+  Scope scope = Scope::quick;
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> pairs = {};  ///< of each family; else as the effort says
+  std::optional<std::uint64_t> pairs = {};  ///< of each family; else as the scope says
   std::vector<std::string> families = {}, rules = {}, scalars = {}, zero_tests = {};
   std::vector<int> limits = {};
 };

@@ -16,7 +16,7 @@ TEST_CASE("A shard is written I/N and counted from 0", "[plan]") {
 TEST_CASE("The command of a study makes it again", "[plan]") {
   Request request;
   CHECK(command_of(request) == "gjkstep-study run --quick --seed 1");
-  request.effort = Effort::full;
+  request.scope = Scope::full;
   CHECK(command_of(request) == "gjkstep-study run --full --seed 1");
   request.pairs = 50;
   request.seed = 9;

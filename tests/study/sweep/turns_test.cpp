@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "tests/catch.hpp"
-#include "tests/study/support.hpp"
 #include "tests/study/methods/thread_clock.hpp"
+#include "tests/study/support.hpp"
 
 namespace study::test {
 namespace {
@@ -22,7 +22,7 @@ nanoseconds note(std::span<const Question* const>, int limit) {
 }
 
 Method noting(nanoseconds (*time)(std::span<const Question* const>, int), bool is_slow) {
-  Method method = methods().front();
+  Method method = all_methods().front();
   method.time = time;
   method.scalar.is_slow = is_slow;
   return method;

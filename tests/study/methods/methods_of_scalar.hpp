@@ -18,7 +18,7 @@ void add(std::vector<Method>& all, const std::string& rules, const Scalar& scala
 }
 
 template <class S>
-std::vector<Method> methods_of(const std::string& scalar_name) {
+std::vector<Method> methods_of_scalar(const std::string& scalar_name) {
   const Scalar scalar = scalar_called<S>(scalar_name);
   std::vector<Method> all;
   add<S, gjk::Intended>(all, "as-intended", scalar);

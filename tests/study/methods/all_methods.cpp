@@ -1,10 +1,10 @@
-#include "tests/study/methods/methods.hpp"
+#include "tests/study/methods/all_methods.hpp"
 
-#include "tests/study/methods/methods_of.hpp"
+#include "tests/study/methods/methods_of_scalar.hpp"
 
 namespace study {
 
-const std::vector<Method>& methods() {
+const std::vector<Method>& all_methods() {
   static const std::vector<Method> all = [] {
     std::vector<Method> list;
     for (const auto some : {float_methods, double_methods, long_double_methods, exact_methods})
