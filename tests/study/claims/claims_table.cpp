@@ -119,9 +119,11 @@ void write_claims_table(std::ostream& out, const Counted& counted) {
       "judged further down, each in a table of its own.");
   paragraph(out,
             "An *always* (“never”, “at most”, “cannot”) holds where no exception was seen and the interval lies above "
-            "99 %; an *almost always* or *rarely* where the interval lies above 99 %; a *usually* or *generally* where "
-            "it lies above one half. Where the interval leaves that open, so does the verdict. Simplices "
-            "and edges of one query are counted as if they were independent, which makes their intervals a little too "
+            "99 %; with *rare exceptions*, which refute the word but are under 1 %, where the interval lies there all "
+            "the same; else it fails. An *almost always* or *rarely* holds where the interval lies above 99 %; a "
+            "*usually* or *generally* where it lies above one half. Where the interval leaves that open, so does the "
+            "verdict. *Mostly* holds or fails: for most of the shapes and families, each counted once. Simplices and "
+            "edges of one query are counted as if they were independent, which makes their intervals a little too "
             "narrow.");
   heading(
       out,

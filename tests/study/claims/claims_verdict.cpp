@@ -1,6 +1,7 @@
 #include "tests/study/claims/claims_verdict.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -57,18 +58,47 @@ std::vector<std::string> names(const Places& places, const Claim& claim) {
   return terms;
 }
 
+struct Standings {
+  explicit Standings(const Claim& claim) {
+    for (const Measured& m : claim.measured)
+      if (m.holds.trials > 0) at(standing(claim.strength, m)).push_back(&m);
+  }
+
+  Places& at(Standing s) { return places[static_cast<std::size_t>(s)]; }
+  const Places& at(Standing s) const { return places[static_cast<std::size_t>(s)]; }
+
+  std::array<Places, 4> places;
+};
+
 /// The shorter list says where a claim breaks. An answer for few places, where more are left open, names them.
-std::string answered(const Places& yes, const Places& no, std::size_t left_open, const Claim& claim) {
+std::string answered(const Standings& found, const Claim& claim) {
+  const Places &nearly = found.at(Standing::nearly_holds), &no = found.at(Standing::fails);
+  Places yes = found.at(Standing::holds);
+  yes.insert(yes.end(), nearly.begin(), nearly.end());
   const auto holding = names(yes, claim), breaking = names(no, claim);
-  if (no.empty()) return holding.size() <= left_open ? "holds for " + joined(holding) : "**holds**";
+  const std::size_t left_open = found.at(Standing::open).size();
   if (yes.empty()) return breaking.size() <= left_open ? "does not hold for " + joined(breaking) : "**does not hold**";
-  return holding.size() <= breaking.size() ? "holds only for " + joined(holding)
-                                           : "holds for all but " + joined(breaking);
+  if (no.empty() && !nearly.empty()) return "**mostly holds**";
+  if (no.empty()) return holding.size() <= left_open ? "holds for " + joined(holding) : "**holds**";
+  if (holding.size() > breaking.size()) return "**mostly holds**, but not for " + joined(breaking);
+  if (holding.size() < breaking.size()) return "**mostly fails**, but holds for " + joined(holding);
+  return "holds for " + joined(holding) + ", not for " + joined(breaking);
 }
 
-std::string left_open(Strength strength, const Places& open) {
+/// Returns: empty where there are none. Of two lists the shorter one is told.
+std::string rare_exceptions(const Standings& found, const Claim& claim) {
+  const auto with = names(found.at(Standing::nearly_holds), claim), without = names(found.at(Standing::holds), claim);
+  if (with.empty()) return "";
+  const std::string rare = "rare exceptions (under 1 %)";
+  if (with.size() <= without.size()) return rare + " for " + joined(with);
+  const std::string where = found.at(Standing::fails).empty() ? "everywhere" : "elsewhere";
+  return rare + " " + where + (without.empty() ? "" : ", but none for " + joined(without));
+}
+
+std::string left_open(const Standings& found, const Claim& claim) {
   std::vector<std::string> terms;
-  for (const Measured* const m : open) terms.push_back(m->where + " (" + why_open(strength, m->holds) + ")");
+  for (const Measured* const m : found.at(Standing::open))
+    terms.push_back(m->where + " (" + why_open(claim.strength, m->holds) + ")");
   return terms.empty() ? "" : "left open for " + joined(terms);
 }
 
@@ -78,25 +108,26 @@ Interval Measured::interval() const {
   return cases == Cases::all && holds.trials > 0 ? Interval{holds.share(), holds.share()} : holds.interval();
 }
 
-std::optional<bool> holds(Strength strength, const Measured& measured) {
+Standing standing(Strength strength, const Measured& measured) {
   const Interval interval = measured.interval();
-  if (strength == Strength::always && measured.holds.count < measured.holds.trials) return false;
-  if (interval.low >= threshold(strength)) return true;
-  if (interval.high < threshold(strength)) return false;
-  return std::nullopt;
+  const bool is_above = interval.low >= threshold(strength);
+  if (strength == Strength::always && measured.holds.count < measured.holds.trials)
+    return is_above ? Standing::nearly_holds : Standing::fails;
+  if (is_above) return Standing::holds;
+  return interval.high < threshold(strength) ? Standing::fails : Standing::open;
 }
 
 std::string verdict(const Claim& claim) {
-  Places yes, no, open;
-  for (const Measured& m : claim.measured) {
-    if (m.holds.trials == 0) continue;
-    const auto answer = holds(claim.strength, m);
-    (!answer ? open : *answer ? yes : no).push_back(&m);
-  }
-  const std::string rest = left_open(claim.strength, open);
-  if (!yes.empty() || !no.empty()) return answered(yes, no, open.size(), claim) + (rest.empty() ? "" : "; " + rest);
-  if (open.empty()) return "nothing to look at";
-  return open.size() == 1 ? "left open: " + why_open(claim.strength, open[0]->holds) : rest;
+  const Standings found(claim);
+  const Places& open = found.at(Standing::open);
+  const auto looked_at = std::ranges::count_if(claim.measured, [](const Measured& m) { return m.holds.trials > 0; });
+  if (looked_at == 0) return "nothing to look at";
+  if (looked_at == 1 && !open.empty()) return "left open: " + why_open(claim.strength, open[0]->holds);
+  if (open.size() == static_cast<std::size_t>(looked_at)) return left_open(found, claim);
+  std::string words = answered(found, claim);
+  for (const std::string& more : {rare_exceptions(found, claim), left_open(found, claim)})
+    if (!more.empty()) words += "; " + more;
+  return words;
 }
 
 const Measured& worst(const Claim& claim) {

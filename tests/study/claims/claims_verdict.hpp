@@ -1,7 +1,6 @@
 /// Whether a claim of the report holds, found from what was counted.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,11 +36,18 @@ struct Claim {
   std::vector<Measured> measured;  ///< the report's own shape, or the first one, in front
 };
 
-/// Returns: whether the claim holds there; nothing where the interval leaves it open.
-std::optional<bool> holds(Strength strength, const Measured& measured);
+/// How a claim stands at one place.
+enum class Standing {
+  holds,
+  nearly_holds,  ///< an *always* that exceptions refute, which are fewer than 1 % all the same
+  fails,
+  open,  ///< the interval has both
+};
 
-/// Returns: "holds", "does not hold", "holds only for boxes", "holds for all but spheres; left open for hulls (only 5
-/// cases)", "left open: only 5 cases". Of two lists the shorter one is told.
+Standing standing(Strength strength, const Measured& measured);
+
+/// Returns: "holds", "does not hold"; "mostly holds, but not for spheres" or "mostly fails, but holds for boxes" with the
+/// shorter list; "holds for boxes, not for spheres". Behind it come rare exceptions, and what is left open.
 std::string verdict(const Claim& claim);
 
 /// Returns: the place where the claim is true least often. Requires: something was measured.
