@@ -71,7 +71,7 @@ std::string counts_csv(const Settings& settings) {
       "undecided,undecided_rate,undecided_rate_low,undecided_rate_high,cycles,unusable_directions,"
       "hit_iterations_mean,hit_iterations_p99,hit_iterations_max,miss_iterations_mean,miss_iterations_p99,"
       "miss_iterations_max,support_calls,out_of_range,not_askable,truth_changed_by_rounding,exceptions,"
-      "proven_by_predicates,proven_by_formulas,proven_by_error_bounds,proven_by_fractions\n";
+      "proven_by_predicates,proven_by_formulas,proven_by_certificate\n";
   for (const Row& row : settings.study().rows)
     for (const int limit : settings.limits()) text += line(settings, row, limit);
   return text;

@@ -90,9 +90,9 @@ std::string words_of(const Histogram& iterations) {
 
 // -- The tables of counts ---------------------------------------------------------------------------------------------
 
-/// Returns: "CGAL", or with the counts "bounds 498, fractions 2" where there were several.
+/// Returns: "predicates", or with the counts "predicates 498, certificates 2" where there were several.
 std::string words_of_proofs(const Tally& tally) {
-  constexpr const char* names[proofs] = {"CGAL", "formulas", "bounds", "fractions"};
+  constexpr const char* names[proofs] = {"predicates", "formulas", "certificates"};
   const bool are_several = std::ranges::count_if(tally.proven, [](std::uint64_t n) { return n > 0; }) > 1;
   std::string words;
   for (std::size_t proof = 0; proof < proofs; ++proof)
@@ -113,11 +113,9 @@ std::string families_table(const Settings& settings) {
     };
   };
   return "## Families\n\nOf each pair it is known exactly whether the sets have a point in common; touching counts: "
-         "by CGAL's exact predicates; by a linear program whose answer in doubles is proven by bounds on their error, "
-         "and "
-         "for every thousandth pair and where these are too wide by a certificate in fractions; or by formulas in "
-         "fractions. Float is asked about the pair as float "
-         "writes it, and its answer held against the truth about that pair; how often "
+         "by CGAL's exact predicates; by CGAL's exact linear program, with a certificate that is multiplied out in "
+         "fractions; or by formulas in fractions. Float is asked about the pair as float writes it, and its answer "
+         "held against the truth about that pair; how often "
          "writing it in float changed the truth is told beside it.\n\n" +
          table(settings,
                {{"what", [](const FamilyNote& family) { return family.what; }},

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "tests/catch.hpp"
-#include "tests/study/sweep/plan.hpp"
 #include "tests/study/support.hpp"
+#include "tests/study/sweep/plan.hpp"
 
 namespace study::test {
 namespace {
@@ -175,9 +175,9 @@ TEST_CASE("Why float is slower is told where it is and not where it is faster", 
 
 TEST_CASE("The table of families tells what proves the truths", "[tables]") {
   Study study = counted_by_hand();
-  CHECK(counts_markdown(Settings(study)).find("| CGAL |") != std::string::npos);
-  study.rows.front().tally.proven = {0, 0, 7, 3};
-  CHECK(counts_markdown(Settings(study)).find("| bounds 7, fractions 3 |") != std::string::npos);
+  CHECK(counts_markdown(Settings(study)).find("| predicates |") != std::string::npos);
+  study.rows.front().tally.proven = {7, 0, 3};
+  CHECK(counts_markdown(Settings(study)).find("| predicates 7, certificates 3 |") != std::string::npos);
 }
 
 TEST_CASE("A study of few settings has tables of these", "[tables]") {

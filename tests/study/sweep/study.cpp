@@ -13,9 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 2;  // of the file; another one where a reader would misunderstand this one
+constexpr int format = 3;  // of the file; another one where a reader would misunderstand this one
 constexpr const char* answer_names[answers] = {"intersecting", "separated", "unusable", "at_limit"};
-constexpr const char* proof_names[proofs] = {"predicates", "formulas", "error_bounds", "fractions"};
+constexpr const char* proof_names[proofs] = {"predicates", "formulas", "certificate"};
 constexpr const char* truth_names[2] = {"truly_separated", "truly_intersecting"};
 
 // -- Out --------------------------------------------------------------------------------------------------------------

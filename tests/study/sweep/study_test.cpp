@@ -2,9 +2,9 @@
 #include "tests/study/sweep/study.hpp"
 
 #include "tests/catch.hpp"
-#include "tests/study/sweep/plan.hpp"
-#include "tests/study/support.hpp"
 #include "tests/study/report/tables.hpp"
+#include "tests/study/support.hpp"
+#include "tests/study/sweep/plan.hpp"
 
 namespace study::test {
 namespace {
@@ -142,8 +142,8 @@ TEST_CASE("Files that are none of the study's are refused with their name", "[st
   CHECK_THAT(refusal(good.substr(0, good.size() / 2)), Contains("a.json is not JSON, or is cut off"));
   CHECK_THAT(refusal("[]"), Contains("not a file of gjkstep-study"));
   CHECK_THAT(refusal(R"({"gjkstep_study":99})"), Contains("format 99"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":2})"), Contains("damaged"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":2,"header":[]})"), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":3})"), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":3,"header":[]})"), Contains("damaged"));
 }
 
 }  // namespace

@@ -10,14 +10,11 @@
 #include <thread>
 #include <tuple>
 
-#include "tests/study/truth/oracle.hpp"
 #include "tests/study/sweep/turns.hpp"
+#include "tests/study/truth/oracle.hpp"
 
 namespace study {
 namespace {
-
-/// Of the pairs whose truth error bounds prove, every so many is proven in fractions as well.
-constexpr std::uint64_t certified_every = 1000;
 
 constexpr std::uint64_t job_size = 256;  // pairs of one job; also of one timed batch
 constexpr std::size_t slow_batch = 16;   // questions of a timed batch of a slow scalar
@@ -115,7 +112,7 @@ class Worker {
   }
 
   Judgement judgement_of(const Pair& pair, std::uint64_t index) const try {
-    return index % certified_every == 0 ? judge_twice(pair) : judge(pair);
+    return judge(pair);
   } catch (const std::exception& error) {
     throw std::runtime_error("the truth about pair " + std::to_string(index) + " of family '" + part_.family->name +
                              "' is not known: " + error.what());

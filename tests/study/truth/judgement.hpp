@@ -8,12 +8,11 @@
 namespace study {
 
 enum class Proof {
-  predicates,    ///< CGAL's, which are exact
-  formulas,      ///< in fractions, of round bodies
-  error_bounds,  ///< a linear program solved in doubles, whose answer is farther from the opposite one than any error
-  fractions      ///< the same, where these bounds are too wide: with a certificate in fractions
+  predicates,  ///< CGAL's, which are exact
+  formulas,    ///< in fractions, of round bodies
+  certificate  ///< of a linear program, multiplied out in fractions
 };
-inline constexpr std::size_t proofs = 4;
+inline constexpr std::size_t proofs = 3;
 
 struct Judgement {
   Truth truth;

@@ -12,7 +12,7 @@ namespace {
 struct Judge {
   Judgement operator()(const Points& a, const Points& b) const {
     if (const auto found = truth_by_cgal(a, b)) return {*found, Proof::predicates};
-    return judged_by_linear_program(a, b);
+    return {truth_by_linear_program(a, b), Proof::certificate};
   }
 
   Judgement operator()(const Ball& a, const Ball& b) const { return {truth_of_round(a, b), Proof::formulas}; }
@@ -29,13 +29,5 @@ struct Judge {
 }  // namespace
 
 Judgement judge(const Pair& pair) { return std::visit(Judge{}, pair.a, pair.b); }
-
-Judgement judge_twice(const Pair& pair) {
-  const Judgement once = judge(pair);
-  if (once.proof != Proof::error_bounds) return once;
-  const Judgement again = judged_in_fractions(std::get<Points>(pair.a), std::get<Points>(pair.b));
-  if (again.truth != once.truth) throw std::logic_error("bounds on errors and a certificate in fractions disagree");
-  return again;
-}
 
 }  // namespace study

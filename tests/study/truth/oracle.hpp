@@ -1,9 +1,8 @@
 /// The truth about a pair, found exactly and in other ways than GJK's: neither support functions nor a simplex.
 ///
 /// Numbers are taken as they stand: every double is a fraction. Triangles and tetrahedra are asked of CGAL's exact
-/// predicates; larger sets of points of a linear program, whose answer in doubles is proven by bounds on their error, or
-/// else found in fractions and proven by a certificate in fractions; balls, and cylinders whose axes are parallel to
-/// coordinate axes, of formulas in fractions.
+/// predicates; other sets of points of a linear program, whose answer a certificate proves in fractions; balls, and cylinders
+/// whose axes are parallel to coordinate axes, of formulas in fractions.
 #pragma once
 
 #include "tests/study/truth/judgement.hpp"
@@ -15,11 +14,6 @@ namespace study {
 /// Errors: std::logic_error where a certificate does not hold; std::invalid_argument for a pair that it cannot judge:
 /// a number that is not finite, a cylinder askew, a round body against points.
 Judgement judge(const Pair& pair);
-
-/// As judge(); but where bounds on the error of doubles prove the answer, it is found again in fractions, with a certificate.
-///
-/// Errors: also std::logic_error where the two contradict each other.
-Judgement judge_twice(const Pair& pair);
 
 inline Truth truth(const Pair& pair) { return judge(pair).truth; }
 
