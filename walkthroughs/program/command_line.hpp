@@ -3,20 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "render/geometry.hpp"
 #include "render/offscreen_context.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/program/exit_code.hpp"
 
 namespace walkthroughs {
-
-/// The command line asks for something that there is not; what() says what there is instead.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Errors: UsageError, with the name that was probably meant.
 const Walkthrough& walkthrough_named(const std::string& name);

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum ExitCode { same = 0, different = 1, unreadable = 3 };
+enum Answer { same = 0, different = 1, unreadable = 3 };
 
 fs::file_type kind_of(const std::string& word) {
   std::error_code error;

@@ -1,29 +1,24 @@
 // gjkstep: watch GJK decide. Reads the command line, calls the rest, turns failures into exit codes.
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <iostream>
 #include <optional>
 
-#include "render/file.hpp"
-#include "render/font.hpp"
 #include "render/offscreen_context.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/compare_command.hpp"
+#include "walkthroughs/program/exit_code.hpp"
 #include "walkthroughs/program/list_command.hpp"
 #include "walkthroughs/program/query_command.hpp"
 #include "walkthroughs/program/render_command.hpp"
 #include "walkthroughs/program/scene_command.hpp"
 #include "walkthroughs/program/trace_command.hpp"
 #include "walkthroughs/text/nearest.hpp"
-#include "walkthroughs/text/text_file.hpp"
 
 namespace {
 
 using walkthroughs::UsageError;
-
-enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
 
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace, a query; also: a missing font), 4 no OpenGL "
@@ -35,13 +30,6 @@ void print_version(const std::optional<std::string>& gl) {
   const render::Backend backend = walkthroughs::chosen_backend(gl);
   std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
   std::cout << render::OffscreenContext(backend).description() << '\n';
-}
-
-ExitCode flush_output() {
-  if (!std::cout.flush())
-    throw render::FileError(
-        "cannot write to standard output; check that the disk has space left, or that who reads has not left");
-  return ok;
 }
 
 /// Returns: the parser's complaint and what to do about it.
@@ -85,11 +73,12 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
-    return flush_output();
+    walkthroughs::flush_output();
+    return walkthroughs::ok;
   } catch (const CLI::ParseError& error) {
     throw UsageError(what_was_wrong(app, error));
   }
-  int answer = ok;
+  int answer = walkthroughs::ok;
   if (version)
     print_version(render.gl);
   else if (*list_command)
@@ -106,36 +95,12 @@ int run(int argc, char** argv) {
     answer = query.run();
   else
     throw UsageError("what to do? 'gjkstep --help' shows the commands");
-  flush_output();
+  walkthroughs::flush_output();
   return answer;
-}
-
-int fail(ExitCode code, const std::exception& error) {
-  std::cerr << "gjkstep: " << error.what() << '\n';
-  return code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, told like others
-  try {
-    return run(argc, argv);
-  } catch (const UsageError& error) {
-    return fail(wrong_usage, error);
-  } catch (const walkthroughs::InputError& error) {
-    return fail(bad_input, error);
-  } catch (const render::FontError& error) {
-    return fail(bad_input, error);
-  } catch (const render::ContextError& error) {
-    return fail(no_context, error);
-  } catch (const render::ReadError& error) {
-    return fail(bad_input, error);
-  } catch (const render::FileError& error) {
-    return fail(cannot_write, error);
-  } catch (const std::bad_alloc&) {
-    return fail(unexpected, std::runtime_error("out of memory; choose a smaller --size"));
-  } catch (const std::exception& error) {
-    return fail(unexpected, error);
-  }
+  return walkthroughs::exit_code_of("gjkstep", "choose a smaller --size", [&] { return run(argc, argv); });
 }

@@ -40,7 +40,7 @@ A bad line, also a blank one, gives {"error": "...", "line": n}, and the others 
 Answers are written before more is read, so a program may ask one pair and wait.
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
 
-enum ExitCode { all_answered = 0, bad_lines = 3 };
+enum Answer { all_answered = 0, bad_lines = 3 };
 
 /// A pipe may have been set, by another program that holds it, to fail rather than wait (O_NONBLOCK).
 /// Returns: whether errno says so; then it has waited. Keeps errno.

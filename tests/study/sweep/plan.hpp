@@ -8,13 +8,11 @@
 #include <vector>
 
 #include "tests/study/sweep/study.hpp"
+#include "walkthroughs/program/exit_code.hpp"
 
 namespace study {
 
-/// The command line asks for something that there is not; what() says what there is instead.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using walkthroughs::UsageError;
 
 /// What a command line may ask for.
 inline constexpr std::uint64_t most_pairs = 1'000'000'000'000;  ///< of each family

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/study/sweep/sweep.hpp"
+#include "walkthroughs/text/text_file.hpp"
 
 namespace study {
 
@@ -42,8 +43,8 @@ struct Study {
 Counts counts_at(const FamilyNote& family, const Row& row, int limit);
 
 /// Files that do not go together, or are none of the study's; what() is a sentence that says which and why.
-struct StudyError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct StudyError : walkthroughs::InputError {
+  using InputError::InputError;
 };
 
 /// Returns: the study as JSON; counts as they were counted, so that nothing is lost.
