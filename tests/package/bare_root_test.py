@@ -1,5 +1,5 @@
-"""The Debian package installs on a bare system and draws there: the steps of pictures/github-actions.yml, in a file system
-that holds nothing but Debian's essential packages and apt.
+"""The Debian package installs on a bare system and draws there: the steps of pictures/github-actions.yml, in a file
+system that holds nothing but Debian's essential packages and apt.
 
     GJKSTEP_BARE_ROOT=1 python3 bare_root_test.py BUILD_FOLDER CMAKE        # takes a minute or two and the network
     GJKSTEP_BARE_ROOT=build python3 bare_root_test.py BUILD_FOLDER CMAKE    # builds the package there as well
@@ -28,7 +28,7 @@ def release():
 
 
 def sources():
-    """The files that say where the packages of this release come from, in the part of the archive that is called main."""
+    """The files that say where the packages of this release come from, which are those of the component called main."""
     files = [apt / "sources.list", *sorted((apt / "sources.list.d").glob("*"))]
     return [file for file in files if file.suffix in (".list", ".sources") and file.is_file() and
             {release(), "main"} <= set(file.read_text().split())]
@@ -81,8 +81,8 @@ class Job:
         """Runs as the service does: one shell a step, in the checkout, which stops at what fails."""
         enter = 'mount -t proc proc "$1/proc" && exec chroot "$1" /usr/bin/env -i -C /project "${@:2}"'
         words = [f"{key}={value}" for key, value in self.variables.items()]
-        return run("unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter, "bash", self.root, *words,
-                   "sh", "-e", "-c", commands)
+        return run("unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter, "bash", self.root,
+                   *words, "sh", "-e", "-c", commands)
 
     def steps(self):
         """Name and commands of the steps that the service would run, the package being there or not."""

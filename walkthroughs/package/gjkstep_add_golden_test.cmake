@@ -45,6 +45,7 @@ nor a semicolon in a name")
     message(FATAL_ERROR "gjkstep_add_golden_test: the program that draws is not there; install gjkstep with it, or as \
 a part of this project set GJKSTEP_PROGRAM=ON")
   endif()
+  string(REGEX REPLACE "/+$" "" arg_EXPECTED "${arg_EXPECTED}")
   cmake_path(ABSOLUTE_PATH arg_EXPECTED NORMALIZE)
   gjkstep_reserve_golden_folders("${arg_NAME}" "${arg_EXPECTED}" folder)
   set(scenes)
