@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing, builds, and packs build/gjkstep_VERSION_ARCHITECTURE.deb: program, headers and CMake package.
 set -eu
-cd "$(dirname "$(readlink -f "$0")")/.."
+cd "$(dirname "$(readlink -f "$0")")/../.."
 . walkthroughs/setup.sh
 
 require_packages $program_packages dpkg-dev
