@@ -19,8 +19,8 @@
 
 #include <vector>
 
-#include "core/events.hpp"
-#include "core/rules.hpp"
+#include "events.hpp"
+#include "rules.hpp"
 
 namespace gjk {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/simplex.hpp"
+#include "simplex.hpp"
 
 namespace gjk {
 

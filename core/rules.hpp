@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/events.hpp"
-#include "core/zero_test.hpp"
+#include "events.hpp"
+#include "zero_test.hpp"
 
 namespace gjk {
 

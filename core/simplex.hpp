@@ -6,7 +6,7 @@
 #include <cassert>
 #include <initializer_list>
 
-#include "core/shapes.hpp"
+#include "shapes.hpp"
 
 namespace gjk {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/shapes.hpp"
+#include "shapes.hpp"
 
 namespace gjk {
 
