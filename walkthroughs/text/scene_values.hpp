@@ -17,9 +17,15 @@ namespace walkthroughs::reading {
 using Kind = Document::Kind;
 using Keys = std::initializer_list<std::string>;
 
+/// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
+std::string list_of(std::span<const std::string> words, const std::string& last);
+
 void expect(const Value& value, Kind kind, std::string_view expected);
 /// Expects an object that has no keys but these.
-void expect_object(const Value& value, const Keys& keys, std::string_view expected);
+void expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected);
+inline void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
+  expect_object(value, std::span(keys.begin(), keys.size()), expected);
+}
 Value required(const Value& object, std::string_view key, const std::string& what_to_do);
 
 double number(const Value& value);

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/trace/trace_expression.hpp"
 #include "walkthroughs/trace/trace_rules.hpp"
@@ -47,8 +48,6 @@ class TraceCheck {
   std::string expected() const;
 
  private:
-  /// In the order of gjk::Event and of words_of::event.
-  enum class Kind { started, support, crossing, added, region, reduced, direction, finished };
   struct Ending {
     gjk::Status status;
     gjk::Reason reason;
@@ -80,8 +79,8 @@ class TraceCheck {
   bool has(const Point& w) const;
 
   const Scene& scene_;
-  std::vector<Kind> expected_{Kind::started};  ///< one of these comes next
-  std::vector<Ending> endings_;                ///< one of these is how a search that ends next ends
+  std::vector<std::size_t> expected_{event_index<gjk::SearchStarted>};  ///< one of these comes next
+  std::vector<Ending> endings_;  ///< one of these is how a search that ends next ends
   int iteration_ = 0;
   Point direction_ = Point::Zero();
   Vertex vertex_;       ///< found last
