@@ -36,7 +36,7 @@ void expect(const Value& value, Kind kind, std::string_view expected) {
   if (!value.is(kind)) value.fail("expected " + std::string(expected) + ", found " + std::string(value.description()));
 }
 
-void expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected) {
+void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
   expect(value, Kind::object, expected);
   for (const Value& member : value.children())
     if (std::ranges::count(keys, member.key()) == 0) member.fail("is not a key; " + suggestion(member.key(), keys));

@@ -3,11 +3,11 @@
 /// Errors of all functions: DocumentError, which says what is expected and what was found.
 #pragma once
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/document.hpp"
@@ -15,17 +15,14 @@
 namespace walkthroughs::reading {
 
 using Kind = Document::Kind;
-using Keys = std::initializer_list<std::string>;
+using Keys = std::vector<std::string>;
 
 /// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
 std::string list_of(std::span<const std::string> words, const std::string& last);
 
 void expect(const Value& value, Kind kind, std::string_view expected);
 /// Expects an object that has no keys but these.
-void expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected);
-inline void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
-  expect_object(value, std::span(keys.begin(), keys.size()), expected);
-}
+void expect_object(const Value& value, const Keys& keys, std::string_view expected);
 Value required(const Value& object, std::string_view key, const std::string& what_to_do);
 
 double number(const Value& value);
