@@ -6,7 +6,17 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/events.hpp"
+
 namespace walkthroughs::words_of {
+
+/// Returns: the words that to_string() has for the first `count` enumerators.
+template <class E, std::size_t count>
+constexpr std::array<std::string_view, count> as_core_says() {
+  std::array<std::string_view, count> words;
+  for (std::size_t i = 0; i < count; ++i) words[i] = to_string(static_cast<E>(i));
+  return words;
+}
 
 inline constexpr std::array<std::string_view, 2> crossing_test{"on", "off"};
 inline constexpr std::array<std::string_view, 2> rules{"as-intended", "as-printed"};
@@ -21,17 +31,26 @@ inline constexpr std::array<std::string_view, 4> crossing{"crossed", "not-crosse
                                                           "not-applied-switched-off"};
 inline constexpr std::array<std::string_view, 4> relation{"> 0", "< 0", "= 0", "!= 0"};
 inline constexpr std::array<std::string_view, 3> verdict{"chosen", "rejected", "skipped"};
-inline constexpr std::array<std::string_view, 3> status{"intersecting", "separated", "undecided"};
-inline constexpr std::array<std::string_view, 5> reason{"simplex-contains-origin", "origin-not-crossed",
-                                                        "no-new-vertex", "iteration-limit", "unusable-direction"};
-inline constexpr std::array<std::string_view, 8> event{"search-started",   "support-found", "crossing-tested",
-                                                       "vertex-added",     "region-tested", "simplex-reduced",
-                                                       "direction-chosen", "finished"};
+inline constexpr auto status = as_core_says<gjk::Status, 3>();
+inline constexpr auto reason = as_core_says<gjk::Reason, 5>();
+
+// All words of a type, for readers and writers of fields of any type.
+constexpr const auto& all(gjk::Crossing) { return crossing; }
+constexpr const auto& all(gjk::Relation) { return relation; }
+constexpr const auto& all(gjk::Verdict) { return verdict; }
+constexpr const auto& all(gjk::Status) { return status; }
+constexpr const auto& all(gjk::Reason) { return reason; }
 
 /// Returns: the word for an enumerator.
 template <std::size_t count, class E>
 constexpr std::string_view of(const std::array<std::string_view, count>& words, E enumerator) {
   return words[static_cast<std::size_t>(enumerator)];
+}
+
+/// Returns: the word for an enumerator of an event.
+template <class E>
+constexpr std::string_view of(E enumerator) {
+  return of(all(enumerator), enumerator);
 }
 
 }  // namespace walkthroughs::words_of

@@ -14,15 +14,14 @@ namespace walkthroughs::reading {
 
 // -- Words ------------------------------------------------------------------------------------------------------------
 
-namespace {
-
-/// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
 std::string list_of(std::span<const std::string> words, const std::string& last) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i)
     list += (i == 0 ? "'" : i + 1 == words.size() ? " " + last + " '" : ", '") + words[i] + "'";
   return list;
 }
+
+namespace {
 
 std::string suggestion(const std::string& word, std::span<const std::string> known) {
   return "did you mean '" + nearest(std::string_view(word).substr(0, 64), known) + "'? Known here are " +
@@ -40,8 +39,7 @@ void expect(const Value& value, Kind kind, std::string_view expected) {
 void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
   expect(value, Kind::object, expected);
   for (const Value& member : value.children())
-    if (std::ranges::count(keys, member.key()) == 0)
-      member.fail("is not a key; " + suggestion(member.key(), std::span(keys.begin(), keys.size())));
+    if (std::ranges::count(keys, member.key()) == 0) member.fail("is not a key; " + suggestion(member.key(), keys));
 }
 
 Value required(const Value& object, std::string_view key, const std::string& what_to_do) {

@@ -3,11 +3,11 @@
 /// Errors of all functions: DocumentError, which says what is expected and what was found.
 #pragma once
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/document.hpp"
@@ -15,7 +15,10 @@
 namespace walkthroughs::reading {
 
 using Kind = Document::Kind;
-using Keys = std::initializer_list<std::string>;
+using Keys = std::vector<std::string>;
+
+/// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
+std::string list_of(std::span<const std::string> words, const std::string& last);
 
 void expect(const Value& value, Kind kind, std::string_view expected);
 /// Expects an object that has no keys but these.

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <variant>
 
+#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/words_of.hpp"
 
 namespace walkthroughs {
@@ -19,23 +19,6 @@ Json json(double value) {
 }
 
 Json json(const Point& p) { return {json(p.x()), json(p.y()), json(p.z())}; }
-
-Json json(const gjk::SupportPoint<double>& support) {
-  Json j{{"point", json(support.point)}};
-  if (support.index) j["index"] = *support.index;
-  return j;
-}
-
-Json json(const gjk::Vertex<double>& vertex) {
-  return {{"w", json(vertex.w)}, {"a", json(vertex.a)}, {"b", json(vertex.b)}};
-}
-
-/// Oldest first, newest (A) last.
-Json json(const gjk::Simplex<double>& simplex) {
-  Json list = Json::array();
-  for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
-  return list;
-}
 
 /// The form of an object, as in scene files.
 struct FormJson {
@@ -81,62 +64,6 @@ Json json(const Scene& scene) {
   return j;
 }
 
-/// One overload for each event: its name and what it carries. What an event does not have is left out.
-struct EventJson {
-  Json operator()(const gjk::SearchStarted<double>& e) const {
-    return {{"event", "search-started"}, {"direction", json(e.direction)}, {"why", e.why}};
-  }
-  Json operator()(const gjk::SupportFound<double>& e) const {
-    Json j{{"event", "support-found"}, {"direction", json(e.direction)}};
-    j.update(json(e.vertex));
-    j["new"] = e.is_new;
-    return j;
-  }
-  Json operator()(const gjk::CrossingTested<double>& e) const {
-    Json j{{"event", "crossing-tested"}};
-    if (e.value) j["value"] = json(*e.value);
-    j["verdict"] = words_of::of(words_of::crossing, e.verdict);
-    return j;
-  }
-  Json operator()(const gjk::VertexAdded<double>& e) const {
-    return {{"event", "vertex-added"}, {"simplex", json(e.simplex)}};
-  }
-  Json operator()(const gjk::RegionTested<double>& e) const {
-    Json j{{"event", "region-tested"}, {"simplex_size", e.simplex_size}, {"feature", e.feature}};
-    if (!e.label.empty()) j["region"] = e.label;
-    if (!e.face.empty()) j["face"] = e.face;
-    if (!e.expression.empty()) j["expression"] = e.expression;
-    if (!e.formula.empty()) j["formula"] = e.formula;
-    if (e.normal) j["normal"] = json(*e.normal);
-    if (const double* value = std::get_if<double>(&e.value)) j["value"] = json(*value);
-    if (const Point* value = std::get_if<Point>(&e.value)) j["value"] = json(*value);
-    if (j.contains("value")) j["relation"] = words_of::of(words_of::relation, e.relation);
-    j["verdict"] = words_of::of(words_of::verdict, e.verdict);
-    j["reason"] = e.reason;
-    return j;
-  }
-  Json operator()(const gjk::SimplexReduced<double>& e) const {
-    return {{"event", "simplex-reduced"}, {"before", json(e.before)},
-            {"after", json(e.after)},     {"kept", e.kept},
-            {"dropped", e.dropped},       {"why", e.why}};
-  }
-  Json operator()(const gjk::DirectionChosen<double>& e) const {
-    return {{"event", "direction-chosen"}, {"expression", e.expression}, {"direction", json(e.direction)}};
-  }
-  Json operator()(const gjk::Finished<double>& e) const {
-    Json j{{"event", "finished"},
-           {"status", words_of::of(words_of::status, e.result.status)},
-           {"reason", words_of::of(words_of::reason, e.result.reason)},
-           {"iterations", e.result.iterations},
-           {"simplex", json(e.result.simplex)}};
-    if (const auto& proof = e.result.separation)
-      j["separation"] = {{"direction", json(proof->direction)},
-                         {"vertex", json(proof->vertex)},
-                         {"support_value", json(proof->support_value)}};
-    return j;
-  }
-};
-
 // -- What the pictures need -------------------------------------------------------------------------------------------
 
 Json json(const Panels& panels) {
@@ -168,9 +95,51 @@ Json presentation(const Walkthrough& walkthrough, const std::vector<Remark>& rem
   return j;
 }
 
+// -- Events -----------------------------------------------------------------------------------------------------------
+
+// What a field of an event may hold, beside numbers and vectors.
+Json json(bool truth) { return truth; }
+Json json(int count) { return count; }
+Json json(const std::string& text) { return text; }
+
+template <class E>
+requires std::is_enum_v<E> Json json(E enumerator) { return words_of::of(enumerator); }
+
+Json json(const std::variant<std::monostate, double, Point>& value) {
+  if (const double* number = std::get_if<double>(&value)) return json(*number);
+  return json(std::get<Point>(value));
+}
+
+template <Record R>
+Json json(const R& record);
+
+/// Oldest first, newest (A) last.
+Json json(const gjk::Simplex<double>& simplex) {
+  Json list = Json::array();
+  for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
+  return list;
+}
+
+template <class T>
+Json json(const std::optional<T>& value) {
+  return json(*value);
+}
+
+template <Record R>
+Json json(const R& record) {
+  Json j = Json::object();
+  for_each_field(record, [&j](const auto& field, const auto& value) {
+    if (field.is_left_out_where_empty && is_empty(value)) return;
+    if (!field.beside.empty() && !j.contains(field.beside)) return;
+    j[std::string(field.key)] = json(value);
+  });
+  return j;
+}
+
 Json json(const gjk::Event<double>& event) {
-  Json line{{"iteration", std::visit([](const auto& e) { return e.iteration; }, event)}};
-  line.update(std::visit(EventJson{}, event));
+  Json line{{"iteration", std::visit([](const auto& e) { return e.iteration; }, event)},
+            {"event", event_names[event.index()]}};
+  line.update(std::visit([](const auto& e) { return json(e); }, event));
   return line;
 }
 

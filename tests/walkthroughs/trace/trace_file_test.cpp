@@ -393,6 +393,16 @@ TEST_CASE("Each damaged trace of the corpus is refused with its line and its rea
   }
 }
 
+TEST_CASE("What to do about a refused trace fits who got it from gjkstep and who wrote it", "[trace-file]") {
+  for (const char* file : {"cut-in-line", "cut-at-line", "empty", "blank-line", "scene-file", "version-1", "new"}) {
+    const std::string said =
+        complaint_about_trace(bytes_of(fs::path(GJKSTEP_TRACES) / ("bad-" + std::string(file) + ".jsonl")));
+    INFO(said);
+    CHECK(said.find("correct the trace ('gjkstep trace --schema' says") != std::string::npos);
+    CHECK(said.ends_with("or write it anew with 'gjkstep trace NAME'"));
+  }
+}
+
 TEST_CASE("Each trace of the corpus is read or has a place in the table of damages", "[trace-file]") {
   std::size_t read = 0, refused = 0;
   for (const auto& entry : fs::directory_iterator(GJKSTEP_TRACES)) {
