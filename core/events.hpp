@@ -7,13 +7,11 @@
 #include <concepts>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/result.hpp"
+#include "result.hpp"
 
 namespace gjk {
 
@@ -127,33 +125,6 @@ struct Trace {
   void operator()(E&& event) {
     events.emplace_back(std::forward<E>(event));
   }
-};
-
-/// Hands events of one iteration to an observer. An event is described by a function that makes it, so that nothing
-/// is made, and nothing computed for it, when nobody listens.
-template <class Obs>
-class Teller {
- public:
-  static constexpr bool somebody_listens = !std::same_as<std::remove_const_t<Obs>, NobodyListens>;
-
-  Teller(Obs& observer, CrossingTest crossing_test) : observer_(observer), crossing_test_(crossing_test) {}
-
-  template <class MakeEvent>
-  void operator()(MakeEvent&& make) {
-    if constexpr (somebody_listens) {
-      auto event = make();
-      event.iteration = iteration_;
-      observer_(std::move(event));
-    }
-  }
-  void enter_iteration(int iteration) { iteration_ = iteration; }
-  /// The report's reasons for skipping regions differ where the crossing test is off.
-  CrossingTest crossing_test() const { return crossing_test_; }
-
- private:
-  Obs& observer_;
-  CrossingTest crossing_test_;
-  int iteration_ = 0;
 };
 
 }  // namespace gjk

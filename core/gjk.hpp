@@ -1,5 +1,5 @@
 /// The Gilbert-Johnson-Keerthi collision test after ARL-TR-7474 (Breech 2015), Algorithm 1: do two convex sets have a
-/// point in common?
+/// point in common? Headers only; needs C++20 and Eigen.
 ///
 ///     const auto result = gjk::collision<double>(shape_a, shape_b);                  // plain: no events, no heap
 ///     gjk::Trace<double> trace;
@@ -17,10 +17,14 @@
 /// Sets are closed: touching is intersecting.
 #pragma once
 
+#include <concepts>
+#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "core/events.hpp"
-#include "core/rules.hpp"
+#include "events.hpp"
+#include "rules.hpp"
 
 namespace gjk {
 
@@ -43,15 +47,35 @@ bool is_usable_direction(const Vec3<S>& d) {
   return is_finite(d) && !is_zero(d);
 }
 
-/// Chooses among Algorithms 2-5 by the size of the simplex. Requires: 1 <= size <= 4.
+namespace detail {
+
+/// Chooses among Algorithms 2-5 by the size of the simplex.
+template <class Rules, class S, class Obs>
+Next<S> process_by_size(Simplex<S>& simplex, Teller<Obs>& tell) {
+  const Step<Rules, S, Obs> step(simplex, tell);
+  switch (simplex.size()) {
+    case 1: return Rules::process_0simplex(step);
+    case 2: return Rules::process_1simplex(step);
+    case 3: return Rules::process_2simplex(step);
+    default: return Rules::process_3simplex(step);
+  }
+}
+
 template <class Rules, class S, class Obs>
 Next<S> process(Simplex<S>& simplex, Teller<Obs>& tell) {
-  switch (simplex.size()) {
-    case 1: return Rules::process_0simplex(simplex, tell);
-    case 2: return Rules::process_1simplex(simplex, tell);
-    case 3: return Rules::process_2simplex(simplex, tell);
-    default: return Rules::process_3simplex(simplex, tell);
-  }
+  return process_by_size<Rules>(simplex, tell);
+}
+
+/// The plain call's, as one function: in the pieces in which GCC 12 leaves it, a query of two triangles takes 74 ns for 52.
+template <class Rules, std::floating_point S>
+[[gnu::flatten]] Next<S> process(Simplex<S>& simplex, Teller<const NobodyListens>& tell) {
+  return process_by_size<Rules>(simplex, tell);
+}
+
+/// w·d of Eq. 9, for the vertex found along d.
+template <class ZeroTest, class S>
+auto reach(const Vertex<S>& vertex, const Vec3<S>& d) {
+  return vector(vertex.w, ZeroTest::size(vertex), NoWords("w")).dot(vector(d, ZeroTest::size(d), NoWords("d")));
 }
 
 /// One run of Algorithm 1. Its result is written where the caller will have it: a copy of the evidence costs as much as an
@@ -60,7 +84,7 @@ template <class S, class Rules, class A, class B, class Obs>
 class Search {
  public:
   Search(const A& a, const B& b, const Options<S>& options, Obs& observer, Result<S>& result)
-      : difference_(a, b),
+      : difference_(Rules::template difference<S>(a, b)),
         options_(options),
         tell_(observer, options.crossing_test),
         direction_(options.first_direction),
@@ -72,20 +96,29 @@ class Search {
       if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
       tell_.enter_iteration(++result_.iterations);
       const Vertex<S> vertex = difference_.vertex(direction_);
-      const S reach = vertex.w.dot(direction_);
-      const std::optional<Reason> reason = reason_to_stop_at(vertex, reach);
-      if (reason && !goes_on_after(*reason)) return finish_outside(vertex, reach, *reason);
-      result_.simplex.add(vertex);
-      tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
-      const Next<S> next = process<Rules>(result_.simplex, tell_);
-      if (!next) return finish_with_origin_in_simplex(vertex, reach);
-      if (reason) return finish_outside(vertex, reach, *reason);
-      direction_ = *next;
+      const Reach w_d = reach<ZeroTest>(vertex, direction_);
+      std::optional<Reason> reason = reason_to_stop_at(vertex, w_d);
+      if (!reason || goes_on_after(*reason)) {
+        result_.simplex.add(vertex);
+        tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
+        const Next<S> next = process<Rules>(result_.simplex, tell_);
+        if (next.contains_origin()) {
+          if (may_be_believed(w_d)) return finish(Status::intersecting, Reason::simplex_contains_origin);
+          reason = Reason::origin_not_crossed;
+        } else if (!reason) {
+          direction_ = next.direction();
+        }
+      }
+      if (reason) return finish_outside(vertex, w_d, *reason);
     }
     return finish(Status::undecided, Reason::iteration_limit);
   }
 
  private:
+  using ZeroTest = typename Rules::ZeroTest;
+
+  using Reach = decltype(reach<ZeroTest>(std::declval<Vertex<S>>(), std::declval<Vec3<S>>()));
+
   static constexpr bool goes_on_after(Reason reason) {
     return reason == Reason::origin_not_crossed && Rules::not_crossed() == NotCrossed::process_the_simplex;
   }
@@ -94,38 +127,35 @@ class Search {
   ///
   /// Without the crossing test a vertex seen before ends the search, but for one exception: a vertex dropped earlier
   /// that comes back from across the origin is progress. Ending there would leave intersecting sets undecided.
-  std::optional<Reason> reason_to_stop_at(const Vertex<S>& vertex, const S& reach) {
+  std::optional<Reason> reason_to_stop_at(const Vertex<S>& vertex, const Reach& w_d) {
     const bool is_new = !remembers() || remember(vertex.w);
     tell_([&] { return SupportFound<S>{.direction = direction_, .vertex = vertex, .is_new = is_new}; });
     if (options_.crossing_test == CrossingTest::off) {
       tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::switched_off}; });
-      const bool ran_out = !is_new && (has(vertex.w) || !crossed(vertex, reach));
+      const bool ran_out = !is_new && (has(vertex.w) || !Rules::crossed(w_d));
       return ran_out ? std::optional(Reason::no_new_vertex) : std::nullopt;
     }
     if (result_.simplex.size() == 0 && Rules::first_point() == FirstPoint::taken_as_it_is) {
       tell_([] { return CrossingTested<S>{.value = {}, .verdict = Crossing::first_point}; });
       return std::nullopt;
     }
-    const Crossing verdict = crossed(vertex, reach) ? Crossing::crossed : Crossing::not_crossed;
-    tell_([&] { return CrossingTested<S>{.value = reach, .verdict = verdict}; });
+    const Crossing verdict = Rules::crossed(w_d) ? Crossing::crossed : Crossing::not_crossed;
+    tell_([&] { return CrossingTested<S>{.value = w_d.value, .verdict = verdict}; });
     return verdict == Crossing::crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
   }
 
-  /// The rules find the origin in the simplex. Where a segment points at the origin or a triangle is flat they rely on
-  /// the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
-  void finish_with_origin_in_simplex(const Vertex<S>& vertex, const S& reach) {
-    if (options_.crossing_test == CrossingTest::off && !crossed(vertex, reach))
-      return finish_outside(vertex, reach, Reason::origin_not_crossed);
-    return finish(Status::intersecting, Reason::simplex_contains_origin);
+  /// Returns: whether the rules are right to find the origin in the simplex. Where a segment points at the origin or a triangle
+  /// is flat they rely on the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
+  bool may_be_believed(const Reach& w_d) const {
+    return options_.crossing_test == CrossingTest::on || Rules::crossed(w_d);
   }
 
-  bool crossed(const Vertex<S>& vertex, const S& reach) const { return Rules::crossed(reach, vertex, direction_); }
-
-  /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart.
-  void finish_outside(const Vertex<S>& vertex, const S& reach, Reason reason) {
-    if (!is_finite(reach)) return finish(Status::undecided, Reason::unusable_direction);
-    if (crossed(vertex, reach)) return finish(Status::undecided, reason);
-    result_.separation = Separation<S>{direction_, vertex, reach};
+  /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart; what is not
+  /// a number proves nothing.
+  void finish_outside(const Vertex<S>& vertex, const Reach& w_d, Reason reason) {
+    if (!is_finite(w_d.value)) return finish(Status::undecided, Reason::unusable_direction);
+    if (Rules::crossed(w_d)) return finish(Status::undecided, reason);
+    result_.separation = Separation<S>{direction_, vertex, w_d.value};
     return finish(Status::separated, reason);
   }
 
@@ -157,13 +187,27 @@ class Search {
                                                       : "the caller asked for this first direction";
   }
 
-  const MinkowskiDifference<S, A, B> difference_;
+  const decltype(Rules::template difference<S>(std::declval<const A&>(), std::declval<const B&>())) difference_;
   const Options<S>& options_;
   Teller<Obs> tell_;
   Vec3<S> direction_;
   std::vector<Vec3<S>> seen_;
   Result<S>& result_;
 };
+
+}  // namespace detail
+
+/// Asks Algorithms 2-5 about one simplex, chosen by its size. They answer rightly only after the history that Algorithm 1
+/// gives them, see rules.hpp. `simplex`: becomes what is kept of it.
+///
+/// Requires: 1 <= size <= 4.
+/// Observer: called with the events of this step; their iteration is 0.
+template <class Rules = AsIntended, class S, class Obs = const NobodyListens>
+requires Observer<Obs, S> Next<S> process(Simplex<S>& simplex, CrossingTest crossing_test = CrossingTest::on,
+                                          Obs&& observer = NobodyListens{}) {
+  detail::Teller<std::remove_reference_t<Obs>> tell(observer, crossing_test);
+  return detail::process<Rules>(simplex, tell);
+}
 
 /// Algorithm 1: do the convex sets `a` and `b` have a point in common?
 ///
@@ -180,7 +224,7 @@ template <class S = double, class Rules = AsIntended, Shape<S> A, Shape<S> B, cl
 requires Observer<Obs, S> Result<S> collision(const A& a, const B& b, const Options<S>& options = {},
                                               Obs&& observer = NobodyListens{}) {
   Result<S> result;
-  Search<S, Rules, A, B, std::remove_reference_t<Obs>>(a, b, options, observer, result).run();
+  detail::Search<S, Rules, A, B, std::remove_reference_t<Obs>>(a, b, options, observer, result).run();
   return result;
 }
 

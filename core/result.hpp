@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/simplex.hpp"
+#include "simplex.hpp"
 
 namespace gjk {
 
@@ -39,8 +39,17 @@ Vec3<S> first_direction_between(const Vec3<S>& center_a, const Vec3<S>& center_b
   return center_a == center_b ? Options<S>{}.first_direction : Vec3<S>(center_b - center_a);
 }
 
-/// Proof of separation: every point w of the difference has w·direction <= support_value < 0. In floating point it is a
-/// proof as far as support_value is larger than its rounding error: sets that touch may be found a rounding error apart.
+/// Proof of separation: every point w of the difference has w·direction <= support_value < 0.
+///
+/// In floating point it is one where support_value < -6ε(r(A) + r(B)), ε being the scalar's epsilon and r the largest
+/// |x d.x| + |y d.y| + |z d.z| of the points (x, y, z) of a set, d being the direction; sets that are nearer to each other may
+/// be found a rounding error apart. For, with u = ε/2 and r(w) <= r(A) + r(B), and but for terms of u²:
+///  - w = a - b is off by a factor 1 ± u in each component, and its product with d of three products and two sums by 3u r(w):
+///    support_value differs from (a - b)·d by at most 4u r(w);
+///  - a was found by comparing such products, each off by 3u r(A) at most, so no point of A reaches farther than a by more
+///    than 6u r(A); likewise for B.
+/// Together 10u (r(A) + r(B)) = 5ε (r(A) + r(B)), the sixth ε being for what is left out. This holds for point sets whose
+/// products neither overflow nor vanish; other shapes add the error of the points that they compute.
 template <class S>
 struct Separation {
   Vec3<S> direction;

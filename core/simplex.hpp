@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstddef>
 #include <initializer_list>
 
-#include "core/shapes.hpp"
+#include "shapes.hpp"
 
 namespace gjk {
 
@@ -14,6 +15,20 @@ namespace gjk {
 enum class Role { A, B, C, D };
 
 constexpr char letter(Role role) { return "ABCD"[static_cast<int>(role)]; }
+
+/// Roles of one to four vertices, oldest first: {C, A, B}.
+class Order {
+ public:
+  constexpr Order(std::initializer_list<Role> oldest_first) : size_(oldest_first.size()) {
+    std::copy(oldest_first.begin(), oldest_first.end(), roles_.begin());
+  }
+  constexpr const Role* begin() const { return roles_.data(); }
+  constexpr const Role* end() const { return begin() + size_; }
+
+ private:
+  std::array<Role, 4> roles_{};
+  std::size_t size_;
+};
 
 /// Vertices in the report's order, oldest first: Simplex([C, B, A]) of the report is {C, B, A} here, A being newest.
 ///
@@ -43,10 +58,10 @@ class Simplex {
   /// Returns: the place of that vertex in the difference, the point that the report calls A, B, C or D.
   const Vec3<S>& point(Role role) const { return (*this)[role].w; }
 
-  /// Returns: the vertices of these roles, in this order (oldest first).
-  Simplex only(std::initializer_list<Role> roles) const {
+  /// Returns: the vertices of these roles, in this order.
+  Simplex only(const Order& order) const {
     Simplex kept;
-    for (const Role role : roles) kept.add((*this)[role]);
+    for (const Role role : order) kept.add((*this)[role]);
     return kept;
   }
 

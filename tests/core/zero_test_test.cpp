@@ -1,4 +1,5 @@
-/// What counts as zero, and what that changes: sets that touch askew (READING, E5) are found touching.
+/// What counts as zero, and what that changes: sets that touch askew, whose products
+/// are rounded away from zero, are found touching.
 #include "core/zero_test.hpp"
 
 #include "tests/catch.hpp"
@@ -26,6 +27,12 @@ std::pair<PointSet<S>, PointSet<S>> cubes_askew(int i, const Vec3<S>& apart) {
   return {PointSet<S>(a), PointSet<S>(b)};
 }
 
+/// Returns: what a product of these factors counts as.
+template <class Test, class Product, class First, class... Factors>
+Product snapped(const Product& product, const First& first, const Factors&... factors) {
+  return (Test::size(first) * ... * Test::size(factors)).snap(product);
+}
+
 template <class S, class Rules>
 int found_together(const Vec3<S>& apart, const Options<S>& options = {}) {
   int together = 0;
@@ -37,7 +44,7 @@ int found_together(const Vec3<S>& apart, const Options<S>& options = {}) {
   return together;
 }
 
-TEMPLATE_TEST_CASE("E5. Cubes that share a face, an edge or a corner askew: the relative zero test finds them touching",
+TEMPLATE_TEST_CASE("Cubes that share a face, an edge or a corner askew: the relative zero test finds them touching",
                    "[zero]", float, double, long double) {
   using V = Vec3<TestType>;
   for (const auto& apart : {V(2, 0, 0), V(2, 2, 0), V(2, 2, 2)}) {
@@ -85,42 +92,41 @@ TEMPLATE_TEST_CASE("A product counts as zero below 16ε times the lengths of its
   const S tolerance = 16 * std::numeric_limits<S>::epsilon() * 3 * 5;
   const V three(1, -1, 1), five(0, 0, -5);
   const S below = std::nextafter(tolerance, S(0));
-  REQUIRE(RelativeZeroTest::snap(below, three, five) == 0);
-  REQUIRE(RelativeZeroTest::snap(-below, three, five) == 0);
-  REQUIRE(RelativeZeroTest::snap(tolerance, three, five) == tolerance);
-  REQUIRE(RelativeZeroTest::snap(-tolerance, three, five) == -tolerance);
-  REQUIRE(RelativeZeroTest::snap(V(0, -below, 0), three, five) == V(0, 0, 0));
-  REQUIRE(RelativeZeroTest::snap(V(0, -tolerance, 0), three, five) == V(0, -tolerance, 0));
-  REQUIRE(ExactZeroTest::snap(below, three, five) == below);
+  REQUIRE(snapped<RelativeZeroTest>(below, three, five) == 0);
+  REQUIRE(snapped<RelativeZeroTest>(-below, three, five) == 0);
+  REQUIRE(snapped<RelativeZeroTest>(tolerance, three, five) == tolerance);
+  REQUIRE(snapped<RelativeZeroTest>(-tolerance, three, five) == -tolerance);
+  REQUIRE(snapped<RelativeZeroTest>(V(0, -below, 0), three, five) == V(0, 0, 0));
+  REQUIRE(snapped<RelativeZeroTest>(V(0, -tolerance, 0), three, five) == V(0, -tolerance, 0));
+  REQUIRE(snapped<ExactZeroTest>(below, three, five) == below);
 }
 
 TEST_CASE("The length of a vertex is that of the points it was subtracted from", "[zero]") {
   using V = Vec3<double>;
   const Vertex<double> far_out{{V(0, 3e6, 0)}, {V(0, 3e6, 1e-10)}, V(0, 0, -1e-10)};
   const Vertex<double> near_by{{V(0, 0, 0)}, {V(0, 0, 1e-10)}, V(0, 0, -1e-10)};
-  REQUIRE(RelativeZeroTest::snap(far_out.w, far_out) == V(0, 0, 0));
-  REQUIRE(RelativeZeroTest::snap(near_by.w, near_by) == near_by.w);
+  REQUIRE(snapped<RelativeZeroTest>(far_out.w, far_out) == V(0, 0, 0));
+  REQUIRE(snapped<RelativeZeroTest>(near_by.w, near_by) == near_by.w);
 }
 
 TEST_CASE("What overflowed or is not a number does not count as zero", "[zero]") {
   using V = Vec3<double>;
   const V huge(1e300, 0, 0);
   const double infinite = std::numeric_limits<double>::infinity();
-  REQUIRE(RelativeZeroTest::snap(infinite, huge, huge) == infinite);
-  REQUIRE(RelativeZeroTest::snap(-infinite, huge, huge) == -infinite);
-  REQUIRE(RelativeZeroTest::snap(V(infinite, 0, 0), huge, huge) == V(infinite, 0, 0));
-  REQUIRE(std::isnan(RelativeZeroTest::snap(std::nan(""), huge, huge)));
-  REQUIRE(RelativeZeroTest::snap(1e305, V(1e160, 0, 0), V(1e160, 0, 0)) == 0);  // though 1e160² overflows
-  REQUIRE(RelativeZeroTest::snap(1e306, V(1e160, 0, 0), V(1e160, 0, 0)) == 1e306);
+  REQUIRE(snapped<RelativeZeroTest>(infinite, huge, huge) == infinite);
+  REQUIRE(snapped<RelativeZeroTest>(-infinite, huge, huge) == -infinite);
+  REQUIRE(snapped<RelativeZeroTest>(V(infinite, 0, 0), huge, huge) == V(infinite, 0, 0));
+  REQUIRE(std::isnan(snapped<RelativeZeroTest>(std::nan(""), huge, huge)));
+  REQUIRE(snapped<RelativeZeroTest>(1e305, V(1e160, 0, 0), V(1e160, 0, 0)) == 0);  // though 1e160² overflows
+  REQUIRE(snapped<RelativeZeroTest>(1e306, V(1e160, 0, 0), V(1e160, 0, 0)) == 1e306);
 }
 
 /// Runs the rules for one simplex, the last point being A.
 template <class Rules>
 std::vector<RegionTested<double>> regions_told(const std::vector<Vec3<double>>& oldest_first) {
   Trace<double> trace;
-  Teller<Trace<double>> teller(trace, CrossingTest::on);
   auto simplex = simplex_of(oldest_first);
-  process<Rules>(simplex, teller);
+  process<Rules>(simplex, CrossingTest::on, trace);
   return events_of_kind<RegionTested<double>>(trace.events);
 }
 

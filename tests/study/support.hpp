@@ -41,17 +41,7 @@ inline Pair intersecting_pair_that_cycles() {
 
 /// A mistake that the report names: one normal points inward, because its cross product was taken in the wrong order.
 struct OneNormalInward : gjk::AsIntended {
-  template <class S, class Obs>
-  static gjk::Next<S> process_3simplex(gjk::Simplex<S>& simplex, gjk::Teller<Obs>& tell) {
-    using V = gjk::Vec3<S>;
-    const V A = simplex.point(gjk::Role::A), AB = simplex.point(gjk::Role::B) - A, AC = simplex.point(gjk::Role::C) - A,
-            AD = simplex.point(gjk::Role::D) - A;
-    const V ABCn = AB.cross(AC), ACDn = AC.cross(AD), ADBn = AB.cross(AD);  // the last should be AD×AB
-    if (ABCn.dot(A) < 0) return process_face(simplex, gjk::face_ABC, ABCn, AB, AC, tell);
-    if (ACDn.dot(A) < 0) return process_face(simplex, gjk::face_ACD, ACDn, AC, AD, tell);
-    if (ADBn.dot(A) < 0) return process_face(simplex, gjk::face_ADB, ADBn, AD, AB, tell);
-    return std::nullopt;
-  }
+  static auto ADBn(const auto& AD, const auto& AB) { return AB.cross(AD); }
 };
 
 }  // namespace study::test

@@ -102,8 +102,7 @@ Answer ask(const Simplex& simplex, const Point& origin) {
   }
   Answer answer;
   Listener listener{answer};
-  gjk::Teller<Listener> tell(listener, gjk::CrossingTest::on);
-  gjk::process<gjk::AsIntended>(moved, tell);
+  gjk::process<gjk::AsIntended>(moved, gjk::CrossingTest::on, listener);
   return answer;
 }
 

@@ -68,10 +68,9 @@ TEST_CASE("The clock of a thread stands still while the thread waits for another
 
 /// Rules that wait for another thread to compute, as a query does that another program's turn interrupts.
 struct Waiting : gjk::AsIntended {
-  template <class S, class Obs>
-  static gjk::Next<S> process_0simplex(const gjk::Simplex<S>& simplex, gjk::Teller<Obs>& tell) {
+  static bool is_at_origin(const auto& AO) {
     std::thread(compute_for, std::chrono::milliseconds(50)).join();
-    return gjk::AsIntended::process_0simplex(simplex, tell);
+    return gjk::AsIntended::is_at_origin(AO);
   }
 };
 

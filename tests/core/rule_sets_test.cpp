@@ -1,0 +1,154 @@
+/// Sets of rules by name, and what a variant of them hides.
+#include "core/rule_sets.hpp"
+
+#include <set>
+
+#include "tests/catch.hpp"
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+namespace {
+
+template <class Rules>
+std::string name_of_type() {
+  if constexpr (std::same_as<Rules, Intended<>>) return "as-intended exact";
+  if constexpr (std::same_as<Rules, Printed<>>) return "as-printed exact";
+  if constexpr (std::same_as<Rules, Eager<>>) return "eager exact";
+  if constexpr (std::same_as<Rules, Intended<RelativeZeroTest>>) return "as-intended relative";
+  if constexpr (std::same_as<Rules, Printed<RelativeZeroTest>>) return "as-printed relative";
+  if constexpr (std::same_as<Rules, Eager<RelativeZeroTest>>) return "eager relative";
+  return "";
+}
+
+TEST_CASE("Each set of rules is called by its name with each zero test, and none is left out", "[rule-sets]") {
+  std::set<std::string> called;
+  for (std::size_t i = 0; i < rule_sets.size(); ++i)
+    for (std::size_t k = 0; k < zero_tests.size(); ++k) {
+      REQUIRE(rule_sets[i].value == static_cast<RuleSet>(i));
+      REQUIRE(zero_tests[k].value == static_cast<ZeroTestKind>(k));
+      const std::string name =
+          with_rules(rule_sets[i].value, zero_tests[k].value, []<class Rules>() { return name_of_type<Rules>(); });
+      REQUIRE(name == std::string(rule_sets[i].name) + " " + std::string(zero_tests[k].name));
+      REQUIRE(name == std::string(to_string(rule_sets[i].value)) + " " + std::string(to_string(zero_tests[k].value)));
+      REQUIRE_FALSE(rule_sets[i].meaning.empty());
+      called.insert(name);
+    }
+  REQUIRE(called.size() == 6);
+  const auto nothing = []<class Rules>() {};
+  const auto beyond_rules = static_cast<RuleSet>(rule_sets.size());
+  const auto beyond_tests = static_cast<ZeroTestKind>(zero_tests.size());
+  REQUIRE_THROWS_AS(with_rules(beyond_rules, ZeroTestKind::exact, nothing), std::invalid_argument);
+  REQUIRE_THROWS_AS(with_rules(RuleSet::eager, beyond_tests, nothing), std::invalid_argument);
+}
+
+TEST_CASE("A set of rules by its name answers as its type does", "[rule-sets]") {
+  Dice dice(51);
+  for (int i = 0; i < 300; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const auto a = point_set<double>(t.a), b = point_set<double>(t.b);
+    const auto asked = [&](RuleSet rules, ZeroTestKind test) {
+      return with_rules(rules, test, [&]<class Rules>() { return collision<double, Rules>(a, b); });
+    };
+    INFO("pair " << i);
+    REQUIRE(same_result(asked(RuleSet::as_printed, ZeroTestKind::exact), collision<double, AsPrinted>(a, b)));
+    REQUIRE(
+        same_result(asked(RuleSet::eager, ZeroTestKind::relative), collision<double, Eager<RelativeZeroTest>>(a, b)));
+  }
+}
+
+// -- Variants ---------------------------------------------------------------------------------------------------------
+
+/// Each hides one detail, and does what the hidden one does.
+struct Counting : AsIntended {
+  static inline int at_origin, segment, edge, face, side, ABCn_of_triangle_, ACDn_, AQn_, APn_, below, above, Eq_8,
+      Eq_9;
+
+  static bool is_at_origin(const auto& AO) { return ++at_origin, AsIntended::is_at_origin(AO); }
+  static auto from_segment(const auto& AB, const auto& AO) { return ++segment, AsIntended::from_segment(AB, AO); }
+  static auto from_edge(const auto& AX, const auto& AO, const auto& AXn) {
+    return ++edge, AsIntended::from_edge(AX, AO, AXn);
+  }
+  static bool is_above_face(const auto& value) { return ++face, AsIntended::is_above_face(value); }
+  static Side side_of_triangle(const auto& value) { return ++side, AsIntended::side_of_triangle(value); }
+  static auto ABCn_of_triangle(const auto& AB, const auto& AC) {
+    return ++ABCn_of_triangle_, AsIntended::ABCn_of_triangle(AB, AC);
+  }
+  static auto ACDn(const auto& AC, const auto& AD) { return ++ACDn_, AsIntended::ACDn(AC, AD); }
+  static auto AQn(Face f, const auto& AQ, const auto& APQn, const auto& earlier) {
+    return ++AQn_, AsIntended::AQn(f, AQ, APQn, earlier);
+  }
+  static auto APn(Face f, const auto& AP, const auto& APQn, const auto& earlier) {
+    return ++APn_, AsIntended::APn(f, AP, APQn, earlier);
+  }
+  static Kept kept_below_triangle() { return ++below, AsIntended::kept_below_triangle(); }
+  static Kept kept_above(Face f) { return ++above, AsIntended::kept_above(f); }
+  template <class S, class A, class B>
+  static auto difference(const A& a, const B& b) {
+    return ++Eq_8, AsIntended::difference<S>(a, b);
+  }
+  static bool crossed(const auto& w_d) { return ++Eq_9, AsIntended::crossed(w_d); }
+};
+
+TEST_CASE("A detail that a variant hides is asked of the variant, wherever it is used", "[rule-sets]") {
+  Dice dice(52);
+  for (int i = 0; i < 500; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const auto a = point_set<double>(t.a), b = point_set<double>(t.b);
+    REQUIRE(same_result(collision<double, Counting>(a, b), collision<double>(a, b)));
+  }
+  for (const int times : {Counting::at_origin, Counting::segment, Counting::edge, Counting::face, Counting::side,
+                          Counting::ABCn_of_triangle_, Counting::ACDn_, Counting::AQn_, Counting::APn_, Counting::below,
+                          Counting::above, Counting::Eq_8, Counting::Eq_9})
+    REQUIRE(times > 0);
+}
+
+struct ADBnInward : AsIntended {
+  static auto ADBn(const auto& AD, const auto& AB) { return AB.cross(AD); }
+};
+
+TEST_CASE("A variant that hides a detail changes that and nothing else", "[rule-sets]") {
+  const auto regions_of = []<class Rules>(Rules) {
+    // Of the tetrahedron at the top of rules_3simplex_test.cpp, the origin inside.
+    Simplex<double> simplex;
+    for (const Point& p : {Point{6, 6, -2}, Point{0, -6, -2}, Point{-6, 0, -2}, Point{0, 0, 6}})
+      simplex.add({vec<double>(p), vec<double>({0, 0, 0}), vec<double>(p)});
+    Trace<double> trace;
+    process<Rules>(simplex, CrossingTest::on, trace);
+    return events_of_kind<RegionTested<double>>(trace.events);
+  };
+  const auto right = regions_of(AsIntended{}), wrong = regions_of(ADBnInward{});
+  for (std::size_t i = 0; i < 10; ++i) {  // eight are skipped, ABC and ACD do not see the origin
+    REQUIRE(right.at(i).formula == wrong.at(i).formula);
+    REQUIRE(right.at(i).normal == wrong.at(i).normal);
+  }
+  REQUIRE(right.at(10).formula == "AD×AB");
+  REQUIRE(wrong.at(10).formula == "AB×AD");
+  REQUIRE(*right.at(10).normal == -*wrong.at(10).normal);
+  REQUIRE(right.at(10).verdict == Verdict::rejected);
+  REQUIRE(wrong.at(10).verdict == Verdict::chosen);
+  REQUIRE(right.at(11).feature == "ABCD");
+  REQUIRE(wrong.at(11).feature == "AB");
+  REQUIRE(wrong.at(11).formula == "ADBn×AB");
+}
+
+TEST_CASE("Tolerances are multiplied up from the factors of the formula, in the order of the formula", "[rule-sets]") {
+  const auto sized = [](const Vec3<double>& v) {
+    return detail::vector(v, RelativeZeroTest::size(v), detail::NoWords(""));
+  };
+  const auto AB = sized({0.1, 0.2, 0.4}), AC = sized({0.7, -0.3, 0.1});
+  const Vertex<double> A{{Vec3<double>(0.3, 0.1, 0)}, {Vec3<double>(0.1, 0, 0.9)}, {0.2, 0.1, -0.9}};
+  const auto AO = detail::to_origin_from(A.w, RelativeZeroTest::size(A), detail::NoWords(""));
+  const auto lengths = [](const auto& v) { return std::vector<double>(v.size.lengths.begin(), v.size.lengths.end()); };
+  const double b = lengths(AB).at(0), c = lengths(AC).at(0);
+  REQUIRE(b != c);
+  const auto ABCn = AB.cross(AC);
+  REQUIRE(lengths(ABCn) == std::vector{b, c});
+  REQUIRE(lengths(AB.cross(ABCn)) == std::vector{b, b, c});
+  REQUIRE(lengths(ABCn.cross(AC)) == std::vector{c, c, b});
+  const double o = lengths(AO).at(0);
+  REQUIRE(lengths(AB.cross(ABCn).dot(AO)) == std::vector{o, b, b, c});
+  REQUIRE(lengths(detail::triple(AB, AO)) == std::vector{o, b, b});
+}
+
+}  // namespace
+}  // namespace gjk::test

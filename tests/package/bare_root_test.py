@@ -1,0 +1,140 @@
+"""The Debian package installs on a bare system and draws there: the steps of pictures/github-actions.yml, in a file
+system that holds nothing but Debian's essential packages and apt.
+
+    GJKSTEP_BARE_ROOT=1 python3 bare_root_test.py BUILD_FOLDER CMAKE        # takes a minute or two and the network
+    GJKSTEP_BARE_ROOT=build python3 bare_root_test.py BUILD_FOLDER CMAKE    # builds the package there as well
+
+Says "skipped: " and why where that cannot be. Packages come from where those of this machine come from.
+"""
+import importlib.util
+import os
+import pathlib
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+here = pathlib.Path(__file__).resolve().parent
+top = here.parents[1]
+build_folder, cmake = map(pathlib.Path, sys.argv[1:3])
+asked = os.environ.get("GJKSTEP_BARE_ROOT", "0")
+apt = pathlib.Path("/etc/apt")
+
+
+def release():
+    return platform.freedesktop_os_release()["VERSION_CODENAME"]
+
+
+def sources():
+    """The files that say where the packages of this release come from, which are those of the component called main."""
+    files = [apt / "sources.list", *sorted((apt / "sources.list.d").glob("*"))]
+    return [file for file in files if file.suffix in (".list", ".sources") and file.is_file() and
+            {release(), "main"} <= set(file.read_text().split())]
+
+
+def why_not():
+    if asked not in ("1", "build"):
+        return "takes two minutes and the network; GJKSTEP_BARE_ROOT=1 asks for it"
+    if os.geteuid() != 0:
+        return "needs root, to change into another file system"
+    for program in ("mmdebstrap", "unshare", "dpkg-shlibdeps"):
+        if not shutil.which(program):
+            return f"there is no {program}"
+    if not importlib.util.find_spec("yaml"):
+        return "there is no python3-yaml, to read the recipe"
+    if subprocess.run(["unshare", "--mount", "--pid", "--fork", "true"], stderr=subprocess.DEVNULL).returncode != 0:
+        return "mount and process namespaces cannot be made here"
+    if not sources():
+        return f"no file in {apt} says where the packages of {release()} come from"
+    return ""
+
+
+def run(*words):
+    start = time.monotonic()
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return done.returncode, done.stdout, time.monotonic() - start
+
+
+def done(what, *words):
+    code, said, seconds = run(*words)
+    print(f"{what}: {seconds:.0f} s", flush=True)
+    if code != 0:
+        sys.exit(f"{what} ended with {code}:\n{said}")
+    return said
+
+
+class Job:
+    """A run of the recipe, in `root`, whose folder /project is the checkout."""
+
+    def __init__(self, root):
+        import yaml
+
+        self.root, self.project = root, root / "project"
+        self.recipe = yaml.safe_load((here / "pictures/github-actions.yml").read_text())
+        self.job = self.recipe["jobs"]["pictures"]
+        self.variables = {**self.recipe["env"], **self.job["env"], "GJKSTEP_REPOSITORY": "/gjkstep.git",
+                          "GJKSTEP_REVISION": "HEAD", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root"}
+
+    def shell(self, commands):
+        """Runs as the service does: one shell a step, in the checkout, which stops at what fails."""
+        enter = 'mount -t proc proc "$1/proc" && exec chroot "$1" /usr/bin/env -i -C /project "${@:2}"'
+        words = [f"{key}={value}" for key, value in self.variables.items()]
+        return run("unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter, "bash", self.root,
+                   *words, "sh", "-e", "-c", commands)
+
+    def steps(self):
+        """Name and commands of the steps that the service would run, the package being there or not."""
+        for step in self.job["steps"]:
+            missed = step.get("if") == "steps.kept.outputs.cache-hit != 'true'"
+            if "run" in step and (not missed or asked == "build"):
+                yield step["name"], step["run"]
+
+    def succeeds(self):
+        for name, commands in self.steps():
+            code, said, seconds = self.shell(commands)
+            print(f"{name}: {seconds:.0f} s", flush=True)
+            if code != 0:
+                sys.exit(f"'{name}' ended with {code}:\n{said}")
+
+    def notices_a_changed_picture(self):
+        picture = self.project / "expected/box-and-can/000.png"
+        shutil.copy(picture.with_name("001.png"), picture)
+        name, commands = list(self.steps())[-1]
+        code, said, _ = self.shell(commands)
+        if code == 0:
+            sys.exit(f"'{name}' passes with a changed picture:\n{said}")
+        keep = self.job["steps"][-1]
+        page = self.project / keep["with"]["path"] / "box and can/report/index.html"
+        if keep["if"] != "failure()" or not page.exists():
+            sys.exit(f"the recipe keeps {keep['with']['path']}, and {page} is not there")
+
+
+def provide_gjkstep(root):
+    """To clone and build from, or as the package that the cache would hold."""
+    if asked == "build":
+        return done("cloned", "git", "clone", "-q", "--bare", top, root / "gjkstep.git")
+    done("packed", cmake.with_name("cpack"), "-G", "DEB", "-B", root / "packed", "--config",
+         build_folder / "CPackConfig.cmake")
+    kept = root / "project/gjkstep-package"
+    kept.mkdir()
+    for package in (root / "packed").glob("gjkstep_*.deb"):
+        shutil.move(package, kept)
+
+
+def main():
+    if reason := why_not():
+        return print(f"skipped: {reason}")
+    with tempfile.TemporaryDirectory(prefix="gjkstep-bare-") as folder:
+        root = pathlib.Path(folder) / "root"
+        done("made a bare system", "mmdebstrap", "--mode=root", "--variant=apt", release(), root, *sources())
+        shutil.copytree(here / "pictures", root / "project")
+        provide_gjkstep(root)
+        job = Job(root)
+        job.succeeds()
+        job.notices_a_changed_picture()
+    print("the package installs on a bare system, draws the same pictures there, and notices a changed one")
+
+
+main()
