@@ -147,10 +147,5 @@ TEST_CASE("A product that counts as zero is told as it was computed, with the ve
           Relation::zero);
 }
 
-TEST_CASE("As printed and as intended, the rules by name are those with the exact zero test", "[zero]") {
-  STATIC_REQUIRE(std::same_as<AsIntended, Intended<ExactZeroTest>>);
-  STATIC_REQUIRE(std::same_as<AsPrinted, Printed<ExactZeroTest>>);
-}
-
 }  // namespace
 }  // namespace gjk::test
