@@ -29,8 +29,8 @@ PairAsWritten read_pair(std::string_view line) {
 }
 
 template <class S>
-void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
-  const QueryObject<S> a = query_object<S>(pair.a, "a"), b = query_object<S>(pair.b, "b");
+void answer_in(PairAsWritten pair, const QueryOptions& query, std::string& out) {
+  const QueryObject<S> a = query_object<S>(std::move(pair.a), "a"), b = query_object<S>(std::move(pair.b), "b");
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
   switch (query.rules) {
@@ -39,12 +39,12 @@ void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string
   }
 }
 
-void answer(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
+void answer(PairAsWritten pair, const QueryOptions& query, std::string& out) {
   switch (query.scalar) {
-    case QueryScalar::binary32: return answer_in<float>(pair, query, out);
-    case QueryScalar::binary64: return answer_in<double>(pair, query, out);
-    case QueryScalar::long_double: return answer_in<long double>(pair, query, out);
-    case QueryScalar::exact: return answer_in<Exact>(pair, query, out);
+    case QueryScalar::binary32: return answer_in<float>(std::move(pair), query, out);
+    case QueryScalar::binary64: return answer_in<double>(std::move(pair), query, out);
+    case QueryScalar::long_double: return answer_in<long double>(std::move(pair), query, out);
+    case QueryScalar::exact: return answer_in<Exact>(std::move(pair), query, out);
   }
 }
 

@@ -35,8 +35,8 @@ Pose read_pose(const Value& value, const Space& space, Scalar scalar) {
 
 // What may throw is computed before an aggregate is begun: GCC 12 destroys members of unfinished aggregates twice.
 Object read_object(const Value& value, const Space& space, Scalar scalar) {
-  expect_object(value, {"name", "points", "sphere", "cylinder", "pose"}, "an object with a shape");
-  auto form = read_form(shape_of(value), space);
+  expect_object(value, object_keys(), "an object with a shape");
+  AnyShape form = read_shape(value, space);
   Object object{.name = {}, .form = std::move(form)};
   object.name = words(member(value, "name"), scene_limits::name);
   if (const auto pose = value.member("pose")) object.pose = read_pose(*pose, space, scalar);

@@ -20,28 +20,34 @@ Json json(double value) {
 
 Json json(const Point& p) { return {json(p.x()), json(p.y()), json(p.z())}; }
 
-/// The form of an object, as in scene files.
-struct FormJson {
-  Json operator()(const Points& set) const {
-    Json list = Json::array();
-    for (const Point& p : set.points()) list.push_back(json(p));
-    return {{"points", list}};
+Json json(const AnyShape& shape);
+
+/// Writes the fields of a shape, as in scene files.
+struct FieldWriter {
+  Json& to;
+
+  void operator()(field::Place place, const Point& p) const { to[std::string(place.name)] = json(p); }
+  void operator()(field::Direction direction, const Point& d) const { to[std::string(direction.name)] = json(d); }
+  void operator()(field::Length length, double x) const { to[std::string(length.name)] = x; }
+  void operator()(field::Places, const Points& points) const {
+    to = Json::array();
+    for (const Point& p : points) to.push_back(json(p));
   }
-  Json operator()(const Ball& ball) const {
-    return {{"sphere", {{"center", json(ball.center())}, {"radius", ball.radius()}}}};
-  }
-  Json operator()(const Cylinder& cylinder) const {
-    return {{"cylinder",
-             {{"center", json(cylinder.center())},
-              {"axis", json(cylinder.axis())},
-              {"radius", cylinder.radius()},
-              {"height", cylinder.height()}}}};
+  void operator()(field::Shapes, const std::vector<AnyShape>& summands) const {
+    to = Json::array();
+    for (const AnyShape& summand : summands) to.push_back(json(summand));
   }
 };
 
+Json json(const AnyShape& shape) {
+  Json fields;
+  visit_fields(FieldWriter{fields}, shape);
+  return {{std::string(key_of(shape)), fields}};
+}
+
 Json json(const Object& object) {
   Json j{{"name", object.name}};
-  j.update(std::visit(FormJson{}, object.form));
+  j.update(json(object.form));
   if (!object.is_at_rest()) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));

@@ -154,14 +154,15 @@ Point point(const Json& json) {
   return Point(number(json.at(0)), number(json.at(1)), number(json.at(2)));
 }
 
-std::variant<Points, Ball, Cylinder> form(const Json& json) {
+AnyShape form(const Json& json) {
   if (json.contains("sphere"))
-    return Ball(point(json["sphere"].at("center")), json["sphere"].at("radius").get<double>());
+    return Ball{point(json["sphere"].at("center")), json["sphere"].at("radius").get<double>()};
   if (json.contains("cylinder")) {
     const Json& c = json["cylinder"];
-    return Cylinder(point(c.at("center")), point(c.at("axis")), c.at("radius").get<double>(),
-                    c.at("height").get<double>());
+    return Cylinder{point(c.at("center")), point(c.at("axis")), c.at("radius").get<double>(),
+                    c.at("height").get<double>()};
   }
+  if (json.contains("sum")) return Sum{{form(json["sum"].at(0)), form(json["sum"].at(1))}};
   std::vector<Point> vertices;
   for (const Json& p : json.at("points")) vertices.push_back(point(p));
   return points(std::move(vertices));
