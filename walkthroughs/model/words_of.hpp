@@ -6,11 +6,22 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/result.hpp"
+#include "core/rule_sets.hpp"
+
 namespace walkthroughs::words_of {
 
+/// Returns: the words of a table of the core.
+template <class E, std::size_t count>
+constexpr std::array<std::string_view, count> names_in(const std::array<gjk::Named<E>, count>& table) {
+  std::array<std::string_view, count> names;
+  for (std::size_t i = 0; i < count; ++i) names[i] = table[i].name;
+  return names;
+}
+
 inline constexpr std::array<std::string_view, 2> crossing_test{"on", "off"};
-inline constexpr std::array<std::string_view, 2> rules{"as-intended", "as-printed"};
-inline constexpr std::array<std::string_view, 2> zero_test{"exact", "relative"};
+inline constexpr auto rules = names_in(gjk::rule_sets);
+inline constexpr auto zero_test = names_in(gjk::zero_tests);
 inline constexpr std::array<std::string_view, 2> scalar{"double", "float"};
 inline constexpr std::array<std::string_view, 3> panels{"objects", "hull", "algorithm"};
 inline constexpr std::array<std::string_view, 4> layout{"search", "close-ups", "in-step", "until-they-part"};
@@ -21,9 +32,12 @@ inline constexpr std::array<std::string_view, 4> crossing{"crossed", "not-crosse
                                                           "not-applied-switched-off"};
 inline constexpr std::array<std::string_view, 4> relation{"> 0", "< 0", "= 0", "!= 0"};
 inline constexpr std::array<std::string_view, 3> verdict{"chosen", "rejected", "skipped"};
-inline constexpr std::array<std::string_view, 3> status{"intersecting", "separated", "undecided"};
-inline constexpr std::array<std::string_view, 5> reason{"simplex-contains-origin", "origin-not-crossed",
-                                                        "no-new-vertex", "iteration-limit", "unusable-direction"};
+inline constexpr std::array status{gjk::to_string(gjk::Status::intersecting), gjk::to_string(gjk::Status::separated),
+                                   gjk::to_string(gjk::Status::undecided)};
+inline constexpr std::array reason{
+    gjk::to_string(gjk::Reason::simplex_contains_origin), gjk::to_string(gjk::Reason::origin_not_crossed),
+    gjk::to_string(gjk::Reason::no_new_vertex), gjk::to_string(gjk::Reason::iteration_limit),
+    gjk::to_string(gjk::Reason::unusable_direction)};
 inline constexpr std::array<std::string_view, 8> event{"search-started",   "support-found", "crossing-tested",
                                                        "vertex-added",     "region-tested", "simplex-reduced",
                                                        "direction-chosen", "finished"};

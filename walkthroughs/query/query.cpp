@@ -1,8 +1,10 @@
 #include "walkthroughs/query/query.hpp"
 
+#include <concepts>
 #include <nlohmann/json.hpp>
 
 #include "core/gjk.hpp"
+#include "core/rule_sets.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_object.hpp"
 #include "walkthroughs/text/scene_object.hpp"
@@ -28,15 +30,26 @@ PairAsWritten read_pair(std::string_view line) {
   return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
 }
 
+/// Leaves the usual direction where the centers lie so far from each other that there is none.
+template <class S>
+void start_between(const gjk::Vec3<S>& center_a, const gjk::Vec3<S>& center_b, gjk::Options<S>& options) {
+  const gjk::Vec3<S> direction = gjk::first_direction_between(center_a, center_b);
+  if (gjk::is_usable_direction(direction)) options.first_direction = direction;
+}
+
 template <class S>
 void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
   const QueryObject<S> a = query_object<S>(pair.a, "a"), b = query_object<S>(pair.b, "b");
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
-  switch (query.rules) {
-    case RuleSet::as_intended: return write_answer(gjk::collision<S, gjk::AsIntended>(a, b, options), out);
-    case RuleSet::as_printed: return write_answer(gjk::collision<S, gjk::AsPrinted>(a, b, options), out);
-  }
+  const auto answer_by = [&]<class Rules>() {
+    if constexpr (Rules::first_point() == gjk::FirstPoint::tested) start_between(a.center(), b.center(), options);
+    write_answer(gjk::collision<S, Rules>(a, b, options), out);
+  };
+  if constexpr (std::floating_point<S>)
+    gjk::with_rules(query.rules, query.zero_test, answer_by);
+  else  // what does not round has nothing to tolerate: both zero tests are this one
+    gjk::with_rules<gjk::ExactZeroTest>(query.rules, answer_by);
 }
 
 void answer(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {

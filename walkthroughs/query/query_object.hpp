@@ -45,7 +45,20 @@ class QueryObject {
     return found;
   }
 
+  /// Returns: a point inside, as center_of() of scene.hpp does.
+  gjk::Vec3<S> center() const {
+    const gjk::Vec3<S> own = std::visit([](const auto& form) { return center_of_form(form); }, form_);
+    return pose_ ? (*pose_)(own) : own;
+  }
+
  private:
+  static gjk::Vec3<S> center_of_form(const gjk::PointSet<S>& set) {
+    gjk::Vec3<S> sum = set.points()[0];
+    for (std::size_t i = 1; i < set.points().size(); ++i) sum += set.points()[i];
+    return sum / S(static_cast<double>(set.points().size()));
+  }
+  static gjk::Vec3<S> center_of_form(const auto& round) { return round.center(); }
+
   gjk::SupportPoint<S> support_of_form(const gjk::Vec3<S>& d) const {
     return std::visit([&](const auto& form) { return form.support(d); }, form_);
   }
