@@ -17,6 +17,7 @@
 /// Sets are closed: touching is intersecting.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -50,7 +51,7 @@ namespace detail {
 
 /// Chooses among Algorithms 2-5 by the size of the simplex.
 template <class Rules, class S, class Obs>
-Next<S> process(Simplex<S>& simplex, Teller<Obs>& tell) {
+Next<S> process_by_size(Simplex<S>& simplex, Teller<Obs>& tell) {
   const Step<Rules, S, Obs> step(simplex, tell);
   switch (simplex.size()) {
     case 1: return Rules::process_0simplex(step);
@@ -58,6 +59,17 @@ Next<S> process(Simplex<S>& simplex, Teller<Obs>& tell) {
     case 3: return Rules::process_2simplex(step);
     default: return Rules::process_3simplex(step);
   }
+}
+
+template <class Rules, class S, class Obs>
+Next<S> process(Simplex<S>& simplex, Teller<Obs>& tell) {
+  return process_by_size<Rules>(simplex, tell);
+}
+
+/// The plain call's, as one function: in the pieces in which GCC 12 leaves it, a query of two triangles takes 74 ns for 52.
+template <class Rules, std::floating_point S>
+[[gnu::flatten]] Next<S> process(Simplex<S>& simplex, Teller<const NobodyListens>& tell) {
+  return process_by_size<Rules>(simplex, tell);
 }
 
 /// w·d of Eq. 9, for the vertex found along d.
@@ -85,14 +97,19 @@ class Search {
       tell_.enter_iteration(++result_.iterations);
       const Vertex<S> vertex = difference_.vertex(direction_);
       const Reach w_d = reach<ZeroTest>(vertex, direction_);
-      const std::optional<Reason> reason = reason_to_stop_at(vertex, w_d);
-      if (reason && !goes_on_after(*reason)) return finish_outside(vertex, w_d, *reason);
-      result_.simplex.add(vertex);
-      tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
-      const Next<S> next = process<Rules>(result_.simplex, tell_);
-      if (next.contains_origin()) return finish_with_origin_in_simplex(vertex, w_d);
+      std::optional<Reason> reason = reason_to_stop_at(vertex, w_d);
+      if (!reason || goes_on_after(*reason)) {
+        result_.simplex.add(vertex);
+        tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
+        const Next<S> next = process<Rules>(result_.simplex, tell_);
+        if (next.contains_origin()) {
+          if (may_be_believed(w_d)) return finish(Status::intersecting, Reason::simplex_contains_origin);
+          reason = Reason::origin_not_crossed;
+        } else if (!reason) {
+          direction_ = next.direction();
+        }
+      }
       if (reason) return finish_outside(vertex, w_d, *reason);
-      direction_ = next.direction();
     }
     return finish(Status::undecided, Reason::iteration_limit);
   }
@@ -127,12 +144,10 @@ class Search {
     return verdict == Crossing::crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
   }
 
-  /// The rules find the origin in the simplex. Where a segment points at the origin or a triangle is flat they rely on
-  /// the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
-  void finish_with_origin_in_simplex(const Vertex<S>& vertex, const Reach& w_d) {
-    if (options_.crossing_test == CrossingTest::off && !Rules::crossed(w_d))
-      return finish_outside(vertex, w_d, Reason::origin_not_crossed);
-    return finish(Status::intersecting, Reason::simplex_contains_origin);
+  /// Returns: whether the rules are right to find the origin in the simplex. Where a segment points at the origin or a triangle
+  /// is flat they rely on the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
+  bool may_be_believed(const Reach& w_d) const {
+    return options_.crossing_test == CrossingTest::on || Rules::crossed(w_d);
   }
 
   /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart; what is not

@@ -48,7 +48,7 @@ struct Intended {
   static Next<S> process_1simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
     const auto AB = step.AB();
-    step.skip({"B", "R1"}, "the search has just moved away from B, toward the origin");
+    step.skip({.feature = "B", .label = "R1"}, "the search has just moved away from B, toward the origin");
     step.skip_beyond_A("R2");
     const auto direction = Rules::from_segment(AB, AO);
     if (step.is_on_segment(direction)) return step.contains_origin();
@@ -73,13 +73,15 @@ struct Intended {
     const auto AO = step.AO();
     const auto AB = step.AB(), AC = step.AC();
     const auto ABCn = Rules::ABCn_of_triangle(AB, AC).named("ABCn");  // Eq. 10
-    const auto ABn = Rules::ABn_of_triangle(AB, ABCn).named("ABn"),   // Eq. 11
-        ACn = Rules::ACn_of_triangle(AC, ABCn).named("ACn");
-    for (const detail::Region& region : {detail::Region{"B", "R4"}, {"BC", "R5"}, {"C", "R6"}})
-      step.skip(region, "the search has just moved away from BC, toward the origin");
+    const auto ABn = Rules::ABn_of_triangle(AB, ABCn).named("ABn");   // Eq. 11
+    const auto ACn = Rules::ACn_of_triangle(AC, ABCn).named("ACn");
+    constexpr const char* away_from_BC = "the search has just moved away from BC, toward the origin";
+    step.skip({.feature = "B", .label = "R4"}, away_from_BC);
+    step.skip({.feature = "BC", .label = "R5"}, away_from_BC);
+    step.skip({.feature = "C", .label = "R6"}, away_from_BC);
     step.skip_beyond_A("R2");
-    if (step.is_beyond_edge({"AB", "R3"}, ABn.dot(AO))) return keep_edge(step, Role::B, AB, ABn);
-    if (step.is_beyond_edge({"AC", "R7"}, ACn.dot(AO))) return keep_edge(step, Role::C, AC, ACn);
+    if (step.is_beyond_edge({.feature = "AB", .label = "R3"}, ABn.dot(AO))) return keep_edge(step, Role::B, AB, ABn);
+    if (step.is_beyond_edge({.feature = "AC", .label = "R7"}, ACn.dot(AO))) return keep_edge(step, Role::C, AC, ACn);
     switch (step.side_of_triangle(ABCn.dot(AO))) {
       case Side::in_plane: return step.contains_origin();
       case Side::above: return step.keep_all(ABCn);
@@ -106,14 +108,17 @@ struct Intended {
     const auto AO = step.AO();
     const auto AB = step.AB(), AC = step.AC(), AD = step.AD();
     for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB", "BCD"})
-      step.skip({feature}, "the search has just moved away from BCD, toward the origin");
+      step.skip({.feature = feature}, "the search has just moved away from BCD, toward the origin");
     step.skip_beyond_A();
     const auto ABCn = Rules::ABCn(AB, AC).named("ABCn");  // Eq. 14, as are ACDn and ADBn
-    if (step.is_above_face({"ABC"}, ABCn.dot(AO))) return process_face(step, Face::ABC, ABCn, AB, AC, ABCn, ABCn);
+    if (step.is_above_face({.feature = "ABC"}, ABCn.dot(AO)))
+      return process_face(step, Face::ABC, ABCn, AB, AC, ABCn, ABCn);
     const auto ACDn = Rules::ACDn(AC, AD).named("ACDn");
-    if (step.is_above_face({"ACD"}, ACDn.dot(AO))) return process_face(step, Face::ACD, ACDn, AC, AD, ABCn, ABCn);
+    if (step.is_above_face({.feature = "ACD"}, ACDn.dot(AO)))
+      return process_face(step, Face::ACD, ACDn, AC, AD, ABCn, ABCn);
     const auto ADBn = Rules::ADBn(AD, AB).named("ADBn");
-    if (step.is_above_face({"ADB"}, ADBn.dot(AO))) return process_face(step, Face::ADB, ADBn, AD, AB, ABCn, ACDn);
+    if (step.is_above_face({.feature = "ADB"}, ADBn.dot(AO)))
+      return process_face(step, Face::ADB, ADBn, AD, AB, ABCn, ACDn);
     step.lies_inside();
     return step.contains_origin();
   }
@@ -197,8 +202,10 @@ struct Intended {
     const detail::FaceRoles roles = detail::roles_of(face);
     const auto AQn = Rules::AQn(face, AQ, APQn, earlier_with_AQ).as_normal_of(AQ);
     const auto APn = Rules::APn(face, AP, APQn, earlier_with_AP).as_normal_of(AP);
-    if (step.is_beyond_edge({AQ.told.name, "", roles.name}, AQn.dot(AO))) return keep_edge(step, roles.Q, AQ, AQn);
-    if (step.is_beyond_edge({AP.told.name, "", roles.name}, APn.dot(AO))) return keep_edge(step, roles.P, AP, APn);
+    if (step.is_beyond_edge({.feature = AQ.told.name, .face = roles.name}, AQn.dot(AO)))
+      return keep_edge(step, roles.Q, AQ, AQn);
+    if (step.is_beyond_edge({.feature = AP.told.name, .face = roles.name}, APn.dot(AO)))
+      return keep_edge(step, roles.P, AP, APn);
     return step.keep(Rules::kept_above(face), APQn);
   }
 };

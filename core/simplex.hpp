@@ -16,20 +16,18 @@ enum class Role { A, B, C, D };
 
 constexpr char letter(Role role) { return "ABCD"[static_cast<int>(role)]; }
 
-/// Roles of up to four vertices, oldest first: {C, A, B}.
+/// Roles of one to four vertices, oldest first: {C, A, B}.
 class Order {
  public:
-  constexpr Order() = default;
   constexpr Order(std::initializer_list<Role> oldest_first) : size_(oldest_first.size()) {
     std::copy(oldest_first.begin(), oldest_first.end(), roles_.begin());
   }
-  constexpr bool is_empty() const { return size_ == 0; }
   constexpr const Role* begin() const { return roles_.data(); }
   constexpr const Role* end() const { return begin() + size_; }
 
  private:
   std::array<Role, 4> roles_{};
-  std::size_t size_ = 0;
+  std::size_t size_;
 };
 
 /// Vertices in the report's order, oldest first: Simplex([C, B, A]) of the report is {C, B, A} here, A being newest.

@@ -166,8 +166,8 @@ class Step {
     return Next<S>::search_along(direction.value);
   }
 
-  /// The last that is done in a step: it changes the simplex. Returning the kept one in place of that is slower by a third
-  /// on triangles (75 ns for 55 ns a query).
+  /// The last that is done in a step: it changes the simplex, in place. Where the kept one is returned, a query of two
+  /// triangles takes 68 ns for 52, one of two tetrahedra 85 ns for 67 (GCC 12).
   template <class Direction>
   Next<S> keep(const Kept& kept, const Direction& direction) const {
     tell_([&] {

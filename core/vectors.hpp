@@ -82,12 +82,7 @@ struct Product {
 template <class S, class Size, class Told>
 struct ToOrigin;
 
-template <class S, class Size, class Told>
-struct Vector;
-
-template <class S, class Size, class Told>
-Vector<S, Size, Told> vector(const Vec3<S>& value, const Size& size, const Told& told);
-
+/// A vector of the rules, with what the zero test and the listeners need.
 template <class S, class Size, class Told>
 struct Vector {
   Vec3<S> value;

@@ -1,9 +1,18 @@
 #!/bin/sh
-# Installs what is missing, builds, and runs all tests: once as users build the program, with warnings as errors, and
-# once with AddressSanitizer and UndefinedBehaviorSanitizer. Ends with the timings of plain and observed calls.
+# Installs what is missing, builds as users build the program, with warnings as errors, times plain and observed calls, and
+# runs all tests.
+#
+#     tests/run.sh               ten minutes on two cores the first time, two when nothing has changed
+#     tests/run.sh --sanitize    builds and tests once more, with AddressSanitizer and UndefinedBehaviorSanitizer
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
+
+sanitize=no
+for argument in "$@"; do
+  [ "$argument" = --sanitize ] || stop "'$argument': expected --sanitize or nothing"
+  sanitize=yes
+done
 
 run_tests() {
   ctest --test-dir "$1" --output-on-failure --parallel 2 || stop "tests failed in $1"
@@ -21,6 +30,7 @@ build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
 printf '\nPlain and observed calls\n'
 build/gjkstep-bench --benchmark_min_time=0.05
 run_tests build
+[ $sanitize = yes ] || exit 0
 
 build build/sanitized all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON -DGJKSTEP_SANITIZE=ON
 # Mesa and LLVM keep some memory until the process ends; those leaks are left out by name.

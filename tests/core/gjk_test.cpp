@@ -85,7 +85,7 @@ TEST_CASE("Sets that would touch but for one unit in the last place are separate
   REQUIRE(asked<double>(segment, PointSet<double>({V(beyond, 0, 0)})).status == Status::separated);
 }
 
-TEST_CASE("E1. Two unit spheres at (0,0,0) and (10,0,0) are separated: the search ends where the origin is not crossed",
+TEST_CASE("Two unit spheres at (0,0,0) and (10,0,0) are separated: the search ends where the origin is not crossed",
           "[gjk]") {
   const auto run = observed<double>(Sphere<double>(V(0, 0, 0), 1), Sphere<double>(V(10, 0, 0), 1));
   REQUIRE(run.result.status == Status::separated);
@@ -140,13 +140,13 @@ TEST_CASE("Between centers that coincide there is no direction: the first one is
 
 // -- Undecided --------------------------------------------------------------------------------------------------------
 
-// READING, E4: Algorithm 5 takes the first face that sees the origin, and comes back to the same simplex for ever.
+// Algorithm 5 takes the first face that sees the origin, and comes back to the same simplex for ever.
 const Points cycling_apart_a{{-2, 3, 3}, {1, 3, 1}, {3, -2, -1}, {-4, -5, -2}};
 const Points cycling_apart_b{{-1, 3, 2}, {0, 10, 4}, {8, 9, 0}};
 const Points cycling_meeting_a{{274, -351, 0}, {95, -20, 0}, {104, 344, 0}, {346, 81, -2}};
 const Points cycling_meeting_b{{70, 207, -1}, {-168, -26, 0}, {144, -198, -1}, {112, 1, 0}};
 
-TEMPLATE_TEST_CASE("E2, E4. A search that cycles is undecided at the iteration limit, never \"no collision\"", "[gjk]",
+TEMPLATE_TEST_CASE("A search that cycles is undecided at the iteration limit, never \"no collision\"", "[gjk]",
                    double, Rational) {
   Options<TestType> patient;
   patient.iteration_limit = 200;
@@ -195,7 +195,7 @@ TEST_CASE("A first direction that is zero, infinite or not a number is unusable,
   }
 }
 
-TEST_CASE("E6. A direction that overflows is not searched along: the search ends undecided", "[gjk]") {
+TEST_CASE("A direction that overflows is not searched along: the search ends undecided", "[gjk]") {
   const auto huge = [](const Points& points) {
     std::vector<V> placed;
     for (const Point& p : points) placed.push_back(vec<double>(p) * 1e200);
@@ -207,7 +207,7 @@ TEST_CASE("E6. A direction that overflows is not searched along: the search ends
 }
 
 // Recorded, not wished for: the contract of collision() says so.
-TEST_CASE("E5, E6. In floating point, touching askew and products beyond the range of the scalar give wrong answers",
+TEST_CASE("In floating point, touching askew and products beyond the range of the scalar give wrong answers",
           "[gjk]") {
   const Points tetrahedron{{0, 0, 0}, {4, 1, 0}, {1, 4, 1}, {1, 0, 5}};
   int wrong_at_1e100 = 0, wrong_in_range = 0;

@@ -103,7 +103,7 @@ TEST_CASE("Algorithm 3 agrees with linear equations wherever the origin is beyon
 
 TEST_CASE("Algorithm 3 searches at a right angle where AO itself would nearly run back along the segment (ping-pong)",
           "[rules]") {
-  // READING, section 5: the direction taken from a vertex in place of the feature.
+  // A mistake that the report names: the direction taken from a vertex in place of the feature.
   const std::vector<Vec3<double>> BA{{-1000, 1, 0}, {1000, 1, 0}};
   const auto told = ask_rules(BA);
   REQUIRE(told.direction->dot(BA[1] - BA[0]) == 0);

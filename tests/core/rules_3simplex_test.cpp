@@ -36,8 +36,8 @@
 /// Eq. 8: support(B, d)                      -    -    -   11    3    6    -    3
 /// Eq. 9: w·d <= 0                           -    -    -    4    -    3    1    -
 /// Eq. 9 for the first point                 -    -    -    1    -    -    5    -
-/// E1: not crossed, goes on                  -    -    -    6    1    6    3    1
-/// E2: the limit says separated              -    -    -    2    -    -    2    -
+/// Algorithm 1: not crossed, goes on         -    -    -    6    1    6    3    1
+/// Algorithm 1: limit = separated            -    -    -    2    -    -    2    -
 /// one iteration more                        -    -    -    2    1    -    1    -
 /// returning vertex ends the search          -    -    -    2    -    -    -    -
 /// zero direction used                       -    -    -    1    1    -    2    -

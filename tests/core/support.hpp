@@ -79,7 +79,7 @@ std::vector<Frame<S>> frames() {
 }
 
 /// Frames in which integers of one digit stay exact through every product of Algorithms 2-5. Floating point recognises
-/// "exactly on" only there (READING, E5).
+/// "exactly on" only there: products of askew edges are rounded.
 template <class S>
 std::vector<Frame<S>> frames_without_rounding() {
   return {axis_aligned("1/1024", S(1) / S(1024)), axis_aligned("1", S(1)), axis_aligned("1024", S(1024))};

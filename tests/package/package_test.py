@@ -212,6 +212,15 @@ class GoldenTests(InAFolder):
         self.assertTrue((self.project / "of the/odd one/figure-1/000.png").exists())
         self.passes()
 
+    def test_projects_of_old_policies_get_plain_names_only(self):
+        for name, accepted in (("box", True), ("[[box and can]]", False)):
+            self.declare(f"NAME {name} SCENE box-and-can.json EXPECTED expected")
+            text = (self.project / "CMakeLists.txt").read_text()
+            (self.project / "CMakeLists.txt").write_text(text.replace("VERSION 3.25", "VERSION 3.10"))
+            code, said = self.configure()
+            self.assertEqual(code == 0, accepted, said)
+        self.assertIn("takes cmake_minimum_required(VERSION 3.19)", one_line(said))
+
     def test_wrong_calls_are_refused(self):
         for calls, words in {
                 ("NAME a SCENE b.json",): "EXPECTED is missing",

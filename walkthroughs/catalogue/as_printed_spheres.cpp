@@ -6,8 +6,8 @@ namespace walkthroughs {
 /// answer. Two unit balls ten apart are enough: the search finds the same point twice.
 Walkthrough as_printed_spheres() {
   const Scene printed{.name = "as printed",
-                      .a = {"disk a", Ball({0, 0, 0}, 1)},
-                      .b = {"disk b", Ball({10, 0, 0}, 1)},
+                      .a = {"disk a", Ball{{0, 0, 0}, 1}},
+                      .b = {"disk b", Ball{{10, 0, 0}, 1}},
                       .rules = RuleSet::as_printed};
   Scene intended = printed;
   intended.name = "as intended";

@@ -33,9 +33,9 @@ std::vector<Vec2> plane(const std::vector<Point>& points) {
 
 /// Everything that the three frames show.
 struct Example {
-  Points C = figure_3_C(), D = figure_3_D();
-  gjk::Vertex<double> farthest = gjk::MinkowskiDifference<double, Points, Points>(C, D).vertex(plus_x);
-  std::vector<Vec2> outline = outline_by_support(gjk::MinkowskiDifference<double, Points, Points>(C, D), questions);
+  PointSet C = figure_3_C(), D = figure_3_D();
+  gjk::Vertex<double> farthest = gjk::MinkowskiDifference<double, PointSet, PointSet>(C, D).vertex(plus_x);
+  std::vector<Vec2> outline = outline_by_support(gjk::MinkowskiDifference<double, PointSet, PointSet>(C, D), questions);
 };
 
 enum class Step { sets, supports, difference };

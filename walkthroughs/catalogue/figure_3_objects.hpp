@@ -6,8 +6,10 @@
 
 namespace walkthroughs {
 
-inline Points figure_3_C() { return points({{-1, 1, 0}, {-1, -1, 0}, {-3, -0.5, 0}}); }
+using PointSet = gjk::PointSet<double>;
 
-inline Points figure_3_D() { return points({{1, -1, 0}, {1, 1, 0}, {2.5, 0.5, 0}}); }
+inline PointSet figure_3_C() { return PointSet({{-1, 1, 0}, {-1, -1, 0}, {-3, -0.5, 0}}); }
+
+inline PointSet figure_3_D() { return PointSet({{1, -1, 0}, {1, 1, 0}, {2.5, 0.5, 0}}); }
 
 }  // namespace walkthroughs

@@ -26,10 +26,10 @@ Object threat(const Point& at) {
   const double pitch = 25 * std::numbers::pi / 180, heading = 200 * std::numbers::pi / 180;
   const Eigen::Matrix3d rotation =
       (Eigen::AngleAxisd(heading, Point::UnitZ()) * Eigen::AngleAxisd(pitch, Point::UnitY())).toRotationMatrix();
-  return {"threat", Cylinder({0, 0, 0}, {1, 0, 0}, 0.25, 1.8), {rotation, at}};
+  return {"threat", Cylinder{{0, 0, 0}, {1, 0, 0}, 0.25, 1.8}, {rotation, at}};
 }
 
-Object counter_munition(const Point& at) { return {"counter-munition", Ball(at, 0.4)}; }
+Object counter_munition(const Point& at) { return {"counter-munition", Ball{at, 0.4}}; }
 
 Walkthrough about(const std::string& name, const std::string& title, const std::string& summary, Object a, Object b) {
   return {.name = "vehicle-and-threat/" + name,

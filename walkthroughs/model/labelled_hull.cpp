@@ -8,10 +8,9 @@ namespace {
 
 using render::Vec2;
 
-bool turns_left(const Vec2& p, const Vec2& q, const Vec2& r) {
-  const Vec2 u = q - p, v = r - q;
-  return u.x() * v.y() - u.y() * v.x() > 0;
-}
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+bool turns_left(const Vec2& p, const Vec2& q, const Vec2& r) { return cross(q - p, r - q) > 0; }
 
 /// Appends the chain of left turns through `points` to `hull`, and drops its last point, where the next chain begins.
 template <class Points>
@@ -42,6 +41,23 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   std::ranges::reverse(points);
   if (points.size() > 1) append_chain(points, hull);
   return hull;
+}
+
+/// The edges of the sum are those of both, in the order of their directions.
+std::vector<Vec2> sum_of_hulls(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  const auto edge = [](const std::vector<Vec2>& hull, std::size_t i) {
+    return Vec2(hull[(i + 1) % hull.size()] - hull[i % hull.size()]);
+  };
+  std::vector<Vec2> sum;
+  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    sum.push_back(a[i % a.size()] + b[j % b.size()]);
+    const double turn = cross(edge(a, i), edge(b, j));
+    const bool takes_a = i < a.size() && (j == b.size() || turn >= 0);
+    const bool takes_b = j < b.size() && (i == a.size() || turn <= 0);
+    if (takes_a) ++i;
+    if (takes_b) ++j;
+  }
+  return convex_hull(std::move(sum));
 }
 
 std::string LabelledHull::name(const Point& w) const {

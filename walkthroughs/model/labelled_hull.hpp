@@ -13,6 +13,10 @@ namespace walkthroughs {
 /// Returns: the corners of the hull, counter-clockwise from the leftmost (of two such, the lower), without collinear points.
 std::vector<render::Vec2> convex_hull(std::vector<render::Vec2> points);
 
+/// Returns: the corners of the sum of two hulls, all p + q, as convex_hull() would give them. Requires: hulls that begin and
+/// turn as those of convex_hull(), not empty.
+std::vector<render::Vec2> sum_of_hulls(const std::vector<render::Vec2>& a, const std::vector<render::Vec2>& b);
+
 /// The hull of a planar difference of point sets, its corners counter-clockwise, named "A", "B", … from the one farthest
 /// along +x (of two such, the upper), as in Figure 4.
 struct LabelledHull {

@@ -3,42 +3,54 @@
 
 #include <cstddef>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/events.hpp"
 #include "core/rule_sets.hpp"
 #include "core/shapes.hpp"
+#include "walkthroughs/model/any_shape.hpp"
 
 namespace walkthroughs {
 
 using Point = gjk::Vec3<double>;
-using Points = gjk::PointSet<double>;
-using Ball = gjk::Sphere<double>;
-using Cylinder = gjk::Cylinder<double>;
 using Pose = gjk::Pose<double>;
 
-/// A convex object of a scene; a shape of core/ as it says itself.
+/// A convex object of a scene.
 struct Object {
   std::string name;  ///< as a caption calls it: "triangle"
-  std::variant<Points, Ball, Cylinder> form;
+  AnyShape form;
   Pose pose = {};
 
   /// Returns: whether the pose leaves everything where it is. The sign of zero counts: it decides that of the points found.
   bool is_at_rest() const;
 
-  /// Counts itself, so that a test can see who asks.
-  gjk::SupportPoint<double> support(const Point& d) const;
-  mutable std::size_t support_calls = 0;
+  mutable std::size_t support_calls = 0;  ///< so that a test can see who asks
+};
+
+/// An object as a shape of core/ in numbers of S. Counts its calls on the object itself, which must outlive it.
+template <class S>
+class AskedObject {
+ public:
+  explicit AskedObject(const Object& object);
+
+  /// The farthest point of a moved form is the moved farthest point along d turned back. A form at rest is asked about d
+  /// itself, as in a plain call of the algorithm: products with a d that was turned back do not overflow or vanish.
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const;
+
+ private:
+  const Object& object_;
+  Asked<S> form_;
+  gjk::Pose<S> pose_;
+  bool is_at_rest_;
 };
 
 /// Returns: the convex hull of `vertices`, given in any order.
-inline Points points(std::vector<Point> vertices) { return Points(std::move(vertices)); }
+inline Points points(std::vector<Point> vertices) { return vertices; }
 
 /// Returns: the vertices of a point set where the pose puts them; none for other shapes.
 std::vector<Point> vertices_of(const Object& object);
 
-/// Returns: a point inside: the center where there is one, the mean of a point set; where the pose puts it.
+/// Returns: the middle of its form where the pose puts it: a point inside.
 Point center_of(const Object& object);
 
 using gjk::RuleSet;
@@ -46,9 +58,6 @@ using ZeroTest = gjk::ZeroTestKind;
 
 /// In which numbers the search computes: double or float. The words are those of IEEE 754.
 enum class Scalar { binary64, binary32 };
-
-/// Scenes of the plane z = 0 are drawn flat; those of space through a camera.
-enum class Dimension { plane, space };
 
 /// Everything that decides a run. Lengths are in the scene's own unit.
 struct Scene {

@@ -6,22 +6,22 @@
 #include <cstddef>
 #include <string_view>
 
-#include "core/result.hpp"
+#include "core/events.hpp"
 #include "core/rule_sets.hpp"
 
 namespace walkthroughs::words_of {
 
-/// Returns: the words of a table of the core.
+/// Returns: the words that to_string() has for the first `count` enumerators.
 template <class E, std::size_t count>
-constexpr std::array<std::string_view, count> names_in(const std::array<gjk::Named<E>, count>& table) {
-  std::array<std::string_view, count> names;
-  for (std::size_t i = 0; i < count; ++i) names[i] = table[i].name;
-  return names;
+constexpr std::array<std::string_view, count> as_core_says() {
+  std::array<std::string_view, count> words;
+  for (std::size_t i = 0; i < count; ++i) words[i] = to_string(static_cast<E>(i));
+  return words;
 }
 
 inline constexpr std::array<std::string_view, 2> crossing_test{"on", "off"};
-inline constexpr auto rules = names_in(gjk::rule_sets);
-inline constexpr auto zero_test = names_in(gjk::zero_tests);
+inline constexpr auto rules = as_core_says<gjk::RuleSet, gjk::rule_sets.size()>();
+inline constexpr auto zero_test = as_core_says<gjk::ZeroTestKind, gjk::zero_tests.size()>();
 inline constexpr std::array<std::string_view, 2> scalar{"double", "float"};
 inline constexpr std::array<std::string_view, 3> panels{"objects", "hull", "algorithm"};
 inline constexpr std::array<std::string_view, 4> layout{"search", "close-ups", "in-step", "until-they-part"};
@@ -32,20 +32,26 @@ inline constexpr std::array<std::string_view, 4> crossing{"crossed", "not-crosse
                                                           "not-applied-switched-off"};
 inline constexpr std::array<std::string_view, 4> relation{"> 0", "< 0", "= 0", "!= 0"};
 inline constexpr std::array<std::string_view, 3> verdict{"chosen", "rejected", "skipped"};
-inline constexpr std::array status{gjk::to_string(gjk::Status::intersecting), gjk::to_string(gjk::Status::separated),
-                                   gjk::to_string(gjk::Status::undecided)};
-inline constexpr std::array reason{
-    gjk::to_string(gjk::Reason::simplex_contains_origin), gjk::to_string(gjk::Reason::origin_not_crossed),
-    gjk::to_string(gjk::Reason::no_new_vertex), gjk::to_string(gjk::Reason::iteration_limit),
-    gjk::to_string(gjk::Reason::unusable_direction)};
-inline constexpr std::array<std::string_view, 8> event{"search-started",   "support-found", "crossing-tested",
-                                                       "vertex-added",     "region-tested", "simplex-reduced",
-                                                       "direction-chosen", "finished"};
+inline constexpr auto status = as_core_says<gjk::Status, 3>();
+inline constexpr auto reason = as_core_says<gjk::Reason, 5>();
+
+// All words of a type, for readers and writers of fields of any type.
+constexpr const auto& all(gjk::Crossing) { return crossing; }
+constexpr const auto& all(gjk::Relation) { return relation; }
+constexpr const auto& all(gjk::Verdict) { return verdict; }
+constexpr const auto& all(gjk::Status) { return status; }
+constexpr const auto& all(gjk::Reason) { return reason; }
 
 /// Returns: the word for an enumerator.
 template <std::size_t count, class E>
 constexpr std::string_view of(const std::array<std::string_view, count>& words, E enumerator) {
   return words[static_cast<std::size_t>(enumerator)];
+}
+
+/// Returns: the word for an enumerator of an event.
+template <class E>
+constexpr std::string_view of(E enumerator) {
+  return of(all(enumerator), enumerator);
 }
 
 }  // namespace walkthroughs::words_of

@@ -11,6 +11,7 @@
 # accept what is drawn now, the first time or after a change, ask for it, then look at what version control shows:
 #
 #     GJKSTEP_ACCEPT=1 ctest --test-dir build -R NAME --verbose
+cmake_policy(GET CMP0110 gjkstep_any_test_name)  # of who includes this: may names of tests hold spaces?
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.25)
 
@@ -40,6 +41,10 @@ EXPECTED folder [OPTIONS option...]")
   if(arg_UNPARSED_ARGUMENTS OR arg_NAME MATCHES ";")
     message(FATAL_ERROR "gjkstep_add_golden_test: '${arg_UNPARSED_ARGUMENTS}' is not expected in '${arg_NAME}', \
 nor a semicolon in a name")
+  endif()
+  if(DEFINED gjkstep_any_test_name AND NOT gjkstep_any_test_name STREQUAL "NEW" AND arg_NAME MATCHES "[^A-Za-z0-9_.+-]")
+    message(FATAL_ERROR "gjkstep_add_golden_test: '${arg_NAME}' has more than letters, digits and _.+-, which takes \
+cmake_minimum_required(VERSION 3.19) or newer")
   endif()
   if(NOT TARGET gjkstep::program)
     message(FATAL_ERROR "gjkstep_add_golden_test: the program that draws is not there; install gjkstep with it, or as \

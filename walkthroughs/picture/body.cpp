@@ -4,6 +4,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "walkthroughs/model/farthest_face.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/picture/hull_faces.hpp"
 
@@ -43,32 +44,36 @@ Body polytope(std::vector<Point> vertices, Dimension dimension) {
   }
   std::vector<render::Face> faces = hull_faces(vertices);
   if (!faces.empty()) vertices = corners_of(faces);
-  return {std::move(vertices), std::move(faces)};
+  return {std::move(vertices), std::move(faces), {}};
 }
 
-/// Points whose hull is the outline of a round object.
-struct OutlinePoints {
-  const Pose& pose;
-  const Lens& lens;
+// -- Corners ----------------------------------------------------------------------------------------------------------
 
-  std::vector<Point> operator()(const Points&) const { return {}; }
-  std::vector<Point> operator()(const Ball& ball) const {
-    std::vector<Point> list;
-    for (int i = 0; i < outline_directions; ++i)
-      list.push_back(pose(ball.center()) + lens.direction(angle_of(i, outline_directions)) * ball.radius());
-    return list;
-  }
-  std::vector<Point> operator()(const Cylinder& cylinder) const {
-    std::vector<Point> list;
-    for (const double end : {-1.0, 1.0})
-      for (const Point& p : rim_of(cylinder, end)) list.push_back(pose(p));
-    return list;
+/// Points whose hull a shape is; none of a round one, and of a sum with too many.
+struct CornersOf {
+  Dimension dimension;
+
+  std::vector<Point> operator()(const Points& points) const { return points; }
+  std::vector<Point> operator()(const Ball&) const { return {}; }
+  std::vector<Point> operator()(const Cylinder&) const { return {}; }
+  std::vector<Point> operator()(const Sum& sum) const {
+    std::vector<Point> corners[2];
+    for (const std::size_t i : {0u, 1u}) {
+      corners[i] = std::visit(*this, sum.summands[i]);
+      if (corners[i].empty()) return {};
+      corners[i] = polytope(std::move(corners[i]), dimension).vertices;
+    }
+    std::vector<Point> sums;
+    if (corners[0].size() * corners[1].size() > most_differences) return sums;
+    for (const Point& p : corners[0])
+      for (const Point& q : corners[1]) sums.push_back(p + q);
+    return sums;
   }
 };
 
-}  // namespace
+// -- Outlines ---------------------------------------------------------------------------------------------------------
 
-std::vector<Point> rim_of(const Cylinder& cylinder, double end) {
+std::vector<Point> rim_of(const gjk::Cylinder<double>& cylinder, double end) {
   const Point axis = cylinder.to_cap().normalized(), across = axis.unitOrthogonal(), other = axis.cross(across);
   std::vector<Point> rim;
   for (int i = 0; i < rim_points; ++i) {
@@ -79,9 +84,168 @@ std::vector<Point> rim_of(const Cylinder& cylinder, double end) {
   return rim;
 }
 
+/// The outline of a shape where a pose puts it.
+struct OutlineOf {
+  const Pose& pose;
+  const Lens& lens;
+
+  std::vector<Vec2> operator()(const Points& points) const {
+    std::vector<Vec2> list;
+    for (const Point& p : points) list.push_back(lens(pose(p)));
+    return convex_hull(std::move(list));
+  }
+  std::vector<Vec2> operator()(const Ball& ball) const {
+    std::vector<Vec2> list;
+    for (int i = 0; i < outline_directions; ++i)
+      list.push_back(lens(pose(ball.center) + lens.direction(angle_of(i, outline_directions)) * ball.radius));
+    return convex_hull(std::move(list));
+  }
+  std::vector<Vec2> operator()(const Cylinder& cylinder) const {
+    std::vector<Vec2> list;
+    for (const double end : {-1.0, 1.0})
+      for (const Point& p : rim_of(RowOf<Cylinder>::asked(cylinder), end)) list.push_back(lens(pose(p)));
+    return convex_hull(std::move(list));
+  }
+  /// Seen from far away the picture of a sum is the sum of the pictures.
+  std::vector<Vec2> operator()(const Sum& sum) const {
+    const Pose turned{pose.rotation, Point::Zero()};
+    return sum_of_hulls(std::visit(*this, sum.summands[0]), std::visit(OutlineOf{turned, lens}, sum.summands[1]));
+  }
+};
+
+// -- What is flat of a round object -----------------------------------------------------------------------------------
+
+constexpr std::size_t most_directions = 200;  // more flat parts could not be told apart in a picture
+constexpr double alike = 1e-6;                // radians, and parts of an object's size
+
+void add_direction(const Point& direction, std::vector<Point>& list) {
+  const Point unit = direction.stableNormalized();
+  const auto is_it = [&](const Point& other) { return (other - unit).norm() < alike; };
+  if (unit.norm() > 0.5 && list.size() < most_directions && std::ranges::none_of(list, is_it)) list.push_back(unit);
+}
+
+/// The directions that flat parts may face and those of straight lines on the surface, both ways.
+struct Straight {
+  std::vector<Point> normals, lines;
+
+  void add_plane(const Point& normal) {
+    for (const Point& each : {normal, Point(-normal)}) add_direction(each, normals);
+  }
+  void add_line(const Point& line) {
+    for (const Point& each : {line, Point(-line)}) add_direction(each, lines);
+  }
+};
+
+/// Returns: of points in one plane or on one line.
+Straight straight_of_flat(const std::vector<Point>& points) {
+  Straight found;
+  const auto distance_to_first = [&](const Point& p) { return (p - points[0]).norm(); };
+  const Point along = *std::ranges::max_element(points, {}, distance_to_first) - points[0];
+  const auto area = [&](const Point& p) { return along.cross(p - points[0]).norm(); };
+  const Point normal = along.cross(*std::ranges::max_element(points, {}, area) - points[0]);
+  if (normal.norm() <= alike * along.squaredNorm()) {
+    found.add_line(along);
+    return found;
+  }
+  const Frame frame(normal);
+  std::vector<Vec2> across;
+  for (const Point& p : points) across.push_back(frame.across(p));
+  const std::vector<Vec2> corners = convex_hull(std::move(across));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    found.add_line(frame.at(0, corners[(i + 1) % corners.size()] - corners[i]));
+  found.add_plane(normal);
+  return found;
+}
+
+Straight straight_of_polytope(const std::vector<Point>& points) {
+  const std::vector<render::Face> faces = hull_faces(points);
+  if (faces.empty()) return straight_of_flat(points);
+  Straight found;
+  for (const render::Face& face : faces) {
+    add_direction(face.outward(), found.normals);
+    for (std::size_t i = 0; i < face.corners.size(); ++i)
+      found.add_line(face.corners[(i + 1) % face.corners.size()] - face.corners[i]);
+  }
+  return found;
+}
+
+struct StraightOf {
+  Straight operator()(const Points& points) const { return straight_of_polytope(points); }
+  Straight operator()(const Ball&) const { return {}; }
+  Straight operator()(const Cylinder& cylinder) const {
+    Straight found;
+    found.add_plane(cylinder.axis);
+    found.add_line(cylinder.axis);
+    return found;
+  }
+  /// Two lines that are not parallel span a flat part.
+  Straight operator()(const Sum& sum) const {
+    Straight all = std::visit(*this, sum.summands[0]);
+    const Straight other = std::visit(*this, sum.summands[1]);
+    const std::vector<Point> lines = all.lines;
+    for (const Point& normal : other.normals) add_direction(normal, all.normals);
+    for (const Point& line : lines)
+      for (const Point& other_line : other.lines) {
+        const Point normal = line.cross(other_line);
+        if (normal.norm() > alike) add_direction(normal, all.normals);
+      }
+    for (const Point& line : other.lines) add_direction(line, all.lines);
+    return all;
+  }
+};
+
+double area_of(const std::vector<Vec2>& hull) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
+    const Vec2 u = hull[i] - hull[0], v = hull[i + 1] - hull[0];
+    twice += u.x() * v.y() - u.y() * v.x();
+  }
+  return twice / 2;
+}
+
+/// The flat parts of a shape where a pose puts it.
+struct FlatsOf {
+  const Pose& pose;
+
+  std::vector<Flat> operator()(const Points&) const { return {}; }  // a polytope has faces
+  std::vector<Flat> operator()(const Ball&) const { return {}; }
+  std::vector<Flat> operator()(const Cylinder& cylinder) const {
+    const auto asked = RowOf<Cylinder>::asked(cylinder);
+    std::vector<Flat> caps;
+    for (const double end : {-1.0, 1.0})
+      caps.push_back({moved(rim_of(asked, end)), pose.rotation * asked.to_cap() * end});
+    return caps;
+  }
+  std::vector<Flat> operator()(const Sum& sum) const {
+    const double size = bound_of(sum);
+    std::vector<Flat> flats;
+    for (const Point& normal : StraightOf{}(sum).normals) {
+      const Frame frame(normal);
+      const FarthestFace face = farthest_face(sum, frame, {alike * size, alike});
+      if (area_of(face.hull) <= alike * size * size) continue;
+      std::vector<Point> rim;
+      for (const Vec2& corner : face.hull) rim.push_back(frame.at(face.reach, corner));
+      flats.push_back({moved(rim), pose.rotation * normal});
+    }
+    return flats;
+  }
+
+ private:
+  std::vector<Point> moved(std::vector<Point> points) const {
+    for (Point& p : points) p = pose(p);
+    return points;
+  }
+};
+
+}  // namespace
+
 Body body_of(const Object& object, Dimension dimension) {
-  std::vector<Point> vertices = vertices_of(object);
-  return vertices.empty() ? Body{} : polytope(std::move(vertices), dimension);
+  std::vector<Point> corners = std::visit(CornersOf{dimension}, object.form);
+  for (Point& corner : corners) corner = object.pose(corner);
+  if (!corners.empty()) return polytope(std::move(corners), dimension);
+  Body round;
+  if (dimension == Dimension::space) round.flats = std::visit(FlatsOf{object.pose}, object.form);
+  return round;
 }
 
 Body body_of_difference(const Scene& scene, const Body& a, const Body& b) {
@@ -92,12 +256,13 @@ Body body_of_difference(const Scene& scene, const Body& a, const Body& b) {
 
 std::vector<Vec2> outline(const Object& object, const Body& body, const Lens& lens) {
   if (!body.vertices.empty()) return convex_hull(through(lens, body.vertices));
-  return convex_hull(through(lens, std::visit(OutlinePoints{object.pose, lens}, object.form)));
+  return std::visit(OutlineOf{object.pose, lens}, object.form);
 }
 
 std::vector<Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens) {
   if (!body.vertices.empty()) return convex_hull(through(lens, body.vertices));
-  const gjk::MinkowskiDifference<double, Object, Object> difference(scene.a, scene.b);
+  const AskedObject<double> a(scene.a), b(scene.b);
+  const gjk::MinkowskiDifference<double, AskedObject<double>, AskedObject<double>> difference(a, b);
   std::vector<Vec2> farthest;
   for (int i = 0; i < outline_directions; ++i)
     farthest.push_back(lens(difference.vertex(lens.direction(angle_of(i, outline_directions))).w));

@@ -9,23 +9,29 @@
 
 namespace walkthroughs {
 
-/// A convex body as pictures need it. A polytope has vertices, and faces where it has a volume; a body with neither is
-/// asked for its outline through its support function.
-struct Body {
-  std::vector<Point> vertices;
-  std::vector<render::Face> faces;  ///< of a body in space
+/// A flat part of a round surface, such as the cap of a cylinder.
+struct Flat {
+  std::vector<Point> rim;
+  Point outward;
 };
 
-/// Returns: the vertices (of a round object: none) and faces of one object. Asks no support function.
+/// A convex body as pictures need it. A polytope has vertices, and faces where it has a volume; a difference with neither
+/// is asked for its outline through its support function.
+struct Body {
+  std::vector<Point> vertices;
+  std::vector<render::Face> faces;  ///< of a polytope in space
+  std::vector<Flat> flats;          ///< of a round object in space
+};
+
+/// Returns: of a polytope, also one that is a sum, its vertices and faces, unless it has too many to be worth it; of other
+/// objects what of them is flat. Asks no support function.
 Body body_of(const Object& object, Dimension dimension);
 
 /// Returns: the difference of two point sets, unless it has too many vertices to be worth it; else an empty body.
 Body body_of_difference(const Scene& scene, const Body& a, const Body& b);
 
-/// Returns: points around the cap at the end -1 or 1 of the axis.
-std::vector<Point> rim_of(const Cylinder& cylinder, double end);
-
-/// Returns: the outline of an object in the picture, counter-clockwise. Asks no support function.
+/// Returns: the outline of an object in the picture, counter-clockwise; of a sum the sum of the outlines of its two. Asks no
+/// support function.
 std::vector<render::Vec2> outline(const Object& object, const Body& body, const Lens& lens);
 
 /// Returns: the outline of the difference in the picture. Asks the support functions where `body` is empty.

@@ -17,30 +17,25 @@ KeyEntry swatch(const std::string& text, render::Color fill, const render::Strok
           }};
 }
 
-/// The caps of a cylinder in space: the one in sight whole, the other as far as it lies behind thin and dashed.
-void draw_caps(Pencil& pencil, const Object& object, const render::Stroke& stroke) {
-  const auto* cylinder = std::get_if<Cylinder>(&object.form);
-  if (!cylinder || !pencil.in_space()) return;
-  for (const double end : {-1.0, 1.0}) {
-    const Point outward = object.pose.rotation * cylinder->to_cap() * end;
-    std::vector<Point> rim = rim_of(*cylinder, end);
-    for (Point& p : rim) p = object.pose(p);
-    const bool seen = pencil.lens().camera->sees(outward);
+/// The flat parts of a round object: those in sight whole, the others as far as they lie behind thin and dashed.
+void draw_flats(Pencil& pencil, const Body& body, const render::Stroke& stroke) {
+  if (!pencil.in_space()) return;
+  for (const Flat& flat : body.flats) {
+    const bool seen = pencil.lens().camera->sees(flat.outward);
     const render::Stroke thin{stroke.color, stroke.width / 2, seen ? render::Dash{} : pencil.style().hidden_edge.dash};
-    pencil.panel().outline(pencil.at(rim), thin);
+    pencil.panel().outline(pencil.at(flat.rim), thin);
   }
 }
 
 void draw_object(Pencil& pencil, const Object& object, const Body& body, render::Color fill,
                  const render::Stroke& stroke) {
   pencil.body(outline(object, body, pencil.lens()), body.faces, fill, stroke);
-  draw_caps(pencil, object, stroke);
+  draw_flats(pencil, body, stroke);
 }
 
 Point middle_of_object(const Object& object, const Body& body) {
   if (!body.vertices.empty()) return middle_of(body.vertices);
-  if (const auto* ball = std::get_if<Ball>(&object.form)) return object.pose(ball->center());
-  return object.pose(std::get<Cylinder>(object.form).center());
+  return object.pose(middle(object.form));
 }
 
 }  // namespace

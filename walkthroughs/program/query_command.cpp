@@ -29,8 +29,9 @@ constexpr const char* footer =
   {"points": [[x, y, z], ...]}
   {"sphere": {"center": [x, y, z], "radius": r}}
   {"cylinder": {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}}
-with a "pose" and a "name" if you like; exact takes points only. Eager rules search first from the center of a, for
-points their mean, to that of b; the others along +x. A number is read as the nearest double and then
+  {"sum": [SHAPE, SHAPE]}, two of these four: all points x + y
+with a "pose" and a "name" if you like; exact takes points and their sums only. Eager rules search first from the center
+of a, for points their mean, to that of b; the others along +x. A number is read as the nearest double and then
 converted. A line may have 16 MiB, and end in CR LF.
 Standard output: one line for each, in the same order,
   {"status": "intersecting", "separated" or "undecided", "iterations": n, "reason": "...", "evidence": {...}}

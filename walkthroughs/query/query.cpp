@@ -30,34 +30,41 @@ PairAsWritten read_pair(std::string_view line) {
   return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
 }
 
-/// Leaves the usual direction where the centers lie so far from each other that there is none.
+Point center_of(const ObjectAsWritten& object) {
+  const Point own = middle<double>(object.form);
+  return object.pose ? (*object.pose)(own) : own;
+}
+
+/// Rules that test the first point, too, begin between the centers, as in scenes; but along the usual direction where S has
+/// no such number.
 template <class S>
-void start_between(const gjk::Vec3<S>& center_a, const gjk::Vec3<S>& center_b, gjk::Options<S>& options) {
-  const gjk::Vec3<S> direction = gjk::first_direction_between(center_a, center_b);
+gjk::Options<S> options_of(const PairAsWritten& pair, const QueryOptions& query) {
+  gjk::Options<S> options;
+  options.iteration_limit = query.iteration_limit;
+  if (gjk::first_point(query.rules) != gjk::FirstPoint::tested) return options;
+  const Point d = gjk::first_direction_between(center_of(pair.a), center_of(pair.b));
+  const gjk::Vec3<S> direction(static_cast<S>(d.x()), static_cast<S>(d.y()), static_cast<S>(d.z()));
   if (gjk::is_usable_direction(direction)) options.first_direction = direction;
+  return options;
 }
 
 template <class S>
-void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
-  const QueryObject<S> a = query_object<S>(pair.a, "a"), b = query_object<S>(pair.b, "b");
-  gjk::Options<S> options;
-  options.iteration_limit = query.iteration_limit;
-  const auto answer_by = [&]<class Rules>() {
-    if constexpr (Rules::first_point() == gjk::FirstPoint::tested) start_between(a.center(), b.center(), options);
-    write_answer(gjk::collision<S, Rules>(a, b, options), out);
-  };
+void answer_in(PairAsWritten pair, const QueryOptions& query, std::string& out) {
+  const gjk::Options<S> options = options_of<S>(pair, query);
+  const QueryObject<S> a = query_object<S>(std::move(pair.a), "a"), b = query_object<S>(std::move(pair.b), "b");
+  const auto answer_by = [&]<class Rules>() { write_answer(gjk::collision<S, Rules>(a, b, options), out); };
   if constexpr (std::floating_point<S>)
     gjk::with_rules(query.rules, query.zero_test, answer_by);
   else  // what does not round has nothing to tolerate: both zero tests are this one
     gjk::with_rules<gjk::ExactZeroTest>(query.rules, answer_by);
 }
 
-void answer(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
+void answer(PairAsWritten pair, const QueryOptions& query, std::string& out) {
   switch (query.scalar) {
-    case QueryScalar::binary32: return answer_in<float>(pair, query, out);
-    case QueryScalar::binary64: return answer_in<double>(pair, query, out);
-    case QueryScalar::long_double: return answer_in<long double>(pair, query, out);
-    case QueryScalar::exact: return answer_in<Exact>(pair, query, out);
+    case QueryScalar::binary32: return answer_in<float>(std::move(pair), query, out);
+    case QueryScalar::binary64: return answer_in<double>(std::move(pair), query, out);
+    case QueryScalar::long_double: return answer_in<long double>(std::move(pair), query, out);
+    case QueryScalar::exact: return answer_in<Exact>(std::move(pair), query, out);
   }
 }
 

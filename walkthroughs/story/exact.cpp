@@ -51,12 +51,12 @@ struct DecisionOf {
   }
   template <class S>
   std::string operator()(const gjk::CrossingTested<S>& e) const {
-    return std::string(words_of::of(words_of::crossing, e.verdict));
+    return std::string(words_of::of(e.verdict));
   }
   template <class S>
   std::string operator()(const gjk::RegionTested<S>& e) const {
-    return e.face + " " + e.feature + " " + std::string(words_of::of(words_of::relation, e.relation)) + " " +
-           std::string(words_of::of(words_of::verdict, e.verdict));
+    return e.face + " " + e.feature + " " + std::string(words_of::of(e.relation)) + " " +
+           std::string(words_of::of(e.verdict));
   }
   template <class S>
   std::string operator()(const gjk::DirectionChosen<S>& e) const {
@@ -64,7 +64,7 @@ struct DecisionOf {
   }
   template <class S>
   std::string operator()(const gjk::Finished<S>& e) const {
-    return std::string(words_of::of(words_of::reason, e.result.reason));
+    return std::string(words_of::of(e.result.reason));
   }
   template <class E>
   std::string operator()(const E&) const {  // follows from the events before

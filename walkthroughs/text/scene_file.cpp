@@ -17,18 +17,13 @@ using namespace reading;
 
 Object scene_object(const Value& value, const Space& space, Scalar scalar) {
   ObjectAsWritten written = read_object(value, space);
-  auto form = form_of(std::move(written.form), scalar);
+  AnyShape form = with_directions_divided(written.form, scalar);
   return {.name = std::move(written.name), .form = std::move(form), .pose = written.pose.value_or(Pose{})};
-}
-
-std::string kind_of(const Object& object, const Space& space) {
-  if (std::holds_alternative<Points>(object.form)) return "point set";
-  return std::holds_alternative<Cylinder>(object.form) ? "cylinder" : space.is_plane() ? "disc" : "sphere";
 }
 
 /// Objects without a name are called what they are; two of a kind are told apart.
 void name_the_nameless(Object& a, Object& b, const Space& space) {
-  const std::string kind_of_a = kind_of(a, space), kind_of_b = kind_of(b, space);
+  const std::string kind_of_a = kind_of(a.form, space.dimension), kind_of_b = kind_of(b.form, space.dimension);
   const bool alike = kind_of_a == kind_of_b;
   if (a.name.empty()) a.name = kind_of_a + (alike ? " a" : "");
   if (b.name.empty()) b.name = kind_of_b + (alike ? " b" : "");
@@ -180,7 +175,7 @@ std::string_view example_scene() {
   "title": "A can beside a tilted box",  // without it: the name of the file
   "dimension": 3,                        // 2: the plane; points are [x, y], spheres are discs
 
-  // The two objects. Each has one shape: points, sphere or cylinder.
+  // The two objects. Each has one shape: points, sphere, cylinder or sum.
   "a": {
     "name": "box",  // as captions call it
     "points": [     // their convex hull; the order does not matter
@@ -196,6 +191,8 @@ std::string_view example_scene() {
     "name": "can",
     "cylinder": {"center": [0, 0, 0], "axis": [0, 0, 1], "radius": 1, "height": 2}
     // or "sphere": {"center": [0, 0, 0], "radius": 1}
+    // or "sum": [{"points": [[0, 0, -1], [0, 0, 1]]}, {"sphere": {"center": [0, 0, 0], "radius": 1}}]
+    //    of two shapes, each point of one plus each of the other: here a capsule
   },
 
   // How the algorithm runs.
@@ -217,20 +214,13 @@ std::string_view example_scene() {
 std::string summary(const SceneFile& file) {
   const Walkthrough& walkthrough = file.walkthrough;
   const Scene& scene = walkthrough.scenes.front();
-  const Space space{scene.dimension};
-  const auto object = [&](const Object& o) {
-    const auto* set = std::get_if<Points>(&o.form);
-    return "'" + o.name + "' (" +
-           (set ? std::to_string(set->points().size()) + (set->points().size() == 1 ? " point" : " points")
-                : kind_of(o, space)) +
-           ")";
-  };
+  const auto object = [&](const Object& o) { return "'" + o.name + "' (" + described(o.form, scene.dimension) + ")"; };
   std::string panels;
   if (walkthrough.panels.objects) panels += ", objects";
   if (walkthrough.panels.hull) panels += ", hull";
   if (walkthrough.panels.algorithm) panels += ", algorithm";
-  return "'" + walkthrough.title + "', " + (space.is_plane() ? "plane" : "space") + ", " + object(scene.a) + " and " +
-         object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
+  return "'" + walkthrough.title + "', " + (scene.dimension == Dimension::plane ? "plane" : "space") + ", " +
+         object(scene.a) + " and " + object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
          (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") + ", panels: search" + panels;
 }
 

@@ -16,13 +16,15 @@
 ///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
 ///
 /// Eager rules, which test the first point, too, begin in the direction from the center of a to that of b: the mean of a
-/// point set's points, the center of the others.
+/// point set's points, the sum of the centers of a sum.
 ///
 /// An object has one shape, and may have a name (1 to 40 characters) and a pose:
 ///
 ///     points           [[x, y, z], ...], 1 to 100,000: their convex hull
 ///     sphere           {"center": [x, y, z], "radius": r}; in the plane a disc
 ///     cylinder         {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}; in space only
+///     sum              [{shape}, {shape}]: each point of one plus each of the other (Section 2.3, Eq. 3); a sum of a segment
+///                      and a ball is a capsule. Up to 4 sums may be in one another.
 ///     pose             {"rotation": {"axis": [x, y, z], "degrees": d}, "translation": [x, y, z]}, either or both: the
 ///                      shape is first turned about the origin, counter-clockwise seen from the tip of the axis, then
 ///                      moved. In the plane the rotation is {"degrees": d}.

@@ -6,7 +6,8 @@
 namespace walkthroughs::scene_limits {
 
 inline constexpr std::size_t bytes = 16 << 20;
-inline constexpr std::size_t points = 100000;         ///< of one object
+inline constexpr std::size_t points = 100000;         ///< of one list
+inline constexpr int sums = 4;                        ///< in one another
 inline constexpr std::size_t title = 120, name = 40;  ///< characters
 inline constexpr int iterations = 1000;
 inline constexpr double magnitude = 1e150;

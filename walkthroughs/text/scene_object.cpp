@@ -52,9 +52,8 @@ Pose read_pose(const Value& value, const Space& space) {
 
 // What may throw is computed before an aggregate is begun: GCC 12 destroys members of unfinished aggregates twice.
 ObjectAsWritten read_object(const Value& value, const Space& space) {
-  expect_object(value, {"name", "points", "sphere", "cylinder", "pose"}, "an object with a shape");
-  const Value shape = shape_of(value);
-  auto form = read_form_as_written(shape, space);
+  expect_object(value, object_keys(), "an object with a shape");
+  AnyShape form = read_shape(value, space);
   ObjectAsWritten object{.name = {}, .form = std::move(form), .pose = {}};
   if (const auto name = value.member("name")) object.name = words(*name, scene_limits::name);
   if (const auto pose = value.member("pose")) object.pose = read_pose(*pose, space);

@@ -10,7 +10,7 @@ namespace walkthroughs::reading {
 
 struct ObjectAsWritten {
   std::string name;  ///< empty where none is given
-  FormAsWritten form;
+  AnyShape form;     ///< its numbers those of the text
   std::optional<Pose> pose;
 };
 

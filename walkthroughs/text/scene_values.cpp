@@ -14,15 +14,14 @@ namespace walkthroughs::reading {
 
 // -- Words ------------------------------------------------------------------------------------------------------------
 
-namespace {
-
-/// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
 std::string list_of(std::span<const std::string> words, const std::string& last) {
   std::string list;
   for (std::size_t i = 0; i < words.size(); ++i)
     list += (i == 0 ? "'" : i + 1 == words.size() ? " " + last + " '" : ", '") + words[i] + "'";
   return list;
 }
+
+namespace {
 
 std::string suggestion(const std::string& word, std::span<const std::string> known) {
   return "did you mean '" + nearest(std::string_view(word).substr(0, 64), known) + "'? Known here are " +
@@ -37,11 +36,10 @@ void expect(const Value& value, Kind kind, std::string_view expected) {
   if (!value.is(kind)) value.fail("expected " + std::string(expected) + ", found " + std::string(value.description()));
 }
 
-void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
+void expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected) {
   expect(value, Kind::object, expected);
   for (const Value& member : value.children())
-    if (std::ranges::count(keys, member.key()) == 0)
-      member.fail("is not a key; " + suggestion(member.key(), std::span(keys.begin(), keys.size())));
+    if (std::ranges::count(keys, member.key()) == 0) member.fail("is not a key; " + suggestion(member.key(), keys));
 }
 
 Value required(const Value& object, std::string_view key, const std::string& what_to_do) {
@@ -125,67 +123,133 @@ Point Space::direction(const Value& value) const {
 
 namespace {
 
-Points read_points(const Value& value, const Space& space) {
-  expect(value, Kind::list, "a list of points");
-  const std::vector<Value> children = value.children();
-  if (children.empty()) value.fail("has no point; a point set needs at least one");
-  static_assert(scene_limits::points == document_limits::elements, "longer lists have been turned away by now");
-  std::vector<Point> points;
-  points.reserve(children.size());
-  for (const Value& child : children) points.push_back(space.point(child));
-  return Points(std::move(points));
+/// Returns: the names of the fields of a shape; none where it is a plain list.
+template <class Shape>
+std::vector<std::string> fields_of() {
+  std::vector<std::string> names;
+  const auto add = [&](auto kind) {
+    if constexpr (requires { kind.name; }) names.emplace_back(kind.name);
+  };
+  ShapeRow<Shape>::fields(add);
+  return names;
 }
 
-Ball read_sphere(const Value& value, const Space& space) {
-  expect_object(value, {"center", "radius"}, "an object with 'center' and 'radius'");
-  const Point center = space.point(required(value, "center", "give it as " + space.point_words()));
-  return {center, length(value, "radius")};
+std::vector<std::string> shape_keys() {
+  std::vector<std::string> keys;
+  for_each_kind([&]<class Shape>(std::type_identity<Shape>) { keys.emplace_back(ShapeRow<Shape>::key); });
+  return keys;
 }
 
-CylinderAsWritten read_cylinder(const Value& value, const Space& space) {
-  if (space.is_plane())
-    value.fail(
-        "a scene with \"dimension\": 2 has no cylinders; use a sphere (a disc) or points, or say \"dimension\": 3");
-  expect_object(value, {"center", "axis", "radius", "height"},
-                "an object with 'center', 'axis', 'radius' and 'height'");
-  const Point center = space.point(required(value, "center", "give it as " + space.point_words()));
-  const Point axis = space.direction(required(value, "axis", "give it as a direction [x, y, z]"));
-  const double radius = length(value, "radius");
-  return {center, axis, radius, length(value, "height")};
-}
-
-}  // namespace
-
+/// Returns: the one member of an object that gives its shape.
 Value shape_of(const Value& object) {
+  static const std::vector<std::string> keys = shape_keys();
   std::optional<Value> found;
   for (const Value& member : object.children()) {
-    if (member.key() != "points" && member.key() != "sphere" && member.key() != "cylinder") continue;
+    if (std::ranges::count(keys, member.key()) == 0) continue;
     if (found)
-      member.fail("is a second shape beside '" + found->key() +
-                  "'; an object has one: keep 'points', 'sphere' or 'cylinder'");
+      member.fail("is a second shape beside '" + found->key() + "'; an object has one: keep " + list_of(keys, "or"));
     found = member;
   }
-  if (!found) object.fail("has no shape; give 'points', 'sphere' or 'cylinder'");
+  if (!found) object.fail("has no shape; give " + list_of(keys, "or"));
   return *found;
 }
 
-FormAsWritten read_form_as_written(const Value& shape, const Space& space) {
-  if (shape.key() == "points") return read_points(shape, space);
-  if (shape.key() == "sphere") return read_sphere(shape, space);
-  return read_cylinder(shape, space);
+AnyShape read_shape(const Value& object, const Space& space, int sums_around);
+
+/// Reads one field after the other.
+struct FieldReader {
+  const Value& value;  ///< of the shape
+  const Space& space;
+  int sums_around;
+
+  void operator()(field::Place place, Point& to) const {
+    to = space.point(required(value, place.name, "give it as " + space.point_words()));
+  }
+  void operator()(field::Direction direction, Point& to) const {
+    to = space.direction(required(value, direction.name, "give it as a direction [x, y, z]"));
+  }
+  void operator()(field::Length length, double& to) const { to = reading::length(value, length.name); }
+  void operator()(field::Places, Points& to) const {
+    expect(value, Kind::list, "a list of points");
+    const std::vector<Value> children = value.children();
+    if (children.empty()) value.fail("has no point; a point set needs at least one");
+    static_assert(scene_limits::points == document_limits::elements, "longer lists have been turned away by now");
+    to.reserve(children.size());
+    for (const Value& child : children) to.push_back(space.point(child));
+  }
+  void operator()(field::Shapes, std::vector<AnyShape>& to) const {
+    expect(value, Kind::list, "a list of two shapes");
+    const std::vector<Value> children = value.children();
+    if (children.size() != 2)
+      value.fail("expected a list of two shapes, found a list of " + std::to_string(children.size()) +
+                 (children.size() > 2 ? "; a sum may be one of the two" : ""));
+    if (sums_around == scene_limits::sums)
+      value.fail("is a sum within " + std::to_string(scene_limits::sums) + " others; that many may be in one another");
+    for (const Value& child : children) {
+      expect_object(child, shape_keys(), "an object with a shape");
+      to.push_back(read_shape(child, space, sums_around + 1));
+    }
+  }
+};
+
+template <class Shape>
+AnyShape read_fields(const Value& value, const Space& space, int sums_around) {
+  static const std::vector<std::string> fields = fields_of<Shape>();
+  static const std::string expected = "an object with " + list_of(fields, "and");
+  if (space.is_plane() && ShapeRow<Shape>::kind_in_plane.empty())
+    value.fail("a scene with \"dimension\": 2 has no " + std::string(ShapeRow<Shape>::kind) +
+               "s; use a sphere (a disc) or points, or say \"dimension\": 3");
+  if (!fields.empty()) expect_object(value, fields, expected);
+  Shape shape{};
+  ShapeRow<Shape>::fields(FieldReader{value, space, sums_around}, shape);
+  return shape;
 }
 
-decltype(Object::form) form_of(FormAsWritten written, Scalar scalar) {
-  if (auto* points = std::get_if<Points>(&written)) return std::move(*points);
-  if (const auto* ball = std::get_if<Ball>(&written)) return *ball;
-  const auto& [center, axis, radius, height] = std::get<CylinderAsWritten>(written);
-  if (scalar == Scalar::binary64) return Cylinder(center, axis, radius, height);
-  const gjk::Cylinder<float> in_float(gjk::Vec3<float>::Zero(), direction_in_float(axis), 1, 1);
-  return Cylinder(center, in_float.axis().cast<double>(), radius, height);
+AnyShape read_shape(const Value& object, const Space& space, int sums_around) {
+  const Value value = shape_of(object);
+  AnyShape shape;
+  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
+    if (value.key() == ShapeRow<Shape>::key) shape = read_fields<Shape>(value, space, sums_around);
+  });
+  return shape;
 }
 
-decltype(Object::form) read_form(const Value& shape, const Space& space) {
-  return form_of(read_form_as_written(shape, space), Scalar::binary64);
+template <class S>
+gjk::Vec3<S> divided(gjk::Vec3<S> direction) {
+  direction /= direction.cwiseAbs().maxCoeff();
+  return direction;
+}
+
+struct DividedDirections {
+  Scalar scalar;
+
+  Point point(const Point& p) const { return p; }
+  double length(double x) const { return x; }
+  Point direction(const Point& d) const {
+    switch (scalar) {
+      case Scalar::binary64: return divided(d);
+      case Scalar::binary32: return divided(direction_in_float(d)).cast<double>();
+    }
+    return d;
+  }
+};
+
+}  // namespace
+
+const std::vector<std::string>& object_keys() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all{"name"};
+    for (const std::string& key : shape_keys()) all.push_back(key);
+    all.push_back("pose");
+    return all;
+  }();
+  return keys;
+}
+
+AnyShape read_shape(const Value& object, const Space& space) { return read_shape(object, space, 0); }
+
+AnyShape with_directions_divided(const AnyShape& shape, Scalar scalar) {
+  return converted<double>(shape, DividedDirections{scalar});
 }
 
 // -- Scalars ---------------------------------------------------------------------------------------------------------

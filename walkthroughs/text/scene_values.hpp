@@ -3,11 +3,10 @@
 /// Errors of all functions: DocumentError, which says what is expected and what was found.
 #pragma once
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <vector>
 
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/document.hpp"
@@ -15,11 +14,17 @@
 namespace walkthroughs::reading {
 
 using Kind = Document::Kind;
-using Keys = std::initializer_list<std::string>;
+using Keys = std::vector<std::string>;
+
+/// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
+std::string list_of(std::span<const std::string> words, const std::string& last);
 
 void expect(const Value& value, Kind kind, std::string_view expected);
 /// Expects an object that has no keys but these.
-void expect_object(const Value& value, const Keys& keys, std::string_view expected);
+void expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected);
+inline void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
+  expect_object(value, std::span(keys.begin(), keys.size()), expected);
+}
 Value required(const Value& object, std::string_view key, const std::string& what_to_do);
 
 double number(const Value& value);
@@ -42,21 +47,15 @@ struct Space {
   Point direction(const Value& value) const;
 };
 
-/// Returns: the one member of an object that gives its shape.
-Value shape_of(const Value& object);
+/// Returns: the keys of an object that may have a name and a pose.
+const std::vector<std::string>& object_keys();
 
-/// gjk::Cylinder divides its axis by the largest component, which rounds: the numbers here are those of the text.
-struct CylinderAsWritten {
-  Point center, axis;
-  double radius, height;
-};
-using FormAsWritten = std::variant<Points, Ball, CylinderAsWritten>;
+/// Returns: the shape that one member of an object gives, its numbers those of the text.
+AnyShape read_shape(const Value& object, const Space& space);
 
-FormAsWritten read_form_as_written(const Value& shape, const Space& space);
-/// Returns: the form; of a scene in floats with the axis that its numbers have as floats, before any is divided.
-decltype(Object::form) form_of(FormAsWritten written, Scalar scalar);
-/// Both in one, in doubles.
-decltype(Object::form) read_form(const Value& shape, const Space& space);
+/// Returns: the shape as a scene of that scalar keeps it, directions divided as core/ divides them. Of a scene in floats
+/// they are divided in floats: the axis is the one that its numbers have as floats.
+AnyShape with_directions_divided(const AnyShape& shape, Scalar scalar);
 
 /// Returns: the direction in floats. Only the ratios matter: where floats have no such powers of two, another is taken.
 gjk::Vec3<float> direction_in_float(const Point& direction);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "walkthroughs/model/farthest_face.hpp"
 #include "walkthroughs/model/precision.hpp"
 
 namespace walkthroughs {
@@ -24,38 +25,33 @@ class Objection {
         along_(direction / length_),
         precision_(precision) {}
 
-  std::string operator()(const Points& set) const {
-    const std::vector<Point>& points = set.points();
+  std::string operator()(const Points& points) const {
     if (!found_.index) return "has no index, though it is one of a list of points";
     if (*found_.index >= static_cast<int>(points.size()))
       return "has index " + std::to_string(*found_.index) + ", but there are " + std::to_string(points.size()) +
              " points";
-    double size = 0;
-    for (const Point& p : points) size = std::max(size, largest(p));
-    const double allowed = allowance(size);
+    const double size = bound_of(points), allowed = allowance(size);
     const Point claimed = pose_(points[static_cast<std::size_t>(*found_.index)]);
     if (!(largest(found_.point - claimed) <= allowed))
       return "is not where the point of index " + std::to_string(*found_.index) + " lies";
-    const double vanished = 4 * precision_.least / length_;  // of the products with the direction itself
-    const bool may_overflow = !(3 * (size * length_) <= precision_.largest);
-    for (std::size_t i = 0; i < points.size() && !may_overflow; ++i)
-      if (pose_(points[i]).dot(along_) > found_.point.dot(along_) + 3 * allowed + vanished)
+    for (std::size_t i = 0; i < points.size() && !may_overflow(size); ++i)
+      if (pose_(points[i]).dot(along_) > found_.point.dot(along_) + 3 * allowed + vanished())
         return "is not the farthest: the point of index " + std::to_string(i) + " reaches farther";
     return "";
   }
 
   std::string operator()(const Ball& ball) const {
-    if (found_.index) return on_a_round_object();
-    const Point farthest = pose_(ball.center()) + along_ * (ball.radius() / along_.norm());
-    const bool is_there = largest(found_.point - farthest) <= allowance(largest(ball.center()) + ball.radius());
+    if (found_.index) return on_an_object_without_list();
+    const Point farthest = pose_(ball.center) + along_ * (ball.radius / along_.norm());
+    const bool is_there = largest(found_.point - farthest) <= allowance(bound_of(ball));
     return is_there ? "" : "is not the farthest point of the sphere";
   }
 
   std::string operator()(const Cylinder& cylinder) const {
-    if (found_.index) return on_a_round_object();
-    const double half = cylinder.height() / 2, radius = cylinder.radius();
-    const double allowed = allowance(largest(cylinder.center()) + half + radius);
-    const Point axis = turned(cylinder.axis().normalized()), from_center = found_.point - pose_(cylinder.center());
+    if (found_.index) return on_an_object_without_list();
+    const double half = cylinder.height / 2, radius = cylinder.radius;
+    const double allowed = allowance(bound_of(cylinder));
+    const Point axis = turned(cylinder.axis.stableNormalized()), from_center = found_.point - pose_(cylinder.center);
     const double height = from_center.dot(axis), distance = (from_center - height * axis).norm();
     const bool in_cap = std::abs(std::abs(height) - half) <= allowed;
     const bool on_rim = std::abs(distance - radius) <= allowed;
@@ -65,8 +61,29 @@ class Objection {
     return from_center.dot(along_) >= reach - 3 * allowed ? "" : "is not the farthest point of the cylinder";
   }
 
+  /// Seen from the sum at rest.
+  std::string operator()(const Sum& sum) const {
+    if (found_.index) return on_an_object_without_list();
+    const double size = bound_of(sum), allowed = 3 * allowance(size) + vanished();
+    if (may_overflow(size)) return "";
+    const Eigen::Matrix3d back = pose_.rotation.transpose();
+    const Frame frame(back * along_);
+    const FarthestFace farthest = farthest_face(sum, frame, {allowed, roundings * precision_.epsilon});
+    const Point point = back * (found_.point - pose_.translation);
+    if (!(std::abs(point.dot(frame.d) - farthest.reach) <= allowed))
+      return "does not reach as far as the sum, whose farthest points are the sums of the farthest points of its two";
+    if (!(distance(frame.across(point), farthest.hull) <= farthest.slack + allowed))
+      return "is not a sum of farthest points of the two that are added up";
+    return "";
+  }
+
  private:
-  static std::string on_a_round_object() { return "has an index, but spheres and cylinders have no list of points"; }
+  static std::string on_an_object_without_list() {
+    return "has an index, but only objects of 'points' have a list that it could count in";
+  }
+
+  double vanished() const { return 4 * precision_.least / length_; }  ///< of the products with the direction itself
+  bool may_overflow(double size) const { return !(3 * (size * length_) <= precision_.largest); }
 
   double allowance(double size) const {
     return roundings * precision_.epsilon * (3 * size + largest(pose_.translation)) + precision_.least_normal;

@@ -5,10 +5,11 @@
 
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
+#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/text/scene_values.hpp"
 #include "walkthroughs/trace/farthest.hpp"
+#include "walkthroughs/trace/trace_region.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -16,27 +17,11 @@ namespace {
 using gjk::Crossing;
 using gjk::CrossingTest;
 using gjk::Reason;
-using gjk::Relation;
 using gjk::Status;
-using gjk::Verdict;
-
-// -- Words ------------------------------------------------------------------------------------------------------------
-
-std::string written(const Point& p) {
-  return "[" + number_text(p.x()) + ", " + number_text(p.y()) + ", " + number_text(p.z()) + "]";
-}
-
-std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
-
-[[noreturn]] void fail(const std::string& reason) { throw Contradiction(reason); }
-
-void require(bool holds, const std::string& reason) {
-  if (!holds) fail(reason);
-}
 
 void require_identical(const Point& found, const Point& expected, const std::string& key, const std::string& source) {
   if (!is_identical(found, expected))
-    fail(quoted(key) + " is " + written(found) + ", but " + source + " is " + written(expected));
+    throw Contradiction(quoted(key) + " is " + written(found) + ", but " + source + " is " + written(expected));
 }
 
 /// Returns: a - b in numbers of that scalar. Subtracted in floats, not in doubles that are rounded after: GCC 12 leaves out
@@ -49,12 +34,16 @@ Point difference(const Point& a, const Point& b, Scalar scalar) {
 
 // -- Comparing --------------------------------------------------------------------------------------------------------
 
-bool is_identical(const gjk::SupportPoint<double>& p, const gjk::SupportPoint<double>& q) {
-  return walkthroughs::is_identical(p.point, q.point) && p.index == q.index;
-}
+using walkthroughs::is_identical;
 
-bool is_identical(const gjk::Vertex<double>& v, const gjk::Vertex<double>& u) {
-  return walkthroughs::is_identical(v.w, u.w) && is_identical(v.a, u.a) && is_identical(v.b, u.b);
+bool is_identical(const std::optional<int>& i, const std::optional<int>& j) { return i == j; }
+
+template <Record R>
+bool is_identical(const R& x, const R& y) {
+  const auto has_same = [&](const auto&... fields) {
+    return (is_identical(x.*fields.member, y.*fields.member) && ...);
+  };
+  return std::apply(has_same, FieldsOf<R>::list);
 }
 
 void require_identical(const gjk::Simplex<double>& found, const gjk::Simplex<double>& expected, const std::string& key,
@@ -67,28 +56,6 @@ void require_identical(const gjk::Simplex<double>& found, const gjk::Simplex<dou
             "vertex " + std::to_string(i) + " of " + quoted(key) + " is not that of " + source);
 }
 
-/// A number that is none stands in no relation but `not zero` and, after "zero" and "positive" did not hold either,
-/// `negative`: so does the last `else` of Algorithm 4.
-bool stands(double value, Relation relation) {
-  switch (relation) {
-    case Relation::positive: return value > 0;
-    case Relation::negative: return !(value >= 0);
-    case Relation::zero: return value == 0;
-    case Relation::not_zero: return value != 0;
-  }
-  return false;
-}
-
-bool stands(const Point& value, Relation relation) {
-  return gjk::is_zero(value) ? relation == Relation::zero : relation == Relation::not_zero;
-}
-
-std::string written(const std::variant<std::monostate, double, Point>& value) {
-  if (const double* number = std::get_if<double>(&value)) return number_text(*number);
-  const Point* vector = std::get_if<Point>(&value);
-  return vector ? written(*vector) : "missing";
-}
-
 }  // namespace
 
 // -- The course of the search -----------------------------------------------------------------------------------------
@@ -97,18 +64,18 @@ TraceCheck::TraceCheck(const Scene& scene) : scene_(scene) {}
 
 std::string TraceCheck::expected() const {
   std::string list;
-  for (const Kind kind : expected_) list += (list.empty() ? "" : " or ") + quoted(words_of::of(words_of::event, kind));
+  for (const std::size_t kind : expected_) list += (list.empty() ? "" : " or ") + quoted(event_names[kind]);
   return list;
 }
 
 void TraceCheck::operator()(const gjk::Event<double>& event) {
-  const auto kind = static_cast<Kind>(event.index());
+  const auto kind = event.index();
   if (std::ranges::count(expected_, kind) == 0)
-    fail(quoted(words_of::of(words_of::event, kind)) + (is_finished()
-                                                            ? " follows, but the search of this scene has finished"
-                                                            : " cannot follow here; expected " + expected()));
+    throw Contradiction(quoted(event_names[kind]) + (is_finished()
+                                                         ? " follows, but the search of this scene has finished"
+                                                         : " cannot follow here; expected " + expected()));
   const int iteration = std::visit([](const auto& e) { return e.iteration; }, event);
-  const int expected_iteration = kind == Kind::support ? iteration_ + 1 : iteration_;
+  const int expected_iteration = kind == event_index<gjk::SupportFound> ? iteration_ + 1 : iteration_;
   require(iteration == expected_iteration, "'iteration' is " + std::to_string(iteration) + "; expected " +
                                                std::to_string(expected_iteration) + ", as they count up by one");
   std::visit([this](const auto& e) { check(e); }, event);
@@ -122,13 +89,13 @@ void TraceCheck::check(const gjk::SearchStarted<double>& event) {
 
 /// Algorithm 1 is at the top of its loop.
 void TraceCheck::begin_search() {
-  expected_ = {Kind::finished};
+  expected_ = {event_index<gjk::Finished>};
   if (iteration_ >= scene_.options.iteration_limit)
     endings_ = {{Status::undecided, Reason::iteration_limit}};
   else if (!gjk::is_usable_direction(direction_))
     endings_ = {{Status::undecided, Reason::unusable_direction}};
   else
-    expected_ = {Kind::support};
+    expected_ = {event_index<gjk::SupportFound>};
 }
 
 void TraceCheck::check(const gjk::SupportFound<double>& event) {
@@ -146,7 +113,7 @@ void TraceCheck::check(const gjk::SupportFound<double>& event) {
   vertex_ = v;
   is_new_ = event.is_new;
   reach_ = dot({v.w}, {direction_}, scene_.scalar);
-  expected_ = {Kind::crossing};
+  expected_ = {event_index<gjk::CrossingTested>};
 }
 
 Crossing TraceCheck::crossing_that_follows(const gjk::CrossingTested<double>& event) const {
@@ -170,9 +137,9 @@ void TraceCheck::check(const gjk::CrossingTested<double>& event) {
     reach_ = {*event.value};
   }
   require(event.verdict == verdict,
-          "'verdict' is " + quoted(words_of::of(words_of::crossing, event.verdict)) +
+          "'verdict' is " + quoted(words_of::of(event.verdict)) +
               (event.value ? ", but the value " + number_text(*event.value) : ", but the test") + " says " +
-              quoted(words_of::of(words_of::crossing, verdict)));
+              quoted(words_of::of(verdict)));
   crossing_ = verdict;
   decide_after_crossing(event);
 }
@@ -180,15 +147,16 @@ void TraceCheck::check(const gjk::CrossingTested<double>& event) {
 /// Without the crossing test the trace does not tell w·d. Where it is too close to zero to know its sign, both ways of
 /// going on are accepted.
 void TraceCheck::decide_after_crossing(const gjk::CrossingTested<double>& event) {
-  expected_ = {Kind::added};
+  expected_ = {event_index<gjk::VertexAdded>};
   const bool ends_if_not_crossed = gjk::not_crossed(scene_.rules) == gjk::NotCrossed::answer_at_once;
   if (event.verdict == Crossing::not_crossed && ends_if_not_crossed) {
-    expected_ = {Kind::finished};
+    expected_ = {event_index<gjk::Finished>};
     end_outside(Reason::origin_not_crossed);
   } else if (event.verdict == Crossing::switched_off && !is_new_) {
     if (!has(vertex_.w) && !reach_.may_be_negative()) return;
     const bool must_end = has(vertex_.w) || !reach_may_be_crossed();
-    expected_ = must_end ? std::vector{Kind::finished} : std::vector{Kind::added, Kind::finished};
+    expected_ = must_end ? std::vector{event_index<gjk::Finished>}
+                         : std::vector{event_index<gjk::VertexAdded>, event_index<gjk::Finished>};
     end_outside(Reason::no_new_vertex);
   }
 }
@@ -196,91 +164,12 @@ void TraceCheck::decide_after_crossing(const gjk::CrossingTested<double>& event)
 void TraceCheck::check(const gjk::VertexAdded<double>& event) {
   simplex_.add(vertex_);
   require_identical(event.simplex, simplex_, "simplex", "the simplex before with the vertex found");
-  place_ = 0;
-  expected_ = {Kind::region};
-}
-
-// -- Regions ----------------------------------------------------------------------------------------------------------
-
-/// Returns: the row of the rule that the event's feature and relation choose.
-const RuleRow& TraceCheck::row_of(const gjk::RegionTested<double>& event) const {
-  const RuleRow* row = nullptr;
-  bool is_feature = false;
-  for (const RuleRow& each : rule_for(simplex_.size())) {
-    if (each.place != place_) continue;
-    is_feature = event.feature == each.feature && event.face == each.face;
-    if (!row || each.relation == event.relation) row = &each;
-  }
-  const std::string of_face = row->face.empty() ? "" : " of face " + quoted(row->face);
-  require(is_feature, "'feature' and 'face' are not those that are looked at here: " + quoted(row->feature) + of_face);
-  const bool has_value = !row->expression.empty();
-  require(!has_value || row->relation == event.relation, "'relation' cannot be " +
-                                                             quoted(words_of::of(words_of::relation, event.relation)) +
-                                                             " for " + quoted(row->expression));
-  const auto require_word = [&](std::string_view found, std::string_view expected, const char* key) {
-    require(found == expected, quoted(key) + " is " + quoted(found) + "; expected " + quoted(expected) +
-                                   " for the feature " + quoted(row->feature) + " and its relation");
-  };
-  require_word(event.label, row->label, "region");
-  require_word(event.expression, row->expression, "expression");
-  require_word(event.formula, row->formula, "formula");
-  return *row;
-}
-
-void TraceCheck::check_value(const gjk::RegionTested<double>& event) const {
-  const bool is_scalar = event.expression.find("·") != std::string::npos;
-  const bool has_right_kind = event.expression.empty() ? std::holds_alternative<std::monostate>(event.value)
-                              : is_scalar              ? std::holds_alternative<double>(event.value)
-                                                       : std::holds_alternative<Point>(event.value);
-  require(has_right_kind, "'value' is not of the kind that 'expression' has");
-  require(event.normal.has_value() == !event.formula.empty(), "'normal' and 'formula' belong together");
-  if (event.normal) {
-    const RoundedVector normal = evaluate(event.formula, simplex_, scene_.scalar);
-    require(agrees(*event.normal, normal),
-            "'normal' is " + written(*event.normal) + ", but " + event.formula + " is " + written(normal.value));
-  }
-  if (const double* value = std::get_if<double>(&event.value)) {
-    const RoundedScalar expected = dot({*event.normal}, evaluate("AO", simplex_, scene_.scalar), scene_.scalar);
-    require(agrees(*value, expected),
-            "'value' is " + number_text(*value) + ", but " + event.expression + " is " + number_text(expected.value));
-  }
-  if (const Point* value = std::get_if<Point>(&event.value)) {
-    const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
-    require(agrees(*value, expected),
-            "'value' is " + written(*value) + ", but " + event.expression + " is " + written(expected.value));
-  }
+  step_ = {};
+  expected_ = {event_index<gjk::RegionTested>};
 }
 
 void TraceCheck::check(const gjk::RegionTested<double>& event) {
-  require(event.simplex_size == simplex_.size(), "'simplex_size' is " + std::to_string(event.simplex_size) +
-                                                     ", but the simplex has " + std::to_string(simplex_.size()) +
-                                                     " vertices");
-  const RuleRow& row = row_of(event);
-  check_value(event);
-  const std::optional<RuleStep>& step = event.verdict == Verdict::chosen     ? row.chosen
-                                        : event.verdict == Verdict::rejected ? row.rejected
-                                                                             : row.skipped;
-  const std::string verdict = "'verdict' is " + quoted(words_of::of(words_of::verdict, event.verdict));
-  const bool has_value = !std::holds_alternative<std::monostate>(event.value);
-  if (has_value && event.verdict != Verdict::skipped) {
-    const double* value = std::get_if<double>(&event.value);
-    const bool holds = value ? stands(*value, event.relation) : stands(std::get<Point>(event.value), event.relation);
-    const bool is_as_zero = counts_as_zero(event) && stands(0.0, event.relation) == (event.verdict == Verdict::chosen);
-    require(is_as_zero || holds == (event.verdict == Verdict::chosen),
-            verdict + ", but 'value' is " + written(event.value) + " and " + (holds ? "stands" : "does not stand") +
-                " in the relation " + quoted(words_of::of(words_of::relation, event.relation)));
-  }
-  require(step.has_value(), verdict + ", which is not possible for the feature " + quoted(row.feature) + " here");
-  go_on(*step);
-}
-
-/// Returns: whether its value may count as zero, though it may not be zero.
-bool TraceCheck::counts_as_zero(const gjk::RegionTested<double>& event) const {
-  if (scene_.zero_test == ZeroTest::exact) return false;
-  if (const Point* value = std::get_if<Point>(&event.value))
-    return may_count_as_zero(*value, size_of(event.expression, simplex_), scene_.scalar);
-  const double size = size_of(event.formula, simplex_) * size_of("AO", simplex_);
-  return may_count_as_zero(std::get<double>(event.value), size, scene_.scalar);
+  go_on(step_after(event, simplex_, step_.place, scene_));
 }
 
 /// Returns: whether w·d may count as zero, though it may not be zero.
@@ -290,12 +179,11 @@ bool TraceCheck::reach_counts_as_zero() const {
 }
 
 void TraceCheck::go_on(const RuleStep& step) {
-  place_ = step.place;
   step_ = step;
-  expected_ = {!step.is_end             ? Kind::region
-               : step.direction.empty() ? Kind::finished
-               : step.kept.empty()      ? Kind::direction
-                                        : Kind::reduced};
+  expected_ = {!step.is_end             ? event_index<gjk::RegionTested>
+               : step.direction.empty() ? event_index<gjk::Finished>
+               : step.kept.empty()      ? event_index<gjk::DirectionChosen>
+                                        : event_index<gjk::SimplexReduced>};
   if (!step.is_end || !step.direction.empty()) return;
   const bool is_tested = scene_.options.crossing_test == CrossingTest::on;
   endings_.clear();
@@ -320,7 +208,7 @@ void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
   Simplex kept;
   for (const char name : step_.kept) kept.add(simplex_[static_cast<gjk::Role>(name - 'A')]);
   require_identical(event.after, kept, "after", "the simplex that 'kept' says");
-  expected_ = {Kind::direction};
+  expected_ = {event_index<gjk::DirectionChosen>};
 }
 
 /// The letters of the expression are those of the simplex before it was reduced.
@@ -336,7 +224,7 @@ void TraceCheck::check(const gjk::DirectionChosen<double>& event) {
     simplex_ = kept;
   }
   if (crossing_ == Crossing::not_crossed) {  // as printed: the simplex was processed all the same
-    expected_ = {Kind::finished};
+    expected_ = {event_index<gjk::Finished>};
     return end_outside(Reason::origin_not_crossed);
   }
   direction_ = event.direction;
@@ -359,8 +247,7 @@ void TraceCheck::end_outside(Reason reason) {
 void TraceCheck::check(const gjk::Finished<double>& event) {
   const gjk::Result<double>& result = event.result;
   const auto words = [](Status status, Reason reason) {
-    return quoted(words_of::of(words_of::status, status)) + " because of " +
-           quoted(words_of::of(words_of::reason, reason));
+    return quoted(words_of::of(status)) + " because of " + quoted(words_of::of(reason));
   };
   std::string possible;
   bool is_possible = false;

@@ -16,21 +16,16 @@
 #pragma once
 
 #include <optional>
-#include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/trace/trace_contradiction.hpp"
 #include "walkthroughs/trace/trace_expression.hpp"
 #include "walkthroughs/trace/trace_rules.hpp"
 
 namespace walkthroughs {
-
-/// what(): what contradicts what, without place.
-struct Contradiction : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// The events of one scene, given one by one.
 class TraceCheck {
@@ -47,8 +42,6 @@ class TraceCheck {
   std::string expected() const;
 
  private:
-  /// In the order of gjk::Event and of words_of::event.
-  enum class Kind { started, support, crossing, added, region, reduced, direction, finished };
   struct Ending {
     gjk::Status status;
     gjk::Reason reason;
@@ -67,9 +60,6 @@ class TraceCheck {
 
   gjk::Crossing crossing_that_follows(const gjk::CrossingTested<double>& event) const;
   void decide_after_crossing(const gjk::CrossingTested<double>& event);
-  const RuleRow& row_of(const gjk::RegionTested<double>& event) const;
-  void check_value(const gjk::RegionTested<double>& event) const;
-  bool counts_as_zero(const gjk::RegionTested<double>& event) const;
   bool reach_counts_as_zero() const;
   bool reach_may_be_crossed() const;
   void go_on(const RuleStep& step);
@@ -80,8 +70,8 @@ class TraceCheck {
   bool has(const Point& w) const;
 
   const Scene& scene_;
-  std::vector<Kind> expected_{Kind::started};  ///< one of these comes next
-  std::vector<Ending> endings_;                ///< one of these is how a search that ends next ends
+  std::vector<std::size_t> expected_{event_index<gjk::SearchStarted>};  ///< one of these comes next
+  std::vector<Ending> endings_;  ///< one of these is how a search that ends next ends
   int iteration_ = 0;
   Point direction_ = Point::Zero();
   Vertex vertex_;       ///< found last
@@ -90,8 +80,7 @@ class TraceCheck {
   RoundedScalar reach_{0};    ///< vertex_.w·direction_: exact where the trace tells it
   std::vector<Point> known_;  ///< each place found so far, once
   Simplex simplex_;
-  int place_ = 0;  ///< in the rule for simplex_
-  RuleStep step_;  ///< how that rule ended
+  RuleStep step_;  ///< how far the rule for simplex_ has come, or how it ended
 };
 
 }  // namespace walkthroughs

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <variant>
 
+#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/words_of.hpp"
 
 namespace walkthroughs {
@@ -20,45 +20,34 @@ Json json(double value) {
 
 Json json(const Point& p) { return {json(p.x()), json(p.y()), json(p.z())}; }
 
-Json json(const gjk::SupportPoint<double>& support) {
-  Json j{{"point", json(support.point)}};
-  if (support.index) j["index"] = *support.index;
-  return j;
-}
+Json json(const AnyShape& shape);
 
-Json json(const gjk::Vertex<double>& vertex) {
-  return {{"w", json(vertex.w)}, {"a", json(vertex.a)}, {"b", json(vertex.b)}};
-}
+/// Writes the fields of a shape, as in scene files.
+struct FieldWriter {
+  Json& to;
 
-/// Oldest first, newest (A) last.
-Json json(const gjk::Simplex<double>& simplex) {
-  Json list = Json::array();
-  for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
-  return list;
-}
-
-/// The form of an object, as in scene files.
-struct FormJson {
-  Json operator()(const Points& set) const {
-    Json list = Json::array();
-    for (const Point& p : set.points()) list.push_back(json(p));
-    return {{"points", list}};
+  void operator()(field::Place place, const Point& p) const { to[std::string(place.name)] = json(p); }
+  void operator()(field::Direction direction, const Point& d) const { to[std::string(direction.name)] = json(d); }
+  void operator()(field::Length length, double x) const { to[std::string(length.name)] = x; }
+  void operator()(field::Places, const Points& points) const {
+    to = Json::array();
+    for (const Point& p : points) to.push_back(json(p));
   }
-  Json operator()(const Ball& ball) const {
-    return {{"sphere", {{"center", json(ball.center())}, {"radius", ball.radius()}}}};
-  }
-  Json operator()(const Cylinder& cylinder) const {
-    return {{"cylinder",
-             {{"center", json(cylinder.center())},
-              {"axis", json(cylinder.axis())},
-              {"radius", cylinder.radius()},
-              {"height", cylinder.height()}}}};
+  void operator()(field::Shapes, const std::vector<AnyShape>& summands) const {
+    to = Json::array();
+    for (const AnyShape& summand : summands) to.push_back(json(summand));
   }
 };
 
+Json json(const AnyShape& shape) {
+  Json fields;
+  visit_fields(FieldWriter{fields}, shape);
+  return {{std::string(key_of(shape)), fields}};
+}
+
 Json json(const Object& object) {
   Json j{{"name", object.name}};
-  j.update(std::visit(FormJson{}, object.form));
+  j.update(json(object.form));
   if (!object.is_at_rest()) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
@@ -80,62 +69,6 @@ Json json(const Scene& scene) {
   if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
   return j;
 }
-
-/// One overload for each event: its name and what it carries. What an event does not have is left out.
-struct EventJson {
-  Json operator()(const gjk::SearchStarted<double>& e) const {
-    return {{"event", "search-started"}, {"direction", json(e.direction)}, {"why", e.why}};
-  }
-  Json operator()(const gjk::SupportFound<double>& e) const {
-    Json j{{"event", "support-found"}, {"direction", json(e.direction)}};
-    j.update(json(e.vertex));
-    j["new"] = e.is_new;
-    return j;
-  }
-  Json operator()(const gjk::CrossingTested<double>& e) const {
-    Json j{{"event", "crossing-tested"}};
-    if (e.value) j["value"] = json(*e.value);
-    j["verdict"] = words_of::of(words_of::crossing, e.verdict);
-    return j;
-  }
-  Json operator()(const gjk::VertexAdded<double>& e) const {
-    return {{"event", "vertex-added"}, {"simplex", json(e.simplex)}};
-  }
-  Json operator()(const gjk::RegionTested<double>& e) const {
-    Json j{{"event", "region-tested"}, {"simplex_size", e.simplex_size}, {"feature", e.feature}};
-    if (!e.label.empty()) j["region"] = e.label;
-    if (!e.face.empty()) j["face"] = e.face;
-    if (!e.expression.empty()) j["expression"] = e.expression;
-    if (!e.formula.empty()) j["formula"] = e.formula;
-    if (e.normal) j["normal"] = json(*e.normal);
-    if (const double* value = std::get_if<double>(&e.value)) j["value"] = json(*value);
-    if (const Point* value = std::get_if<Point>(&e.value)) j["value"] = json(*value);
-    if (j.contains("value")) j["relation"] = words_of::of(words_of::relation, e.relation);
-    j["verdict"] = words_of::of(words_of::verdict, e.verdict);
-    j["reason"] = e.reason;
-    return j;
-  }
-  Json operator()(const gjk::SimplexReduced<double>& e) const {
-    return {{"event", "simplex-reduced"}, {"before", json(e.before)},
-            {"after", json(e.after)},     {"kept", e.kept},
-            {"dropped", e.dropped},       {"why", e.why}};
-  }
-  Json operator()(const gjk::DirectionChosen<double>& e) const {
-    return {{"event", "direction-chosen"}, {"expression", e.expression}, {"direction", json(e.direction)}};
-  }
-  Json operator()(const gjk::Finished<double>& e) const {
-    Json j{{"event", "finished"},
-           {"status", words_of::of(words_of::status, e.result.status)},
-           {"reason", words_of::of(words_of::reason, e.result.reason)},
-           {"iterations", e.result.iterations},
-           {"simplex", json(e.result.simplex)}};
-    if (const auto& proof = e.result.separation)
-      j["separation"] = {{"direction", json(proof->direction)},
-                         {"vertex", json(proof->vertex)},
-                         {"support_value", json(proof->support_value)}};
-    return j;
-  }
-};
 
 // -- What the pictures need -------------------------------------------------------------------------------------------
 
@@ -168,9 +101,51 @@ Json presentation(const Walkthrough& walkthrough, const std::vector<Remark>& rem
   return j;
 }
 
+// -- Events -----------------------------------------------------------------------------------------------------------
+
+// What a field of an event may hold, beside numbers and vectors.
+Json json(bool truth) { return truth; }
+Json json(int count) { return count; }
+Json json(const std::string& text) { return text; }
+
+template <class E>
+requires std::is_enum_v<E> Json json(E enumerator) { return words_of::of(enumerator); }
+
+Json json(const std::variant<std::monostate, double, Point>& value) {
+  if (const double* number = std::get_if<double>(&value)) return json(*number);
+  return json(std::get<Point>(value));
+}
+
+template <Record R>
+Json json(const R& record);
+
+/// Oldest first, newest (A) last.
+Json json(const gjk::Simplex<double>& simplex) {
+  Json list = Json::array();
+  for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
+  return list;
+}
+
+template <class T>
+Json json(const std::optional<T>& value) {
+  return json(*value);
+}
+
+template <Record R>
+Json json(const R& record) {
+  Json j = Json::object();
+  for_each_field(record, [&j](const auto& field, const auto& value) {
+    if (field.is_left_out_where_empty && is_empty(value)) return;
+    if (!field.beside.empty() && !j.contains(field.beside)) return;
+    j[std::string(field.key)] = json(value);
+  });
+  return j;
+}
+
 Json json(const gjk::Event<double>& event) {
-  Json line{{"iteration", std::visit([](const auto& e) { return e.iteration; }, event)}};
-  line.update(std::visit(EventJson{}, event));
+  Json line{{"iteration", std::visit([](const auto& e) { return e.iteration; }, event)},
+            {"event", event_names[event.index()]}};
+  line.update(std::visit([](const auto& e) { return json(e); }, event));
   return line;
 }
 

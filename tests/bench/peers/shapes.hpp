@@ -9,28 +9,13 @@
 namespace peers {
 
 using PointSet = gjk::PointSet<double>;
-using Sphere = gjk::Sphere<double>;
-using Cylinder = gjk::Cylinder<double>;
+using AnyShape = walkthroughs::AskedForms<study::Body>::type;
 
-inline PointSet shape(const study::Points& points) { return PointSet(points); }
-inline Sphere shape(const study::Ball& ball) { return {ball.center, ball.radius}; }
-inline Cylinder shape(const study::Can& can) { return {can.center, can.axis, can.radius, can.height}; }
-
-using AnyShape = std::variant<PointSet, Sphere, Cylinder>;
-inline AnyShape any_shape(const study::Body& body) {
-  return std::visit([](const auto& one) { return AnyShape(shape(one)); }, body);
-}
+inline AnyShape any_shape(const study::Body& body) { return walkthroughs::asked(body); }
 
 /// Some point well inside, from which some searches start.
-inline study::Vec center(const study::Points& points) {
-  study::Vec sum = study::Vec::Zero();
-  for (const study::Vec& point : points) sum += point;
-  return sum / static_cast<double>(points.size());
-}
-inline study::Vec center(const study::Ball& ball) { return ball.center; }
-inline study::Vec center(const study::Can& can) { return can.center; }
 inline study::Vec center(const study::Body& body) {
-  return std::visit([](const auto& one) { return center(one); }, body);
+  return std::visit([](const auto& one) { return walkthroughs::RowOf<decltype(one)>::middle(one); }, body);
 }
 
 }  // namespace peers

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "core/gjk.hpp"
 #include "core/shapes.hpp"
@@ -19,17 +18,10 @@ namespace study {
 /// Fractions of whole numbers of any length. Without expression templates: Eigen's own are enough.
 using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-/// The forms that a scalar can ask about. Balls and cans have no exact support function: it holds square roots.
+/// The shapes of core/ that bodies turn into in S, those that S can ask about.
 template <class S>
-struct FormsOf {
-  using type = std::variant<gjk::PointSet<S>, gjk::Sphere<S>, gjk::Cylinder<S>>;
-};
-template <>
-struct FormsOf<Exact> {
-  using type = std::variant<gjk::PointSet<Exact>>;
-};
-template <class S>
-using Form = typename FormsOf<S>::type;
+using Form = typename walkthroughs::AskedForms<
+    std::variant<walkthroughs::PointsOf<S>, walkthroughs::BallOf<S>, walkthroughs::CylinderOf<S>>>::type;
 
 struct Question {
   virtual ~Question() = default;
@@ -58,7 +50,7 @@ class Rounding {
   bool in_range() const { return in_range_; }  ///< no number became infinite, and none zero that was not
   bool differs() const { return differs_; }
 
-  double operator()(double x) {
+  double length(double x) {
     if constexpr (std::same_as<S, float>) {
       const double y = static_cast<double>(static_cast<float>(x));
       in_range_ = in_range_ && std::isfinite(y) && (y == 0) == (x == 0);
@@ -68,19 +60,8 @@ class Rounding {
       return x;
     }
   }
-  Vec operator()(const Vec& v) { return Vec((*this)(v.x()), (*this)(v.y()), (*this)(v.z())); }
-  Body operator()(const Points& points) {
-    Points all;
-    for (const Vec& p : points) all.push_back((*this)(p));
-    return all;
-  }
-  Body operator()(const Ball& ball) { return Ball{(*this)(ball.center), (*this)(ball.radius)}; }
-  Body operator()(const Can& can) {
-    return Can{(*this)(can.center), (*this)(can.axis), (*this)(can.radius), (*this)(can.height)};
-  }
-  Body operator()(const Body& body) {
-    return std::visit([this](const auto& form) { return (*this)(form); }, body);
-  }
+  Vec point(const Vec& v) { return {length(v.x()), length(v.y()), length(v.z())}; }
+  Vec direction(const Vec& v) { return point(v); }
 
  private:
   bool in_range_ = true, differs_ = false;
@@ -90,51 +71,33 @@ class Rounding {
 template <class S>
 std::optional<RoundedPair> rounded(const Pair& pair) {
   Rounding<S> rounding;
-  const Body a = rounding(pair.a), b = rounding(pair.b);
+  const Body a = walkthroughs::converted<double>(pair.a, rounding),
+             b = walkthroughs::converted<double>(pair.b, rounding);
   if (!rounding.in_range()) return std::nullopt;
   return RoundedPair{{a, b}, rounding.differs()};
 }
 
 // -- Shapes -----------------------------------------------------------------------------------------------------------
 
-template <class S>
-gjk::Vec3<S> vec_of(const Vec& v) {
-  return {static_cast<S>(v.x()), static_cast<S>(v.y()), static_cast<S>(v.z())};
-}
-
 /// Returns: the body as a shape of S; empty where S cannot ask about such a body.
 template <class S>
 std::optional<Form<S>> form_of(const Body& body) {
-  if (const Points* const points = std::get_if<Points>(&body)) {
-    std::vector<gjk::Vec3<S>> all;
-    for (const Vec& p : *points) all.push_back(vec_of<S>(p));
-    return gjk::PointSet<S>(std::move(all));
-  }
-  if constexpr (std::floating_point<S>) {
-    if (const Ball* const ball = std::get_if<Ball>(&body))
-      return gjk::Sphere<S>(vec_of<S>(ball->center), static_cast<S>(ball->radius));
-    const Can& can = std::get<Can>(body);
-    return gjk::Cylinder<S>(vec_of<S>(can.center), vec_of<S>(can.axis), static_cast<S>(can.radius),
-                            static_cast<S>(can.height));
-  }
-  return std::nullopt;
+  const auto form = [](auto shape) -> std::optional<Form<S>> {
+    if constexpr (walkthroughs::CanBeAsked<decltype(shape)>)
+      return walkthroughs::RowOf<decltype(shape)>::asked(std::move(shape));
+    else
+      return std::nullopt;
+  };
+  return std::visit(form, walkthroughs::converted<S>(body, walkthroughs::Cast<S>{}));
 }
-
-struct CenterOf {
-  Vec operator()(const Points& points) const {
-    Vec sum = Vec::Zero();
-    for (const Vec& p : points) sum += p;
-    return sum / static_cast<double>(points.size());
-  }
-  Vec operator()(const auto& round) const { return round.center; }
-};
 
 /// Returns: the direction from a point inside the first body to one inside the second, found in doubles as scene files have
 /// it; the usual one where S has none.
 template <class S>
 gjk::Vec3<S> between_centers(const Pair& pair) {
-  const auto direction =
-      vec_of<S>(gjk::first_direction_between(std::visit(CenterOf{}, pair.a), std::visit(CenterOf{}, pair.b)));
+  const auto middle = [](const Body& body) { return walkthroughs::middle<double>(body); };
+  const Vec d = gjk::first_direction_between(middle(pair.a), middle(pair.b));
+  const gjk::Vec3<S> direction(static_cast<S>(d.x()), static_cast<S>(d.y()), static_cast<S>(d.z()));
   return gjk::is_usable_direction(direction) ? direction : gjk::Options<S>{}.first_direction;
 }
 

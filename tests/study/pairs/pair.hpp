@@ -2,29 +2,18 @@
 #pragma once
 
 #include <variant>
-#include <vector>
 
-#include "core/shapes.hpp"
+#include "walkthroughs/model/any_shape.hpp"
 
 namespace study {
 
 using Vec = gjk::Vec3<double>;
 
-/// The convex hull of these points: at least one, in any order; they may coincide or be coplanar.
-using Points = std::vector<Vec>;
+using Points = walkthroughs::Points;
+using Ball = walkthroughs::Ball;
+using Can = walkthroughs::Cylinder;
 
-/// A closed ball.
-struct Ball {
-  Vec center;
-  double radius;
-};
-
-/// A closed cylinder with flat caps; `axis` of any length but zero, `height` from cap to cap.
-struct Can {
-  Vec center, axis;
-  double radius, height;
-};
-
+/// The shapes that the truth is known about.
 using Body = std::variant<Points, Ball, Can>;
 
 struct Pair {

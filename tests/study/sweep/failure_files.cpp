@@ -17,22 +17,32 @@ std::string list_of(const Vec& v) {
          walkthroughs::number_text(v.z()) + "]";
 }
 
-struct ShapeText {
-  std::string operator()(const Points& points) const {
-    std::string text = "{\"points\": [";
-    for (std::size_t i = 0; i < points.size(); ++i) text += (i == 0 ? "" : ",\n    ") + list_of(points[i]);
-    return text + "]}";
+/// Writes one field after the other, as scene files have them.
+struct FieldText {
+  std::string& text;
+
+  void operator()(walkthroughs::field::Places, const Points& points) const {
+    for (const Vec& p : points) text += (text.empty() ? "[" : ",\n    ") + list_of(p);
+    text += "]";
   }
-  std::string operator()(const Ball& ball) const {
-    return "{\"sphere\": {\"center\": " + list_of(ball.center) +
-           ", \"radius\": " + walkthroughs::number_text(ball.radius) + "}}";
-  }
-  std::string operator()(const Can& can) const {
-    return "{\"cylinder\": {\"center\": " + list_of(can.center) + ", \"axis\": " + list_of(can.axis) +
-           ", \"radius\": " + walkthroughs::number_text(can.radius) +
-           ", \"height\": " + walkthroughs::number_text(can.height) + "}}";
+  void operator()(walkthroughs::field::Length field, double x) const { add(field.name, walkthroughs::number_text(x)); }
+  void operator()(auto field, const Vec& v) const { add(field.name, list_of(v)); }
+
+ private:
+  void add(std::string_view name, const std::string& value) const {
+    text += std::string(text.empty() ? "{" : ", ").append("\"").append(name).append("\": ").append(value);
   }
 };
+
+std::string text_of(const Body& body) {
+  const auto text = [](const auto& shape) {
+    using Row = walkthroughs::RowOf<decltype(shape)>;
+    std::string fields;
+    Row::fields(FieldText{fields}, shape);
+    return "{\"" + std::string(Row::key) + "\": " + fields + (fields.front() == '{' ? "}}" : "}");
+  };
+  return std::visit(text, body);
+}
 
 std::string to_string(Truth truth) {
   return truth == Truth::intersecting ? "they have a point in common" : "they are apart";
@@ -45,19 +55,6 @@ std::string answer_of(Kind kind) {
     case Kind::undecided: return "undecided";
   }
   return "";
-}
-
-double largest(const Vec& v) { return v.cwiseAbs().maxCoeff(); }
-
-double largest_number(const Body& body) {
-  if (const Points* const points = std::get_if<Points>(&body)) {
-    double most = 0;
-    for (const Vec& p : *points) most = std::max(most, largest(p));
-    return most;
-  }
-  if (const Ball* const ball = std::get_if<Ball>(&body)) return std::max(largest(ball->center), ball->radius);
-  const Can& can = std::get<Can>(body);
-  return std::max({largest(can.center), largest(can.axis), can.radius, can.height});
 }
 
 std::string comments(const Failure& failure, std::uint64_t seed) {
@@ -94,8 +91,8 @@ std::string to_string(Kind kind) {
 
 std::string scene_of(const Failure& failure, std::uint64_t seed) {
   return comments(failure, seed) + "{\n  \"title\": \"" + to_string(failure.kind) + ": " + failure.family + ", pair " +
-         std::to_string(failure.index) + "\",\n  \"a\": " + std::visit(ShapeText{}, failure.pair.a) +
-         ",\n  \"b\": " + std::visit(ShapeText{}, failure.pair.b) + ",\n" + keys_of(failure) + "\n}\n";
+         std::to_string(failure.index) + "\",\n  \"a\": " + text_of(failure.pair.a) +
+         ",\n  \"b\": " + text_of(failure.pair.b) + ",\n" + keys_of(failure) + "\n}\n";
 }
 
 std::string scene_name(const Failure& failure) {
@@ -106,7 +103,7 @@ std::string scene_name(const Failure& failure) {
 }
 
 bool fits_scene(const Failure& failure) {
-  return std::max(largest_number(failure.pair.a), largest_number(failure.pair.b)) <=
+  return std::max(walkthroughs::largest_number(failure.pair.a), walkthroughs::largest_number(failure.pair.b)) <=
          walkthroughs::scene_limits::magnitude;
 }
 

@@ -147,9 +147,9 @@ TEST_CASE("A scene in float consists of floats, and so does every number of its 
 
 TEST_CASE("A number that no float holds, or a length that vanishes, is named") {
   Scene scene = walkthrough("as-printed-spheres").scenes[0];
-  scene.b.form = Ball({1e39, 0, 0}, 1);
+  scene.b.form = Ball{{1e39, 0, 0}, 1};
   CHECK_THROWS_WITH(in_float(scene), "1e+39 is beyond all floats");
-  scene.b.form = Ball({1, 0, 0}, 1e-50);
+  scene.b.form = Ball{{1, 0, 0}, 1e-50};
   CHECK_THROWS_WITH(in_float(scene), "1e-50 is too small for a float and becomes 0");
 }
 

@@ -40,7 +40,7 @@ const Vec2 down(0, -1);
 
 // -- The two sets -----------------------------------------------------------------------------------------------------
 
-TEST_CASE("Both sets of Figure 4 are heptagons named A to G, with the coordinates of READING, counter-clockwise") {
+TEST_CASE("Both sets of Figure 4 are heptagons named A to G, counter-clockwise") {
   CHECK(left().hull.corners == left_corners);
   CHECK(right().hull.corners == right_corners);
   CHECK(right_no_test().hull.corners == right_corners);

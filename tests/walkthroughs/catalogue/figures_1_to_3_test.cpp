@@ -33,7 +33,7 @@ double distance_to_outline(const std::vector<Vec2>& polygon, const Vec2& p) {
 
 std::vector<Vec2> figure_3_differences() {
   std::vector<Vec2> differences;
-  const Points C = figure_3_C(), D = figure_3_D();
+  const PointSet C = figure_3_C(), D = figure_3_D();
   for (const Point& c : C.points())
     for (const Point& d : D.points()) differences.push_back((c - d).head<2>());
   return differences;
@@ -138,7 +138,7 @@ TEST_CASE("A band around a polygon turns left all the way around, once") {
 // -- Figure 3 ---------------------------------------------------------------------------------------------------------
 
 TEST_CASE("Figure 3: two points of C are farthest along +x, on x = -1 and two of D along -x, on x = 1") {
-  const auto on = [](const Points& set, double x) {
+  const auto on = [](const PointSet& set, double x) {
     return std::ranges::count_if(set.points(), [=](const Point& p) { return p.x() == x; });
   };
   CHECK(figure_3_C().support({1, 0, 0}).point.x() == -1);
@@ -148,8 +148,8 @@ TEST_CASE("Figure 3: two points of C are farthest along +x, on x = -1 and two of
 }
 
 TEST_CASE("Figure 3: x = -2 is the farthest of the difference, whichever points are taken") {
-  const Points C = figure_3_C(), D = figure_3_D();
-  CHECK(gjk::MinkowskiDifference<double, Points, Points>(C, D).vertex({1, 0, 0}).w.x() == -2);
+  const PointSet C = figure_3_C(), D = figure_3_D();
+  CHECK(gjk::MinkowskiDifference<double, PointSet, PointSet>(C, D).vertex({1, 0, 0}).w.x() == -2);
   for (const Vec2& w : figure_3_differences()) CHECK(w.x() <= -2);
   for (const Point& c : C.points())
     for (const Point& d : D.points())
@@ -157,8 +157,8 @@ TEST_CASE("Figure 3: x = -2 is the farthest of the difference, whichever points 
 }
 
 TEST_CASE("Figure 3: the outline found by support functions is the hull of all differences") {
-  const Points C = figure_3_C(), D = figure_3_D();
-  std::vector<Vec2> outline = outline_by_support(gjk::MinkowskiDifference<double, Points, Points>(C, D), 360);
+  const PointSet C = figure_3_C(), D = figure_3_D();
+  std::vector<Vec2> outline = outline_by_support(gjk::MinkowskiDifference<double, PointSet, PointSet>(C, D), 360);
   const std::vector<Vec2> hull = convex_hull(figure_3_differences());
   const auto first = std::ranges::find(outline, hull.front());
   REQUIRE(first != outline.end());

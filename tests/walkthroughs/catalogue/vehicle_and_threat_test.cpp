@@ -33,9 +33,9 @@ TEST_CASE("Vehicle, threat and counter-munition stand in space and each is alway
     const Scene& scene = w->scenes.at(0);
     CHECK(scene.dimension == Dimension::space);
     for (const Object* object : {&scene.a, &scene.b}) {
-      if (object->name == "vehicle") CHECK(std::get<Points>(object->form).points().size() == 10);
-      if (object->name == "threat") CHECK(std::get<Cylinder>(object->form).radius() == 0.25);
-      if (object->name == "counter-munition") CHECK(std::get<Ball>(object->form).radius() == 0.4);
+      if (object->name == "vehicle") CHECK(std::get<Points>(object->form).size() == 10);
+      if (object->name == "threat") CHECK(std::get<Cylinder>(object->form).radius == 0.25);
+      if (object->name == "counter-munition") CHECK(std::get<Ball>(object->form).radius == 0.4);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "walkthroughs/model/labelled_hull.hpp"
 
 #include <numbers>
+#include <set>
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -57,9 +58,11 @@ TEST_CASE("The hull is that of a − b, projected on z = 0") {
 }
 
 TEST_CASE("No difference of two vertices lies outside the hull, and every corner is one") {
+  std::set<Dimension> seen;
   for (const Walkthrough& w : catalogue()) {
     for (const Scene& scene : w.scenes) {
       const Corners corners = difference_hull(scene).corners;
+      if (!corners.empty()) seen.insert(scene.dimension);
       std::vector<Vec2> differences;
       for (const Point& a : vertices_of(scene.a))
         for (const Point& b : vertices_of(scene.b)) differences.push_back((a - b).head<2>());
@@ -71,6 +74,7 @@ TEST_CASE("No difference of two vertices lies outside the hull, and every corner
       }
     }
   }
+  CHECK(seen == std::set{Dimension::plane, Dimension::space});
 }
 
 TEST_CASE("Only a corner has a name") {

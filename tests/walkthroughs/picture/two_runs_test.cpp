@@ -72,9 +72,9 @@ TEST_CASE("The spheres of both runs are the same, and farther apart than their r
   const Walkthrough& w = walkthrough("as-printed-spheres");
   for (const Scene& scene : w.scenes) {
     const Ball a = std::get<Ball>(scene.a.form), b = std::get<Ball>(scene.b.form);
-    CHECK((a.center() - b.center()).norm() > a.radius() + b.radius());
-    CHECK(a.center() == std::get<Ball>(w.scenes[0].a.form).center());
-    CHECK(b.center() == std::get<Ball>(w.scenes[0].b.form).center());
+    CHECK((a.center - b.center).norm() > a.radius + b.radius);
+    CHECK(a.center == std::get<Ball>(w.scenes[0].a.form).center);
+    CHECK(b.center == std::get<Ball>(w.scenes[0].b.form).center);
   }
 }
 

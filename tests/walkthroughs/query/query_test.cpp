@@ -140,11 +140,15 @@ gjk::PointSet<S> in_scalar(const Corners& corners) {
   return gjk::PointSet<S>(points);
 }
 
+Point mean(const Corners& corners) {
+  Point sum = Point::Zero();
+  for (const Point& p : corners) sum += p;
+  return sum / static_cast<double>(corners.size());
+}
+
 template <class S>
-gjk::Vec3<S> mean(const gjk::PointSet<S>& set) {
-  gjk::Vec3<S> sum(S(0), S(0), S(0));
-  for (const gjk::Vec3<S>& p : set.points()) sum += p;
-  return sum / S(static_cast<double>(set.points().size()));
+gjk::Vec3<S> in_scalar(const Point& p) {
+  return {S(p.x()), S(p.y()), S(p.z())};
 }
 
 std::string json(const Point& p) { return Json{p.x(), p.y(), p.z()}.dump(); }
@@ -182,7 +186,7 @@ void check_random_pairs(QueryScalar scalar, RuleSet rules, ZeroTest zero_test, i
     const Corners a = random_corners(dice), b = random_corners(dice);
     INFO("pair " << i << ": " << pair_of(json(a), json(b)));
     const auto set_a = in_scalar<S>(a), set_b = in_scalar<S>(b);
-    const auto result = called<S>(set_a, set_b, gjk::Vec3<S>(mean(set_b) - mean(set_a)), options);
+    const auto result = called<S>(set_a, set_b, in_scalar<S>(Point(mean(b) - mean(a))), options);
     ++statuses[static_cast<int>(result.status)];
     check_says(answer_text(pair_of(json(a), json(b)), options), result);
   }
@@ -204,11 +208,6 @@ TEST_CASE("The answers to point sets are those of collision() in every scalar, b
 namespace {
 
 template <class S>
-gjk::Vec3<S> in_scalar(const Point& p) {
-  return {S(p.x()), S(p.y()), S(p.z())};
-}
-
-template <class S>
 void check_random_round_pairs(QueryScalar scalar, RuleSet rules) {
   Dice dice(21);
   for (int i = 0; i < 300; ++i) {
@@ -222,8 +221,7 @@ void check_random_round_pairs(QueryScalar scalar, RuleSet rules) {
                 R"({"cylinder":{"center":)" + json(middle) + R"(,"axis":)" + json(axis) + R"(,"radius":)" +
                     Json(width).dump() + R"(,"height":)" + Json(height).dump() + "}}");
     INFO(line);
-    check_says(answer_text(line, options),
-               called<S>(sphere, cylinder, gjk::Vec3<S>(cylinder.center() - sphere.center()), options));
+    check_says(answer_text(line, options), called<S>(sphere, cylinder, in_scalar<S>(Point(middle - center)), options));
   }
 }
 
@@ -246,8 +244,38 @@ TEST_CASE("A pose moves an object in every scalar") {
     CHECK(answer(pair_of(turned, R"({"points":[[0,5,0]]})"), {.scalar = scalar})["status"] == "intersecting");
   }
   const gjk::Pose<double> pose{.translation = {0, 0, -5}};
-  const gjk::Posed<double, Points> posed(Points({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), pose);
-  check_says(answer_text(pair_of(far, dot)), called<double>(posed, Points({{0, 0, 0}}), {1, 0, 0}, {}));
+  using PointSet = gjk::PointSet<double>;
+  const gjk::Posed<double, PointSet> posed(PointSet({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), pose);
+  check_says(answer_text(pair_of(far, dot)), called<double>(posed, PointSet({{0, 0, 0}}), {1, 0, 0}, {}));
+}
+
+TEST_CASE("A sum of point sets gives the answer of the set of all sums, in every scalar") {
+  const std::string sum = R"({"sum":[{"points":[[1,0,0],[0,1,0],[0,0,1]]},{"points":[[2,2,2],[3,-1,0.5]]}]})";
+  const std::string all = R"({"points":[[3,2,2],[4,-1,0.5],[2,3,2],[3,0,0.5],[2,2,3],[3,-1,1.5]]})";
+  for (const QueryScalar scalar :
+       {QueryScalar::binary32, QueryScalar::binary64, QueryScalar::long_double, QueryScalar::exact})
+    for (const char* other : {dot, R"({"points":[[2.5,2.25,2],[9,9,9]]})", R"({"points":[[3,1,1],[3,2,3],[2,0,2]]})"}) {
+      Json of_sum = answer(pair_of(sum, other), {.scalar = scalar}),
+           of_all = answer(pair_of(all, other), {.scalar = scalar});
+      CHECK(of_sum["status"] == of_all["status"]);
+      CHECK(of_sum["iterations"] == of_all["iterations"]);
+      CHECK(answer(pair_of(other, sum), {.scalar = scalar})["status"] == of_all["status"]);
+    }
+  CHECK(!answer(pair_of(sum, dot))["evidence"].contains("a_index"));  // a sum has no list
+}
+
+TEST_CASE("A capsule is a segment plus a ball: it ends a radius beyond the segment") {
+  const std::string capsule =
+      R"({"sum":[{"points":[[-1,0,0],[1,0,0]]},{"sphere":{"center":[0,0,0],"radius":0.5}}],"pose":{"translation":[0,0,9]}})";
+  for (const QueryScalar scalar : {QueryScalar::binary32, QueryScalar::binary64, QueryScalar::long_double}) {
+    const auto status_at = [&](const std::string& point) {
+      return answer(pair_of(capsule, "{\"points\":[" + point + "]}"), {.scalar = scalar})["status"];
+    };
+    for (const char* inside : {"[1.499,0,9]", "[0.9,0.49,9]", "[-1.3,0,9.3]"})
+      CHECK(status_at(inside) == "intersecting");
+    for (const char* outside : {"[1.501,0,9]", "[0.9,0.51,9]", "[-1.4,0,9.4]"})
+      CHECK(status_at(outside) == "separated");
+  }
 }
 
 TEST_CASE("Eager rules search from where the poses put the centers, and need one point of most that are apart") {
@@ -332,7 +360,7 @@ TEST_CASE("A bad line is told with its number, its place and what to do") {
            {"[]", "expected an object { ... } with 'a' and 'b', found a list"},
            {"{}", "a: is missing"},
            {R"({"a":)" + std::string(dot) + "}", "b: is missing"},
-           {pair_of(dot, "{}"), "b: has no shape; give 'points', 'sphere' or 'cylinder'"},
+           {pair_of(dot, "{}"), "b: has no shape; give 'points', 'sphere', 'cylinder' or 'sum'"},
            {R"({"a":{},"b":{},"c":1})", "c: is not a key; did you mean"},
            {pair_of(R"({"point":[[0,0,0]]})", dot), "a.point: is not a key; did you mean 'points'"},
            {pair_of(R"({"points":[]})", dot), "a.points: has no point"},
@@ -349,6 +377,8 @@ TEST_CASE("A bad line is told with its number, its place and what to do") {
            {pair_of(ball, R"({"cylinder":{"center":[0,0,0],"axis":[0,0,0],"radius":1,"height":1}})"),
             "b.cylinder.axis: has no length"},
            {pair_of(R"({"points":[[0,0,0]],"sphere":{"center":[0,0,0],"radius":1}})", dot), "is a second shape"},
+           {pair_of(R"({"sum":[]})", dot), "a.sum: expected a list of two shapes, found a list of 0"},
+           {pair_of(R"({"sum":[{"points":[]},{"points":[[0,0,0]]}]})", dot), "a.sum[0].points: has no point"},
            {R"({"a":{"points":[[0,0,0]]},"a":{"points":[[0,0,0]]}})", "a: this key appears twice"},
            {R"({"a":{"points":[[0,0,0]],"points":[[0,0,0]]}})", "a.points: this key appears twice"},
            {pair_of(dot, dot) + pair_of(dot, dot), "is not JSON"},
@@ -384,6 +414,7 @@ TEST_CASE("What a float cannot hold is told and not taken for infinite or nothin
            {R"({"sphere":{"center":[0,-1e40,0],"radius":1}})", "-1e+40 is beyond"},
            {R"({"sphere":{"center":[0,0,0],"radius":1e-46}})", "1e-46 is so small that it is 0 as a float"},
            {R"({"cylinder":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":1e-60}})", "1e-60 is so small"},
+           {R"({"sum":[{"points":[[0,0,0]]},{"sphere":{"center":[0,0,0],"radius":1e-46}}]})", "1e-46 is so small"},
            {R"({"points":[[0,0,0]],"pose":{"translation":[1e39,0,0]}})", "1e+39 is beyond"}}) {
     CHECK(has(error_of(pair_of(dot, object), in_float), "b: " + part));
     CHECK(has(error_of(pair_of(object, dot), in_float), "a: " + part));
@@ -415,4 +446,6 @@ TEST_CASE("Spheres and cylinders cannot be asked in exact numbers") {
   CHECK(has(error_of(pair_of(dot, ball), exact), "b: a sphere cannot be asked in exact numbers"));
   CHECK(has(error_of(pair_of(R"({"cylinder":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":1}})", dot), exact),
             "a: a cylinder cannot be asked in exact numbers"));
+  const std::string capsule = R"({"sum":[{"points":[[0,0,0],[1,0,0]]},)" + std::string(ball) + "]}";
+  CHECK(has(error_of(pair_of(capsule, dot), exact), "a: a sphere cannot be asked in exact numbers"));
 }

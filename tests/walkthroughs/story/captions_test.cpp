@@ -1,6 +1,8 @@
 // What is said under the pictures, in the letters of the picture.
 
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -31,7 +33,8 @@ bool without_crossing_test(const Story& story) {
 Facts facts(const Frame& frame) {
   Facts list;
   for (const Fact& fact : frame.facts) {
-    const char* const marks[] = {"", "✓ ", "✗ ", "skipped ", "answer: "};
+    const char* const marks[] = {"", "✓ ", "✗ ", "skipped ", "answer: ", "truth: "};
+    static_assert(std::size(marks) == 1 + static_cast<std::size_t>(Mark::truth));
     list.push_back(marks[static_cast<int>(fact.mark)] + fact.text);
   }
   return list;
@@ -129,11 +132,15 @@ TEST_CASE("Each caption is one sentence on one line") {
 }
 
 TEST_CASE("Each remark stands in exactly one caption") {
-  for (const Story& story : whole_searches())
+  std::size_t remarks = 0;
+  for (const Story& story : whole_searches()) {
+    remarks += story.walkthrough.remarks.size();
     for (const Remark& remark : story.walkthrough.remarks)
       CHECK(std::ranges::count_if(story.frames, [&](const Frame& f) {
               return plain(f.caption).ends_with("; " + remark.text + ".");
             }) == 1);
+  }
+  CHECK(remarks > 0);
 }
 
 TEST_CASE("What a frame says names only vertices that the search holds at that moment") {
@@ -151,10 +158,12 @@ TEST_CASE("What a frame says names only vertices that the search holds at that m
 }
 
 TEST_CASE("The numbers in the facts are those of the events") {
+  std::set<std::size_t> kinds, kinds_of_values;
   for (const Story& story : whole_searches()) {
     const auto events = shown(story);
     REQUIRE(events.size() == story.frames.size());
     for (std::size_t i = 0; i < events.size(); ++i) {
+      kinds.insert(events[i].index());
       std::vector<Fact> list = story.frames.at(i).facts;
       std::erase_if(list, [](const Fact& fact) { return fact.mark == Mark::truth; });  // not of the event
       if (const auto* e = std::get_if<gjk::SupportFound<double>>(&events[i])) {
@@ -170,6 +179,7 @@ TEST_CASE("The numbers in the facts are those of the events") {
       if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&events[i]))
         check_numbers(list.at(0).text, components(e->direction));
       if (const auto* e = std::get_if<gjk::RegionTested<double>>(&events[i])) {
+        kinds_of_values.insert(e->value.index());
         if (const double* value = std::get_if<double>(&e->value)) check_numbers(list.at(0).text, {*value});
         if (const Point* value = std::get_if<Point>(&e->value)) check_numbers(list.at(0).text, components(*value));
         if (e->normal) check_numbers(list.at(1).text, components(*e->normal));
@@ -178,13 +188,20 @@ TEST_CASE("The numbers in the facts are those of the events") {
       }
     }
   }
+  for (const gjk::Event<double>& looked_at :
+       {gjk::Event<double>(gjk::SupportFound<double>{}), gjk::Event<double>(gjk::CrossingTested<double>{}),
+        gjk::Event<double>(gjk::DirectionChosen<double>{}), gjk::Event<double>(gjk::RegionTested<double>{})})
+    CHECK(kinds.contains(looked_at.index()));
+  CHECK(kinds_of_values.size() >= 2);  // numbers and vectors
 }
 
 TEST_CASE("Every region that is skipped is told with its reason, in each frame of a test of that iteration") {
+  std::size_t skipped = 0;
   for (const Story& story : whole_searches()) {
     INFO(story.walkthrough.name);
     for (const gjk::RegionTested<double>& region : all<gjk::RegionTested>(Trace{told_events(story)})) {
       if (region.verdict != gjk::Verdict::skipped) continue;
+      ++skipped;
       const std::string name = region.label.empty() ? region.feature : region.label;
       const std::string reason = story.walkthrough.naming == Naming::roles ? region.reason : "";  // untranslated
       std::size_t frames = 0, told = 0;
@@ -200,6 +217,7 @@ TEST_CASE("Every region that is skipped is told with its reason, in each frame o
       CHECK(told == frames);
     }
   }
+  CHECK(skipped > 0);
 }
 
 TEST_CASE("Figure 4, left, in the letters of the picture") {

@@ -33,7 +33,7 @@ std::string plane_text(const std::string& a, const std::string& b) { return scen
 SceneFile parsed(const std::string& text, const std::string& file = "my scene.json") { return parse_scene(text, file); }
 Scene scene_of(const std::string& text) { return parsed(text).walkthrough.scenes.at(0); }
 
-const std::vector<Point>& points_of(const Object& object) { return std::get<Points>(object.form).points(); }
+const std::vector<Point>& points_of(const Object& object) { return std::get<Points>(object.form); }
 
 // -- Complaints -------------------------------------------------------------------------------------------------------
 
@@ -98,6 +98,7 @@ TEST_CASE("The example reads without complaint, runs, and shows every key", "[sc
                           "points",
                           "sphere",
                           "cylinder",
+                          "sum",
                           "center",
                           "axis",
                           "radius",
@@ -173,17 +174,50 @@ TEST_CASE("Points are read as they are written, to the last digit", "[scene-file
 TEST_CASE("A sphere is read as it is written", "[scene-file]") {
   const Scene scene = scene_of(scene_text(corner, R"({"sphere": {"radius": 0.75, "center": [1, -2, 3]}})"));
   const Ball& sphere = std::get<Ball>(scene.b.form);
-  CHECK(sphere.center() == Point(1, -2, 3));
-  CHECK(sphere.radius() == 0.75);
+  CHECK(sphere.center == Point(1, -2, 3));
+  CHECK(sphere.radius == 0.75);
 }
 
 TEST_CASE("A cylinder is read as it is written", "[scene-file]") {
   const Scene scene = scene_of(
       scene_text(R"({"cylinder": {"center": [1, 2, 3], "axis": [0, 0, -5], "radius": 2, "height": 3}})", ball));
   const Cylinder& cylinder = std::get<Cylinder>(scene.a.form);
-  CHECK(cylinder.center() == Point(1, 2, 3));
-  CHECK(cylinder.to_cap() == Point(0, 0, -1.5));
-  CHECK(cylinder.radius() == 2);
+  CHECK(cylinder.center == Point(1, 2, 3));
+  CHECK(cylinder.axis == Point(0, 0, -1));
+  CHECK(cylinder.height == 3);
+  CHECK(cylinder.radius == 2);
+}
+
+TEST_CASE("A sum is read as its two shapes are, in the plane and in space, also within a sum", "[scene-file]") {
+  const std::string segment = R"({"points": [[0, 0, -1], [0, 0, 1]]})";
+  const Scene scene = scene_of(
+      scene_text(R"({"sum": [)" + segment + R"(, {"sum": [{"sphere": {"center": [1, 0, 0], "radius": 0.5}}, {"cylinder":
+          {"center": [0, 2, 0], "axis": [0, 4, 0], "radius": 1, "height": 3}}]}], "pose": {"translation": [9, 0, 0]}})",
+                 ball));
+  const Sum& sum = std::get<Sum>(scene.a.form);
+  REQUIRE(sum.summands.size() == 2);
+  CHECK(std::get<Points>(sum.summands[0]) == Points{{0, 0, -1}, {0, 0, 1}});
+  const Sum& inner = std::get<Sum>(sum.summands[1]);
+  CHECK(std::get<Ball>(inner.summands[0]).radius == 0.5);
+  CHECK(std::get<Cylinder>(inner.summands[1]).axis == Point(0, 1, 0));
+  CHECK(scene.a.pose.translation == Point(9, 0, 0));
+  CHECK(scene.a.name == "sum of a point set and a sum");
+  const Scene flat = scene_of(plane_text(R"({"sum": [{"points": [[0, 0], [2, 0]]},
+                                             {"sphere": {"center": [1, 1], "radius": 0.5}}]})",
+                                         R"({"points": [[9, 9]]})"));
+  CHECK(std::get<Points>(std::get<Sum>(flat.a.form).summands[0])[1] == Point(2, 0, 0));
+  CHECK(flat.a.name == "sum of a point set and a disc");
+}
+
+TEST_CASE("In floats the numbers of a sum are floats, too", "[scene-file]") {
+  const std::string sum = R"({"sum": [{"points": [[0.1, 0, 0]]}, {"cylinder": {"center": [0, 0, 0.1],
+                              "axis": [0.1, 0.3, 0.7], "radius": 0.3, "height": 1}}]})";
+  const Scene scene = scene_of(scene_text(sum, ball, R"("scalar": "float")"));
+  const Sum& read = std::get<Sum>(scene.a.form);
+  CHECK(std::get<Points>(read.summands[0])[0].x() == double{0.1f});
+  CHECK(std::get<Cylinder>(read.summands[1]).radius == double{0.3f});
+  const gjk::Cylinder<float> in_float(gjk::Vec3<float>::Zero(), {0.1f, 0.3f, 0.7f}, 1, 1);
+  CHECK(std::get<Cylinder>(read.summands[1]).axis == in_float.axis().cast<double>());
 }
 
 TEST_CASE("A pose first turns, counter-clockwise about its axis, and then moves", "[scene-file]") {
@@ -217,7 +251,7 @@ TEST_CASE("In the plane points have two numbers, spheres are discs, and a rotati
       R"({"sphere": {"center": [5, 6], "radius": 2}, "pose": {"rotation": {"axis": [0, 0, -1], "degrees": 90}}})"));
   CHECK(scene.dimension == Dimension::plane);
   CHECK(vertices_of(scene.a) == std::vector<Point>{{8, 1, 0}, {6, 3, 0}});
-  CHECK(std::get<Ball>(scene.b.form).center() == Point(5, 6, 0));
+  CHECK(std::get<Ball>(scene.b.form).center == Point(5, 6, 0));
   CHECK(scene.b.pose(Point(5, 6, 0)) == Point(6, -5, 0));
   CHECK(scene.b.name == "disc");
 }
@@ -319,13 +353,14 @@ TEST_CASE("In floats a cylinder has the axis that its numbers have as floats, of
   const auto axis = [](const std::string& written) {
     const std::string cylinder =
         R"({"cylinder": {"center": [0, 0, 0], "radius": 1, "height": 1, "axis": )" + written + "}}";
-    return std::get<Cylinder>(scene_of(scene_text(corner, cylinder, R"("scalar": "float")")).b.form).axis();
+    return std::get<Cylinder>(scene_of(scene_text(corner, cylinder, R"("scalar": "float")")).b.form).axis;
   };
   CHECK(axis("[0, 0, 1e-100]") == Point(0, 0, 1));
   CHECK(axis("[0, -1e100, 0]") == Point(0, -1, 0));
   const gjk::Cylinder<float> in_float(gjk::Vec3<float>::Zero(), {0.1f, 0.3f, 0.7f}, 1, 1);
   CHECK(axis("[0.1, 0.3, 0.7]") == in_float.axis().cast<double>());
-  CHECK(axis("[0.1, 0.3, 0.7]") != Cylinder(Point::Zero(), {0.1, 0.3, 0.7}, 1, 1).axis().cast<float>().cast<double>());
+  const gjk::Cylinder<double> in_double(Point::Zero(), {0.1, 0.3, 0.7}, 1, 1);
+  CHECK(axis("[0.1, 0.3, 0.7]") != in_double.axis().cast<float>().cast<double>());
 }
 
 TEST_CASE("Numbers that do not fit into floats are named, and what to do", "[scene-file]") {
@@ -340,6 +375,9 @@ TEST_CASE("The summary says in one line what a scene declares", "[scene-file]") 
         "algorithm");
   CHECK(summary(parsed(scene_text(R"({"points": [[0, 0]]})", ball, R"("dimension": 2, "panels": [])"))) ==
         "'my scene', plane, 'point set' (1 point) and 'disc' (disc), panels: search");
+  const std::string capsule = R"({"name": "capsule", "sum": [{"points": [[0, 0, 0], [1, 0, 0]]}, )" + ball + "]}";
+  CHECK(summary(parsed(scene_text(capsule, ball, R"("panels": [])"))) ==
+        "'my scene', space, 'capsule' (sum of 2 points and a sphere) and 'sphere' (sphere), panels: search");
 }
 
 // -- What is not JSON -------------------------------------------------------------------------------------------------
@@ -439,9 +477,40 @@ TEST_CASE("A missing key is named", "[scene-file]") {
 }
 
 TEST_CASE("An object has one shape", "[scene-file]") {
-  check_object(R"({"name": "ghost"})", "2: a", {"has no shape", "'points', 'sphere' or 'cylinder'"});
+  check_object(R"({"name": "ghost"})", "2: a", {"has no shape", "'points', 'sphere', 'cylinder' or 'sum'"});
   check_object("{\"points\": [[0, 0, 0]],\n\"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}", "3: a.sphere",
                {"second shape beside 'points'"});
+}
+
+TEST_CASE("A sum has two shapes, and what is wrong with one is told by its place", "[scene-file]") {
+  const std::string dot = R"({"points": [[0, 0, 0]]})";
+  const auto of = [](const std::string& list) { return "{\"sum\": " + list + "}"; };
+  check_object(of("{}"), "2: a.sum", {"expected a list of two shapes, found an object"});
+  check_object(of("[]"), "2: a.sum", {"expected a list of two shapes, found a list of 0"});
+  check_object(of("[" + dot + "]"), "2: a.sum", {"found a list of 1"});
+  check_object(of("[" + dot + "," + dot + "," + dot + "]"), "2: a.sum", {"a list of 3", "a sum may be one of the two"});
+  check_object(of("[" + dot + ", 1]"), "2: a.sum[1]", {"expected an object with a shape, found a number"});
+  check_object(of("[{}, " + dot + "]"), "2: a.sum[0]", {"has no shape; give 'points', 'sphere', 'cylinder' or 'sum'"});
+  check_object(of("[" + dot + R"(,
+                  {"sphere": {"center": [0, 0, 0], "radius": 0}}])"),
+               "3: a.sum[1].sphere.radius", {"larger than 0, found 0"});
+  check_object(of("[" + dot + "," + of("[" + dot + R"(, {"points": [[0, 0]]}])") + "]"), "2: a.sum[1].sum[1].points[0]",
+               {"a list of 2"});
+  check_object(of("[" + dot + R"(, {"points": [[0, 0, 0]], "name": "x"}])"), "2: a.sum[1].name", {"is not a key"});
+  check_object(of("[" + dot + R"(, {"points": [[0, 0, 0]], "pose": {}}])"), "2: a.sum[1].pose", {"is not a key"});
+  check_object("{\"sum\": [" + dot + "," + dot + "], \"points\": [[0, 0, 0]]}", "2: a.points",
+               {"second shape beside 'sum'"});
+  check_complaint(plane_text(of(R"([{"points": [[0, 0]]}, {"cylinder": {}}])"), R"({"points": [[0, 0]]})"),
+                  "2: a.sum[1].cylinder", {"no cylinders"});
+}
+
+TEST_CASE("Four sums may be in one another and not one more", "[scene-file]") {
+  const std::string dot = R"({"points": [[0, 0, 0]]})";
+  std::string nested = dot;
+  for (int i = 0; i < scene_limits::sums; ++i) nested = "{\"sum\": [" + nested + ", " + dot + "]}";
+  CHECK_NOTHROW(parsed(scene_text(nested, ball)));
+  check_object("{\"sum\": [" + nested + ", " + dot + "]}", "2: a.sum[0].sum[0].sum[0].sum[0].sum",
+               {"is a sum within 4 others"});
 }
 
 TEST_CASE("A point set has points, and each has three numbers", "[scene-file]") {

@@ -83,15 +83,17 @@ class RandomScenes {
   double number() { return std::uniform_real_distribution<double>(-1, 1)(random_) * size_; }
   Point point() { return {number(), number(), pick(5) == 0 ? -0.0 : number()}; }
 
-  std::variant<Points, Ball, Cylinder> form() {
-    if (const int kind = pick(4); kind < 2) {
+  AnyShape form(int sums = 2) {
+    const int kind = pick(sums > 0 ? 5 : 4);
+    if (kind == 4) return Sum{{form(sums - 1), form(sums - 1)}};
+    if (kind < 2) {
       std::vector<Point> list;
       for (int i = pick(8); i >= 0; --i) list.push_back(point());
       return points(std::move(list));
     } else if (kind == 2) {
-      return Ball(point(), std::abs(number()));
+      return Ball{point(), std::abs(number())};
     }
-    return Cylinder(point(), point(), std::abs(number()), std::abs(number()));
+    return Cylinder{point(), point(), std::abs(number()), std::abs(number())};
   }
 
   Object object(const std::string& name) {
@@ -136,6 +138,21 @@ struct Written {
 
 // -- Changing values --------------------------------------------------------------------------------------------------
 
+/// A capsule, turned, beside a box drawn out along a cylinder's directions.
+Walkthrough search_on_sums() {
+  Walkthrough w = walkthrough_of({{0, 0, 0}});
+  w.naming = Naming::roles;
+  Scene& scene = w.scenes[0];
+  scene.dimension = Dimension::space;
+  scene.a = {"capsule",
+             Sum{{Points{{-1, 0, 0}, {1, 0.5, 0}}, Ball{{0.1, 0.2, 0.3}, 0.5}}},
+             {Eigen::AngleAxisd(0.7, Point(1, -2, 3).normalized()).toRotationMatrix(), Point(2, 1, 0.5)}};
+  scene.b = {"rounded box", Sum{{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                 Cylinder{{-2, 0.25, 0}, {0.25, -0.5, 1}, 0.5, 1}}}};
+  scene.options.first_direction = {1, 2, 3};
+  return w;
+}
+
 /// The traces that together have every event, every kind of object, and each way to end.
 std::vector<std::string> texts_to_change() {
   std::vector<std::string> texts;
@@ -147,6 +164,7 @@ std::vector<std::string> texts_to_change() {
   Walkthrough short_of_breath = walkthrough("regions/3-simplex-inside");
   short_of_breath.scenes[0].options.iteration_limit = 2;
   texts.push_back(trace_text(short_of_breath));
+  texts.push_back(trace_text(search_on_sums()));
   return texts;
 }
 
@@ -379,6 +397,10 @@ const Damage damages[] = {
     {"no-separation", 10, "'separation' is there exactly"},
     {"support-value", 10, "but w·direction is"},
     {"support-value-positive", 10, "proves nothing"},
+    {"short-of-the-sum", 3, "does not reach as far as the sum"},
+    {"beside-the-sum", 3, "is not a sum of farthest points"},
+    {"index-in-a-sum", 3, "has an index"},
+    {"sum-of-one", 1, "expected a list of two shapes, found a list of 1"},
 };
 
 }  // namespace
@@ -391,6 +413,16 @@ TEST_CASE("Each damaged trace of the corpus is refused with its line and its rea
     CHECK(said.starts_with("bad.jsonl:" + std::to_string(damage.line) + ": "));
     CHECK(said.find(damage.reason) != std::string::npos);
     CHECK(said.size() < 600);
+  }
+}
+
+TEST_CASE("What to do about a refused trace fits who got it from gjkstep and who wrote it", "[trace-file]") {
+  for (const char* file : {"cut-in-line", "cut-at-line", "empty", "blank-line", "scene-file", "version-1", "new"}) {
+    const std::string said =
+        complaint_about_trace(bytes_of(fs::path(GJKSTEP_TRACES) / ("bad-" + std::string(file) + ".jsonl")));
+    INFO(said);
+    CHECK(said.find("correct the trace ('gjkstep trace --schema' says") != std::string::npos);
+    CHECK(said.ends_with("or write it anew with 'gjkstep trace NAME'"));
   }
 }
 

@@ -2,6 +2,7 @@
 
     python3 trace_schema_test.py GJKSTEP FOLDER_OF_TRACES
 """
+import copy
 import json
 import pathlib
 import subprocess
@@ -64,7 +65,16 @@ for name in ("as-printed-spheres", "regions/2-simplex-r3"):
         for wrong in damaged(line):
             assert not validator.is_valid(wrong), (name, number, wrong)
             refused += 1
-for file in ("bad-version-1", "bad-version-3", "bad-name-elsewhere", "bad-unknown-key", "bad-infinite-scene"):
+header = lines_of((folder / "ok-sums.jsonl").read_text())[0]
+for damage in (lambda o: o.pop("name"), lambda o: o.update(more=1), lambda o: o.update(points=[[0, 0, 0]]),
+               lambda o: o["sum"].pop(), lambda o: o["sum"].append(o["sum"][0]), lambda o: o["sum"][0].clear(),
+               lambda o: o["sum"][0].update(name="a summand has none"), lambda o: o["sum"][0].update(pose={}),
+               lambda o: o["sum"][1]["sphere"].pop("radius"), lambda o: o["sum"][1]["sphere"].update(radius=0)):
+    wrong = copy.deepcopy(header)
+    damage(wrong["scenes"][0]["a"])
+    assert not validator.is_valid(wrong), wrong["scenes"][0]["a"]
+    refused += 1
+for file in ("bad-sum-of-one", "bad-version-1", "bad-version-3", "bad-name-elsewhere", "bad-unknown-key", "bad-infinite-scene"):
     lines = lines_of((folder / (file + ".jsonl")).read_text())
     assert not all(validator.is_valid(line) for line in lines), file
 

@@ -1,0 +1,104 @@
+// The lists of fields: they have every member of their structs, and the schema of traces names the same keys and words.
+#include "walkthroughs/model/event_fields.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tests/catch.hpp"
+#include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+using namespace walkthroughs;
+using Json = nlohmann::json;
+using Words = std::set<std::string>;
+
+namespace {
+
+// -- Members ----------------------------------------------------------------------------------------------------------
+
+template <class R, class T>
+T member_of(const Field<R, T>&);
+template <class R, class T>
+T member_of(const Inlined<R, T>&);
+
+/// Whether the members of R are those `before` and those listed, in this order, and no more.
+template <class R, class... Before, class... Listed>
+constexpr bool lists_every_member(const std::tuple<Listed...>&) {
+  constexpr bool has_these = requires { R{std::declval<Before>()..., member_of(std::declval<Listed>())...}; };
+  constexpr bool has_more = requires { R{std::declval<Before>()..., member_of(std::declval<Listed>())..., {}}; };
+  return has_these && !has_more;
+}
+
+template <class... Events>
+constexpr bool list_every_member(std::type_identity<std::variant<Events...>>) {
+  return (lists_every_member<Events, int>(FieldsOf<Events>::list) && ...);  // int: the iteration
+}
+
+static_assert(list_every_member(std::type_identity<gjk::Event<double>>{}));
+static_assert(lists_every_member<gjk::Result<double>>(FieldsOf<gjk::Result<double>>::list));
+static_assert(lists_every_member<gjk::Separation<double>>(FieldsOf<gjk::Separation<double>>::list));
+
+struct Grown {
+  int listed, forgotten;
+};
+static_assert(!lists_every_member<Grown>(std::tuple(Field("listed", &Grown::listed))));
+
+// -- Schema -----------------------------------------------------------------------------------------------------------
+
+Json definitions() { return Json::parse(trace_schema()).at("$defs"); }
+
+/// Returns: the words that the schema allows at that key.
+Words words_at(const Json& properties, const std::string& key) {
+  const Json& value = properties.value(key, Json::object());
+  return value.contains("const") ? Words{value["const"].get<std::string>()} : value.value("enum", Words{});
+}
+
+/// Checks that the `objects` of the schema together have the fields of R, those that cannot be missing in each.
+template <class R>
+void check_same_fields(const std::vector<Json>& objects, const Words& besides = {}) {
+  REQUIRE(!objects.empty());
+  Words in_list = besides, in_schema;
+  for (const Json& object : objects)
+    for (const auto& [key, value] : object.at("properties").items()) in_schema.insert(key);
+  const R record{};
+  for_each_field(record, [&](const auto& field, const auto& value) {
+    const std::string key(field.key);
+    in_list.insert(key);
+    INFO(key);
+    const auto requires_it = [&](const Json& object) { return object.at("required").get<Words>().count(key) == 1; };
+    CHECK(std::ranges::all_of(objects, requires_it) != field.may_be_missing());
+    if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>) {
+      Words words;
+      for (const Json& object : objects) words.merge(words_at(object.at("properties"), key));
+      const auto& known = words_of::all(value);
+      CHECK(words == Words(known.begin(), known.end()));
+    }
+  });
+  CHECK(in_schema == in_list);
+}
+
+template <class... Events>
+void check_same_events(std::type_identity<std::variant<Events...>>) {
+  std::map<std::string, std::vector<Json>> lines;
+  for (const Json& each : definitions())
+    for (const std::string& event : words_at(each.value("properties", Json::object()), "event"))
+      lines[event].push_back(each);
+  CHECK(lines.size() == sizeof...(Events));
+  (check_same_fields<Events>(lines[std::string(FieldsOf<Events>::event)], {"scene", "iteration", "event"}), ...);
+}
+
+}  // namespace
+
+TEST_CASE("The schema of traces has the fields and words of each event, and requires those that are always told") {
+  check_same_events(std::type_identity<gjk::Event<double>>{});
+}
+
+TEST_CASE("The schema of traces has the fields of what events are made of") {
+  const Json defs = definitions();
+  check_same_fields<gjk::SupportPoint<double>>({defs.at("support")});
+  check_same_fields<gjk::Vertex<double>>({defs.at("vertex")});
+  check_same_fields<gjk::Separation<double>>({defs.at("finished-separated").at("properties").at("separation")});
+}

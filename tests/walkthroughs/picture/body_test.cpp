@@ -1,0 +1,152 @@
+// Outlines and flat parts of objects, held against formulas and against support functions.
+
+#include "walkthroughs/picture/body.hpp"
+
+#include <numbers>
+#include <random>
+
+#include "tests/catch.hpp"
+
+using namespace walkthroughs;
+using render::Vec2;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Points box(double x, double y, double z) {
+  Points corners;
+  for (const double i : {-x, x})
+    for (const double j : {-y, y})
+      for (const double k : {-z, z}) corners.emplace_back(i, j, k);
+  return corners;
+}
+
+Ball ball(double radius) { return {Point::Zero(), radius}; }
+Cylinder can() { return {{0.5, 0, 0}, {1, 2, 2}, 0.6, 2}; }
+Points segment() { return {{-1, 0, 0}, {2, 0, 0}}; }
+Points triangle() { return {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}; }
+
+Pose askew() { return {Eigen::AngleAxisd(0.7, Point(1, -2, 3).normalized()).toRotationMatrix(), Point(5, 6, 7)}; }
+
+Lens from_above_the_side() { return {render::Camera(35, 25)}; }
+
+std::vector<Vec2> outline_of(const AnyShape& shape, const Lens& lens, const Pose& pose = {}) {
+  const Object object{"object", shape, pose};
+  return outline(object, body_of(object, lens.camera ? Dimension::space : Dimension::plane), lens);
+}
+
+double area(const std::vector<Vec2>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    twice += p.x() * q.y() - p.y() * q.x();
+  }
+  return twice / 2;
+}
+
+double reach(const std::vector<Vec2>& polygon, const Vec2& d) {
+  double most = polygon.at(0).dot(d);
+  for (const Vec2& p : polygon) most = std::max(most, p.dot(d));
+  return most;
+}
+
+/// The outline reaches as far as the support function of the object says, in each direction of the picture.
+void check_is_outline(const AnyShape& shape, const Lens& lens, const Pose& pose) {
+  const std::vector<Vec2> found = outline_of(shape, lens, pose);
+  const Object object{"object", shape, pose};
+  const AskedObject<double> asked(object);
+  for (int i = 0; i < 101; ++i) {
+    const double angle = 2 * pi * i / 101;
+    const Point d = lens.direction(angle);
+    const Vec2 in_picture(std::cos(angle), std::sin(angle));
+    CHECK(reach(found, in_picture) == Approx(asked.support(d).point.dot(d)).margin(4e-3));
+  }
+  CHECK(area(found) >= 0);
+}
+
+}  // namespace
+
+TEST_CASE("A segment plus a disc is a stadium, a triangle plus a disc a rounded triangle: their areas") {
+  const Lens flat;
+  CHECK(area(outline_of(Sum{{segment(), ball(0.5)}}, flat)) == Approx(3 * 2 * 0.5 + pi * 0.25).epsilon(1e-3));
+  CHECK(area(outline_of(Sum{{triangle(), ball(0.5)}}, flat)) == Approx(6 + 12 * 0.5 + pi * 0.25).epsilon(1e-3));
+  CHECK(area(outline_of(Sum{{triangle(), segment()}}, flat)) == Approx(6 + 3 * 3).epsilon(1e-12));
+}
+
+TEST_CASE("A rounded box seen through a camera: area of the box, its outline times the radius, and a disc") {
+  const Lens lens = from_above_the_side();
+  const std::vector<Vec2> plain = outline_of(box(1, 2, 0.5), lens, askew());
+  double around = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) around += (plain[(i + 1) % plain.size()] - plain[i]).norm();
+  const double expected = area(plain) + around * 0.25 + pi * 0.0625;
+  CHECK(area(outline_of(Sum{{box(1, 2, 0.5), ball(0.25)}}, lens, askew())) == Approx(expected).epsilon(1e-3));
+}
+
+TEST_CASE("The outline of a sum of segments has the corners of the parallelogram and no others") {
+  const std::vector<Vec2> corners =
+      outline_of(Sum{{Points{{0, 0, 0}, {2, 0, 0}}, Points{{0, 0, 0}, {1, 1, 0}}}}, Lens{});
+  CHECK(corners == std::vector<Vec2>{{0, 0}, {2, 0}, {3, 1}, {1, 1}});
+}
+
+TEST_CASE("Every outline reaches as far as the support function of its object, flat and through a camera") {
+  const AnyShape flat_shapes[] = {triangle(), ball(1), Sum{{triangle(), ball(0.5)}}, Sum{{ball(0.2), segment()}},
+                                  Sum{{Sum{{triangle(), segment()}}, Ball{{1, 2, 0}, 0.5}}}};
+  for (const AnyShape& shape : flat_shapes)
+    check_is_outline(shape, Lens{}, {Eigen::AngleAxisd(0.4, Point::UnitZ()).toRotationMatrix(), Point(1, -2, 0)});
+  const AnyShape shapes[] = {box(1, 2, 3),
+                             ball(1),
+                             can(),
+                             Sum{{segment(), ball(0.5)}},
+                             Sum{{box(1, 2, 0.5), ball(0.5)}},
+                             Sum{{can(), ball(0.5)}},
+                             Sum{{box(1, 1, 1), can()}},
+                             Sum{{can(), Cylinder{{0, 0, 1}, {0, 1, 0}, 1, 1}}},
+                             Sum{{box(1, 1, 1), Points{{0, 0, 0}, {1, 1, 1}}}},
+                             Sum{{Sum{{triangle(), segment()}}, Sum{{can(), ball(1)}}}}};
+  for (const AnyShape& shape : shapes) check_is_outline(shape, from_above_the_side(), askew());
+}
+
+TEST_CASE("Sums of point sets are polytopes with the faces of their sum") {
+  const Body body = body_of({"prism", Sum{{box(1, 1, 1), Points{{0, 0, 0}, {1, 1, 1}}}}, {}}, Dimension::space);
+  CHECK(body.vertices.size() == 14);  // a cube drawn out along its diagonal: a rhombic dodecahedron
+  CHECK(body.faces.size() == 12);
+  CHECK(body.flats.empty());
+  const Body flat = body_of({"pentagon", Sum{{triangle(), segment()}}, {}}, Dimension::plane);
+  CHECK(flat.vertices.size() == 4);
+}
+
+TEST_CASE("What of a round object is flat: caps, the faces of a rounded box, nothing of a capsule") {
+  const auto flats = [](const AnyShape& shape) {
+    return body_of({"object", shape, askew()}, Dimension::space).flats.size();
+  };
+  CHECK(flats(ball(1)) == 0);
+  CHECK(flats(can()) == 2);
+  CHECK(flats(Sum{{segment(), ball(1)}}) == 0);
+  CHECK(flats(Sum{{triangle(), ball(1)}}) == 2);
+  CHECK(flats(Sum{{box(1, 2, 3), ball(1)}}) == 6);
+  CHECK(flats(Sum{{can(), ball(1)}}) == 2);
+  CHECK(flats(Sum{{box(1, 1, 1), Cylinder{{0, 0, 0}, {0, 0, 1}, 1, 1}}}) == 6);
+  CHECK(flats(Sum{{box(1, 1, 1), can()}}) == 6 + 2 + 6);  // an axis askew makes a flat part with each edge, both ways
+}
+
+TEST_CASE("Each flat part lies where its object ends, and its rim in one plane") {
+  const AnyShape shape = Sum{{Sum{{box(1, 1, 1), can()}}, ball(0.3)}};
+  const Object object{"object", shape, askew()};
+  const AskedObject<double> asked(object);
+  for (const Flat& flat : body_of(object, Dimension::space).flats) {
+    const double reach = asked.support(flat.outward).point.dot(flat.outward);
+    for (const Point& p : flat.rim) CHECK(p.dot(flat.outward) == Approx(reach).margin(1e-9));
+  }
+}
+
+TEST_CASE("A sum of point sets with too many corners has no faces and still its outline") {
+  std::mt19937 random(1);
+  std::normal_distribution<double> number;
+  Points many[2];
+  for (Points& points : many)
+    for (int i = 0; i < 300; ++i) points.push_back(Point(number(random), number(random), number(random)).normalized());
+  const AnyShape shape = Sum{{many[0], many[1]}};
+  CHECK(body_of({"object", shape, {}}, Dimension::space).vertices.empty());
+  check_is_outline(shape, from_above_the_side(), {});
+}

@@ -1,0 +1,347 @@
+/// The shapes of scenes, queries, traces and the study, each as plain numbers and as one row that says what is true of it.
+///
+/// A shape is told by its fields. Whoever reads, writes, converts or measures shapes visits those and knows none of the
+/// shapes: ShapeRow<Shape>::fields(visit, shapes...) calls visit(kind of field, that field of each of the shapes). A new shape is
+/// a struct, its place in AnyShapeOf and a ShapeRow; what else must know it (how it is drawn, how a trace of it is checked, the
+/// schema of traces) does not compile or does not pass its test before it does.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/shapes.hpp"
+
+namespace walkthroughs {
+
+/// Scenes of the plane z = 0 are drawn flat; those of space through a camera.
+enum class Dimension { plane, space };
+
+// -- The shapes -------------------------------------------------------------------------------------------------------
+
+/// The convex hull of these points: at least one, in any order; they may coincide or be coplanar.
+template <class S>
+using PointsOf = std::vector<gjk::Vec3<S>>;
+
+/// A closed ball; in the plane a disc.
+template <class S>
+struct BallOf {
+  gjk::Vec3<S> center;
+  S radius;
+};
+
+/// A closed cylinder with flat caps; `axis` of any length but zero, `height` from cap to cap, `center` halfway.
+template <class S>
+struct CylinderOf {
+  gjk::Vec3<S> center, axis;
+  S radius, height;
+};
+
+template <class S>
+struct SumOf;
+
+template <class S>
+using AnyShapeOf = std::variant<PointsOf<S>, BallOf<S>, CylinderOf<S>, SumOf<S>>;
+
+/// Minkowski's sum of two shapes, all X + Y (Section 2.3, Eq. 3): a segment and a ball make a capsule.
+template <class S>
+struct SumOf {
+  std::vector<AnyShapeOf<S>> summands;  ///< two
+};
+
+using Points = PointsOf<double>;
+using Ball = BallOf<double>;
+using Cylinder = CylinderOf<double>;
+using Sum = SumOf<double>;
+using AnyShape = AnyShapeOf<double>;
+
+/// The kinds of fields, which decide what may stand there and how it is rounded.
+namespace field {
+
+struct Place {  ///< Vec3<S>
+  std::string_view name;
+};
+struct Direction {  ///< Vec3<S>, not zero; only the ratios of its components count
+  std::string_view name;
+};
+struct Length {  ///< S, larger than zero
+  std::string_view name;
+};
+struct Places {};  ///< PointsOf<S>, all that there is to say about the shape
+struct Shapes {};  ///< std::vector<AnyShapeOf<S>>, two; also all that there is
+
+}  // namespace field
+
+// -- What GJK asks ----------------------------------------------------------------------------------------------------
+
+template <class S>
+class Asked;
+
+/// The sum as a shape of core/. Copies share it.
+template <class S>
+class AskedSum {
+ public:
+  explicit AskedSum(SumOf<S> sum);
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const;
+
+ private:
+  struct Both;
+  std::shared_ptr<const Both> both_;
+};
+
+// -- The rows ---------------------------------------------------------------------------------------------------------
+
+/// Of each shape: `key`, its name in files; `kind` and `kind_in_plane`, its name in sentences, the latter empty where there
+/// is none in the plane; In<T>, the shape in numbers of T; fields(); middle(), a point inside; and where its support function
+/// can be computed in S, asked(), the shape of core/ that has it.
+template <class Shape>
+struct ShapeRow;
+
+template <class S>
+gjk::Vec3<S> middle(const AnyShapeOf<S>& shape);
+
+template <class S>
+struct ShapeRow<PointsOf<S>> {
+  static constexpr std::string_view key = "points", kind = "point set", kind_in_plane = kind;
+  template <class T>
+  using In = PointsOf<T>;
+
+  static void fields(auto&& visit, auto&... lists) { visit(field::Places{}, lists...); }
+  static gjk::Vec3<S> middle(const PointsOf<S>& points) {
+    gjk::Vec3<S> sum = gjk::Vec3<S>::Zero();
+    for (const gjk::Vec3<S>& point : points) sum += point;
+    return sum / static_cast<S>(points.size());
+  }
+  static auto asked(PointsOf<S> points) { return gjk::PointSet<S>(std::move(points)); }
+};
+
+template <class S>
+struct ShapeRow<BallOf<S>> {
+  static constexpr std::string_view key = "sphere", kind = "sphere", kind_in_plane = "disc";
+  template <class T>
+  using In = BallOf<T>;
+
+  static void fields(auto&& visit, auto&... balls) {
+    visit(field::Place{"center"}, balls.center...);
+    visit(field::Length{"radius"}, balls.radius...);
+  }
+  static gjk::Vec3<S> middle(const BallOf<S>& ball) { return ball.center; }
+  static auto asked(const BallOf<S>& ball) requires std::floating_point<S> {
+    return gjk::Sphere<S>(ball.center, ball.radius);
+  }
+};
+
+template <class S>
+struct ShapeRow<CylinderOf<S>> {
+  static constexpr std::string_view key = "cylinder", kind = "cylinder", kind_in_plane = "";
+  template <class T>
+  using In = CylinderOf<T>;
+
+  static void fields(auto&& visit, auto&... cylinders) {
+    visit(field::Place{"center"}, cylinders.center...);
+    visit(field::Direction{"axis"}, cylinders.axis...);
+    visit(field::Length{"radius"}, cylinders.radius...);
+    visit(field::Length{"height"}, cylinders.height...);
+  }
+  static gjk::Vec3<S> middle(const CylinderOf<S>& cylinder) { return cylinder.center; }
+  static auto asked(const CylinderOf<S>& cylinder) requires std::floating_point<S> {
+    return gjk::Cylinder<S>(cylinder.center, cylinder.axis, cylinder.radius, cylinder.height);
+  }
+};
+
+template <class S>
+struct ShapeRow<SumOf<S>> {
+  static constexpr std::string_view key = "sum", kind = "sum", kind_in_plane = kind;
+  template <class T>
+  using In = SumOf<T>;
+
+  static void fields(auto&& visit, auto&... sums) { visit(field::Shapes{}, sums.summands...); }
+  static gjk::Vec3<S> middle(const SumOf<S>& sum) {
+    return walkthroughs::middle<S>(sum.summands[0]) + walkthroughs::middle<S>(sum.summands[1]);
+  }
+  static auto asked(SumOf<S> sum) { return AskedSum<S>(std::move(sum)); }
+};
+
+template <class Shape>
+using RowOf = ShapeRow<std::remove_cvref_t<Shape>>;
+
+/// Calls use(std::type_identity<Shape>{}) for each kind of shape.
+template <class Use>
+void for_each_kind(Use&& use) {
+  const auto each = [&]<class... Shapes>(std::type_identity<std::variant<Shapes...>>) {
+    (use(std::type_identity<Shapes>{}), ...);
+  };
+  each(std::type_identity<AnyShape>{});
+}
+
+// -- What is the same for all -----------------------------------------------------------------------------------------
+
+/// Returns: a point inside.
+template <class S>
+gjk::Vec3<S> middle(const AnyShapeOf<S>& shape) {
+  return std::visit([](const auto& one) { return RowOf<decltype(one)>::middle(one); }, shape);
+}
+
+/// Calls visit(kind of field, value) for each field of the shape.
+template <class Visit, class... Shapes>
+void visit_fields(Visit&& visit, const std::variant<Shapes...>& shape) {
+  std::visit([&](const auto& one) { RowOf<decltype(one)>::fields(visit, one); }, shape);
+}
+
+/// Turns one field after the other.
+template <class T, class Numbers>
+struct Conversion {
+  Numbers& numbers;
+
+  void operator()(field::Place, const auto& from, gjk::Vec3<T>& to) const { to = numbers.point(from); }
+  void operator()(field::Direction, const auto& from, gjk::Vec3<T>& to) const { to = numbers.direction(from); }
+  void operator()(field::Length, const auto& from, T& to) const { to = numbers.length(from); }
+  void operator()(field::Places, const auto& from, PointsOf<T>& to) const {
+    to.reserve(from.size());
+    for (const auto& point : from) to.push_back(numbers.point(point));
+  }
+  void operator()(field::Shapes, const auto& from, std::vector<AnyShapeOf<T>>& to) const {
+    for (const auto& summand : from) to.push_back(converted<T>(summand, numbers));
+  }
+};
+
+/// Returns: the shape in numbers of T. `numbers`: has point(), direction() and length(), which turn one each and may throw.
+template <class T, class Numbers, class... Shapes>
+std::variant<typename ShapeRow<Shapes>::template In<T>...> converted(const std::variant<Shapes...>& shape,
+                                                                     Numbers&& numbers) {
+  using Converted = std::variant<typename ShapeRow<Shapes>::template In<T>...>;
+  const auto convert = [&](const auto& from) -> Converted {
+    typename RowOf<decltype(from)>::template In<T> to{};
+    RowOf<decltype(from)>::fields(Conversion<T, std::remove_reference_t<Numbers>>{numbers}, from, to);
+    return to;
+  };
+  return std::visit(convert, shape);
+}
+
+/// Numbers of T nearest to those given, without looking at them.
+template <class T>
+struct Cast {
+  T length(const auto& x) const { return static_cast<T>(x); }
+  gjk::Vec3<T> point(const auto& p) const { return {length(p.x()), length(p.y()), length(p.z())}; }
+  gjk::Vec3<T> direction(const auto& d) const { return point(d); }
+};
+
+/// Returns: the largest magnitude of all its numbers.
+template <class... Shapes>
+double largest_number(const std::variant<Shapes...>& shape);
+
+struct LargestNumber {
+  double most = 0;
+
+  void operator()(auto, double x) { most = std::max(most, std::abs(x)); }
+  void operator()(auto, const gjk::Vec3<double>& p) { most = std::max(most, p.cwiseAbs().maxCoeff()); }
+  void operator()(field::Places kind, const Points& points) {
+    for (const auto& point : points) (*this)(kind, point);
+  }
+  void operator()(field::Shapes, const std::vector<AnyShape>& summands) {
+    for (const AnyShape& summand : summands) most = std::max(most, largest_number(summand));
+  }
+};
+
+template <class... Shapes>
+double largest_number(const std::variant<Shapes...>& shape) {
+  LargestNumber found;
+  visit_fields(found, shape);
+  return found.most;
+}
+
+/// Returns: the name of the shape in files.
+std::string_view key_of(const AnyShape& shape);
+
+/// Returns: what the shape is, and a sum's two: "sum of a point set and a disc".
+std::string kind_of(const AnyShape& shape, Dimension dimension);
+
+/// Returns: the same with the number of points: "sum of 3 points and a disc".
+std::string described(const AnyShape& shape, Dimension dimension);
+
+// -- Asking -----------------------------------------------------------------------------------------------------------
+
+template <class Shape>
+concept CanBeAsked = requires(Shape shape) {
+  ShapeRow<Shape>::asked(std::move(shape));
+};
+
+/// A shape whose support function does not compute in the numbers asked for. what() says of which kind.
+struct CannotBeAsked : std::domain_error {
+  using std::domain_error::domain_error;
+};
+
+template <class Shape>
+struct AskedForm {
+  using type = std::tuple<>;
+};
+template <CanBeAsked Shape>
+struct AskedForm<Shape> {
+  using type = std::tuple<decltype(ShapeRow<Shape>::asked(std::declval<Shape>()))>;
+};
+
+template <class... Forms>
+std::variant<Forms...> variant_of(const std::tuple<Forms...>&);
+
+/// The shapes of core/ that a variant of shapes turns into, those that can be asked.
+template <class Variant>
+struct AskedForms;
+template <class... Shapes>
+struct AskedForms<std::variant<Shapes...>> {
+  using type = decltype(variant_of(std::tuple_cat(std::declval<typename AskedForm<Shapes>::type>()...)));
+};
+
+/// Returns: the shape as core/ asks it. Errors: CannotBeAsked.
+template <class... Shapes>
+auto asked(std::variant<Shapes...> shape) {
+  using Forms = typename AskedForms<std::variant<Shapes...>>::type;
+  const auto form = [](auto& one) -> Forms {
+    using Shape = std::remove_cvref_t<decltype(one)>;
+    if constexpr (CanBeAsked<Shape>)
+      return ShapeRow<Shape>::asked(std::move(one));
+    else
+      throw CannotBeAsked("a " + std::string(ShapeRow<Shape>::kind));
+  };
+  return std::visit(form, shape);
+}
+
+/// A shape of core/ of whatever form.
+template <class S>
+class Asked {
+ public:
+  /// Errors: CannotBeAsked.
+  explicit Asked(AnyShapeOf<S> shape) : form_(asked(std::move(shape))) {}
+
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
+    return std::visit([&](const auto& form) { return form.support(d); }, form_);
+  }
+
+ private:
+  typename AskedForms<AnyShapeOf<S>>::type form_;
+};
+
+template <class S>
+struct AskedSum<S>::Both {
+  gjk::MinkowskiSum<S, Asked<S>, Asked<S>> sum;
+};
+
+template <class S>
+AskedSum<S>::AskedSum(SumOf<S> sum)
+    : both_(new Both{{Asked<S>(std::move(sum.summands[0])), Asked<S>(std::move(sum.summands[1]))}}) {}
+
+/// Eq. 7.
+template <class S>
+gjk::SupportPoint<S> AskedSum<S>::support(const gjk::Vec3<S>& d) const {
+  return both_->sum.support(d);
+}
+
+}  // namespace walkthroughs

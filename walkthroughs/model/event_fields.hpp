@@ -1,0 +1,205 @@
+/// What each event holds, listed once: the keys that its fields have in a trace, in their order, and where they are.
+/// Writer, reader, check and widening visit these lists. A field or an event that is added is added to its struct, here, and
+/// to trace_schema.json.
+///
+/// Every event also has its `iteration`, which no list names.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+
+#include "core/events.hpp"
+
+namespace walkthroughs {
+
+/// What a text or a whole number says, where its type does not tell.
+enum class Meaning { plain, sentence, simplex_size, iterations, position };
+
+/// One field of a record R.
+template <class R, class T>
+struct Field {
+  constexpr Field(std::string_view key, T R::*member, Meaning meaning = Meaning::plain)
+      : key(key), member(member), meaning(meaning) {}
+
+  std::string_view key;
+  T R::*member;
+  Meaning meaning;
+  bool is_left_out_where_empty = false;
+  std::string_view beside = {};  ///< the key that this one belongs with; empty: it stands alone
+
+  constexpr bool may_be_missing() const { return is_left_out_where_empty || !beside.empty(); }
+
+  /// Returns: the same field, which is told only where there is something in it.
+  constexpr Field where_not_empty() const {
+    Field field = *this;
+    field.is_left_out_where_empty = true;
+    return field;
+  }
+  /// Returns: the same field, which is told exactly where `other`, which comes before it, is told.
+  constexpr Field only_beside(std::string_view other) const {
+    Field field = *this;
+    field.beside = other;
+    return field;
+  }
+};
+
+/// A record whose fields stand among those of R, without a key of its own.
+template <class R, class T>
+struct Inlined {
+  explicit constexpr Inlined(T R::*member) : member(member) {}
+  T R::*member;
+};
+
+// -- The lists --------------------------------------------------------------------------------------------------------
+
+/// `list`: the fields of a record. `event`: its name, where the record is an event.
+template <class R>
+struct FieldsOf;
+
+template <class R>
+concept Record = requires {
+  FieldsOf<R>::list;
+};
+
+template <class S>
+struct FieldsOf<gjk::SupportPoint<S>> {
+  using R = gjk::SupportPoint<S>;
+  static constexpr std::tuple list{Field("point", &R::point),
+                                   Field("index", &R::index, Meaning::position).where_not_empty()};
+};
+
+template <class S>
+struct FieldsOf<gjk::Vertex<S>> {
+  using R = gjk::Vertex<S>;
+  static constexpr std::tuple list{Field("w", &R::w), Field("a", &R::a), Field("b", &R::b)};
+};
+
+template <class S>
+struct FieldsOf<gjk::Separation<S>> {
+  using R = gjk::Separation<S>;
+  static constexpr std::tuple list{Field("direction", &R::direction), Field("vertex", &R::vertex),
+                                   Field("support_value", &R::support_value)};
+};
+
+template <class S>
+struct FieldsOf<gjk::Result<S>> {
+  using R = gjk::Result<S>;
+  static constexpr std::tuple list{Field("status", &R::status), Field("reason", &R::reason),
+                                   Field("iterations", &R::iterations, Meaning::iterations),
+                                   Field("simplex", &R::simplex),
+                                   Field("separation", &R::separation).where_not_empty()};
+};
+
+template <class S>
+struct FieldsOf<gjk::SearchStarted<S>> {
+  using R = gjk::SearchStarted<S>;
+  static constexpr std::string_view event = "search-started";
+  static constexpr std::tuple list{Field("direction", &R::direction), Field("why", &R::why, Meaning::sentence)};
+};
+
+template <class S>
+struct FieldsOf<gjk::SupportFound<S>> {
+  using R = gjk::SupportFound<S>;
+  static constexpr std::string_view event = "support-found";
+  static constexpr std::tuple list{Field("direction", &R::direction), Inlined(&R::vertex), Field("new", &R::is_new)};
+};
+
+template <class S>
+struct FieldsOf<gjk::CrossingTested<S>> {
+  using R = gjk::CrossingTested<S>;
+  static constexpr std::string_view event = "crossing-tested";
+  static constexpr std::tuple list{Field("value", &R::value).where_not_empty(), Field("verdict", &R::verdict)};
+};
+
+template <class S>
+struct FieldsOf<gjk::VertexAdded<S>> {
+  using R = gjk::VertexAdded<S>;
+  static constexpr std::string_view event = "vertex-added";
+  static constexpr std::tuple list{Field("simplex", &R::simplex)};
+};
+
+template <class S>
+struct FieldsOf<gjk::RegionTested<S>> {
+  using R = gjk::RegionTested<S>;
+  static constexpr std::string_view event = "region-tested";
+  static constexpr std::tuple list{Field("simplex_size", &R::simplex_size, Meaning::simplex_size),
+                                   Field("feature", &R::feature),
+                                   Field("region", &R::label).where_not_empty(),
+                                   Field("face", &R::face).where_not_empty(),
+                                   Field("expression", &R::expression).where_not_empty(),
+                                   Field("formula", &R::formula).where_not_empty(),
+                                   Field("normal", &R::normal).where_not_empty(),
+                                   Field("value", &R::value).where_not_empty(),
+                                   Field("relation", &R::relation).only_beside("value"),
+                                   Field("verdict", &R::verdict),
+                                   Field("reason", &R::reason, Meaning::sentence)};
+};
+
+template <class S>
+struct FieldsOf<gjk::SimplexReduced<S>> {
+  using R = gjk::SimplexReduced<S>;
+  static constexpr std::string_view event = "simplex-reduced";
+  static constexpr std::tuple list{Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
+                                   Field("dropped", &R::dropped), Field("why", &R::why, Meaning::sentence)};
+};
+
+template <class S>
+struct FieldsOf<gjk::DirectionChosen<S>> {
+  using R = gjk::DirectionChosen<S>;
+  static constexpr std::string_view event = "direction-chosen";
+  static constexpr std::tuple list{Field("expression", &R::expression), Field("direction", &R::direction)};
+};
+
+template <class S>
+struct FieldsOf<gjk::Finished<S>> {
+  using R = gjk::Finished<S>;
+  static constexpr std::string_view event = "finished";
+  static constexpr std::tuple list{Inlined(&R::result)};
+};
+
+// -- Visiting them ----------------------------------------------------------------------------------------------------
+
+/// Calls visit(field, value) for each field of `record`, in order; for those of an inlined record in its place.
+template <class R, class Visit>
+requires Record<std::remove_const_t<R>>
+void for_each_field(R& record, const Visit& visit) {
+  const auto visit_one = [&](const auto& field) {
+    if constexpr (requires { field.key; })
+      visit(field, record.*field.member);
+    else
+      for_each_field(record.*field.member, visit);
+  };
+  std::apply([&](const auto&... fields) { (visit_one(fields), ...); }, FieldsOf<std::remove_const_t<R>>::list);
+}
+
+/// Returns: whether there is nothing in the value of a field.
+template <class T>
+bool is_empty(const T& value) {
+  if constexpr (requires { value.empty(); })
+    return value.empty();
+  else if constexpr (requires { value.has_value(); })
+    return !value.has_value();
+  else if constexpr (requires { std::get_if<std::monostate>(&value); })
+    return std::holds_alternative<std::monostate>(value);
+  else
+    return false;
+}
+
+// -- Events -----------------------------------------------------------------------------------------------------------
+
+/// The names of events, in the order of gjk::Event.
+inline constexpr auto event_names = []<class... Events>(std::type_identity<std::variant<Events...>>) {
+  return std::array{FieldsOf<Events>::event...};
+}(std::type_identity<gjk::Event<double>>{});
+
+/// The place of an event in gjk::Event and in event_names.
+template <template <class> class E>
+inline constexpr auto event_index =
+    static_cast<std::size_t>(std::ranges::find(event_names, FieldsOf<E<double>>::event) - event_names.begin());
+
+}  // namespace walkthroughs

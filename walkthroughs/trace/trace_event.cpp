@@ -1,0 +1,147 @@
+#include "walkthroughs/trace/trace_event.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "walkthroughs/model/event_fields.hpp"
+#include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/trace/trace_values.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using namespace reading;
+
+// -- Values, by the type of the field that takes them -----------------------------------------------------------------
+
+void read(const Value& value, Meaning, double& number) {
+  if (value.is(Kind::number)) {
+    number = value.number();
+    return;
+  }
+  expect(value, Kind::string, "a number, \"inf\", \"-inf\" or \"nan\"");
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (value.text() == "nan")
+    number = std::numeric_limits<double>::quiet_NaN();
+  else if (value.text() == "inf" || value.text() == "-inf")
+    number = value.text() == "inf" ? infinity : -infinity;
+  else
+    value.fail(in_quotes(value.text()) +
+               " is not a number; those that are not finite are \"inf\", \"-inf\" and \"nan\"");
+}
+
+void read(const Value& value, Meaning, Point& vector) {
+  expect(value, Kind::list, "a vector [x, y, z]");
+  const std::vector<Value> numbers = value.children();
+  if (numbers.size() != 3) value.fail("expected a vector [x, y, z], found a list of " + std::to_string(numbers.size()));
+  for (std::size_t i = 0; i < 3; ++i) read(numbers[i], Meaning::plain, vector[static_cast<int>(i)]);
+}
+
+void read(const Value& value, Meaning, std::variant<std::monostate, double, Point>& of_expression) {
+  if (value.is(Kind::list))
+    read(value, Meaning::plain, of_expression.emplace<Point>());
+  else
+    read(value, Meaning::plain, of_expression.emplace<double>());
+}
+
+void read(const Value& value, Meaning meaning, int& count) {
+  switch (meaning) {
+    case Meaning::simplex_size: count = whole_number(value, 1, 4); break;
+    case Meaning::position: count = whole_number(value, 0, static_cast<int>(scene_limits::points) - 1); break;
+    default: count = iteration(value);
+  }
+}
+
+void read(const Value& value, Meaning meaning, std::string& text) {
+  expect(value, Kind::string, "a string");
+  text = meaning == Meaning::sentence ? sentence(value) : value.text();
+}
+
+void read(const Value& value, Meaning, bool& is_true) {
+  expect(value, Kind::boolean, "true or false");
+  is_true = value.is_true();
+}
+
+template <class E>
+requires std::is_enum_v<E>
+void read(const Value& value, Meaning, E& enumerator) {
+  enumerator = static_cast<E>(choice(value, words_of::all(E{})));
+}
+
+template <Record R>
+void read(const Value& value, Meaning, R& record);
+
+void read(const Value& value, Meaning, gjk::Simplex<double>& simplex) {
+  expect(value, Kind::list, "a list of vertices");
+  const std::vector<Value> vertices = value.children();
+  if (vertices.size() > 4) value.fail("has " + std::to_string(vertices.size()) + " vertices; a simplex has at most 4");
+  for (const Value& each : vertices) {
+    gjk::Vertex<double> vertex;
+    read(each, Meaning::plain, vertex);
+    simplex.add(vertex);
+  }
+}
+
+template <class T>
+void read(const Value& value, Meaning meaning, std::optional<T>& optional) {
+  read(value, meaning, optional.emplace());
+}
+
+// -- Records ----------------------------------------------------------------------------------------------------------
+
+struct RecordKeys {
+  std::vector<std::string> all, needed;
+};
+
+template <Record R>
+RecordKeys keys_of(const R& record) {
+  RecordKeys keys;
+  for_each_field(record, [&](const auto& field, const auto&) {
+    keys.all.emplace_back(field.key);
+    if (!field.may_be_missing()) keys.needed.emplace_back(field.key);
+  });
+  return keys;
+}
+
+template <Record R>
+void read_fields(const Value& object, R& record) {
+  for_each_field(record, [&](const auto& field, auto& into) {
+    const bool is_there = object.member(field.key).has_value();
+    if (!field.beside.empty() && is_there != object.member(field.beside).has_value())
+      object.fail("'" + std::string(field.beside) + "' and '" + std::string(field.key) + "' belong together");
+    if (is_there || !field.may_be_missing()) read(member(object, field.key), field.meaning, into);
+  });
+}
+
+template <Record R>
+void read(const Value& value, Meaning, R& record) {
+  const RecordKeys keys = keys_of(record);
+  expect_object(value, keys.all, "an object with " + list_of(keys.needed, "and"));
+  read_fields(value, record);
+}
+
+// -- Events -----------------------------------------------------------------------------------------------------------
+
+template <class E>
+gjk::Event<double> read_as(const Value& line) {
+  E event;
+  std::vector<std::string> known = keys_of(event).all;
+  known.insert(known.end(), {"scene", "iteration", "event"});
+  for (const Value& each : line.children())
+    if (std::ranges::count(known, each.key()) == 0) each.fail("is not a key of " + in_quotes(FieldsOf<E>::event));
+  read_fields(line, event);
+  event.iteration = iteration(member(line, "iteration"));
+  return event;
+}
+
+}  // namespace
+
+gjk::Event<double> read_event(const Value& line) {
+  const auto read_one_of = [&]<class... Events>(std::type_identity<std::variant<Events...>>) {
+    constexpr std::array readers{read_as<Events>...};
+    return readers[choice(member(line, "event"), event_names)](line);
+  };
+  return read_one_of(std::type_identity<gjk::Event<double>>{});
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,187 @@
+#include "walkthroughs/trace/trace_header.hpp"
+
+#include <utility>
+
+#include "walkthroughs/model/labelled_hull.hpp"
+#include "walkthroughs/model/number_text.hpp"
+#include "walkthroughs/model/precision.hpp"
+#include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+#include "walkthroughs/trace/trace_values.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using namespace reading;
+
+Pose read_pose(const Value& value, const Space& space, Scalar scalar) {
+  expect_object(value, {"rotation", "translation"}, "an object with 'rotation' and 'translation'");
+  const Value rotation = member(value, "rotation");
+  expect(rotation, Kind::list, "a matrix of three rows");
+  const std::vector<Value> rows = rotation.children();
+  if (rows.size() != 3) rotation.fail("expected three rows, found " + std::to_string(rows.size()));
+  Pose pose;
+  for (int row = 0; row < 3; ++row)
+    pose.rotation.row(row) = Space{Dimension::space}.point(rows[static_cast<std::size_t>(row)]);
+  const double allowed = 64 * precision_of(scalar).epsilon;  // some roundings of sines and cosines
+  const Eigen::Matrix3d product = pose.rotation * pose.rotation.transpose();
+  if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= allowed && pose.rotation.determinant() > 0))
+    rotation.fail("is not a rotation: its rows are not perpendicular unit vectors in right-handed order");
+  if (space.is_plane() && (pose.rotation(2, 0) != 0 || pose.rotation(2, 1) != 0))
+    rotation.fail("turns the object out of the plane");
+  pose.translation = space.point(member(value, "translation"));
+  return pose;
+}
+
+// What may throw is computed before an aggregate is begun: GCC 12 destroys members of unfinished aggregates twice.
+Object read_object(const Value& value, const Space& space, Scalar scalar) {
+  expect_object(value, object_keys(), "an object with a shape");
+  AnyShape form = read_shape(value, space);
+  Object object{.name = {}, .form = std::move(form)};
+  object.name = words(member(value, "name"), scene_limits::name);
+  if (const auto pose = value.member("pose")) object.pose = read_pose(*pose, space, scalar);
+  return object;
+}
+
+Scene read_scene(const Value& value) {
+  expect_object(value,
+                {"name", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
+                 "zero_test", "scalar"},
+                "an object that describes a scene");
+  const std::string name = words(member(value, "name"), scene_limits::name);
+  const Space space{whole_number(member(value, "dimension"), 2, 3) == 2 ? Dimension::plane : Dimension::space};
+  const auto in = value.member("scalar");
+  const Scalar scalar = in ? enumerator<Scalar>(*in, words_of::scalar) : Scalar::binary64;
+  Object a = read_object(member(value, "a"), space, scalar), b = read_object(member(value, "b"), space, scalar);
+  const gjk::Options<double> options{
+      .first_direction = space.direction(member(value, "first_direction")),
+      .iteration_limit = whole_number(member(value, "iteration_limit"), 1, scene_limits::iterations),
+      .crossing_test = enumerator<gjk::CrossingTest>(member(value, "crossing_test"), words_of::crossing_test)};
+  const auto rules = enumerator<RuleSet>(member(value, "rules"), words_of::rules);
+  const auto zero = value.member("zero_test");
+  const ZeroTest zero_test = zero ? enumerator<ZeroTest>(*zero, words_of::zero_test) : ZeroTest::exact;
+  return in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules, zero_test}, value);
+}
+
+std::vector<Scene> read_scenes(const Value& value) {
+  expect(value, Kind::list, "a list of scenes");
+  std::vector<Scene> scenes;
+  for (const Value& each : value.children()) {
+    if (scenes.size() == 2) each.fail("is a third scene; a walkthrough has at most two");
+    scenes.push_back(read_scene(each));
+  }
+  if (scenes.size() == 2 && scenes[0].name == scenes[1].name)
+    value.fail("has two scenes of the name " + in_quotes(scenes[0].name) + "; their lines could not be told apart");
+  return scenes;
+}
+
+Panels read_panels(const Value& value) {
+  expect(value, Kind::list, "a list out of 'objects', 'hull' and 'algorithm'");
+  Panels panels{.objects = false, .hull = false, .algorithm = false};
+  for (const Value& each : value.children()) {
+    bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm};
+    bool& panel = *all[choice(each, words_of::panels)];
+    if (panel) each.fail("'" + each.text() + "' appears twice; name it once");
+    panel = true;
+  }
+  return panels;
+}
+
+std::vector<Remark> read_remarks(const Value& value) {
+  expect(value, Kind::list, "a list of remarks");
+  std::vector<Remark> remarks;
+  for (const Value& each : value.children()) {
+    if (remarks.size() == trace_limits::remarks) each.fail("is one remark too many; there may be 100");
+    expect_object(each, {"at", "iteration", "text", "only_for", "fact"}, "an object with 'at', 'iteration' and 'text'");
+    const auto at = enumerator<Remark::At>(member(each, "at"), words_of::remark_at);
+    const int in_iteration = iteration(member(each, "iteration"));
+    const std::string text = sentence(member(each, "text"));
+    const std::string only_for = each.member("only_for") ? sentence(member(each, "only_for")) : "";
+    const std::string fact = each.member("fact") ? sentence(member(each, "fact")) : "";
+    remarks.push_back({at, in_iteration, text, only_for, fact});
+  }
+  return remarks;
+}
+
+CloseUp read_close_up(const Value& value) {
+  expect_object(value, {"iteration", "direction", "support", "crossing"}, "an object that describes a move");
+  const int in_iteration = whole_number(member(value, "iteration"), 2, scene_limits::iterations);
+  const std::string direction = sentence(member(value, "direction")), support = sentence(member(value, "support"));
+  return {in_iteration, direction, support, sentence(member(value, "crossing"))};
+}
+
+/// A letter for each corner of a hull.
+void require_letters_for_corners(const Value& naming, const std::vector<Scene>& scenes) {
+  for (const Scene& scene : scenes) {
+    const std::size_t a = vertices_of(scene.a).size(), b = vertices_of(scene.b).size();
+    if (scene.dimension != Dimension::plane || a == 0 || b == 0)
+      naming.fail("'corners' needs point sets in the plane; others have no corners to name: write 'roles'");
+    if (a > trace_limits::differences / b || difference_hull(scene).corners.size() > trace_limits::corners)
+      naming.fail("'corners' has letters for 26 corners, and this difference has more: write 'roles'");
+  }
+}
+
+void read_presentation(const Value& value, Walkthrough& walkthrough) {
+  expect_object(value, {"title", "source", "summary", "layout", "panels", "naming", "remarks", "close_up"},
+                "an object that says how the trace is presented");
+  walkthrough.title = words(member(value, "title"), scene_limits::title);
+  walkthrough.source = sentence(member(value, "source"));
+  walkthrough.summary = sentence(member(value, "summary"));
+  const Value layout = member(value, "layout"), naming = member(value, "naming");
+  walkthrough.layout = enumerator<Layout>(layout, words_of::layout);
+  walkthrough.panels = read_panels(member(value, "panels"));
+  walkthrough.naming = enumerator<Naming>(naming, words_of::naming);
+  if (walkthrough.naming == Naming::corners) require_letters_for_corners(naming, walkthrough.scenes);
+  if (const auto remarks = value.member("remarks")) walkthrough.remarks = read_remarks(*remarks);
+  if (const auto move = value.member("close_up")) walkthrough.close_up = read_close_up(*move);
+  const std::size_t scenes = walkthrough.layout == Layout::search ? 1 : 2;
+  if (walkthrough.scenes.size() != scenes)
+    layout.fail("'" + layout.text() + "' shows " + std::to_string(scenes) + (scenes == 1 ? " scene" : " scenes") +
+                ", but the trace has " + std::to_string(walkthrough.scenes.size()));
+  if (walkthrough.close_up.has_value() != (walkthrough.layout == Layout::close_ups))
+    layout.fail("'close_up' is there exactly where the layout is 'close-ups'");
+}
+
+/// Names like "regions/2-simplex-r3": pictures go to a folder of that name, which must not lie elsewhere.
+std::string read_name(const Value& value) {
+  const std::string name = words(value, trace_limits::name);
+  const auto is_plain = [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-';
+  };
+  bool is_begin = true;
+  for (const char c : name + "/") {
+    const bool is_good = is_begin ? is_plain(c) : is_plain(c) || c == '.' || c == '/';
+    if (!is_good)
+      value.fail(in_quotes(name) + " cannot name a folder; use letters, digits, '_', '-', and inside of words '.'");
+    is_begin = c == '/';
+  }
+  return name;
+}
+
+/// Whether this is a trace, and one that this program knows: before anything else can look wrong about it.
+void require_known_version(const Value& root) {
+  const auto schema = root.is(Kind::object) ? root.member("schema") : std::nullopt;
+  if (!schema || !schema->is(Kind::string) || schema->text() != "gjkstep-trace")
+    root.fail("is not the first line of a trace: it has no \"schema\": \"gjkstep-trace\"; " + trace_advice);
+  const Value version = member(root, "version");
+  expect(version, Kind::number, "a number");
+  if (version.number() != trace_version)
+    version.fail("version " + number_text(version.number()) + " is not known; this program reads version " +
+                 std::to_string(trace_version) + ": " + trace_advice);
+}
+
+}  // namespace
+
+Walkthrough read_header(const Value& root) {
+  require_known_version(root);
+  expect_object(root, {"schema", "version", "walkthrough", "scalar", "presentation", "scenes"}, "an object");
+  constexpr std::array<std::string_view, 1> scalars{"double"};
+  choice(member(root, "scalar"), scalars);
+  Walkthrough walkthrough;
+  walkthrough.name = read_name(member(root, "walkthrough"));
+  walkthrough.scenes = read_scenes(member(root, "scenes"));
+  read_presentation(member(root, "presentation"), walkthrough);
+  return walkthrough;
+}
+
+}  // namespace walkthroughs
