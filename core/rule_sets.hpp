@@ -58,4 +58,12 @@ decltype(auto) with_rules(RuleSet rules, ZeroTestKind test, Use&& use) {
   throw std::invalid_argument("there is no such zero test");
 }
 
+/// Returns: what Algorithm 1 does with these rules; no zero test changes it.
+inline FirstPoint first_point(RuleSet rules) {
+  return with_rules<ExactZeroTest>(rules, []<class Rules>() { return Rules::first_point(); });
+}
+inline NotCrossed not_crossed(RuleSet rules) {
+  return with_rules<ExactZeroTest>(rules, []<class Rules>() { return Rules::not_crossed(); });
+}
+
 }  // namespace gjk

@@ -56,6 +56,32 @@ TEST_CASE("A set of rules by its name answers as its type does", "[rule-sets]") 
   }
 }
 
+TEST_CASE("Algorithm 1 of a set of rules by its name is that of its type", "[rule-sets]") {
+  REQUIRE(first_point(RuleSet::as_intended) == FirstPoint::taken_as_it_is);
+  REQUIRE(first_point(RuleSet::as_printed) == FirstPoint::taken_as_it_is);
+  REQUIRE(first_point(RuleSet::eager) == FirstPoint::tested);
+  REQUIRE(not_crossed(RuleSet::as_intended) == NotCrossed::answer_at_once);
+  REQUIRE(not_crossed(RuleSet::as_printed) == NotCrossed::process_the_simplex);
+  REQUIRE(not_crossed(RuleSet::eager) == NotCrossed::answer_at_once);
+}
+
+TEST_CASE("From the same first direction eager rules answer as those intended do, and never later", "[rule-sets]") {
+  Dice dice(53);
+  int sooner = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const auto a = point_set<double>(t.a), b = point_set<double>(t.b);
+    const auto intended = collision<double>(a, b);
+    const auto eager = collision<double, Eager<>>(a, b);
+    INFO("pair " << i);
+    REQUIRE(eager.iterations <= intended.iterations);
+    if (intended.status != Status::undecided && eager.status != Status::undecided)
+      REQUIRE(eager.status == intended.status);
+    sooner += eager.iterations < intended.iterations ? 1 : 0;
+  }
+  REQUIRE(sooner > 100);
+}
+
 // -- Variants ---------------------------------------------------------------------------------------------------------
 
 /// Each hides one detail, and does what the hidden one does.

@@ -1,4 +1,5 @@
-/// Whatever a stream of queries holds: each line gets one line, an answer or an error that names it, in every scalar; and
+/// Whatever a stream of queries holds: each line gets one line, an answer or an error that names it, in every scalar and by all
+/// rules; and
 /// the quick way through lines finds what the other reader finds.
 ///
 ///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
@@ -65,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require_same_tree(text.substr(begin, text.find('\n', begin) - begin));
   const auto lines_in = static_cast<std::size_t>(std::ranges::count(text, '\n')) + (size && text.back() != '\n');
   for (int scalar = 0; scalar < static_cast<int>(query_scalars.size()); ++scalar)
-    for (const RuleSet rules : {RuleSet::as_intended, RuleSet::as_printed}) {
+    for (const auto& rules : gjk::rule_sets) {
       std::string_view rest = text;
       const auto read = [&](std::span<char> bytes) {  // in parts of some odd size
         const std::size_t count = std::min({bytes.size(), rest.size(), std::size_t{61}});
@@ -74,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return count;
       };
       std::string answers;
-      const QueryOptions options{.scalar = static_cast<QueryScalar>(scalar), .rules = rules};
+      const QueryOptions options{.scalar = static_cast<QueryScalar>(scalar), .rules = rules.value};
       const QueryTally tally = answer_lines(options, read, [&](std::string_view part) { answers += part; });
       require(tally.lines == lines_in);
       require_lines(answers, tally);

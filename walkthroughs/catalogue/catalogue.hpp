@@ -43,6 +43,7 @@ std::vector<Walkthrough> vehicle_and_threat();
 Walkthrough cycle_separated();
 Walkthrough cycle_intersecting();
 Walkthrough as_printed_spheres();
+Walkthrough eager_between_centers();
 std::vector<Walkthrough> failures();
 
 }  // namespace walkthroughs

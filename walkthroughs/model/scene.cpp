@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/gjk.hpp"
+#include "core/rule_sets.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/widened.hpp"
 
@@ -42,6 +43,17 @@ std::vector<Point> vertices_of(const Object& object) {
   return vertices;
 }
 
+Point center_of(const Object& object) {
+  const Point own = middle<double>(object.form);
+  return object.is_at_rest() ? own : object.pose(own);
+}
+
+Scene from_center_to_center(Scene scene) {
+  const Point direction = gjk::first_direction_between(center_of(scene.a), center_of(scene.b));
+  if (gjk::is_usable_direction(direction)) scene.options.first_direction = direction;
+  return scene;
+}
+
 // -- Other scalars ----------------------------------------------------------------------------------------------------
 
 namespace {
@@ -77,17 +89,8 @@ void round_to_float(Object& object) {
 /// The one place where what a scene says becomes template arguments: calls run<S, Rules>().
 template <class Run>
 void with_types_of(const Scene& scene, Run&& run) {
-  const auto with_zero_test = [&]<class S, class Zero>(S, Zero) {
-    switch (scene.rules) {
-      case RuleSet::as_intended: return run.template operator()<S, gjk::Intended<Zero>>();
-      case RuleSet::as_printed: return run.template operator()<S, gjk::Printed<Zero>>();
-    }
-  };
-  const auto in = [&]<class S>(S scalar) {
-    switch (scene.zero_test) {
-      case ZeroTest::exact: return with_zero_test(scalar, gjk::ExactZeroTest{});
-      case ZeroTest::relative: return with_zero_test(scalar, gjk::RelativeZeroTest{});
-    }
+  const auto in = [&]<class S>(S) {
+    gjk::with_rules(scene.rules, scene.zero_test, [&]<class Rules>() { run.template operator()<S, Rules>(); });
   };
   switch (scene.scalar) {
     case Scalar::binary64: return in(double{});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/events.hpp"
+#include "core/rule_sets.hpp"
 #include "core/shapes.hpp"
 #include "walkthroughs/model/any_shape.hpp"
 
@@ -49,11 +50,11 @@ inline Points points(std::vector<Point> vertices) { return vertices; }
 /// Returns: the vertices of a point set where the pose puts them; none for other shapes.
 std::vector<Point> vertices_of(const Object& object);
 
-/// Which functions of core/rules.hpp run.
-enum class RuleSet { as_intended, as_printed };
+/// Returns: the middle of its form where the pose puts it: a point inside.
+Point center_of(const Object& object);
 
-/// What counts as zero, see core/zero_test.hpp.
-enum class ZeroTest { exact, relative };
+using gjk::RuleSet;
+using ZeroTest = gjk::ZeroTestKind;
 
 /// In which numbers the search computes: double or float. The words are those of IEEE 754.
 enum class Scalar { binary64, binary32 };
@@ -73,6 +74,9 @@ struct Scene {
 /// drawn are those that are searched, and what goes wrong is the search's doing.
 /// Errors: std::range_error, with the number, where one is beyond all floats or a length or direction vanishes.
 Scene in_float(Scene scene);
+
+/// Returns: the scene with the first direction from the center of a to that of b; with the usual one where there is none.
+Scene from_center_to_center(Scene scene);
 
 using Trace = gjk::Trace<double>;
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/events.hpp"
+#include "core/rule_sets.hpp"
 
 namespace walkthroughs::words_of {
 
@@ -19,8 +20,8 @@ constexpr std::array<std::string_view, count> as_core_says() {
 }
 
 inline constexpr std::array<std::string_view, 2> crossing_test{"on", "off"};
-inline constexpr std::array<std::string_view, 2> rules{"as-intended", "as-printed"};
-inline constexpr std::array<std::string_view, 2> zero_test{"exact", "relative"};
+inline constexpr auto rules = as_core_says<gjk::RuleSet, gjk::rule_sets.size()>();
+inline constexpr auto zero_test = as_core_says<gjk::ZeroTestKind, gjk::zero_tests.size()>();
 inline constexpr std::array<std::string_view, 2> scalar{"double", "float"};
 inline constexpr std::array<std::string_view, 3> panels{"objects", "hull", "algorithm"};
 inline constexpr std::array<std::string_view, 4> layout{"search", "close-ups", "in-step", "until-they-part"};

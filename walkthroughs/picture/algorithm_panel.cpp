@@ -34,13 +34,13 @@ std::string title_of(int number, const Names& names, const Simplex& simplex) {
 /// Draws the lines in equal steps from top to bottom.
 class Listing {
  public:
-  Listing(render::Canvas& canvas, const render::Box& room, int number, const Shown& shown)
+  Listing(render::Canvas& canvas, const render::Box& room, int number, std::size_t lines, const Shown& shown)
       : canvas_(canvas),
         number_(number),
         room_(room),
         shown_(shown),
         style_(shown.style),
-        pitch_(std::min(most_pitch, room.height() / (static_cast<double>(algorithm(number).size()) + 0.7))),
+        pitch_(std::min(most_pitch, room.height() / (static_cast<double>(lines) + 0.7))),
         text_{.size = std::clamp(pitch_ * 0.8, least_text_size, text_size), .color = style_.theme.ink} {}
 
   void line(std::size_t index, const CodeLine& line, bool is_current) {
@@ -93,11 +93,11 @@ class Listing {
 
 void draw_algorithm(render::Canvas& canvas, const render::Box& frame, const Shown& shown) {
   const int number = running_algorithm(shown.now, shown.focus);
-  const std::vector<CodeLine>& code = algorithm(number);
+  const std::vector<CodeLine>& code = algorithm(number, shown.telling.scene.rules);
   draw_panel_title(canvas, frame, title_of(number, shown.names, shown.now.processed), {}, shown.style);
   const render::Box room = below_title(frame);
   const std::optional<std::size_t> current = current_line(code, shown.now, shown.focus);
-  Listing listing(canvas, room, number, shown);
+  Listing listing(canvas, room, number, code.size(), shown);
   for (std::size_t i = 0; i < code.size(); ++i) listing.line(i, code[i], current == i);
 }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -29,7 +30,8 @@ constexpr const char* footer =
   {"sphere": {"center": [x, y, z], "radius": r}}
   {"cylinder": {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}}
   {"sum": [SHAPE, SHAPE]}, two of these four: all points x + y
-with a "pose" and a "name" if you like; exact takes points and their sums only. A number is read as the nearest double and then
+with a "pose" and a "name" if you like; exact takes points and their sums only. Eager rules search first from the center
+of a, for points their mean, to that of b; the others along +x. A number is read as the nearest double and then
 converted. A line may have 16 MiB, and end in CR LF.
 Standard output: one line for each, in the same order,
   {"status": "intersecting", "separated" or "undecided", "iterations": n, "reason": "...", "evidence": {...}}
@@ -100,11 +102,21 @@ Enumerator choice(const std::string& option, const std::string& word,
                    "'? 'gjkstep query --help' shows all");
 }
 
+/// Returns: "as-intended: the report's rules; as-printed: ...".
+template <class E, std::size_t count>
+std::string words_and_meanings(const std::array<gjk::Named<E>, count>& table) {
+  std::string text;
+  for (const gjk::Named<E>& each : table)
+    text.append(text.empty() ? "" : "; ").append(each.name).append(": ").append(each.meaning);
+  return text;
+}
+
 }  // namespace
 
 int QueryCommand::run() const {
   QueryOptions options{.scalar = choice<QueryScalar>("--scalar", scalar, query_scalars),
-                       .rules = choice<RuleSet>("--rules", rules, words_of::rules)};
+                       .rules = choice<RuleSet>("--rules", rules, words_of::rules),
+                       .zero_test = choice<ZeroTest>("--zero-test", zero_test, words_of::zero_test)};
   if (max_iterations < 1 || max_iterations > scene_limits::iterations)
     throw UsageError("--max-iterations " + std::to_string(max_iterations) + ": expected a whole number from 1 to " +
                      std::to_string(scene_limits::iterations));
@@ -122,8 +134,8 @@ CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
       app.add_subcommand("query", "answer pairs of objects: one pair a line in, one answer a line out");
   command->add_option("--scalar", query.scalar, "compute in float, double, long-double or exact fractions")
       ->capture_default_str();
-  command->add_option("--rules", query.rules, "as-intended, or as-printed: Algorithm 1 read literally")
-      ->capture_default_str();
+  command->add_option("--rules", query.rules, words_and_meanings(gjk::rule_sets))->capture_default_str();
+  command->add_option("--zero-test", query.zero_test, words_and_meanings(gjk::zero_tests))->capture_default_str();
   command->add_option("--max-iterations", query.max_iterations, "1 to 1000; then the answer is undecided")
       ->capture_default_str();
   command->footer(footer);

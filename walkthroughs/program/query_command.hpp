@@ -7,7 +7,7 @@
 namespace walkthroughs {
 
 struct QueryCommand {
-  std::string scalar = "double", rules = "as-intended";
+  std::string scalar = "double", rules = "as-intended", zero_test = "exact";
   int max_iterations = 20;
 
   /// Returns: the exit code: 0, or 3 where a line was bad (told on standard error; the others are answered).

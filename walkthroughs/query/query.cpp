@@ -1,8 +1,10 @@
 #include "walkthroughs/query/query.hpp"
 
+#include <concepts>
 #include <nlohmann/json.hpp>
 
 #include "core/gjk.hpp"
+#include "core/rule_sets.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_object.hpp"
 #include "walkthroughs/text/scene_object.hpp"
@@ -28,15 +30,33 @@ PairAsWritten read_pair(std::string_view line) {
   return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
 }
 
+Point center_of(const ObjectAsWritten& object) {
+  const Point own = middle<double>(object.form);
+  return object.pose ? (*object.pose)(own) : own;
+}
+
+/// Rules that test the first point, too, begin between the centers, as in scenes; but along the usual direction where S has
+/// no such number.
 template <class S>
-void answer_in(PairAsWritten pair, const QueryOptions& query, std::string& out) {
-  const QueryObject<S> a = query_object<S>(std::move(pair.a), "a"), b = query_object<S>(std::move(pair.b), "b");
+gjk::Options<S> options_of(const PairAsWritten& pair, const QueryOptions& query) {
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
-  switch (query.rules) {
-    case RuleSet::as_intended: return write_answer(gjk::collision<S, gjk::AsIntended>(a, b, options), out);
-    case RuleSet::as_printed: return write_answer(gjk::collision<S, gjk::AsPrinted>(a, b, options), out);
-  }
+  if (gjk::first_point(query.rules) != gjk::FirstPoint::tested) return options;
+  const Point d = gjk::first_direction_between(center_of(pair.a), center_of(pair.b));
+  const gjk::Vec3<S> direction(static_cast<S>(d.x()), static_cast<S>(d.y()), static_cast<S>(d.z()));
+  if (gjk::is_usable_direction(direction)) options.first_direction = direction;
+  return options;
+}
+
+template <class S>
+void answer_in(PairAsWritten pair, const QueryOptions& query, std::string& out) {
+  const gjk::Options<S> options = options_of<S>(pair, query);
+  const QueryObject<S> a = query_object<S>(std::move(pair.a), "a"), b = query_object<S>(std::move(pair.b), "b");
+  const auto answer_by = [&]<class Rules>() { write_answer(gjk::collision<S, Rules>(a, b, options), out); };
+  if constexpr (std::floating_point<S>)
+    gjk::with_rules(query.rules, query.zero_test, answer_by);
+  else  // what does not round has nothing to tolerate: both zero tests are this one
+    gjk::with_rules<gjk::ExactZeroTest>(query.rules, answer_by);
 }
 
 void answer(PairAsWritten pair, const QueryOptions& query, std::string& out) {

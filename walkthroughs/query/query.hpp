@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 4> query_scalars{"float", "double"
 struct QueryOptions {
   QueryScalar scalar = QueryScalar::binary64;
   RuleSet rules = RuleSet::as_intended;
+  ZeroTest zero_test = ZeroTest::exact;
   int iteration_limit = 20;  ///< 1 to scene_limits::iterations
 };
 

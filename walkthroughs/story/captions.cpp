@@ -84,6 +84,7 @@ class Captions {
     if (!event.value) return std::nullopt;
     const std::string name = names_.of(now_.found->w);
     const std::string value = name + "·d = " + number(*event.value);
+    if (event.iteration == 1) return of_first_point(event, name, value);
     if (event.verdict == Crossing::not_crossed)
       return frame_about(
           Focus::crossing,
@@ -149,6 +150,23 @@ class Captions {
   }
 
  private:
+  /// No move led to the first point, so none is told.
+  static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name,
+                              const std::string& value) {
+    if (event.verdict == Crossing::not_crossed)
+      return frame_about(Focus::crossing,
+                         "Already the first point, " + name +
+                             ", does not reach the origin's level: nothing of the difference reaches that far along d",
+                         {{Mark::no, value + " < 0: the difference ends before the origin (Eq. 9)"}});
+    if (!(*event.value > 0))
+      return frame_about(Focus::crossing,
+                         "The first point, " + name + ", just reaches the origin's level, so the search goes on",
+                         {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}});
+    return frame_about(Focus::crossing,
+                       "The first point, " + name + ", lies beyond the origin's level, so the search goes on",
+                       {{Mark::yes, value + " > 0: this proves nothing"}});
+  }
+
   /// `caption`: without the full stop.
   static Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
     return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
@@ -162,8 +180,10 @@ class Captions {
   std::string vec(const Point& value) const { return vector(value, scene_.dimension); }
 
   std::string first_point_fact() const {
-    return scene_.options.crossing_test == gjk::CrossingTest::on ? "the crossing test does not apply to the first point"
-                                                                 : "this run does without the crossing test";
+    if (scene_.options.crossing_test == gjk::CrossingTest::off) return "this run does without the crossing test";
+    return gjk::first_point(scene_.rules) == gjk::FirstPoint::tested
+               ? "these rules apply the crossing test to the first point, too"
+               : "the crossing test does not apply to the first point";
   }
 
   bool without_crossing_test() const { return now_.crossing && now_.crossing->verdict == Crossing::switched_off; }

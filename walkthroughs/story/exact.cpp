@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/gjk.hpp"
+#include "core/rule_sets.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -34,10 +35,9 @@ ExactTrace run_exactly(const Scene& scene) {
                                     .iteration_limit = scene.options.iteration_limit,
                                     .crossing_test = scene.options.crossing_test};
   ExactTrace trace;
-  if (scene.rules == RuleSet::as_printed)
-    gjk::collision<Exact, gjk::AsPrinted>(exact(scene.a), exact(scene.b), options, trace);
-  else
-    gjk::collision<Exact, gjk::AsIntended>(exact(scene.a), exact(scene.b), options, trace);
+  gjk::with_rules<gjk::ExactZeroTest>(scene.rules, [&]<class Rules>() {
+    gjk::collision<Exact, Rules>(exact(scene.a), exact(scene.b), options, trace);
+  });
   return trace;
 }
 

@@ -9,17 +9,29 @@ namespace {
 using gjk::Relation;
 using Kind = LineKind;
 
-std::vector<CodeLine> algorithm_1() {
-  return {{0, "d ← first direction, simplex ← [ ]"},
-          {0, "repeat, at most N times"},
-          {1, "P ← support(a, d) − support(b, −d)", Kind::support},
-          {1, "if not the first and P·d < 0", Kind::crossing},
-          {2, "separated", Kind::separated},
-          {1, "P joins the simplex and becomes A", Kind::add},
-          {1, "process it by Algorithms 2 to 5", Kind::process},
-          {1, "if it contains the origin"},
-          {2, "intersecting", Kind::intersecting},
-          {0, "undecided", Kind::undecided}};
+void append(std::vector<CodeLine>& code, const std::vector<CodeLine>& more) {
+  code.insert(code.end(), more.begin(), more.end());
+}
+
+std::vector<CodeLine> algorithm_1(gjk::FirstPoint first_point, gjk::NotCrossed not_crossed) {
+  const std::string missed = first_point == gjk::FirstPoint::tested ? "P·d < 0" : "not the first and P·d < 0";
+  const bool ends = not_crossed == gjk::NotCrossed::answer_at_once;
+  std::vector<CodeLine> code{{0, "d ← first direction, simplex ← [ ]"},
+                             {0, "repeat, at most N times"},
+                             {1, "P ← support(a, d) − support(b, −d)", Kind::support},
+                             {1, (ends ? "if " : "missed ← ") + missed, Kind::crossing}};
+  if (ends) code.push_back({2, "separated", Kind::separated});
+  append(code, {{1, "P joins the simplex and becomes A", Kind::add},
+                {1, "process it by Algorithms 2 to 5", Kind::process},
+                {1, "if it contains the origin"},
+                {2, "intersecting", Kind::intersecting}});
+  if (!ends) append(code, {{1, "else if missed"}, {2, "separated", Kind::separated}});
+  code.push_back({0, "undecided", Kind::undecided});
+  return code;
+}
+
+std::vector<CodeLine> algorithm_1_of(RuleSet rules) {
+  return algorithm_1(gjk::first_point(rules), gjk::not_crossed(rules));
 }
 
 std::vector<CodeLine> algorithm_2() {
@@ -113,10 +125,15 @@ std::optional<std::size_t> action_after(const std::vector<CodeLine>& code, std::
 
 }  // namespace
 
-const std::vector<CodeLine>& algorithm(int number) {
-  static const std::array<std::vector<CodeLine>, 5> all = {algorithm_1(), algorithm_2(), algorithm_3(), algorithm_4(),
-                                                           algorithm_5()};
-  return all.at(static_cast<std::size_t>(number - 1));
+const std::vector<CodeLine>& algorithm(int number, RuleSet rules) {
+  static const std::array<std::vector<CodeLine>, 4> others = {algorithm_2(), algorithm_3(), algorithm_4(),
+                                                              algorithm_5()};
+  static const auto first = [] {
+    std::array<std::vector<CodeLine>, gjk::rule_sets.size()> each;
+    for (std::size_t i = 0; i < each.size(); ++i) each[i] = algorithm_1_of(gjk::rule_sets[i].value);
+    return each;
+  }();
+  return number == 1 ? first.at(static_cast<std::size_t>(rules)) : others.at(static_cast<std::size_t>(number - 2));
 }
 
 int running_algorithm(const Moment& now, Focus focus) {

@@ -22,8 +22,8 @@ struct CodeLine {
   std::optional<gjk::Relation> relation = {};  ///< of a test that has one line for each outcome
 };
 
-/// Returns: Algorithm 1 to 5. Requires: 1 <= number <= 5.
-const std::vector<CodeLine>& algorithm(int number);
+/// Returns: Algorithm 1 to 5, as these rules have it. Requires: 1 <= number <= 5.
+const std::vector<CodeLine>& algorithm(int number, RuleSet rules);
 
 /// Returns: the number of the algorithm that was running when this was the last event, as `focus` tells it.
 int running_algorithm(const Moment& now, Focus focus);

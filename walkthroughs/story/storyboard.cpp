@@ -155,8 +155,8 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
                                                   : "Both runs go on.";
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
   for (const auto& [scene, one] : said) {
-    const bool as_intended = scene->rules == RuleSet::as_intended;
-    frame.facts.push_back({as_intended ? Fact::Mark::yes : Fact::Mark::no, scene->name + ": " + one.caption});
+    const bool is_sound = gjk::not_crossed(scene->rules) == gjk::NotCrossed::answer_at_once;
+    frame.facts.push_back({is_sound ? Fact::Mark::yes : Fact::Mark::no, scene->name + ": " + one.caption});
   }
   return frame;
 }

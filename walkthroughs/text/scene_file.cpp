@@ -129,6 +129,9 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   const gjk::Options<double> options = read_options(root, space);
   const RuleSet rules = read_rules(root);
   const ZeroTest zero_test = read_zero_test(root);
+  Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test};
+  if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
+    scene = from_center_to_center(std::move(scene));
   const Panels panels = read_panels(root);
   const std::optional<render::Size> size = read_size(root);
 
@@ -140,8 +143,7 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   file.walkthrough.layout = Layout::search;
   file.walkthrough.panels = panels;
   file.walkthrough.naming = Naming::roles;
-  file.walkthrough.scenes.push_back(
-      in_its_scalar({"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test}, root));
+  file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene), root));
   return file;
 }
 
@@ -194,10 +196,11 @@ std::string_view example_scene() {
   },
 
   // How the algorithm runs.
-  "first_direction": [1, 0, 0],
+  "first_direction": [1, 0, 0],  // without it, and with "eager": from the center of a to that of b
   "iteration_limit": 20,
   "crossing_test": "on",   // "off": go on until there are no new points
-  "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake
+  "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake; "eager": P·d < 0 ends
+                           // the search at the first point, too
   "zero_test": "exact",    // "relative": products that rounding may have made count as zero
   "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
 

@@ -6,14 +6,17 @@
 ///     title            heads every frame; 1 to 120 characters                                          the file's name
 ///     dimension        2 (points are [x, y] or [x, y, 0]) or 3                                          3
 ///     a, b             the two objects                                                                 an error
-///     first_direction  where the search begins; any length but zero                                    [1, 0, 0]
+///     first_direction  where the search begins; any length but zero                                    [1, 0, 0], or below
 ///     iteration_limit  1 to 1000                                                                       20
 ///     crossing_test    "on", "off" (Section 3.1.3)                                                     "on"
-///     rules            "as-intended", "as-printed" (Algorithm 1)                                       "as-intended"
+///     rules            "as-intended", "as-printed", "eager" (core/rule_sets.hpp)                       "as-intended"
 ///     zero_test        "exact", "relative" (core/zero_test.hpp)                                        "exact"
 ///     scalar           "double", "float"; numbers are rounded to the nearest float and computed with    "double"
 ///     panels           those of "objects", "hull", "algorithm" to show beside the search               all three
 ///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
+///
+/// Eager rules, which test the first point, too, begin in the direction from the center of a to that of b: the mean of a
+/// point set's points, the sum of the centers of a sum.
 ///
 /// An object has one shape, and may have a name (1 to 40 characters) and a pose:
 ///

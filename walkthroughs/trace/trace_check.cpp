@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/gjk.hpp"
+#include "core/rule_sets.hpp"
 #include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
@@ -117,7 +118,8 @@ void TraceCheck::check(const gjk::SupportFound<double>& event) {
 
 Crossing TraceCheck::crossing_that_follows(const gjk::CrossingTested<double>& event) const {
   if (scene_.options.crossing_test == CrossingTest::off) return Crossing::switched_off;
-  if (simplex_.size() == 0) return Crossing::first_point;
+  if (simplex_.size() == 0 && gjk::first_point(scene_.rules) == gjk::FirstPoint::taken_as_it_is)
+    return Crossing::first_point;
   const bool is_negative = event.value && *event.value < 0;
   return is_negative && !(event.verdict == Crossing::crossed && reach_counts_as_zero()) ? Crossing::not_crossed
                                                                                         : Crossing::crossed;
@@ -146,7 +148,8 @@ void TraceCheck::check(const gjk::CrossingTested<double>& event) {
 /// going on are accepted.
 void TraceCheck::decide_after_crossing(const gjk::CrossingTested<double>& event) {
   expected_ = {event_index<gjk::VertexAdded>};
-  if (event.verdict == Crossing::not_crossed && scene_.rules == RuleSet::as_intended) {
+  const bool ends_if_not_crossed = gjk::not_crossed(scene_.rules) == gjk::NotCrossed::answer_at_once;
+  if (event.verdict == Crossing::not_crossed && ends_if_not_crossed) {
     expected_ = {event_index<gjk::Finished>};
     end_outside(Reason::origin_not_crossed);
   } else if (event.verdict == Crossing::switched_off && !is_new_) {

@@ -58,10 +58,18 @@ struct AnyShape {
   }
 };
 
-/// Point sets are asked as users ask them; the choice of the form is made for each support call of other shapes.
+/// Rules that test the first point, too, begin between the centers.
 template <class S, class Rules>
-gjk::Result<S> result_of(const Question& question, const gjk::Options<S>& options) {
+void set_first_direction(gjk::Options<S>& options, const QuestionOf<S>& question) {
+  if constexpr (Rules::first_point() == gjk::FirstPoint::tested) options.first_direction = question.between_centers;
+}
+
+/// Point sets are asked as users ask them; the choice of the form is made for each support call of other shapes. `options`:
+/// become those of the question.
+template <class S, class Rules>
+gjk::Result<S> result_of(const Question& question, gjk::Options<S>& options) {
   const auto& q = static_cast<const QuestionOf<S>&>(question);
+  set_first_direction<S, Rules>(options, q);
   const auto* const a = std::get_if<gjk::PointSet<S>>(&q.a);
   const auto* const b = std::get_if<gjk::PointSet<S>>(&q.b);
   if (a && b) return gjk::collision<S, Rules>(*a, *b, options);
@@ -73,6 +81,12 @@ gjk::Options<S> limited_to(int limit) {
   gjk::Options<S> options;
   options.iteration_limit = limit;
   return options;
+}
+
+template <class S, class Rules>
+gjk::Result<S> result_to(const Question& question, int limit) {
+  gjk::Options<S> options = limited_to<S>(limit);
+  return result_of<S, Rules>(question, options);
 }
 
 template <class S>
@@ -105,7 +119,7 @@ bool is_same_simplex(const gjk::Simplex<S>& x, const gjk::Simplex<S>& y) {
 template <class S, class Rules>
 struct Asking {
   static Outcome ask(const Question& question, int limit) {
-    const gjk::Result<S> result = result_of<S, Rules>(question, limited_to<S>(limit));
+    const gjk::Result<S> result = result_to<S, Rules>(question, limit);
     return {answer_of(result), result.iterations};
   }
 
@@ -113,7 +127,7 @@ struct Asking {
   static int first_return(const Question& question, int limit) {
     const std::vector<gjk::Vec3<S>> directions = directions_of(question, limit);
     const auto simplex_before = [&](std::size_t k) {
-      return result_of<S, Rules>(question, limited_to<S>(static_cast<int>(k))).simplex;
+      return result_to<S, Rules>(question, static_cast<int>(k)).simplex;
     };
     for (std::size_t later = 1; later < directions.size(); ++later)
       for (std::size_t earlier = 0; earlier < later; ++earlier)
@@ -123,7 +137,7 @@ struct Asking {
   }
 
   static std::chrono::nanoseconds time(std::span<const Question* const> questions, int limit) {
-    const gjk::Options<S> options = limited_to<S>(limit);
+    gjk::Options<S> options = limited_to<S>(limit);
     int iterations = 0;
     const std::chrono::nanoseconds start = thread_time();
     for (const Question* const question : questions) iterations += result_of<S, Rules>(*question, options).iterations;
@@ -139,7 +153,9 @@ struct Asking {
     const auto& q = static_cast<const QuestionOf<S>&>(question);
     std::vector<gjk::Vec3<S>> directions;
     const AnyShape<S> a{q.a}, b{q.b};
-    gjk::collision<S, Rules>(NotingShape<S>{a, directions}, b, limited_to<S>(limit));
+    gjk::Options<S> options = limited_to<S>(limit);
+    set_first_direction<S, Rules>(options, q);
+    gjk::collision<S, Rules>(NotingShape<S>{a, directions}, b, options);
     return directions;
   }
 };

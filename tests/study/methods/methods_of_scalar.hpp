@@ -3,26 +3,30 @@
 
 #include <concepts>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/rule_sets.hpp"
 #include "tests/study/methods/method.hpp"
 
 namespace study {
 
-/// Adds `Rules` with each zero test. A zero test with a tolerance means nothing to a scalar that does not round.
-template <class S, template <class> class Rules>
-void add(std::vector<Method>& all, const std::string& rules, const Scalar& scalar) {
-  all.push_back(method_of<S, Rules<gjk::ExactZeroTest>>(rules, "exact", scalar));
-  if constexpr (!std::same_as<S, Exact>)
-    all.push_back(method_of<S, Rules<gjk::RelativeZeroTest>>(rules, "relative", scalar));
-}
-
+/// All sets of rules with each zero test. One with a tolerance means nothing to a scalar that does not round.
 template <class S>
 std::vector<Method> methods_of_scalar(const std::string& scalar_name) {
   const Scalar scalar = scalar_called<S>(scalar_name);
   std::vector<Method> all;
-  add<S, gjk::Intended>(all, "as-intended", scalar);
-  add<S, gjk::Printed>(all, "as-printed", scalar);  // a further variant of the rules is one more line like this
+  const auto add = [&]<class Rules>(std::string_view rules, gjk::ZeroTestKind test) {
+    all.push_back(method_of<S, Rules>(std::string(rules), std::string(to_string(test)), scalar));
+  };
+  using gjk::ZeroTestKind;
+  for (const auto& rules : gjk::rule_sets) {
+    gjk::with_rules<gjk::ExactZeroTest>(
+        rules.value, [&]<class Rules>() { add.template operator()<Rules>(rules.name, ZeroTestKind::exact); });
+    if constexpr (std::floating_point<S>)
+      gjk::with_rules<gjk::RelativeZeroTest>(
+          rules.value, [&]<class Rules>() { add.template operator()<Rules>(rules.name, ZeroTestKind::relative); });
+  }
   return all;
 }
 

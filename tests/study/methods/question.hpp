@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/gjk.hpp"
 #include "core/shapes.hpp"
 #include "tests/study/pairs/pair.hpp"
 
@@ -28,8 +29,10 @@ struct Question {
 
 template <class S>
 struct QuestionOf : Question {
-  QuestionOf(Form<S> first, Form<S> second) : a(std::move(first)), b(std::move(second)) {}
+  QuestionOf(Form<S> first, Form<S> second, gjk::Vec3<S> direction)
+      : a(std::move(first)), b(std::move(second)), between_centers(std::move(direction)) {}
   Form<S> a, b;
+  gjk::Vec3<S> between_centers;  ///< where rules begin that test the first point, too
 };
 
 // -- Rounding ---------------------------------------------------------------------------------------------------------
@@ -88,12 +91,22 @@ std::optional<Form<S>> form_of(const Body& body) {
   return std::visit(form, walkthroughs::converted<S>(body, walkthroughs::Cast<S>{}));
 }
 
+/// Returns: the direction from a point inside the first body to one inside the second, found in doubles as scene files have
+/// it; the usual one where S has none.
+template <class S>
+gjk::Vec3<S> between_centers(const Pair& pair) {
+  const auto middle = [](const Body& body) { return walkthroughs::middle<double>(body); };
+  const Vec d = gjk::first_direction_between(middle(pair.a), middle(pair.b));
+  const gjk::Vec3<S> direction(static_cast<S>(d.x()), static_cast<S>(d.y()), static_cast<S>(d.z()));
+  return gjk::is_usable_direction(direction) ? direction : gjk::Options<S>{}.first_direction;
+}
+
 /// Returns: what to ask of GJK in S; empty where S cannot ask about such bodies.
 template <class S>
 std::unique_ptr<Question> question_of(const Pair& pair) {
   std::optional<Form<S>> a = form_of<S>(pair.a), b = form_of<S>(pair.b);
   if (!a || !b) return nullptr;
-  return std::make_unique<QuestionOf<S>>(std::move(*a), std::move(*b));
+  return std::make_unique<QuestionOf<S>>(std::move(*a), std::move(*b), between_centers<S>(pair));
 }
 
 }  // namespace study

@@ -186,12 +186,14 @@ class Panel {
     return commands;
   }
 
-  /// Squares for the usual rules, triangles for others; filled for the first zero test.
+  /// Squares for the usual rules, triangles and diamonds for others; filled for the first zero test.
   std::string style_of(const std::string& rules, const std::string& zero_test) const {
     const bool is_filled = zero_test == settings_.zero_tests().front();
     const std::string title = " title " + in_quotes("rules " + rules + ", zero test " + zero_test);
     if (rules == settings_.usual().rules)
       return std::string("lc rgb ") + blue + " dt 1 lw 1.5 ps 1.4 pt " + (is_filled ? "5" : "4") + title;
+    if (rules == "eager")
+      return std::string("lc rgb ") + green + " dt '.' lw 1.5 ps 1.4 pt " + (is_filled ? "13" : "12") + title;
     return std::string("lc rgb ") + vermilion + " dt '-' lw 1.5 ps 1.4 pt " + (is_filled ? "9" : "8") + title;
   }
 

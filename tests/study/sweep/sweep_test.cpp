@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/rule_sets.hpp"
 #include "tests/catch.hpp"
 #include "tests/study/support.hpp"
 
@@ -50,6 +51,39 @@ TEST_CASE("Read as printed the algorithm finds collisions that are none", "[swee
   CHECK(printed.false_positives > printed.misses() / 50);
   CHECK(printed.false_positives < printed.misses() / 20);
   CHECK(printed.false_negatives == 0);
+}
+
+TEST_CASE("Every set of rules is asked in every scalar and with each zero test that means something to it", "[sweep]") {
+  std::size_t methods = 0;
+  for (const auto& rules : gjk::rule_sets)
+    for (const std::string scalar : {"float", "double", "long-double", "exact"})
+      for (const auto& test : gjk::zero_tests) {
+        if (scalar == "exact" && test.value == gjk::ZeroTestKind::relative) continue;
+        CHECK_NOTHROW(method_named(std::string(rules.name) + " " + scalar + " " + std::string(test.name)));
+        ++methods;
+      }
+  CHECK(all_methods().size() == methods);
+}
+
+TEST_CASE("Eager rules begin between the centers and need one point of sets that are well apart", "[sweep]") {
+  const Pair beside{tetrahedron_at(0), tetrahedron_at(9)}, below{Ball{{0, 0, 5}, 1}, Ball{{1, 0, 0}, 1}};
+  for (const Method& method : all_methods())
+    for (const Pair& pair : {beside, below}) {
+      const std::unique_ptr<Question> question = method.scalar.question(pair);
+      if (!question) continue;
+      const Outcome outcome = method.ask(*question, 20);
+      INFO(method.name());
+      if (method.rules == "eager") CHECK((outcome.answer == Answer::separated && outcome.iterations == 1));
+      if (method.rules == "as-intended") CHECK((outcome.answer == Answer::separated && outcome.iterations > 1));
+    }
+}
+
+TEST_CASE("The direction between the centers is that of the pair's scene, and the usual one where there is none",
+          "[sweep]") {
+  const Pair pair{Points{{0, 0, 0}, {3, 0, 0}, {0, 6, 0}}, Can{{0, 9, 1}, {0, 0, 1}, 1, 2}};
+  CHECK(between_centers<double>(pair) == Vec(-1, 7, 1));
+  CHECK(between_centers<double>({pair.a, pair.a}) == Vec(1, 0, 0));
+  CHECK(between_centers<float>({Points{{3e38, 0, 0}}, Points{{-3e38, 0, 0}}}) == gjk::Vec3<float>(1, 0, 0));
 }
 
 TEST_CASE("Pairs on which GJK cycles are undecided and the cycle is seen", "[sweep]") {

@@ -37,6 +37,7 @@ TEST_CASE("The catalogue has the figures in the order of the report, then the re
                                                        "cycle-separated",
                                                        "cycle-intersecting",
                                                        "as-printed-spheres",
+                                                       "eager-between-centers",
                                                        "failures/vanished-product",
                                                        "failures/overflowed-product",
                                                        "failures/beyond-an-edge",

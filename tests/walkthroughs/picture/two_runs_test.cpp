@@ -2,8 +2,8 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
-#include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -79,15 +79,30 @@ TEST_CASE("The spheres of both runs are the same, and farther apart than their r
 }
 
 TEST_CASE("The first event that differs between two runs is marked, and no other") {
-  const Story story = tell(walkthrough("as-printed-spheres"));
-  const std::size_t parting = parting_of(story.tellings[0].trace, story.tellings[1].trace);
-  CHECK(parting > 0);
-  CHECK(std::ranges::count(story.frames, Focus::parting, &Frame::focus) == 1);
-  for (const Frame& frame : story.frames) {
-    const std::size_t last = std::max(frame.events.at(0).last, frame.events.at(1).last);
-    CHECK((frame.focus == Focus::parting) == (last == parting));
-    CHECK(frame.caption.starts_with("Both: ") == (last < parting));
+  for (const char* const name : {"as-printed-spheres", "eager-between-centers"}) {
+    const Story story = tell(walkthrough(name));
+    const std::size_t parting = parting_of(story.tellings[0].trace, story.tellings[1].trace);
+    CHECK(parting > 0);
+    CHECK(std::ranges::count(story.frames, Focus::parting, &Frame::focus) == 1);
+    for (const Frame& frame : story.frames) {
+      const std::size_t last = std::max(frame.events.at(0).last, frame.events.at(1).last);
+      CHECK((frame.focus == Focus::parting) == (last == parting));
+      CHECK(frame.caption.starts_with("Both: ") == (last < parting));
+    }
   }
+}
+
+TEST_CASE("From center to center eager rules need one point where the report's need two") {
+  const Story story = tell(walkthrough("eager-between-centers"));
+  const auto result = [&](std::size_t s) { return all<gjk::Finished>(story.tellings.at(s).trace).at(0).result; };
+  CHECK(story.tellings[0].scene.rules == RuleSet::eager);
+  CHECK(story.tellings[1].scene.rules == RuleSet::as_intended);
+  CHECK(result(0).status == Status::separated);
+  CHECK(result(1).status == Status::separated);
+  CHECK(result(0).iterations == 1);
+  CHECK(result(1).iterations == 2);
+  for (const Frame& frame : story.frames)  // neither is wrong
+    for (const Fact& fact : frame.facts) CHECK((frame.caption.starts_with("Both: ") || fact.mark == Fact::Mark::yes));
 }
 
 TEST_CASE("Until two runs part both scenes show the same event, after that each its own or its last") {

@@ -51,6 +51,11 @@ TEST_CASE("gjkstep query does as its options say") {
   const std::string line = pair_of(ball, ball_ten_away) + "\n";
   CHECK(has(query(line, "--rules as-printed").out, "\"intersecting\""));
   CHECK(has(query(line, "--rules as-intended").out, "\"separated\""));
+  CHECK(has(query(line, "--rules eager").out, R"("separated","iterations":1,)"));
+  CHECK(query(line, "--zero-test exact").out == query(line).out);
+  const std::string touching =
+      pair_of(R"({"points":[[0.1,0.2,0.3],[0.4,0.5,0.6]]})", R"({"points":[[0.4,0.5,0.6],[0.7,0.1,0.2]]})");
+  CHECK(has(query(touching, "--zero-test relative").out, "\"intersecting\""));
   CHECK(has(query(line, "--max-iterations 1").out, R"("undecided","iterations":1,"reason":"iteration-limit")"));
   const std::string tenth = pair_of(R"({"points":[[0.1,0,0]]})", R"({"points":[[1,0,0]]})") + "\n";
   CHECK(has(query(tenth, "--scalar float").out, "\"a\":[0.1,0,0]"));

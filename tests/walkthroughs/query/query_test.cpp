@@ -116,12 +116,18 @@ void check_says(const std::string& text, const gjk::Result<S>& result) {
     check_indices(said["evidence"]["simplex"][static_cast<std::size_t>(i)], result.simplex[i]);
 }
 
-/// Returns: the answers of both readings by a plain call of the algorithm.
+/// Returns: the answer of a plain call of the algorithm. `between`: from a point inside one to a point inside the other.
 template <class S, class A, class B>
-gjk::Result<S> called(const A& a, const B& b, const QueryOptions& query) {
+gjk::Result<S> called(const A& a, const B& b, const gjk::Vec3<S>& between, const QueryOptions& query) {
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
+  if (query.rules == RuleSet::eager && !gjk::is_zero(between)) options.first_direction = between;
+  if (query.zero_test == ZeroTest::relative)
+    return query.rules == RuleSet::as_printed ? gjk::collision<S, gjk::Printed<gjk::RelativeZeroTest>>(a, b, options)
+           : query.rules == RuleSet::eager    ? gjk::collision<S, gjk::Eager<gjk::RelativeZeroTest>>(a, b, options)
+                                              : gjk::collision<S, gjk::Intended<gjk::RelativeZeroTest>>(a, b, options);
   return query.rules == RuleSet::as_printed ? gjk::collision<S, gjk::AsPrinted>(a, b, options)
+         : query.rules == RuleSet::eager    ? gjk::collision<S, gjk::Eager<>>(a, b, options)
                                             : gjk::collision<S>(a, b, options);
 }
 
@@ -132,6 +138,17 @@ gjk::PointSet<S> in_scalar(const Corners& corners) {
   std::vector<gjk::Vec3<S>> points;
   for (const Point& p : corners) points.emplace_back(S(p.x()), S(p.y()), S(p.z()));
   return gjk::PointSet<S>(points);
+}
+
+Point mean(const Corners& corners) {
+  Point sum = Point::Zero();
+  for (const Point& p : corners) sum += p;
+  return sum / static_cast<double>(corners.size());
+}
+
+template <class S>
+gjk::Vec3<S> in_scalar(const Point& p) {
+  return {S(p.x()), S(p.y()), S(p.z())};
 }
 
 std::string json(const Point& p) { return Json{p.x(), p.y(), p.z()}.dump(); }
@@ -160,14 +177,16 @@ Corners random_corners(Dice& dice) {
 }
 
 template <class S>
-void check_random_pairs(QueryScalar scalar, RuleSet rules, int count) {
+void check_random_pairs(QueryScalar scalar, RuleSet rules, ZeroTest zero_test, int count) {
   Dice dice(7474);
   int statuses[3] = {};
   for (int i = 0; i < count; ++i) {
-    const QueryOptions options{.scalar = scalar, .rules = rules, .iteration_limit = i % 3 == 0 ? 3 : 20};
+    const QueryOptions options{
+        .scalar = scalar, .rules = rules, .zero_test = zero_test, .iteration_limit = i % 3 == 0 ? 3 : 20};
     const Corners a = random_corners(dice), b = random_corners(dice);
     INFO("pair " << i << ": " << pair_of(json(a), json(b)));
-    const auto result = called<S>(in_scalar<S>(a), in_scalar<S>(b), options);
+    const auto set_a = in_scalar<S>(a), set_b = in_scalar<S>(b);
+    const auto result = called<S>(set_a, set_b, in_scalar<S>(Point(mean(b) - mean(a))), options);
     ++statuses[static_cast<int>(result.status)];
     check_says(answer_text(pair_of(json(a), json(b)), options), result);
   }
@@ -176,27 +195,23 @@ void check_random_pairs(QueryScalar scalar, RuleSet rules, int count) {
 
 }  // namespace
 
-TEST_CASE("The answers to point sets are those of collision() in every scalar and by both rules") {
-  for (const RuleSet rules : {RuleSet::as_intended, RuleSet::as_printed}) {
-    check_random_pairs<float>(QueryScalar::binary32, rules, 500);
-    check_random_pairs<double>(QueryScalar::binary64, rules, 500);
-    check_random_pairs<long double>(QueryScalar::long_double, rules, 500);
-    check_random_pairs<Exact>(QueryScalar::exact, rules, 200);
-  }
+TEST_CASE("The answers to point sets are those of collision() in every scalar, by all rules and with each zero test") {
+  for (const auto& rules : gjk::rule_sets)
+    for (const auto& zero_test : gjk::zero_tests) {
+      check_random_pairs<float>(QueryScalar::binary32, rules.value, zero_test.value, 500);
+      check_random_pairs<double>(QueryScalar::binary64, rules.value, zero_test.value, 500);
+      check_random_pairs<long double>(QueryScalar::long_double, rules.value, zero_test.value, 500);
+      check_random_pairs<Exact>(QueryScalar::exact, rules.value, zero_test.value, 200);
+    }
 }
 
 namespace {
 
 template <class S>
-gjk::Vec3<S> in_scalar(const Point& p) {
-  return {S(p.x()), S(p.y()), S(p.z())};
-}
-
-template <class S>
-void check_random_round_pairs(QueryScalar scalar) {
+void check_random_round_pairs(QueryScalar scalar, RuleSet rules) {
   Dice dice(21);
   for (int i = 0; i < 300; ++i) {
-    const QueryOptions options{.scalar = scalar};
+    const QueryOptions options{.scalar = scalar, .rules = rules};
     const Point center = random_point(dice), middle = random_point(dice), axis = random_point(dice);
     const double radius = dice.between(0.1, 1.0), width = dice.between(0.1, 1.0), height = dice.between(0.1, 1.0);
     const gjk::Sphere<S> sphere(in_scalar<S>(center), S(radius));
@@ -206,16 +221,18 @@ void check_random_round_pairs(QueryScalar scalar) {
                 R"({"cylinder":{"center":)" + json(middle) + R"(,"axis":)" + json(axis) + R"(,"radius":)" +
                     Json(width).dump() + R"(,"height":)" + Json(height).dump() + "}}");
     INFO(line);
-    check_says(answer_text(line, options), called<S>(sphere, cylinder, options));
+    check_says(answer_text(line, options), called<S>(sphere, cylinder, in_scalar<S>(Point(middle - center)), options));
   }
 }
 
 }  // namespace
 
 TEST_CASE("The answers to spheres and cylinders are those of collision() in every floating scalar") {
-  check_random_round_pairs<float>(QueryScalar::binary32);
-  check_random_round_pairs<double>(QueryScalar::binary64);
-  check_random_round_pairs<long double>(QueryScalar::long_double);
+  for (const RuleSet rules : {RuleSet::as_intended, RuleSet::eager}) {
+    check_random_round_pairs<float>(QueryScalar::binary32, rules);
+    check_random_round_pairs<double>(QueryScalar::binary64, rules);
+    check_random_round_pairs<long double>(QueryScalar::long_double, rules);
+  }
 }
 
 TEST_CASE("A pose moves an object in every scalar") {
@@ -229,7 +246,7 @@ TEST_CASE("A pose moves an object in every scalar") {
   const gjk::Pose<double> pose{.translation = {0, 0, -5}};
   using PointSet = gjk::PointSet<double>;
   const gjk::Posed<double, PointSet> posed(PointSet({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), pose);
-  check_says(answer_text(pair_of(far, dot)), called<double>(posed, PointSet({{0, 0, 0}}), {}));
+  check_says(answer_text(pair_of(far, dot)), called<double>(posed, PointSet({{0, 0, 0}}), {1, 0, 0}, {}));
 }
 
 TEST_CASE("A sum of point sets gives the answer of the set of all sums, in every scalar") {
@@ -259,6 +276,20 @@ TEST_CASE("A capsule is a segment plus a ball: it ends a radius beyond the segme
     for (const char* outside : {"[1.501,0,9]", "[0.9,0.51,9]", "[-1.4,0,9.4]"})
       CHECK(status_at(outside) == "separated");
   }
+}
+
+TEST_CASE("Eager rules search from where the poses put the centers, and need one point of most that are apart") {
+  const std::string far = R"({"points":[[1,0,0],[0,1,0],[-1,-1,0]],"pose":{"translation":[0,0,-5]}})";
+  for (const QueryScalar scalar :
+       {QueryScalar::binary32, QueryScalar::binary64, QueryScalar::long_double, QueryScalar::exact}) {
+    const Json said = answer(pair_of(far, dot), {.scalar = scalar, .rules = RuleSet::eager});
+    CHECK(said["status"] == "separated");
+    CHECK(said["iterations"] == 1);
+    CHECK(answer(pair_of(far, far), {.scalar = scalar, .rules = RuleSet::eager})["status"] == "intersecting");
+  }
+  const std::string end = R"({"points":[[3e38,0,0]]})", other_end = R"({"points":[[-3e38,0,0]]})";
+  const Json beyond = answer(pair_of(end, other_end), {.scalar = QueryScalar::binary32, .rules = RuleSet::eager});
+  CHECK(beyond["iterations"] == 1);  // their distance is no float, so the search begins along +x
 }
 
 TEST_CASE("Two unit spheres ten apart meet as Algorithm 1 is printed and not as it is meant") {
@@ -294,7 +325,7 @@ TEST_CASE("A long double beyond all doubles is a string that reads back the same
   const QueryOptions options{.scalar = QueryScalar::long_double};
   const std::string text = answer_text(pair_of(json(a), json(b)), options);
   CHECK(has(text, "e+449\""));
-  check_says(text, called<long double>(in_scalar<long double>(a), in_scalar<long double>(b), options));
+  check_says(text, called<long double>(in_scalar<long double>(a), in_scalar<long double>(b), {1, 0, 0}, options));
 }
 
 TEST_CASE("Numbers keep the sign of zero where they are written with a fraction") {

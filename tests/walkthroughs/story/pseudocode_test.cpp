@@ -11,31 +11,34 @@ using namespace walkthroughs::test;
 
 namespace {
 
-/// Calls `check(event, now)` after each event of that kind, in every search.
+/// Calls `check(event, now, rules)` after each event of that kind, in every search by any rules.
 template <template <class> class E, class Check>
 void after_each(Check check) {
   for (const Walkthrough& w : catalogue()) {
-    for (const Scene& scene : w.scenes) {
-      const Trace trace = run(scene);
-      for (std::size_t i = 0; i < trace.events.size(); ++i) {
-        const auto* event = std::get_if<E<double>>(&trace.events[i]);
-        if (!event) continue;
-        INFO(w.name << ", event " << i);
-        check(*event, replay(trace, i + 1));
+    for (Scene scene : w.scenes) {
+      for (const auto& rules : gjk::rule_sets) {
+        scene.rules = rules.value;
+        const Trace trace = run(scene);
+        for (std::size_t i = 0; i < trace.events.size(); ++i) {
+          const auto* event = std::get_if<E<double>>(&trace.events[i]);
+          if (!event) continue;
+          INFO(w.name << ", " << rules.name << ", event " << i);
+          check(*event, replay(trace, i + 1), rules.value);
+        }
       }
     }
   }
 }
 
-const std::vector<CodeLine>& code_of(const Moment& now, Focus focus) {
-  return algorithm(running_algorithm(now, focus));
+const std::vector<CodeLine>& code_of(const Moment& now, Focus focus, RuleSet rules) {
+  return algorithm(running_algorithm(now, focus), rules);
 }
 
 /// Returns: the line where the search is. Fails where there is none.
-CodeLine line_at(const Moment& now, Focus focus) {
-  const std::optional<std::size_t> current = current_line(code_of(now, focus), now, focus);
+CodeLine line_at(const Moment& now, Focus focus, RuleSet rules) {
+  const std::optional<std::size_t> current = current_line(code_of(now, focus, rules), now, focus);
   REQUIRE(current);
-  return code_of(now, focus).at(*current);
+  return code_of(now, focus, rules).at(*current);
 }
 
 /// Returns: "[B, A]" for "BA".
@@ -50,9 +53,9 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 }  // namespace
 
 TEST_CASE("Every region test that was made has exactly one line and it is the current one") {
-  after_each<gjk::RegionTested>([](const gjk::RegionTested<double>& event, const Moment& now) {
+  after_each<gjk::RegionTested>([](const gjk::RegionTested<double>& event, const Moment& now, RuleSet rules) {
     if (event.verdict == gjk::Verdict::skipped) return;
-    const std::vector<CodeLine>& code = code_of(now, Focus::region);
+    const std::vector<CodeLine>& code = code_of(now, Focus::region, rules);
     std::vector<std::size_t> lines;
     for (std::size_t i = 0; i < code.size(); ++i)
       if (test_of(code[i], now) == &now.regions.back()) lines.push_back(i);
@@ -63,10 +66,10 @@ TEST_CASE("Every region test that was made has exactly one line and it is the cu
 }
 
 TEST_CASE("A line whose test was not made has no value and neither has one that is no test") {
-  after_each<gjk::RegionTested>([](const gjk::RegionTested<double>&, const Moment& now) {
+  after_each<gjk::RegionTested>([](const gjk::RegionTested<double>&, const Moment& now, RuleSet rules) {
     int made = 0, shown = 0;
     for (const auto& region : now.regions) made += region.verdict == gjk::Verdict::skipped ? 0 : 1;
-    for (const CodeLine& line : code_of(now, Focus::region)) {
+    for (const CodeLine& line : code_of(now, Focus::region, rules)) {
       shown += test_of(line, now) ? 1 : 0;
       CHECK((line.kind == LineKind::test || !test_of(line, now)));
     }
@@ -75,16 +78,16 @@ TEST_CASE("A line whose test was not made has no value and neither has one that 
 }
 
 TEST_CASE("The line after the tests says which vertices are kept and in which order") {
-  after_each<gjk::SimplexReduced>([](const gjk::SimplexReduced<double>& event, const Moment& now) {
-    const std::string text = line_at(now, Focus::reduction).text;
+  after_each<gjk::SimplexReduced>([](const gjk::SimplexReduced<double>& event, const Moment& now, RuleSet rules) {
+    const std::string text = line_at(now, Focus::reduction, rules).text;
     INFO(text);
     CHECK(has(text, "keep " + listed(event.kept) + ","));
   });
 }
 
 TEST_CASE("The line after the tests says which direction is chosen") {
-  after_each<gjk::DirectionChosen>([](const gjk::DirectionChosen<double>& event, const Moment& now) {
-    const CodeLine line = line_at(now, Focus::direction);
+  after_each<gjk::DirectionChosen>([](const gjk::DirectionChosen<double>& event, const Moment& now, RuleSet rules) {
+    const CodeLine line = line_at(now, Focus::direction, rules);
     INFO(line.text << " for " << event.expression);
     const bool in_two_steps = event.expression == "AB×AO×AB" && line.text.ends_with("d ← v");  // Algorithm 3 tests it
     CHECK((line.text.ends_with("d ← " + event.expression) || in_two_steps));
@@ -92,13 +95,31 @@ TEST_CASE("The line after the tests says which direction is chosen") {
 }
 
 TEST_CASE("Algorithm 1 is at its support function, its crossing test and its end when the search is there") {
-  after_each<gjk::SupportFound>(
-      [](const auto&, const Moment& now) { CHECK(line_at(now, Focus::support).kind == LineKind::support); });
-  after_each<gjk::CrossingTested>(
-      [](const auto&, const Moment& now) { CHECK(line_at(now, Focus::crossing).kind == LineKind::crossing); });
-  after_each<gjk::Finished>([](const gjk::Finished<double>& event, const Moment& now) {
-    const LineKind kind = line_at(now, Focus::end).kind;
+  after_each<gjk::SupportFound>([](const auto&, const Moment& now, RuleSet rules) {
+    CHECK(line_at(now, Focus::support, rules).kind == LineKind::support);
+  });
+  after_each<gjk::CrossingTested>([](const auto&, const Moment& now, RuleSet rules) {
+    CHECK(line_at(now, Focus::crossing, rules).kind == LineKind::crossing);
+  });
+  after_each<gjk::Finished>([](const gjk::Finished<double>& event, const Moment& now, RuleSet rules) {
+    const LineKind kind = line_at(now, Focus::end, rules).kind;
     CHECK((kind == LineKind::intersecting) == (event.result.status == gjk::Status::intersecting));
     CHECK((kind == LineKind::separated) == (event.result.reason == gjk::Reason::origin_not_crossed));
   });
+}
+
+TEST_CASE("Algorithm 1 says what its rules do with the first point, and after the origin was not crossed") {
+  const auto place = [](RuleSet rules, const std::string& text) {
+    const std::vector<CodeLine>& code = algorithm(1, rules);
+    return std::ranges::find(code, text, &CodeLine::text) - code.begin();
+  };
+  const auto count = [](RuleSet rules) { return static_cast<std::ptrdiff_t>(algorithm(1, rules).size()); };
+  CHECK(place(RuleSet::as_intended, "if not the first and P·d < 0") == 3);
+  CHECK(place(RuleSet::eager, "if P·d < 0") == 3);
+  CHECK(count(RuleSet::eager) == count(RuleSet::as_intended));
+  for (const RuleSet rules : {RuleSet::as_intended, RuleSet::eager}) CHECK(place(rules, "separated") == 4);
+  CHECK(place(RuleSet::as_printed, "missed ← not the first and P·d < 0") == 3);
+  CHECK(place(RuleSet::as_printed, "intersecting") < place(RuleSet::as_printed, "else if missed"));
+  CHECK(place(RuleSet::as_printed, "else if missed") + 1 == place(RuleSet::as_printed, "separated"));
+  CHECK(place(RuleSet::as_printed, "separated") < count(RuleSet::as_printed));
 }

@@ -296,7 +296,7 @@ TEST_CASE("A title made from the file's name can be drawn, whatever the file is 
 }
 
 TEST_CASE("Reading a scene computes nothing, and running it asks each object once an iteration", "[scene-file]") {
-  for (const char* rules : {"\"rules\": \"as-intended\"", "\"rules\": \"as-printed\""}) {
+  for (const char* rules : {"\"rules\": \"as-intended\"", "\"rules\": \"as-printed\"", "\"rules\": \"eager\""}) {
     const Scene scene = scene_of(scene_text(corner, ball, rules));
     CHECK(scene.a.support_calls == 0);
     CHECK(scene.b.support_calls == 0);
@@ -315,6 +315,26 @@ TEST_CASE("A scene file says which rules run", "[scene-file]") {
   };
   CHECK(status(R"("rules": "as-intended")") == gjk::Status::separated);
   CHECK(status(R"("rules": "as-printed")") == gjk::Status::intersecting);
+  CHECK(status(R"("rules": "eager")") == gjk::Status::separated);
+}
+
+TEST_CASE("Eager rules begin from center to center where the scene does not say otherwise", "[scene-file]") {
+  const auto first = [](const std::string& a, const std::string& b, const std::string& rest) {
+    return scene_of(scene_text(a, b, rest)).options.first_direction;
+  };
+  const std::string eager = R"("rules": "eager")";
+  const std::string triangle = R"({"points": [[0, 0, 0], [3, 0, 0], [0, 6, 0]]})";  // around (1, 2, 0)
+  const std::string can =
+      R"({"cylinder": {"center": [1, 0, 0], "axis": [0, 0, 1], "radius": 1, "height": 2},
+          "pose": {"rotation": {"axis": [0, 0, 1], "degrees": 90}, "translation": [0, 8, 1]}})";  // around (0, 9, 1)
+  CHECK(first(triangle, can, eager).isApprox(Point(-1, 7, 1)));
+  CHECK(first(triangle, can, eager + R"(, "scalar": "float")").isApprox(Point(-1, 7, 1), 1e-6));
+  CHECK(first(triangle, can, eager + R"(, "first_direction": [0, 0, 2])") == Point(0, 0, 2));
+  CHECK(first(triangle, triangle, eager) == Point(1, 0, 0));
+  for (const char* const others : {"as-intended", "as-printed"})
+    CHECK(first(triangle, can, R"("rules": ")" + std::string(others) + "\"") == Point(1, 0, 0));
+  const std::string end = R"({"points": [[1e150, 0, 0]]})", other_end = R"({"points": [[-1e150, 0, 0]]})";
+  CHECK(first(end, other_end, eager) == Point(-2e150, 0, 0));
 }
 
 TEST_CASE("A scene file says in which numbers the search computes, and rounds its own to them", "[scene-file]") {
@@ -521,7 +541,7 @@ TEST_CASE("A value of the wrong type is turned away: what was expected and what 
   check_rest(R"("title": ["x"])", "4: title", {"expected a string, found a list"});
   check_rest(R"("dimension": "2")", "4: dimension", {"expected a whole number from 2 to 3, found a string"});
   check_rest(R"("first_direction": {})", "4: first_direction", {"expected a point [x, y, z], found an object"});
-  check_rest(R"("rules": true)", "4: rules", {"expected 'as-intended' or 'as-printed', found true or false"});
+  check_rest(R"("rules": true)", "4: rules", {"expected 'as-intended', 'as-printed' or 'eager', found true or false"});
   check_rest(R"("panels": "hull")", "4: panels", {"expected a list", "found a string"});
   check_rest(R"("size": 1280)", "4: size", {"expected \"1280x720\" or [1280, 720]", "found a number"});
 }
@@ -578,6 +598,7 @@ TEST_CASE("Whole numbers and words are among those that there are", "[scene-file
   check_rest(R"("iteration_limit": 18446744073709551616)", "4: iteration_limit", {"found 18446744073709551616"});
   check_rest(R"("crossing_test": "yes")", "4: crossing_test", {"'yes' is not known", "'on' and 'off'"});
   check_rest(R"("rules": "as-print")", "4: rules", {"did you mean 'as-printed'?"});
+  check_rest(R"("rules": "eagre")", "4: rules", {"did you mean 'eager'?"});
   check_rest(R"("scalar": "single")", "4: scalar", {"'single' is not known", "'double' and 'float'"});
   check_rest(R"("zero_test": "absolute")", "4: zero_test", {"did you mean", "'exact' and 'relative'"});
   check_rest(R"("panels": ["hull", "camera"])", "4: panels[1]", {"'camera' is not known"});

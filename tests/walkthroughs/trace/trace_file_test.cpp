@@ -73,7 +73,8 @@ class RandomScenes {
     scene.b = object("second");
     scene.options.first_direction = point();
     scene.options.crossing_test = pick(4) == 0 ? gjk::CrossingTest::off : gjk::CrossingTest::on;
-    scene.rules = pick(4) == 0 ? RuleSet::as_printed : RuleSet::as_intended;
+    const int other_rules = pick(4);
+    scene.rules = other_rules == 0 ? RuleSet::as_printed : other_rules == 1 ? RuleSet::eager : RuleSet::as_intended;
     return w;
   }
 
@@ -156,9 +157,9 @@ Walkthrough search_on_sums() {
 std::vector<std::string> texts_to_change() {
   std::vector<std::string> texts;
   for (const char* name :
-       {"figure-4-right", "figure-4-right-no-crossing-test", "as-printed-spheres", "regions/2-simplex-r1-below",
-        "regions/3-simplex-inside", "regions/3-simplex-face-acd", "regions/3-simplex-face-adb-edge-ad",
-        "regions/0-simplex-a-is-origin", "vehicle-and-threat/vehicle-near-miss"})
+       {"figure-4-right", "figure-4-right-no-crossing-test", "as-printed-spheres", "eager-between-centers",
+        "regions/2-simplex-r1-below", "regions/3-simplex-inside", "regions/3-simplex-face-acd",
+        "regions/3-simplex-face-adb-edge-ad", "regions/0-simplex-a-is-origin", "vehicle-and-threat/vehicle-near-miss"})
     texts.push_back(trace_text(walkthrough(name)));
   Walkthrough short_of_breath = walkthrough("regions/3-simplex-inside");
   short_of_breath.scenes[0].options.iteration_limit = 2;

@@ -177,6 +177,11 @@ Object object(const Json& json) {
   return o;
 }
 
+RuleSet rules(const std::string& name) {
+  if (name == "eager") return RuleSet::eager;
+  return name == "as-printed" ? RuleSet::as_printed : RuleSet::as_intended;
+}
+
 Scene scene(const Json& json) {
   return {
       .name = json.at("name"),
@@ -186,7 +191,7 @@ Scene scene(const Json& json) {
                   .iteration_limit = json.at("iteration_limit"),
                   .crossing_test = json.at("crossing_test") == "on" ? gjk::CrossingTest::on : gjk::CrossingTest::off},
       .dimension = json.at("dimension") == 2 ? Dimension::plane : Dimension::space,
-      .rules = json.at("rules") == "as-printed" ? RuleSet::as_printed : RuleSet::as_intended,
+      .rules = rules(json.at("rules")),
       .zero_test = json.value("zero_test", "exact") == "exact" ? ZeroTest::exact : ZeroTest::relative,
       .scalar = json.value("scalar", "double") == "double" ? Scalar::binary64 : Scalar::binary32};
 }
