@@ -23,7 +23,7 @@ Walkthrough eager_between_centers() {
           .remarks = {{Remark::At::crossing_tested, 1,
                        "d leads from the center of the triangle to that of the quadrilateral, which separates most "
                        "objects that are apart"},
-                      {Remark::At::end, 2, "the same answer, from a second point"}}};
+                      {Remark::At::end, 2, "the same answer, one move later"}}};
 }
 
 }  // namespace walkthroughs

@@ -142,17 +142,19 @@ std::size_t common_events(const Trace& left, const Trace& right) {
 /// Returns: a frame about event `i` of both runs, which part at `common`; nothing where neither has anything to say.
 std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t common) {
   std::vector<std::pair<const Scene*, Frame>> said;
+  bool both_run = true;
   for (std::size_t s = 0; s < 2; ++s) {
     const bool runs = i < story.tellings[s].trace.events.size();
+    both_run = both_run && runs;
     std::optional<Frame> one = runs ? frame_of(story, s, i) : std::nullopt;
     if (one) said.emplace_back(&story.tellings[s].scene, std::move(*one));
   }
   if (said.empty()) return std::nullopt;
   const Frame& first = said[0].second;
   if (i < common) return Frame{first.focus, "Both: " + first.caption, first.headline, first.facts, {}, {}, {}};
-  const std::string sentence = i == common        ? "Here the two runs part: these are the first events that differ."
-                               : said.size() == 1 ? "Only one run goes on: " + said[0].first->name + "."
-                                                  : "Both runs go on.";
+  const std::string sentence = i == common ? "Here the two runs part: these are the first events that differ."
+                               : !both_run ? "Only one run goes on: " + said[0].first->name + "."
+                                           : "Both runs go on.";
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
   for (const auto& [scene, one] : said) {
     const bool is_sound = gjk::not_crossed(scene->rules) == gjk::NotCrossed::answer_at_once;
