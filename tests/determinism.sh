@@ -22,7 +22,7 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 
 choice="figure-1 figure-2 figure-4-left figure-5 figure-7 regions/2-simplex-r1-below regions/3-simplex-inside \
 regions/1-simplex-r3 vehicle-and-threat/vehicle-hit as-printed-spheres cycle-intersecting"
-program= size=1280x720
+program='' size=1280x720
 while [ $# -gt 0 ]; do
   case $1 in
     --all) choice=--all ;;
