@@ -39,7 +39,7 @@ def why_not():
         return "takes two minutes and the network; GJKSTEP_BARE_ROOT=1 asks for it"
     if os.geteuid() != 0:
         return "needs root, to change into another file system"
-    for program in ("mmdebstrap", "unshare", "dpkg-shlibdeps"):
+    for program in ("mmdebstrap", "unshare", "dpkg-shlibdeps", "file"):
         if not shutil.which(program):
             return f"there is no {program}"
     if not importlib.util.find_spec("yaml"):

@@ -236,7 +236,7 @@ class GoldenTests(InAFolder):
             self.assertIn(words, one_line(said))
 
 
-@unittest.skipUnless(shutil.which("dpkg-shlibdeps"), "there is no dpkg-shlibdeps")
+@unittest.skipUnless(shutil.which("dpkg-shlibdeps") and shutil.which("file"), "there is no dpkg-shlibdeps or no file")
 class DebianPackage(InAFolder):
     def test_it_depends_on_what_it_needs_and_knows_no_folder_of_this_machine(self):
         self.done(pathlib.Path(cmake).with_name("cpack"), "-G", "DEB", "-B", self.folder, "--config",

@@ -1,5 +1,6 @@
-# Read by cpack before it packs: without dpkg-shlibdeps it would make a package that depends on no library, and not say so.
+# Read by cpack before it packs: without dpkg-shlibdeps it would make, in silence, a package that depends on no library.
 find_program(GJKSTEP_SHLIBDEPS dpkg-shlibdeps)
-if(CPACK_GENERATOR STREQUAL "DEB" AND NOT GJKSTEP_SHLIBDEPS)
-  message(FATAL_ERROR "cpack needs dpkg-shlibdeps to find the libraries that gjkstep needs; apt-get install dpkg-dev")
+find_program(GJKSTEP_FILE file)
+if(CPACK_GENERATOR STREQUAL "DEB" AND NOT (GJKSTEP_SHLIBDEPS AND GJKSTEP_FILE))
+  message(FATAL_ERROR "cpack needs dpkg-shlibdeps and file to find the libraries; apt-get install dpkg-dev file")
 endif()

@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* footer =
     R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
-('gjkstep scene --example'), one of
+('gjkstep scene --example'), a point [x, y] means [x, y, 0], and a pair may say "dimension": 2; one of
   {"points": [[x, y, z], ...]}
   {"sphere": {"center": [x, y, z], "radius": r}}
   {"cylinder": {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}}

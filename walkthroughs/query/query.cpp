@@ -24,8 +24,8 @@ PairAsWritten read_pair(std::string_view line) {
     throw DocumentError(1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out");
   const Document document = Document::of_line(line);
   const Value root = document.root();
-  expect_object(root, {"a", "b"}, "an object { ... } with 'a' and 'b'");
-  const Space space{.dimension = Dimension::space, .if_two_numbers = "; give the third, 0 in the plane"};
+  expect_object(root, {"a", "b", "dimension"}, "an object { ... } with 'a' and 'b'");
+  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane};
   ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);
   return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
 }

@@ -31,11 +31,6 @@ void name_the_nameless(Object& a, Object& b, const Space& space) {
 
 // -- The rest ---------------------------------------------------------------------------------------------------------
 
-Space read_dimension(const Value& root) {
-  const auto dimension = root.member("dimension");
-  return {dimension && whole_number(*dimension, 2, 3) == 2 ? Dimension::plane : Dimension::space};
-}
-
 gjk::Options<double> read_options(const Value& root, const Space& space) {
   gjk::Options<double> options;
   if (const auto first = root.member("first_direction")) options.first_direction = space.direction(*first);
@@ -121,7 +116,7 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from(file_name);
-  const Space space = read_dimension(root);
+  const Space space{dimension_of(root)};
   const Scalar scalar = scalar_of(root);
   Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
   Object b = scene_object(required(root, "b", "give the second object"), space, scalar);

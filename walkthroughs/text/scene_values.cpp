@@ -96,16 +96,22 @@ std::string words(const Value& value, std::size_t longest) {
 namespace {
 
 [[noreturn]] void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
-  const std::string hint(!space.is_plane() && count == 2 ? space.if_two_numbers : "");
+  const std::string hint = !space.is_plane() && count == 2 ? "; for a scene of the plane say \"dimension\": 2" : "";
   value.fail("expected " + space.point_words() + ", found a list of " + std::to_string(count) + hint);
 }
 
 }  // namespace
 
+Dimension dimension_of(const Value& declared) {
+  const auto dimension = declared.member("dimension");
+  return dimension && whole_number(*dimension, 2, 3) == 2 ? Dimension::plane : Dimension::space;
+}
+
 Point Space::point(const Value& value) const {
   expect(value, Kind::list, point_words());
   const std::vector<Value> numbers = value.children();
-  if (numbers.size() != 3 && !(is_plane() && numbers.size() == 2)) fail_wrong_count(*this, value, numbers.size());
+  const bool may_have_two = is_plane() || two_numbers == TwoNumbers::lie_in_the_plane;
+  if (numbers.size() != 3 && !(may_have_two && numbers.size() == 2)) fail_wrong_count(*this, value, numbers.size());
   Point found = Point::Zero();
   for (std::size_t i = 0; i < numbers.size(); ++i) found[static_cast<int>(i)] = number(numbers[i]);
   if (is_plane() && found.z() != 0)

@@ -36,10 +36,16 @@ std::size_t choice(const Value& value, std::span<const std::string_view> words);
 /// Returns: a printable text that is not blank.
 std::string words(const Value& value, std::size_t longest);
 
+/// Returns: what `declared` says with its key "dimension"; space where there is none.
+Dimension dimension_of(const Value& declared);
+
+/// What points of two numbers mean in space.
+enum class TwoNumbers { refused, lie_in_the_plane };
+
 /// Where a scene lies decides what a point looks like.
 struct Space {
   Dimension dimension;
-  std::string_view if_two_numbers = "; for a scene of the plane say \"dimension\": 2";  ///< what to do, in space
+  TwoNumbers two_numbers = TwoNumbers::refused;
 
   bool is_plane() const { return dimension == Dimension::plane; }
   std::string point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }

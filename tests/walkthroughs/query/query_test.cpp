@@ -292,6 +292,19 @@ TEST_CASE("Eager rules search from where the poses put the centers, and need one
   CHECK(beyond["iterations"] == 1);  // their distance is no float, so the search begins along +x
 }
 
+TEST_CASE("Points of the plane have two numbers, or a third that is 0; a pair may say that it is planar, as scenes do") {
+  const std::string flat = R"({"points":[[0,0],[2,0],[0,2]]})", also_flat = R"({"points":[[0,0,0],[2,0,0],[0,2,0]]})";
+  const std::string disc = R"({"sphere":{"center":[3,3],"radius":1}})", a_ball = R"({"sphere":{"center":[3,3,0],"radius":1}})";
+  CHECK(answer(pair_of(flat, disc)) == answer(pair_of(also_flat, a_ball)));
+  const auto planar = [](const std::string& a, const std::string& b) {
+    return answer("{\"dimension\":2,\"a\":" + a + ",\"b\":" + b + "}");
+  };
+  CHECK(planar(flat, disc) == answer(pair_of(flat, disc)));
+  CHECK(planar(R"({"points":[[0,0],[2,0]],"pose":{"rotation":{"degrees":90}}})", disc)["status"] == "separated");
+  CHECK(has(planar(also_flat, R"({"points":[[0,0,1]]})")["error"].get<std::string>(), "b.points[0][2]: must be 0"));
+  CHECK(has(answer(R"({"dimension":4,"a":{},"b":{}})")["error"].get<std::string>(), "whole number from 2 to 3"));
+}
+
 TEST_CASE("Two unit spheres ten apart meet as Algorithm 1 is printed and not as it is meant") {
   const std::string line = pair_of(ball, ball_ten_away);
   CHECK(answer(line, {.rules = RuleSet::as_intended})["status"] == "separated");
@@ -364,7 +377,7 @@ TEST_CASE("A bad line is told with its number, its place and what to do") {
            {R"({"a":{},"b":{},"c":1})", "c: is not a key; did you mean"},
            {pair_of(R"({"point":[[0,0,0]]})", dot), "a.point: is not a key; did you mean 'points'"},
            {pair_of(R"({"points":[]})", dot), "a.points: has no point"},
-           {pair_of(R"({"points":[[0,0]]})", dot), "a.points[0]: expected a point [x, y, z], found a list of 2; give"},
+           {pair_of(R"({"points":[[0]]})", dot), "a.points[0]: expected a point [x, y, z], found a list of 1"},
            {pair_of(R"({"points":[[0,0,"0"]]})", dot), "a.points[0][2]: expected a number, found a string"},
            {pair_of(R"({"points":[[0,0,null]]})", dot), "a.points[0][2]: expected a number, found null"},
            {no_number, "'NaN' is not a number; write a finite one"},
