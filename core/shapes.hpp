@@ -57,8 +57,9 @@ class PointBlocks {
 
   bool empty() const { return blocks_.empty(); }
 
-  /// Returns: where in the list the first of the farthest points is, as PointSet::support() says.
-  std::size_t farthest(const Vec3<S>& d) const {
+  /// Returns: where in the list the first of the farthest points is, as PointSet::support() says. Never inlined: small sets,
+  /// which have no blocks, should not have this in their way.
+  [[gnu::noinline]] std::size_t farthest(const Vec3<S>& d) const {
     std::size_t best = 0;
     S most = reach(blocks_[0], d).maxCoeff();
     for (std::size_t i = 1; i < blocks_.size(); ++i) {

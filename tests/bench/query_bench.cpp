@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/text/scene_values.hpp"
 

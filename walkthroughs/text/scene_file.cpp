@@ -51,21 +51,6 @@ ZeroTest read_zero_test(const Value& root) {
   return test ? static_cast<ZeroTest>(choice(*test, words_of::zero_test)) : ZeroTest::exact;
 }
 
-Panels read_panels(const Value& root) {
-  Panels panels;
-  const auto list = root.member("panels");
-  if (!list) return panels;
-  expect(*list, Kind::list, "a list out of 'objects', 'hull' and 'algorithm'");
-  panels = {.objects = false, .hull = false, .algorithm = false};
-  for (const Value& each : list->children()) {
-    bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm};
-    bool& panel = *all[choice(each, words_of::panels)];
-    if (panel) each.fail("'" + each.text() + "' appears twice; name it once");
-    panel = true;
-  }
-  return panels;
-}
-
 std::optional<render::Size> read_size(const Value& root) {
   const auto value = root.member("size");
   if (!value) return std::nullopt;
@@ -127,7 +112,8 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test};
   if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
     scene = from_center_to_center(std::move(scene));
-  const Panels panels = read_panels(root);
+  const auto panels_given = root.member("panels");
+  const Panels panels = panels_given ? panels_in(*panels_given) : Panels{};
   const std::optional<render::Size> size = read_size(root);
 
   SceneFile file;

@@ -102,6 +102,18 @@ namespace {
 
 }  // namespace
 
+Panels panels_in(const Value& list) {
+  expect(list, Kind::list, "a list out of 'objects', 'hull' and 'algorithm'");
+  Panels panels{.objects = false, .hull = false, .algorithm = false};
+  for (const Value& each : list.children()) {
+    bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm};
+    bool& panel = *all[choice(each, words_of::panels)];
+    if (panel) each.fail("'" + each.text() + "' appears twice; name it once");
+    panel = true;
+  }
+  return panels;
+}
+
 Dimension dimension_of(const Value& declared) {
   const auto dimension = declared.member("dimension");
   return dimension && whole_number(*dimension, 2, 3) == 2 ? Dimension::plane : Dimension::space;

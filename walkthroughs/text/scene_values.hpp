@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/text/document.hpp"
 
 namespace walkthroughs::reading {
@@ -62,6 +63,9 @@ AnyShape read_shape(const Value& object, const Space& space);
 /// Returns: the shape as a scene of that scalar keeps it, directions divided as core/ divides them. Of a scene in floats
 /// they are divided in floats: the axis is the one that its numbers have as floats.
 AnyShape with_directions_divided(const AnyShape& shape, Scalar scalar);
+
+/// Returns: the panels named in a list of words.
+Panels panels_in(const Value& list);
 
 /// Returns: the direction in floats. Only the ratios matter: where floats have no such powers of two, another is taken.
 gjk::Vec3<float> direction_in_float(const Point& direction);

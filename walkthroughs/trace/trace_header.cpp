@@ -75,18 +75,6 @@ std::vector<Scene> read_scenes(const Value& value) {
   return scenes;
 }
 
-Panels read_panels(const Value& value) {
-  expect(value, Kind::list, "a list out of 'objects', 'hull' and 'algorithm'");
-  Panels panels{.objects = false, .hull = false, .algorithm = false};
-  for (const Value& each : value.children()) {
-    bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm};
-    bool& panel = *all[choice(each, words_of::panels)];
-    if (panel) each.fail("'" + each.text() + "' appears twice; name it once");
-    panel = true;
-  }
-  return panels;
-}
-
 std::vector<Remark> read_remarks(const Value& value) {
   expect(value, Kind::list, "a list of remarks");
   std::vector<Remark> remarks;
@@ -129,7 +117,7 @@ void read_presentation(const Value& value, Walkthrough& walkthrough) {
   walkthrough.summary = sentence(member(value, "summary"));
   const Value layout = member(value, "layout"), naming = member(value, "naming");
   walkthrough.layout = enumerator<Layout>(layout, words_of::layout);
-  walkthrough.panels = read_panels(member(value, "panels"));
+  walkthrough.panels = panels_in(member(value, "panels"));
   walkthrough.naming = enumerator<Naming>(naming, words_of::naming);
   if (walkthrough.naming == Naming::corners) require_letters_for_corners(naming, walkthrough.scenes);
   if (const auto remarks = value.member("remarks")) walkthrough.remarks = read_remarks(*remarks);

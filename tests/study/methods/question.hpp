@@ -95,7 +95,9 @@ std::optional<Form<S>> form_of(const Body& body) {
 /// it; the usual one where S has none.
 template <class S>
 gjk::Vec3<S> between_centers(const Pair& pair) {
-  const auto middle = [](const Body& body) { return walkthroughs::middle<double>(body); };
+  const auto middle = [](const Body& body) {
+    return std::visit([](const auto& form) { return walkthroughs::RowOf<decltype(form)>::middle(form); }, body);
+  };
   const Vec d = gjk::first_direction_between(middle(pair.a), middle(pair.b));
   const gjk::Vec3<S> direction(static_cast<S>(d.x()), static_cast<S>(d.y()), static_cast<S>(d.z()));
   return gjk::is_usable_direction(direction) ? direction : gjk::Options<S>{}.first_direction;

@@ -173,6 +173,6 @@ TEST_CASE("An outline is found whatever corner the first question finds") {
       const double angle = std::numbers::pi * (turn / 16.0 + i / 2.0) + 0.1;
       corners.emplace_back(std::cos(angle), std::sin(angle), 0);
     }
-    CHECK(outline_by_support(points(corners), 360).size() == 4);
+    CHECK(outline_by_support(gjk::PointSet<double>(corners), 360).size() == 4);
   }
 }
