@@ -84,7 +84,10 @@ TEST_CASE("A file that is not there cannot be read") {
 
 TEST_CASE("A program that is ended while it writes leaves nothing behind, and the old file as it was") {
   const Folder folder;
-  if (!has_unnamed_files(folder.path)) return;
+  if (!has_unnamed_files(folder.path)) {
+    WARN("skipped: here every file has a name");
+    return;
+  }
   CHECK(ended_while_writing(folder.path / "new") == SIGXFSZ);
   CHECK(entries(folder.path) == 0);
   write_file(folder.path / "old", bytes);
