@@ -8,12 +8,14 @@
 namespace walkthroughs {
 
 void SceneCommand::run() const {
-  if (example)
+  if (example) {
     std::cout << example_scene();
-  else if (check)
-    std::cout << *check << ": ok: " << summary(read_scene(*check)) << '\n';
-  else
+  } else if (check) {
+    const std::string declared = summary(read_scene(*check));  // before the first word that says it is well
+    std::cout << *check << ": ok: " << declared << '\n';
+  } else {
     throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
+  }
 }
 
 CLI::App* add_scene_command(CLI::App& app, SceneCommand& scene) {
