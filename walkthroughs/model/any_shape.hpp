@@ -300,9 +300,9 @@ struct AskedForms<std::variant<Shapes...>> {
   using type = decltype(variant_of(std::tuple_cat(std::declval<typename AskedForm<Shapes>::type>()...)));
 };
 
-/// Returns: the shape as core/ asks it. Errors: CannotBeAsked.
+/// Returns: the shape, which is used up, as core/ asks it. Errors: CannotBeAsked.
 template <class... Shapes>
-auto asked(std::variant<Shapes...> shape) {
+auto asked(std::variant<Shapes...>&& shape) {
   using Forms = typename AskedForms<std::variant<Shapes...>>::type;
   const auto form = [](auto& one) -> Forms {
     using Shape = std::remove_cvref_t<decltype(one)>;

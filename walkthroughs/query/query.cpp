@@ -49,7 +49,7 @@ gjk::Options<S> options_of(const PairAsWritten& pair, const QueryOptions& query)
 }
 
 template <class S>
-void answer_in(PairAsWritten pair, const QueryOptions& query, std::string& out) {
+void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
   const gjk::Options<S> options = options_of<S>(pair, query);
   const QueryObject<S> a = query_object<S>(std::move(pair.a), "a"), b = query_object<S>(std::move(pair.b), "b");
   const auto answer_by = [&]<class Rules>() { write_answer(gjk::collision<S, Rules>(a, b, options), out); };
@@ -59,7 +59,7 @@ void answer_in(PairAsWritten pair, const QueryOptions& query, std::string& out) 
     gjk::with_rules<gjk::ExactZeroTest>(query.rules, answer_by);
 }
 
-void answer(PairAsWritten pair, const QueryOptions& query, std::string& out) {
+void answer(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
   switch (query.scalar) {
     case QueryScalar::binary32: return answer_in<float>(std::move(pair), query, out);
     case QueryScalar::binary64: return answer_in<double>(std::move(pair), query, out);

@@ -69,7 +69,7 @@ class InScalar {
     return converted;
   }
 
-  Asked<S> form(AnyShape shape) const {
+  Asked<S> form(AnyShape&& shape) const {
     try {
       if constexpr (std::same_as<S, double>)
         return Asked<S>(std::move(shape));
@@ -95,7 +95,7 @@ class InScalar {
 
 /// `place`: "a" or "b". Errors: DocumentError.
 template <class S>
-QueryObject<S> query_object(reading::ObjectAsWritten object, const std::string& place) {
+QueryObject<S> query_object(reading::ObjectAsWritten&& object, const std::string& place) {
   const InScalar<S> in_scalar(place);
   std::optional<gjk::Pose<S>> pose;
   if (object.pose) pose = in_scalar.pose(*object.pose);

@@ -42,9 +42,9 @@ void expect_object(const Value& value, std::span<const std::string> keys, std::s
     if (std::ranges::count(keys, member.key()) == 0) member.fail("is not a key; " + suggestion(member.key(), keys));
 }
 
-Value required(const Value& object, std::string_view key, const std::string& what_to_do) {
+Value required(const Value& object, std::string_view key, std::string_view what_to_do) {
   if (const auto member = object.member(key)) return *member;
-  object.fail_without(key, "is missing; " + what_to_do);
+  object.fail_without(key, "is missing; " + std::string(what_to_do));
 }
 
 double number(const Value& value) {
@@ -97,7 +97,7 @@ namespace {
 
 [[noreturn]] void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
   const std::string hint = !space.is_plane() && count == 2 ? "; for a scene of the plane say \"dimension\": 2" : "";
-  value.fail("expected " + space.point_words() + ", found a list of " + std::to_string(count) + hint);
+  value.fail("expected " + std::string(space.point_words()) + ", found a list of " + std::to_string(count) + hint);
 }
 
 }  // namespace
@@ -181,7 +181,8 @@ struct FieldReader {
   int sums_around;
 
   void operator()(field::Place place, Point& to) const {
-    to = space.point(required(value, place.name, "give it as " + space.point_words()));
+    to = space.point(
+        required(value, place.name, space.is_plane() ? "give it as a point [x, y]" : "give it as a point [x, y, z]"));
   }
   void operator()(field::Direction direction, Point& to) const {
     to = space.direction(required(value, direction.name, "give it as a direction [x, y, z]"));
@@ -211,23 +212,21 @@ struct FieldReader {
 };
 
 template <class Shape>
-AnyShape read_fields(const Value& value, const Space& space, int sums_around) {
+void read_fields(const Value& value, const Space& space, int sums_around, Shape& shape) {
   static const std::vector<std::string> fields = fields_of<Shape>();
   static const std::string expected = "an object with " + list_of(fields, "and");
   if (space.is_plane() && ShapeRow<Shape>::kind_in_plane.empty())
     value.fail("a scene with \"dimension\": 2 has no " + std::string(ShapeRow<Shape>::kind) +
                "s; use a sphere (a disc) or points, or say \"dimension\": 3");
   if (!fields.empty()) expect_object(value, fields, expected);
-  Shape shape{};
   ShapeRow<Shape>::fields(FieldReader{value, space, sums_around}, shape);
-  return shape;
 }
 
 AnyShape read_shape(const Value& object, const Space& space, int sums_around) {
   const Value value = shape_of(object);
   AnyShape shape;
   for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
-    if (value.key() == ShapeRow<Shape>::key) shape = read_fields<Shape>(value, space, sums_around);
+    if (value.key() == ShapeRow<Shape>::key) read_fields(value, space, sums_around, shape.emplace<Shape>());
   });
   return shape;
 }

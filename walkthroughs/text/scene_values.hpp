@@ -26,7 +26,7 @@ void expect_object(const Value& value, std::span<const std::string> keys, std::s
 inline void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
   expect_object(value, std::span(keys.begin(), keys.size()), expected);
 }
-Value required(const Value& object, std::string_view key, const std::string& what_to_do);
+Value required(const Value& object, std::string_view key, std::string_view what_to_do);
 
 double number(const Value& value);
 /// Returns: the positive number of that key.
@@ -49,7 +49,7 @@ struct Space {
   TwoNumbers two_numbers = TwoNumbers::refused;
 
   bool is_plane() const { return dimension == Dimension::plane; }
-  std::string point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }
+  std::string_view point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }
   Point point(const Value& value) const;
   Point direction(const Value& value) const;
 };

@@ -11,7 +11,7 @@ namespace peers {
 using PointSet = gjk::PointSet<double>;
 using AnyShape = walkthroughs::AskedForms<study::Body>::type;
 
-inline AnyShape any_shape(const study::Body& body) { return walkthroughs::asked(body); }
+inline AnyShape any_shape(const study::Body& body) { return walkthroughs::asked(study::Body(body)); }
 
 /// Some point well inside, from which some searches start.
 inline study::Vec center(const study::Body& body) {

@@ -41,7 +41,7 @@ TEST_CASE("Without a command, or with one that there is not, the program says wh
   check_failure("rendr figure-5", 2, {"rendr", "--help"});
   check_failure("--bogus", 2, {"--bogus", "--help"});
   check_failure("render --bogus figure-5", 2, {"--bogus", "--help"});
-  check_failure("list more", 2, {"more", "gjkstep list"});
+  check_failure("list mroe", 2, {"mroe", "gjkstep list"});
   check_failure("list figure-5 figure-4-left", 2, {"figure-4-left"});
 }
 
