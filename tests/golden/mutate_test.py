@@ -3,12 +3,12 @@
 import pathlib, subprocess, sys, tempfile
 
 here = pathlib.Path(__file__).resolve().parent
-sound = "core/rules.hpp | X.cross(Y).cross(X) | Y.cross(X).cross(X) | it points away"
+sound = "core/rules.hpp | step.keep_all(AO) | step.keep_all(-AO) | it points away"
 damaged = {
-    "core/rules.hpp | const S value | S value | once too often": "is 2 times in core/rules.hpp",
+    'core/rules.hpp | step.skip_beyond_A("R2") | step.skip_beyond_A("R3") | once too often': "is 2 times in core/rules.hpp",
     "core/rules.hpp | nowhere to be found | x | gone": "'nowhere to be found' is 0 times",
     "core/no_rules.hpp | a | b | no file": "there is no file core/no_rules.hpp",
-    "core/rules.hpp | X.cross(Y).cross(X) | X.cross(Y).cross(X) | the same": "changes nothing",
+    "core/rules.hpp | step.keep_all(AO) | step.keep_all(AO) | the same": "changes nothing",
     "core/rules.hpp | X.cross(Y) | three parts": "has 3 parts instead of 4",
 }
 
