@@ -147,7 +147,7 @@ TEST_CASE("The largest number of a shape is that of all its fields, also within 
   CHECK(largest_number(AnyShape(Sum{{can(), Ball{{0, -20, 0}, 1}}})) == 20);
 }
 
-TEST_CASE("The middle of a shape lies inside; of a sum it is the sum of the middles") {
+TEST_CASE("The middle of a shape lies inside, of a sum it is the sum of the middles") {
   Dice dice(6);
   for (int i = 0; i < 200; ++i) {
     const AnyShape shape = dice.shape();

@@ -55,7 +55,7 @@ TEST_CASE("The farthest points of a sum are the sums of the farthest points of i
   CHECK(bound_of(Sum{{square(), ball()}}) == 7);
 }
 
-TEST_CASE("The sum of two hulls: edges of both in order; points and segments move and stretch it") {
+TEST_CASE("The sum of two hulls: edges of both in order, points and segments move and stretch it") {
   const std::vector<Vec2> triangle{{0, 0}, {2, 0}, {0, 1}}, segment{{0, -1}, {0, 1}}, dot{{5, 5}};
   CHECK(sum_of_hulls(triangle, dot) == std::vector<Vec2>{{5, 5}, {7, 5}, {5, 6}});
   CHECK(sum_of_hulls(dot, triangle) == std::vector<Vec2>{{5, 5}, {7, 5}, {5, 6}});

@@ -292,7 +292,7 @@ TEST_CASE("Eager rules search from where the poses put the centers, and need one
   CHECK(beyond["iterations"] == 1);  // their distance is no float, so the search begins along +x
 }
 
-TEST_CASE("Points of the plane have two numbers, or a third that is 0; a pair may say that it is planar, as scenes do") {
+TEST_CASE("Points of the plane have two numbers, or a third that is 0, a pair may say that it is planar, as scenes do") {
   const std::string flat = R"({"points":[[0,0],[2,0],[0,2]]})", also_flat = R"({"points":[[0,0,0],[2,0,0],[0,2,0]]})";
   const std::string disc = R"({"sphere":{"center":[3,3],"radius":1}})", a_ball = R"({"sphere":{"center":[3,3,0],"radius":1}})";
   CHECK(answer(pair_of(flat, disc)) == answer(pair_of(also_flat, a_ball)));
