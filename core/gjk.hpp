@@ -91,8 +91,12 @@ class Search {
   using Reach = decltype(reach<ZeroTest>(std::declval<Vertex<S>>(), std::declval<Vec3<S>>()));
 
   /// The plain call's: everything inlined, the shapes, too. In the pieces in which GCC 12 leaves it otherwise, queries of
-  /// triangles take a tenth longer and more, as tests/bench/peers measures them.
-  [[gnu::flatten]] void search_in_one_piece() { search(); }
+  /// triangles take a tenth longer and more, as tests/bench/peers measures them. Not under sanitizers: their checks of all that
+  /// is inlined take minutes to compile.
+#ifndef __SANITIZE_ADDRESS__
+  [[gnu::flatten]]
+#endif
+  void search_in_one_piece() { search(); }
 
   void search() {
     tell_([&] { return SearchStarted<S>{.direction = direction_, .why = why_first_direction()}; });

@@ -297,9 +297,11 @@ Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken)
   for (double y = tried.min.y(); y <= tried.max.y(); y += area_pitch) {
     for (double x = tried.min.x(); x <= tried.max.x(); x += area_pitch) {
       const Box box = moved(ink, {x, y});
-      if (!contains(area.corners, box)) continue;
+      double cost = (box.center() - middle).norm() / area_pitch;
+      if (cost >= least || !contains(area.corners, box)) continue;
       const double overlap = cost_of(box, taken);
-      double cost = overlap + (box.center() - middle).norm() / area_pitch;
+      cost += overlap;
+      if (cost >= least) continue;
       for (const double clearance : area_clearances) cost += cost_near * obstacles_near(box, clearance);
       if (cost >= least) continue;
       least = cost;
@@ -320,12 +322,13 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
   for (std::size_t spread = 0; spread < spreads.size(); ++spread) {
     for (int attempt = 0; attempt < directions; ++attempt) {
       const int turns = turns_of(attempt);
+      const double astray = cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
+      if (astray >= least) continue;
       const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
       const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
       const Vec2 baseline = middle + Vec2(0, rise);
       Place place{baseline, moved(ink, baseline)};
-      const double cost = cost_of(place.box, taken) + cost_of_leader(label, place.box, taken) +
-                          cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
+      const double cost = cost_of(place.box, taken) + cost_of_leader(label, place.box, taken) + astray;
       if (cost >= least) continue;
       least = cost;
       place.clear = cost < cost_obstacle;
@@ -358,16 +361,23 @@ void Panel::avoid(const Obstacle& obstacle) {
   (2 * obstacle.radius < least_obstacle ? fine_lines_ : obstacles_).push_back(obstacle);
 }
 
+bool Panel::Obstacle::is_near(const Box& box, double clearance) const {
+  const double reach = radius + clearance;
+  // Most are far away, which is quickly seen: labels are tried in hundreds of places among thousands of lines.
+  if (std::max(from.x(), to.x()) < box.min.x() - reach || std::min(from.x(), to.x()) > box.max.x() + reach ||
+      std::max(from.y(), to.y()) < box.min.y() - reach || std::min(from.y(), to.y()) > box.max.y() + reach)
+    return false;
+  return clip_segment(from, to, box.grown(reach)).has_value();
+}
+
 int Panel::fine_lines_near(const Box& box) const {
-  return static_cast<int>(std::ranges::count_if(fine_lines_, [&](const Obstacle& line) {
-    return clip_segment(line.from, line.to, box.grown(line.radius + line_clearance)).has_value();
-  }));
+  return static_cast<int>(
+      std::ranges::count_if(fine_lines_, [&](const Obstacle& line) { return line.is_near(box, line_clearance); }));
 }
 
 int Panel::obstacles_near(const Box& box, double clearance) const {
-  return static_cast<int>(std::ranges::count_if(obstacles_, [&](const Obstacle& obstacle) {
-    return clip_segment(obstacle.from, obstacle.to, box.grown(obstacle.radius + clearance)).has_value();
-  }));
+  return static_cast<int>(
+      std::ranges::count_if(obstacles_, [&](const Obstacle& obstacle) { return obstacle.is_near(box, clearance); }));
 }
 
 }  // namespace render

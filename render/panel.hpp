@@ -84,6 +84,7 @@ class Panel {
   struct Obstacle {
     Vec2 from, to;  ///< page units
     double radius;  ///< half the width of the line, or the radius of the disc
+    bool is_near(const Box& box, double clearance) const;
   };
   struct Label {
     Vec2 anchor, toward;  ///< page units; `toward` of length 1

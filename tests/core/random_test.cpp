@@ -182,5 +182,64 @@ TEST_CASE("Changing places, or turning and scaling both sets, does not change th
   }
 }
 
+/// What numbers of S are worth without rounding; Separation's bound is compared with nothing less.
+template <class S>
+Vec3<Rational> exactly(const Vec3<S>& v) {
+  return {Rational(v.x()), Rational(v.y()), Rational(v.z())};
+}
+
+/// Returns: the most that a·d comes to over a list of points, and the most of |x d.x| + |y d.y| + |z d.z|.
+template <class S>
+std::pair<Rational, Rational> reach_and_size(const std::vector<Vec3<S>>& points, const Vec3<Rational>& d) {
+  std::pair<Rational, Rational> most{exactly(points[0]).dot(d), 0};
+  for (const Vec3<S>& point : points) {
+    const Vec3<Rational> products = exactly(point).cwiseProduct(d);
+    most.first = std::max(most.first, Rational(products.sum()));
+    most.second = std::max(most.second, Rational(products.cwiseAbs().sum()));
+  }
+  return most;
+}
+
+TEMPLATE_TEST_CASE("A separation below its error bound is a proof, and rounding comes to a thirtieth of the bound",
+                   "[random]", float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 12;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  const Rational epsilon(std::numeric_limits<S>::epsilon());
+  const auto cloud = [&](double from) {
+    std::vector<Vec3<S>> points;
+    for (int i = 0; i < 6; ++i)
+      points.emplace_back(static_cast<S>(from + dice.between(0., 1.)), static_cast<S>(dice.between(0., 1.)),
+                          static_cast<S>(dice.between(0., 1.)));
+    return points;
+  };
+  int separated = 0, proofs = 0;
+  Rational worst = 0;
+  for (int i = 0; i < 2000; ++i) {
+    INFO("pair " << i);
+    // The corner of one is the other's, moved by some roundings, so that many gaps are near the bound.
+    const std::vector<Vec3<S>> a = cloud(0);
+    std::vector<Vec3<S>> b = cloud(1);
+    b[0] = a[0] * (S(1) + S(dice.between(0, 40)) * std::numeric_limits<S>::epsilon());
+    const Result<S> result = asked<S>(PointSet<S>(a), PointSet<S>(b));
+    if (!result.separation) continue;
+    ++separated;
+    const Vec3<Rational> d = exactly(result.separation->direction);
+    const auto [reach_a, size_a] = reach_and_size(a, d);
+    const auto [reach_minus_b, size_b] = reach_and_size(b, Vec3<Rational>(-d));
+    const Rational bound = 6 * epsilon * (size_a + size_b), told(result.separation->support_value);
+    const Rational off = abs(reach_a + reach_minus_b - told);
+    REQUIRE(off <= bound);
+    worst = std::max(worst, Rational(off / bound));
+    if (told >= -bound) continue;
+    ++proofs;
+    REQUIRE(reach_a + reach_minus_b < 0);
+  }
+  REQUIRE(proofs > 100);
+  REQUIRE(proofs < separated);  // some gaps are too small to be believed
+  REQUIRE(worst > Rational(1, 30));
+}
+
 }  // namespace
 }  // namespace gjk::test

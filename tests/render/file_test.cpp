@@ -19,8 +19,8 @@ namespace {
 
 /// A folder that disappears with everything in it.
 struct Folder {
-  fs::path path = fs::temp_directory_path() / ("gjkstep-file-test-" + std::to_string(std::rand()));
-  Folder() { fs::create_directories(path); }
+  std::string path_text = fs::temp_directory_path() / "gjkstep-file-test-XXXXXX";
+  fs::path path = ::mkdtemp(path_text.data());  // of this process alone: other cases run beside it
   ~Folder() { fs::remove_all(path); }
 };
 

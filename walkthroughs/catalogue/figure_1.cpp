@@ -75,7 +75,7 @@ struct Part {
 };
 
 int draw_part(render::Canvas& canvas, const render::Box& frame, const Part& part, const Style& style) {
-  const render::Box below_title = draw_titled_frame(canvas, frame, part.set.name, style);
+  const render::Box below_title = draw_panel_title(canvas, frame, part.set.name, style);
   render::TextStyle verdict = style.label(style.theme.ink, render::Weight::bold);
   verdict.align = render::Align::center;
   canvas.text({frame.center().x(), frame.max.y() - verdict_baseline},

@@ -86,7 +86,7 @@ int draw_board(render::Canvas& canvas, const render::Box& box, const Style& styl
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const render::Box room = draw_titled_frame(canvas, box, "the plane, with a pin at each point", style);
+  const render::Box room = draw_panel_title(canvas, box, "the plane, with a pin at each point", style);
   Panel panel(canvas, room, render::View::fit(low, high, room.grown(-margin), any_scale));
   draw_band(panel, board, band, style);
   draw_pins(panel, board, band, style);

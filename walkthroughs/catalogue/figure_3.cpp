@@ -76,7 +76,7 @@ void draw_supports(Panel& panel, const Example& example, const Style& style) {
 
 int draw_sets(render::Canvas& canvas, const render::Box& frame, const Style& style, const Example& example, Step step,
               double scale) {
-  const render::Box room = draw_titled_frame(canvas, frame, "the triangles C and D", style);
+  const render::Box room = draw_panel_title(canvas, frame, "the triangles C and D", style);
   Panel panel(canvas, room, render::View::fit(objects_low, objects_high, room.grown(-margin), scale));
   panel.grid(1, style.grid);
   const std::vector<Vec2> c = plane(example.C.points()), d = plane(example.D.points());
@@ -93,7 +93,7 @@ int draw_sets(render::Canvas& canvas, const render::Box& frame, const Style& sty
 
 int draw_difference(render::Canvas& canvas, const render::Box& frame, const Style& style, const Example& example,
                     Step step, double scale) {
-  const render::Box room = draw_titled_frame(canvas, frame, "their Minkowski Difference Mdiff(C, D)", style);
+  const render::Box room = draw_panel_title(canvas, frame, "their Minkowski Difference Mdiff(C, D)", style);
   Panel panel(canvas, room, render::View::fit(difference_low, difference_high, room.grown(-margin), scale));
   panel.grid(1, style.grid);
   draw_origin(panel, style);

@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
@@ -41,8 +43,8 @@ void draw_answers(Panel& panel, const Sketch& sketch, const Style& style) {
   panel.line(sketch.A() - far, sketch.A() + far, style.thin);
 }
 
-int draw(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch, Show show) {
-  const render::Box room = draw_titled_frame(canvas, box, "the 1-simplex AB and the regions around it", style);
+int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {
+  const render::Box room = draw_panel_title(canvas, box, "the 1-simplex AB and the regions around it", style);
   Panel panel(canvas, room, render::View::fit(sketch.window.low, sketch.window.high, room, any_scale));
   if (show == Show::answers) draw_answers(panel, sketch, style);
   const render::Stroke border{style.theme.grey, 2 * style.theme.line};
@@ -62,14 +64,6 @@ int draw(render::Canvas& canvas, const render::Box& box, const Style& style, con
   return panel.place_labels();
 }
 
-Diagram frame(const Sketch& sketch, Show show, std::string caption, std::vector<std::string> facts,
-              std::string description) {
-  return {std::move(caption), std::move(facts), std::move(description),
-          [sketch, show](render::Canvas& canvas, const render::Box& box, const Style& style) {
-            return draw(canvas, box, style, sketch, show);
-          }};
-}
-
 std::vector<Diagram> figure_6_diagrams() {
   const Sketch sketch;
   std::vector<std::string> facts = reasons_for_skipping(ask(sketch.simplex, Point(0, 1, 0)));
@@ -78,10 +72,13 @@ std::vector<Diagram> figure_6_diagrams() {
       "The segment from B, lower left, to A, upper right, and the lines at right angles to it through both ends. R1 "
       "lies "
       "beyond B, R2 beyond A, R3 above the segment and R4 below it. ";
-  return {frame(sketch, Show::regions, "Around the segment AB the origin may lie in any of four regions.",
-                {"R1 beyond B, R2 beyond A, R3 and R4 on the two sides; A is the newest vertex"}, where),
-          frame(sketch, Show::answers, "Algorithm 3, asked of every origin shown, answers R3 or R4.", facts,
-                where + "R3 is shaded in one colour, R4 in another. R1 and R2 are hatched: they are skipped.")};
+  return {Diagram{"Around the segment AB the origin may lie in any of four regions.",
+                  {"R1 beyond B, R2 beyond A, R3 and R4 on the two sides; A is the newest vertex"},
+                  where,
+                  std::bind_front(draw, sketch, Show::regions)},
+          Diagram{"Algorithm 3, asked of every origin shown, answers R3 or R4.", facts,
+                  where + "R3 is shaded in one colour, R4 in another. R1 and R2 are hatched: they are skipped.",
+                  std::bind_front(draw, sketch, Show::answers)}};
 }
 
 }  // namespace

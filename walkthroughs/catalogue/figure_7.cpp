@@ -1,4 +1,5 @@
 #include <array>
+#include <functional>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
@@ -88,8 +89,8 @@ void draw_triangle(Panel& panel, const Sketch& sketch, const Style& style) {
   }
 }
 
-int draw(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch, Show show) {
-  const render::Box room = draw_titled_frame(canvas, box, "the 2-simplex ABC and the regions around it", style);
+int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {
+  const render::Box room = draw_panel_title(canvas, box, "the 2-simplex ABC and the regions around it", style);
   Panel panel(canvas, room, render::View::fit(sketch.window.low, sketch.window.high, room, any_scale));
   if (show == Show::answers) draw_answers(panel, sketch, style);
   for (const Region& region : regions) {
@@ -107,14 +108,6 @@ int draw(render::Canvas& canvas, const render::Box& box, const Style& style, con
   return panel.place_labels();
 }
 
-Diagram frame(const Sketch& sketch, Show show, std::string caption, std::vector<std::string> facts,
-              std::string description) {
-  return {std::move(caption), std::move(facts), std::move(description),
-          [sketch, show](render::Canvas& canvas, const render::Box& box, const Style& style) {
-            return draw(canvas, box, style, sketch, show);
-          }};
-}
-
 std::vector<Diagram> figure_7_diagrams() {
   const Sketch sketch;
   std::vector<std::string> facts = reasons_for_skipping(sketch.inside);
@@ -125,13 +118,15 @@ std::vector<Diagram> figure_7_diagrams() {
       "R1 is the inside, R2 lies beyond A, R3 beyond AB, R4 beyond B, R5 beyond BC, R6 beyond C and R7 beyond AC. "
       "Arrows "
       "from the middles of AB and AC, named ABn and ACn, point outward. ";
-  return {frame(sketch, Show::regions, "Around the triangle ABC the origin may lie in any of seven regions.",
-                {"R1 inside, above and below the paper too; R2, R4, R6 beyond A, B, C;",
-                 "R3, R5, R7 beyond the sides AB, BC, AC; A is the newest vertex",
-                 "AB_n = AB×ABC_n and AC_n = ABC_n×AC point away from the triangle (Eq. 11)"},
-                where),
-          frame(sketch, Show::answers, "Algorithm 4, asked of every origin shown, answers R3, R7, else R1.", facts,
-                where + "R1, R3 and R7 are shaded in three colours; R2, R4, R5 and R6 are hatched: they are skipped.")};
+  return {Diagram{"Around the triangle ABC the origin may lie in any of seven regions.",
+                  {"R1 inside, above and below the paper too; R2, R4, R6 beyond A, B, C;",
+                   "R3, R5, R7 beyond the sides AB, BC, AC; A is the newest vertex",
+                   "AB_n = AB×ABC_n and AC_n = ABC_n×AC point away from the triangle (Eq. 11)"},
+                  where,
+                  std::bind_front(draw, sketch, Show::regions)},
+          Diagram{"Algorithm 4, asked of every origin shown, answers R3, R7, else R1.", facts,
+                  where + "R1, R3 and R7 are shaded in three colours; R2, R4, R5 and R6 are hatched: they are skipped.",
+                  std::bind_front(draw, sketch, Show::answers)}};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
@@ -173,7 +174,7 @@ void draw_cut_solid(Panel& panel, const Sketch& sketch, const Style& style) {
 }
 
 int draw_space(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch, Show show) {
-  const render::Box room = draw_titled_frame(canvas, box, "the 3-simplex ABCD", style);
+  const render::Box room = draw_panel_title(canvas, box, "the 3-simplex ABCD", style);
   Panel panel(canvas, room, render::View::fit(picture_low, picture_high, room.grown(-margin), any_scale));
   name_vertices(panel, sketch, style);  // these have the least choice
   if (show == Show::slice) {
@@ -212,7 +213,7 @@ render::TextStyle edge_label(const Style& style) {
 }
 
 int draw_slice(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch) {
-  const render::Box room = draw_titled_frame(canvas, box, "the slice at a third of the height, seen from above", style);
+  const render::Box room = draw_panel_title(canvas, box, "the slice at a third of the height, seen from above", style);
   Panel panel(canvas, room, render::View::fit(sketch.window.low, sketch.window.high, room, any_scale));
   draw_blocks(
       panel, sketch.blocks, [&](const std::string& answer) { return fill_of(answer, style); }, style.theme.paper);
@@ -228,19 +229,11 @@ int draw_slice(render::Canvas& canvas, const render::Box& box, const Style& styl
   return panel.place_labels();
 }
 
-int draw(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch, Show show) {
+int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {
   if (show == Show::tetrahedron) return draw_space(canvas, box, style, sketch, show);
   const double right = box.min.x() + box.width() * space_share;
   return draw_space(canvas, {box.min, {right, box.max.y()}}, style, sketch, show) +
          draw_slice(canvas, {{right + gap, box.min.y()}, box.max}, style, sketch);
-}
-
-Diagram frame(const Sketch& sketch, Show show, std::string caption, std::vector<std::string> facts,
-              std::string description) {
-  return {std::move(caption), std::move(facts), std::move(description),
-          [sketch, show](render::Canvas& canvas, const render::Box& box, const Style& style) {
-            return draw(canvas, box, style, sketch, show);
-          }};
 }
 
 /// Returns: for how many of the origins beyond no feature that is ruled out the answer is the nearest feature.
@@ -276,15 +269,18 @@ std::vector<Diagram> figure_8_diagrams() {
       "the "
       "face ACD, with its three edges dashed. ";
   return {
-      frame(sketch, Show::tetrahedron, "The 3-simplex ABCD: A lies above the plane of BCD, B behind the face ACD.",
-            {normals_in_words(sketch), "A lies in the direction of BC×BD; A is the newest vertex"},
-            solid + "Arrows from the middles of the faces ABC, ACD and ADB point outward."),
-      frame(sketch, Show::slice, "Algorithm 5, asked of every origin in a slice, takes the first face that sees it.",
-            {"in the order ABC, ACD, ADB; an edge stands beside the face it was found from",
-             "hatched: nearest to A, B, C, D, BC, CD or BD, which its history rules out",
-             "elsewhere the answer is the nearest feature, for " + share_of_nearest(sketch) + " origins"},
-            solid + "A sheet parallel to BCD cuts it at a third of its height. Right, the sheet from above: a triangle "
-                    "marked inside, and around it an area for each face and each edge that the algorithm can answer.")};
+      Diagram{"The 3-simplex ABCD: A lies above the plane of BCD, B behind the face ACD.",
+              {normals_in_words(sketch), "A lies in the direction of BC×BD; A is the newest vertex"},
+              solid + "Arrows from the middles of the faces ABC, ACD and ADB point outward.",
+              std::bind_front(draw, sketch, Show::tetrahedron)},
+      Diagram{"Algorithm 5, asked of every origin in a slice, takes the first face that sees it.",
+              {"in the order ABC, ACD, ADB; an edge stands beside the face it was found from",
+               "hatched: nearest to A, B, C, D, BC, CD or BD, which its history rules out",
+               "elsewhere the answer is the nearest feature, for " + share_of_nearest(sketch) + " origins"},
+              solid +
+                  "A sheet parallel to BCD cuts it at a third of its height. Right, the sheet from above: a triangle "
+                  "marked inside, and around it an area for each face and each edge that the algorithm can answer.",
+              std::bind_front(draw, sketch, Show::slice)}};
 }
 
 }  // namespace

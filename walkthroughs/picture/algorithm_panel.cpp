@@ -94,7 +94,7 @@ class Listing {
 void draw_algorithm(render::Canvas& canvas, const render::Box& frame, const Shown& shown) {
   const int number = running_algorithm(shown.now, shown.focus);
   const std::vector<CodeLine>& code = algorithm(number, shown.telling.scene.rules);
-  draw_panel_title(canvas, frame, title_of(number, shown.names, shown.now.processed), {}, shown.style);
+  draw_panel_title(canvas, frame, title_of(number, shown.names, shown.now.processed), shown.style);
   const render::Box room = below_title(frame);
   const std::optional<std::size_t> current = current_line(code, shown.now, shown.focus);
   Listing listing(canvas, room, number, code.size(), shown);

@@ -1,7 +1,5 @@
 #include "walkthroughs/picture/diagram_parts.hpp"
 
-#include "walkthroughs/picture/panel_title.hpp"
-
 namespace walkthroughs {
 namespace {
 
@@ -23,11 +21,6 @@ std::vector<Box> side_by_side(const Box& box, int count) {
     frames.push_back({{left, box.min.y()}, {left + width, box.max.y()}});
   }
   return frames;
-}
-
-Box draw_titled_frame(render::Canvas& canvas, const Box& frame, const std::string& title, const Style& style) {
-  draw_panel_title(canvas, frame, title, {}, style);
-  return below_title(frame);
 }
 
 void draw_point(render::Panel& panel, const Vec2& at, render::Color color, const Style& style) {

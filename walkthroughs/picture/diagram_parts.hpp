@@ -1,20 +1,17 @@
-/// What the diagrams share: frames with titles, points.
+/// What the diagrams share: frames, points.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "render/panel.hpp"
+#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/style.hpp"
 
 namespace walkthroughs {
 
 /// Returns: `box` cut into `count` frames of equal width, side by side.
 std::vector<render::Box> side_by_side(const render::Box& box, int count);
-
-/// Draws the frame of a panel with its title. Returns: the room below the title.
-render::Box draw_titled_frame(render::Canvas& canvas, const render::Box& frame, const std::string& title,
-                              const Style& style);
 
 void draw_point(render::Panel& panel, const render::Vec2& at, render::Color color, const Style& style);
 /// A ring, for a point that is not the one meant.

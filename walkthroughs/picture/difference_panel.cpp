@@ -263,10 +263,9 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   const Style& style = shown.style;
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
-  draw_panel_title(canvas, place.frame, place.title,
+  draw_panel_title(canvas, place.frame, place.title, style,
                    {ringed_point(style), dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
-                    looking ? far_side(style) : dashes("earlier", style.former)},
-                   style);
+                    looking ? far_side(style) : dashes("earlier", style.former)});
   if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
   render::Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, shown);
@@ -290,7 +289,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
 }
 
 int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
-  draw_panel_title(canvas, place.frame, place.title, {ringed_point(shown.style), far_side(shown.style)}, shown.style);
+  draw_panel_title(canvas, place.frame, place.title, shown.style, {ringed_point(shown.style), far_side(shown.style)});
   render::Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, shown);
   picture.set();

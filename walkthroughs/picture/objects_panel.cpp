@@ -52,10 +52,9 @@ Bounds bounds_of_objects(const Telling& telling, const Stage& stage, const Lens&
 int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Scene& scene = shown.telling.scene;
-  draw_panel_title(canvas, place.frame, place.title,
+  draw_panel_title(canvas, place.frame, place.title, style,
                    {swatch(literal(scene.a.name), style.object_a_fill, style.object_a),
-                    swatch(literal(scene.b.name), style.object_b_fill, style.object_b)},
-                   style);
+                    swatch(literal(scene.b.name), style.object_b_fill, style.object_b)});
   render::Panel panel(canvas, below_title(place.frame), place.view);
   Pencil pencil(panel, shown.lens, style);
   if (!pencil.in_space()) panel.grid(1, style.grid);

@@ -38,15 +38,17 @@ void draw_key(render::Canvas& canvas, render::Interval room, double baseline, co
 
 render::Box below_title(const render::Box& frame) { return {frame.min + Vec2(0, title_height), frame.max}; }
 
-void draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
-                      const std::vector<KeyEntry>& key, const Style& style) {
+render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
+                             const Style& style, const std::vector<KeyEntry>& key) {
   const Vec2 corners[] = {frame.min, {frame.max.x(), frame.min.y()}, frame.max, {frame.min.x(), frame.max.y()}};
   canvas.outline(corners, style.frame);
-  canvas.line(below_title(frame).min, {frame.max.x(), below_title(frame).min.y()}, style.frame);
+  const render::Box room = below_title(frame);
+  canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
   const double baseline = frame.min.y() + 26;
   if (!title.empty()) canvas.text({frame.min.x() + margin, baseline}, title, style.panel_title);
   const double title_width = title.empty() ? 0 : canvas.text_box({0, 0}, title, style.panel_title).width();
   draw_key(canvas, {frame.min.x() + margin + title_width, frame.max.x() - margin}, baseline, key, style);
+  return room;
 }
 
 }  // namespace walkthroughs

@@ -20,7 +20,8 @@ struct KeyEntry {
 };
 
 /// Draws the frame of a panel, its title at the left and at the right as much of its key as there is room for.
-void draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
-                      const std::vector<KeyEntry>& key, const Style& style);
+/// Returns: the room below the title.
+render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
+                             const Style& style, const std::vector<KeyEntry>& key = {});
 
 }  // namespace walkthroughs

@@ -21,7 +21,7 @@ using gjk::Status;
 
 void require_identical(const Point& found, const Point& expected, const std::string& key, const std::string& source) {
   if (!is_identical(found, expected))
-    throw Contradiction(quoted(key) + " is " + written(found) + ", but " + source + " is " + written(expected));
+    throw Contradiction(in_quotes(key) + " is " + written(found) + ", but " + source + " is " + written(expected));
 }
 
 /// Returns: a - b in numbers of that scalar. Subtracted in floats, not in doubles that are rounded after: GCC 12 leaves out
@@ -48,12 +48,12 @@ bool is_identical(const R& x, const R& y) {
 
 void require_identical(const gjk::Simplex<double>& found, const gjk::Simplex<double>& expected, const std::string& key,
                        const std::string& source) {
-  require(found.size() == expected.size(), quoted(key) + " has " + std::to_string(found.size()) +
+  require(found.size() == expected.size(), in_quotes(key) + " has " + std::to_string(found.size()) +
                                                " vertices, but there are " + std::to_string(expected.size()) + " in " +
                                                source);
   for (int i = 0; i < found.size(); ++i)
     require(is_identical(found[i], expected[i]),
-            "vertex " + std::to_string(i) + " of " + quoted(key) + " is not that of " + source);
+            "vertex " + std::to_string(i) + " of " + in_quotes(key) + " is not that of " + source);
 }
 
 }  // namespace
@@ -64,16 +64,16 @@ TraceCheck::TraceCheck(const Scene& scene) : scene_(scene) {}
 
 std::string TraceCheck::expected() const {
   std::string list;
-  for (const std::size_t kind : expected_) list += (list.empty() ? "" : " or ") + quoted(event_names[kind]);
+  for (const std::size_t kind : expected_) list += (list.empty() ? "" : " or ") + in_quotes(event_names[kind]);
   return list;
 }
 
 void TraceCheck::operator()(const gjk::Event<double>& event) {
   const auto kind = event.index();
   if (std::ranges::count(expected_, kind) == 0)
-    throw Contradiction(quoted(event_names[kind]) + (is_finished()
-                                                         ? " follows, but the search of this scene has finished"
-                                                         : " cannot follow here; expected " + expected()));
+    throw Contradiction(in_quotes(event_names[kind]) + (is_finished()
+                                                            ? " follows, but the search of this scene has finished"
+                                                            : " cannot follow here; expected " + expected()));
   const int iteration = std::visit([](const auto& e) { return e.iteration; }, event);
   const int expected_iteration = kind == event_index<gjk::SupportFound> ? iteration_ + 1 : iteration_;
   require(iteration == expected_iteration, "'iteration' is " + std::to_string(iteration) + "; expected " +
@@ -137,9 +137,9 @@ void TraceCheck::check(const gjk::CrossingTested<double>& event) {
     reach_ = {*event.value};
   }
   require(event.verdict == verdict,
-          "'verdict' is " + quoted(words_of::of(event.verdict)) +
+          "'verdict' is " + in_quotes(words_of::of(event.verdict)) +
               (event.value ? ", but the value " + number_text(*event.value) : ", but the test") + " says " +
-              quoted(words_of::of(verdict)));
+              in_quotes(words_of::of(verdict)));
   crossing_ = verdict;
   decide_after_crossing(event);
 }
@@ -201,7 +201,8 @@ void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
     if (const char name = gjk::letter(static_cast<gjk::Role>(i)); step_.kept.find(name) == std::string_view::npos)
       dropped += name;
   const auto require_word = [](std::string_view found, std::string_view expected, const char* key) {
-    require(found == expected, quoted(key) + " is " + quoted(found) + "; after this region it is " + quoted(expected));
+    require(found == expected,
+            in_quotes(key) + " is " + in_quotes(found) + "; after this region it is " + in_quotes(expected));
   };
   require_word(event.kept, step_.kept, "kept");
   require_word(event.dropped, dropped, "dropped");
@@ -214,7 +215,7 @@ void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
 /// The letters of the expression are those of the simplex before it was reduced.
 void TraceCheck::check(const gjk::DirectionChosen<double>& event) {
   require(event.expression == step_.direction,
-          "'expression' is " + quoted(event.expression) + "; after this region it is " + quoted(step_.direction));
+          "'expression' is " + in_quotes(event.expression) + "; after this region it is " + in_quotes(step_.direction));
   const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
   require(agrees(event.direction, expected), "'direction' is " + written(event.direction) + ", but " +
                                                  event.expression + " is " + written(expected.value));
@@ -247,7 +248,7 @@ void TraceCheck::end_outside(Reason reason) {
 void TraceCheck::check(const gjk::Finished<double>& event) {
   const gjk::Result<double>& result = event.result;
   const auto words = [](Status status, Reason reason) {
-    return quoted(words_of::of(status)) + " because of " + quoted(words_of::of(reason));
+    return in_quotes(words_of::of(status)) + " because of " + in_quotes(words_of::of(reason));
   };
   std::string possible;
   bool is_possible = false;

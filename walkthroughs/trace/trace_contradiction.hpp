@@ -20,7 +20,7 @@ inline void require(bool holds, const std::string& reason) {
   if (!holds) throw Contradiction(reason);
 }
 
-inline std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
+inline std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
 
 inline std::string written(const Point& p) {
   return "[" + number_text(p.x()) + ", " + number_text(p.y()) + ", " + number_text(p.z()) + "]";

@@ -37,14 +37,15 @@ const RuleRow& row_of(const gjk::RegionTested<double>& event, const Simplex& sim
     is_feature = event.feature == each.feature && event.face == each.face;
     if (!row || each.relation == event.relation) row = &each;
   }
-  const std::string of_face = row->face.empty() ? "" : " of face " + quoted(row->face);
-  require(is_feature, "'feature' and 'face' are not those that are looked at here: " + quoted(row->feature) + of_face);
+  const std::string of_face = row->face.empty() ? "" : " of face " + in_quotes(row->face);
+  require(is_feature,
+          "'feature' and 'face' are not those that are looked at here: " + in_quotes(row->feature) + of_face);
   const bool has_value = !row->expression.empty();
   require(!has_value || row->relation == event.relation,
-          "'relation' cannot be " + quoted(words_of::of(event.relation)) + " for " + quoted(row->expression));
+          "'relation' cannot be " + in_quotes(words_of::of(event.relation)) + " for " + in_quotes(row->expression));
   const auto require_word = [&](std::string_view found, std::string_view expected, const char* key) {
-    require(found == expected, quoted(key) + " is " + quoted(found) + "; expected " + quoted(expected) +
-                                   " for the feature " + quoted(row->feature) + " and its relation");
+    require(found == expected, in_quotes(key) + " is " + in_quotes(found) + "; expected " + in_quotes(expected) +
+                                   " for the feature " + in_quotes(row->feature) + " and its relation");
   };
   require_word(event.label, row->label, "region");
   require_word(event.expression, row->expression, "expression");
@@ -93,9 +94,10 @@ void check_verdict(const gjk::RegionTested<double>& event, const Simplex& simple
   const double* value = std::get_if<double>(&event.value);
   const bool holds = value ? stands(*value, event.relation) : stands(std::get<Point>(event.value), event.relation);
   const bool is_as_zero = counts_as_zero(event, simplex, scene) && stands(0.0, event.relation) == is_chosen;
-  require(is_as_zero || holds == is_chosen,
-          "'verdict' is " + quoted(words_of::of(event.verdict)) + ", but 'value' is " + written(event.value) + " and " +
-              (holds ? "stands" : "does not stand") + " in the relation " + quoted(words_of::of(event.relation)));
+  require(is_as_zero || holds == is_chosen, "'verdict' is " + in_quotes(words_of::of(event.verdict)) +
+                                                ", but 'value' is " + written(event.value) + " and " +
+                                                (holds ? "stands" : "does not stand") + " in the relation " +
+                                                in_quotes(words_of::of(event.relation)));
 }
 
 }  // namespace
@@ -111,8 +113,8 @@ const RuleStep& step_after(const gjk::RegionTested<double>& event, const Simplex
   const std::optional<RuleStep>& step = event.verdict == Verdict::chosen     ? row.chosen
                                         : event.verdict == Verdict::rejected ? row.rejected
                                                                              : row.skipped;
-  require(step.has_value(), "'verdict' is " + quoted(words_of::of(event.verdict)) +
-                                ", which is not possible for the feature " + quoted(row.feature) + " here");
+  require(step.has_value(), "'verdict' is " + in_quotes(words_of::of(event.verdict)) +
+                                ", which is not possible for the feature " + in_quotes(row.feature) + " here");
   return *step;
 }
 

@@ -167,15 +167,25 @@ std::string rules_table(const Settings& settings) {
   return varied_table(settings, &Setting::rules, settings.rules(), words_of_failures);
 }
 
-std::string zero_tests_table(const Settings& settings) {
-  std::vector<Column> columns;
+/// Returns: the usual setting with every scalar and zero test, and a title for each. What does not round has only the usual
+/// zero test: nothing needs to be tolerated.
+std::vector<std::pair<std::string, Setting>> scalars_and_zero_tests(const Settings& settings) {
+  std::vector<std::pair<std::string, Setting>> all;
   for (const std::string& scalar : settings.scalars())
     for (const std::string& zero_test : settings.zero_tests()) {
       Setting setting = settings.usual();
+      if (scalar == "exact" && zero_test != setting.zero_test) continue;
       setting.scalar = scalar;
       setting.zero_test = zero_test;
-      if (scalar != "exact") columns.push_back(column(settings, scalar + ", " + zero_test, setting, words_of_failures));
+      all.emplace_back(scalar + ", " + zero_test, setting);
     }
+  return all;
+}
+
+std::string zero_tests_table(const Settings& settings) {
+  std::vector<Column> columns;
+  for (const auto& [title, setting] : scalars_and_zero_tests(settings))
+    if (setting.scalar != "exact") columns.push_back(column(settings, title, setting, words_of_failures));
   return rate_table(settings, columns);
 }
 
@@ -234,16 +244,10 @@ std::string time_of(const Settings& settings, const std::string& family, const S
 
 std::string times_table(const Settings& settings) {
   std::vector<Column> columns;
-  for (const std::string& scalar : settings.scalars())
-    for (const std::string& zero_test : settings.zero_tests()) {
-      Setting setting = settings.usual();
-      setting.scalar = scalar;
-      setting.zero_test = zero_test;
-      if (scalar == "exact" && zero_test != settings.usual().zero_test) continue;
-      columns.push_back({scalar + ", " + zero_test, [&settings, setting](const FamilyNote& family) {
-                           return time_of(settings, family.name, setting);
-                         }});
-    }
+  for (const auto& [title, setting] : scalars_and_zero_tests(settings))
+    columns.push_back({title, [&settings, setting = setting](const FamilyNote& family) {
+                         return time_of(settings, family.name, setting);
+                       }});
   return table(settings, columns);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/catch.hpp"
+#include "walkthroughs/model/any_shape.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
@@ -101,4 +102,28 @@ TEST_CASE("The schema of traces has the fields of what events are made of") {
   check_same_fields<gjk::SupportPoint<double>>({defs.at("support")});
   check_same_fields<gjk::Vertex<double>>({defs.at("vertex")});
   check_same_fields<gjk::Separation<double>>({defs.at("finished-separated").at("properties").at("separation")});
+}
+
+TEST_CASE("The schema of traces has each shape, and the fields of those that have some") {
+  const Json defs = definitions();
+  Words keys;
+  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
+    const std::string key(ShapeRow<Shape>::key);
+    keys.insert(key);
+    Words fields, in_schema;
+    Shape shape;
+    ShapeRow<Shape>::fields(
+        [&](const auto& field, const auto&) {
+          if constexpr (requires { field.name; }) fields.insert(std::string(field.name));
+        },
+        shape);
+    for (const auto& [name, value] : defs.value(key, Json::object()).value("properties", Json::object()).items())
+      in_schema.insert(name);
+    INFO(key);
+    CHECK(in_schema == fields);
+  });
+  Words in_schema;
+  for (const auto& [name, value] : defs.at("shape").at("properties").items()) in_schema.insert(name);
+  CHECK(in_schema == keys);
+  CHECK(defs.at("shape").at("oneOf").size() == keys.size());
 }

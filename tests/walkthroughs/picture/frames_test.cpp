@@ -30,13 +30,13 @@ void nobody(const fs::path&, std::size_t) {}
 
 /// One of each kind, because rasterizing all seven hundred frames takes minutes under a sanitizer: a search in the plane,
 /// close-ups, diagrams, the regions of a triangle and of a tetrahedron, two runs side by side, round objects in space.
-const std::vector<Walkthrough>& of_each_kind() {
-  static const std::vector<Walkthrough> chosen = [] {
-    std::vector<Walkthrough> list;
+const std::vector<StagedStory>& of_each_kind() {
+  static const std::vector<StagedStory> chosen = [] {
+    std::vector<StagedStory> list;
     for (const char* name :
          {"figure-4-left", "figure-5", "figure-8", "regions/2-simplex-r3", "regions/3-simplex-face-abc-edge-ac",
           "as-printed-spheres", "vehicle-and-threat/counter-munition-near-miss"})
-      list.push_back(walkthrough(name));
+      list.emplace_back(tell(walkthrough(name)));
     return list;
   }();
   return chosen;
@@ -44,8 +44,7 @@ const std::vector<Walkthrough>& of_each_kind() {
 
 void render_all(const fs::path& folder, Size size) {
   Studio studio;
-  for (const Walkthrough& w : of_each_kind()) {
-    const StagedStory story(tell(w));
+  for (const StagedStory& story : of_each_kind()) {
     render_frames(story, {folder, size}, studio, nobody);
     render_strip(story, {folder, size}, studio);
   }
@@ -58,10 +57,10 @@ const fs::path& rendered(Size size) {
   return folder;
 }
 
-std::vector<Image> frames(const Walkthrough& w, Size size) {
+std::vector<Image> frames(const Story& story, Size size) {
   std::vector<Image> list;
-  for (std::size_t i = 0; i < tell(w).frames.size(); ++i)
-    list.push_back(render::read_png(rendered(size) / w.name / number_of(i)));
+  for (std::size_t i = 0; i < story.frames.size(); ++i)
+    list.push_back(render::read_png(rendered(size) / story.walkthrough.name / number_of(i)));
   return list;
 }
 
@@ -116,9 +115,10 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
   SECTION("Each walkthrough has its frames, its strip and nothing else in its folder") {
     for (const Size size : {usual, other}) {
       std::vector<std::string> expected;
-      for (const Walkthrough& w : of_each_kind()) {
-        for (std::size_t i = 0; i < tell(w).frames.size(); ++i) expected.push_back(w.name + "/" + number_of(i));
-        expected.push_back(w.name + "/strip.png");
+      for (const StagedStory& story : of_each_kind()) {
+        for (std::size_t i = 0; i < story.frames.size(); ++i)
+          expected.push_back(story.walkthrough.name + "/" + number_of(i));
+        expected.push_back(story.walkthrough.name + "/strip.png");
       }
       std::ranges::sort(expected);
       CHECK(listing(rendered(size)) == expected);
@@ -126,8 +126,8 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
   }
 
   SECTION("Frames decode, have the size that was asked for, and nothing at their very edge") {
-    for (const Walkthrough& w : of_each_kind()) {
-      for (const Image& image : frames(w, other)) {
+    for (const StagedStory& story : of_each_kind()) {
+      for (const Image& image : frames(story, other)) {
         CHECK(image.size() == other);
         CHECK(clear_edge(image));
       }
@@ -136,10 +136,10 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
 
   // Each picture is decoded once for all that is asked about it: that takes longer than the questions.
   SECTION("So do those of the usual size, none is blank or flooded, and each differs from the one before") {
-    for (const Walkthrough& w : of_each_kind()) {
-      const std::vector<Image> images = frames(w, usual);
+    for (const StagedStory& story : of_each_kind()) {
+      const std::vector<Image> images = frames(story, usual);
       for (std::size_t i = 0; i < images.size(); ++i) {
-        INFO(w.name << ", frame " << i);
+        INFO(story.walkthrough.name << ", frame " << i);
         CHECK(images[i].size() == usual);
         CHECK(clear_edge(images[i]));
         CHECK(has_colors(images[i], 100));
@@ -184,13 +184,12 @@ TEST_CASE("The pictures of one walkthrough of each kind") {
   }
 
   SECTION("A frame carries its step and its caption as text, for readers without the picture") {
-    for (const Walkthrough& w : of_each_kind()) {
-      const StagedStory story(tell(w));
+    for (const StagedStory& story : of_each_kind()) {
       for (std::size_t i = 0; i < story.frames.size(); ++i) {
-        const std::string bytes = bytes_of(rendered(usual) / w.name / number_of(i));
-        INFO(w.name << ", frame " << i);
-        CHECK(bytes.find(w.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(story.frames.size())) !=
-              std::string::npos);
+        const std::string bytes = bytes_of(rendered(usual) / story.walkthrough.name / number_of(i));
+        INFO(story.walkthrough.name << ", frame " << i);
+        CHECK(bytes.find(story.walkthrough.title + ", step " + std::to_string(i + 1) + " of " +
+                         std::to_string(story.frames.size())) != std::string::npos);
         CHECK(bytes.find(plain(story.frames[i].caption)) != std::string::npos);
       }
     }
@@ -220,15 +219,13 @@ std::vector<std::size_t> one_of_each_focus(const StagedStory& story) {
 TEST_CASE("Every theme draws every kind of frame on its own paper") {
   Studio studio;
   for (const render::Theme& theme : {render::themes::report, render::themes::slides, render::themes::dark})
-    for (const Walkthrough& w : of_each_kind()) {
-      const StagedStory story(tell(w));
+    for (const StagedStory& story : of_each_kind())
       for (const std::size_t i : one_of_each_focus(story)) {
-        INFO(w.name << ", frame " << i);
+        INFO(story.walkthrough.name << ", frame " << i);
         const Image image = draw(studio, story, i, {.style = Style(theme)}, {320, 180});
         CHECK(image.pixel(0, 0) == theme.paper);
         CHECK(has_colors(image, 50));
       }
-    }
 }
 
 TEST_CASE("Nothing is drawn outside the panels of a frame without text") {
@@ -237,15 +234,15 @@ TEST_CASE("Nothing is drawn outside the panels of a frame without text") {
   constexpr int top = 20, bottom = 468, border = 2;
   Studio studio;
   const Size page = page_of_frame(Text::none);
-  for (const Walkthrough& w : of_each_kind()) {
-    if (w.layout == Layout::diagrams) continue;
-    const StagedStory story(tell(w));
+  for (const StagedStory& story : of_each_kind()) {
+    const Layout layout = story.walkthrough.layout;
+    if (layout == Layout::diagrams) continue;
     for (const std::size_t i : one_of_each_focus(story)) {
-      INFO(w.name << ", frame " << i);
+      INFO(story.walkthrough.name << ", frame " << i);
       const Image image = draw(studio, story, i, {.text = Text::none}, page);
       const auto in_a_panel = [&](int x, int y) {
         return y >= top - border && y < bottom + border &&
-               std::ranges::any_of(w.layout == Layout::search ? search : pair, [&](const auto& panel) {
+               std::ranges::any_of(layout == Layout::search ? search : pair, [&](const auto& panel) {
                  return x >= panel.first - border && x < panel.second + border;
                });
       };
