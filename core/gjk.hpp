@@ -28,6 +28,8 @@
 
 namespace gjk {
 
+namespace detail {
+
 /// For every scalar, the exact ones included: x - x is 0 except for infinities and NaN.
 template <class S>
 bool is_finite(const S& x) {
@@ -41,10 +43,12 @@ bool is_finite(const Vec3<S>& v) {
   return zero.x() + zero.y() + zero.z() == S(0);
 }
 
+}  // namespace detail
+
 /// Returns: whether a support function may be asked about `d` (P1): finite in every component and not zero.
 template <class S>
 bool is_usable_direction(const Vec3<S>& d) {
-  return is_finite(d) && !is_zero(d);
+  return detail::is_finite(d) && !is_zero(d);
 }
 
 namespace detail {
@@ -96,7 +100,10 @@ class Search {
 #ifndef __SANITIZE_ADDRESS__
   [[gnu::flatten]]
 #endif
-  void search_in_one_piece() { search(); }
+  void
+  search_in_one_piece() {
+    search();
+  }
 
   void search() {
     tell_([&] { return SearchStarted<S>{.direction = direction_, .why = why_first_direction()}; });

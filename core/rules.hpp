@@ -80,8 +80,10 @@ struct Intended {
     step.skip({.feature = "BC", .label = "R5"}, away_from_BC);
     step.skip({.feature = "C", .label = "R6"}, away_from_BC);
     step.skip_beyond_A("R2");
-    if (step.is_beyond_edge({.feature = "AB", .label = "R3"}, ABn.dot(AO))) return keep_edge(step, Role::B, AB, ABn);
-    if (step.is_beyond_edge({.feature = "AC", .label = "R7"}, ACn.dot(AO))) return keep_edge(step, Role::C, AC, ACn);
+    if (step.is_beyond_edge({.feature = "AB", .label = "R3"}, ABn.dot(AO)))
+      return Rules::keep_edge(step, Role::B, AB, ABn);
+    if (step.is_beyond_edge({.feature = "AC", .label = "R7"}, ACn.dot(AO)))
+      return Rules::keep_edge(step, Role::C, AC, ACn);
     switch (step.side_of_triangle(ABCn.dot(AO))) {
       case Side::in_plane: return step.contains_origin();
       case Side::above: return step.keep_all(ABCn);
@@ -112,13 +114,13 @@ struct Intended {
     step.skip_beyond_A();
     const auto ABCn = Rules::ABCn(AB, AC).named("ABCn");  // Eq. 14, as are ACDn and ADBn
     if (step.is_above_face({.feature = "ABC"}, ABCn.dot(AO)))
-      return process_face(step, Face::ABC, ABCn, AB, AC, ABCn, ABCn);
+      return Rules::process_face(step, Face::ABC, ABCn, AB, AC, ABCn, ABCn);
     const auto ACDn = Rules::ACDn(AC, AD).named("ACDn");
     if (step.is_above_face({.feature = "ACD"}, ACDn.dot(AO)))
-      return process_face(step, Face::ACD, ACDn, AC, AD, ABCn, ABCn);
+      return Rules::process_face(step, Face::ACD, ACDn, AC, AD, ABCn, ABCn);
     const auto ADBn = Rules::ADBn(AD, AB).named("ADBn");
     if (step.is_above_face({.feature = "ADB"}, ADBn.dot(AO)))
-      return process_face(step, Face::ADB, ADBn, AD, AB, ABCn, ACDn);
+      return Rules::process_face(step, Face::ADB, ADBn, AD, AB, ABCn, ACDn);
     step.lies_inside();
     return step.contains_origin();
   }
@@ -145,6 +147,8 @@ struct Intended {
 
   static bool is_at_origin(const auto& AO) { return AO.is_zero(); }
   static bool is_on_segment(const auto& direction) { return direction.is_zero(); }
+  /// What is not a number is not beyond an edge, and no face sees it: its simplex is kept whole, or, as a tetrahedron, taken to
+  /// contain the origin. Only finite products give answers that mean something.
   static bool is_beyond_edge(const auto& AXn_AO) { return AXn_AO.is_positive(); }
   /// What is not a number is below: the search goes on, and ends as soon as it sees that direction.
   static Side side_of_triangle(const auto& ABCn_AO) { return ABCn_AO.side(); }
@@ -183,7 +187,8 @@ struct Intended {
     return {{roles.Q, roles.P, Role::A}, "in this order the face's normal will point to the next vertex"};
   }
 
- protected:
+  // -- Parts of Algorithms 4 and 5 --------------------------------------------------------------------------------------
+
   /// The origin lies beyond the edge from A to X: Simplex([X, A]), searched along AX×AO×AX.
   template <class Rules, class S, class Obs>
   static Next<S> keep_edge(detail::Step<Rules, S, Obs> step, Role X, const auto& AX, const auto& AXn) {
@@ -192,7 +197,8 @@ struct Intended {
   }
 
   /// The origin lies above the face APQ, whose outward normal is APQn = AP×AQ. The vertex off the face is dropped. Normals of
-  /// faces that were looked at before and have an edge in common with this one are there for AQn and APn.
+  /// faces that were looked at before and have an edge in common with this one are there for AQn and APn; where there is none,
+  /// ABCn fills the place.
   ///
   /// Outcomes: beyond AQ → keep [Q, A]. Beyond AP → keep [P, A]. Else keep the face, search along APQn.
   template <class Rules, class S, class Obs>
@@ -203,9 +209,9 @@ struct Intended {
     const auto AQn = Rules::AQn(face, AQ, APQn, earlier_with_AQ).as_normal_of(AQ);
     const auto APn = Rules::APn(face, AP, APQn, earlier_with_AP).as_normal_of(AP);
     if (step.is_beyond_edge({.feature = AQ.told.name, .face = roles.name}, AQn.dot(AO)))
-      return keep_edge(step, roles.Q, AQ, AQn);
+      return Rules::keep_edge(step, roles.Q, AQ, AQn);
     if (step.is_beyond_edge({.feature = AP.told.name, .face = roles.name}, APn.dot(AO)))
-      return keep_edge(step, roles.P, AP, APn);
+      return Rules::keep_edge(step, roles.P, AP, APn);
     return step.keep(Rules::kept_above(face), APQn);
   }
 };

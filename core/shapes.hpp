@@ -38,6 +38,8 @@ concept Shape = requires(const T& shape, const Vec3<S>& d) {
   { shape.support(d) } -> std::convertible_to<SupportPoint<S>>;
 };
 
+namespace detail {
+
 /// Points in blocks of eight: all x first, then all y, then all z, so that a processor multiplies several at a time. On
 /// larger sets this takes half the time of asking point by point.
 template <class S>
@@ -90,6 +92,8 @@ class PointBlocks {
   std::vector<Block> blocks_;
 };
 
+}  // namespace detail
+
 /// The convex hull of finitely many points. The hull itself is never computed.
 template <class S>
 class PointSet {
@@ -125,7 +129,7 @@ class PointSet {
   static S reach(const Vec3<S>& p, const Vec3<S>& d) { return p.x() * d.x() + (p.y() * d.y() + p.z() * d.z()); }
 
   std::vector<Vec3<S>> points_;
-  PointBlocks<S> blocks_;
+  detail::PointBlocks<S> blocks_;
 };
 
 /// A solid ball.

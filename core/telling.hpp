@@ -1,4 +1,5 @@
-/// What Algorithms 2-5 tell, and in which words. Nothing here decides where the origin is: the rules do.
+/// What Algorithms 2-5 tell, in which words, and the step that carries out what they decide. Nothing here decides where the
+/// origin is: the rules do.
 #pragma once
 
 #include <concepts>
@@ -127,9 +128,14 @@ class Step {
   bool is_on_segment(const Vector& direction) const {
     const bool found = Rules::is_on_segment(direction);
     tell_([&] {
-      return compared_with_zero({.feature = "AB", .label = found ? "" : "R3 or R4"}, direction, found,
-                                by_crossing_test("the origin lies on AB", "the origin lies on the line AB"),
-                                "the origin lies to one side of AB");
+      auto event = compared_with_zero({.feature = "AB", .label = found ? "" : "R3 or R4"}, direction, found,
+                                      by_crossing_test("the origin lies on AB", "the origin lies on the line AB"),
+                                      "the origin lies to one side of AB");
+      // Only AB×AO×AB is zero exactly there; a variant that looks at another vector concludes more than that says.
+      if (event.expression != "AB×AO×AB")
+        event.reason = event.expression + (direction.is_zero() ? " is zero" : " is not zero") +
+                       ", from which these rules conclude: " + event.reason;
+      return event;
     });
     return found;
   }

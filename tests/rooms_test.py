@@ -48,8 +48,10 @@ def includes(root):
         for file in sorted((root / folder).rglob("*")):
             if file.suffix not in (".hpp", ".cpp"):
                 continue
-            for name in re.findall(r'^\s*#include\s+"([^"]+)"', file.read_text(), re.MULTILINE):
+            for quote, name in re.findall(r'^\s*#\s*include\s*(["<])([^">]+)[">]', file.read_text(), re.MULTILINE):
                 beside, below_top = file.parent / name, root / name
+                if quote == "<" and not below_top.is_file():
+                    continue
                 found = beside if beside.is_file() else below_top
                 yield file.relative_to(root).as_posix(), found.relative_to(root).as_posix(), found.is_file()
 
@@ -130,6 +132,11 @@ class OneMistakeEach(unittest.TestCase):
         said = self.told({"walkthroughs/model/a.cpp": '#include "walkthroughs/text/b.hpp"\n',
                           "walkthroughs/text/b.hpp": ""})
         self.assertEqual(said, ["walkthroughs/model/a.cpp includes walkthroughs/text/b.hpp, which lies above it"])
+
+    def test_every_spelling(self):
+        for line in ('#include <walkthroughs/text/b.hpp>', '# include "walkthroughs/text/b.hpp"'):
+            said = self.told({"core/a.hpp": "#include <vector>\n" + line + "\n", "walkthroughs/text/b.hpp": ""})
+            self.assertEqual(said, ["core/a.hpp includes walkthroughs/text/b.hpp, which lies above it"])
 
     def test_core_and_render(self):
         for one, other in (("core", "render"), ("render", "core")):

@@ -87,7 +87,7 @@ TEST_CASE("From the same first direction eager rules answer as those intended do
 /// Each hides one detail, and does what the hidden one does.
 struct Counting : AsIntended {
   static inline int at_origin, segment, edge, face, side, ABCn_of_triangle_, ACDn_, AQn_, APn_, below, above, Eq_8,
-      Eq_9;
+      Eq_9, kept_edge, processed_face;
 
   static bool is_at_origin(const auto& AO) { return ++at_origin, AsIntended::is_at_origin(AO); }
   static auto from_segment(const auto& AB, const auto& AO) { return ++segment, AsIntended::from_segment(AB, AO); }
@@ -113,6 +113,12 @@ struct Counting : AsIntended {
     return ++Eq_8, AsIntended::difference<S>(a, b);
   }
   static bool crossed(const auto& w_d) { return ++Eq_9, AsIntended::crossed(w_d); }
+  static auto keep_edge(auto step, Role X, const auto& AX, const auto& AXn) {
+    return ++kept_edge, AsIntended::keep_edge(step, X, AX, AXn);
+  }
+  static auto process_face(auto step, Face f, const auto&... vectors) {
+    return ++processed_face, AsIntended::process_face(step, f, vectors...);
+  }
 };
 
 TEST_CASE("A detail that a variant hides is asked of the variant, wherever it is used", "[rule-sets]") {
@@ -122,9 +128,10 @@ TEST_CASE("A detail that a variant hides is asked of the variant, wherever it is
     const auto a = point_set<double>(t.a), b = point_set<double>(t.b);
     REQUIRE(same_result(collision<double, Counting>(a, b), collision<double>(a, b)));
   }
-  for (const int times : {Counting::at_origin, Counting::segment, Counting::edge, Counting::face, Counting::side,
-                          Counting::ABCn_of_triangle_, Counting::ACDn_, Counting::AQn_, Counting::APn_, Counting::below,
-                          Counting::above, Counting::Eq_8, Counting::Eq_9})
+  for (const int times :
+       {Counting::at_origin, Counting::segment, Counting::edge, Counting::face, Counting::side,
+        Counting::ABCn_of_triangle_, Counting::ACDn_, Counting::AQn_, Counting::APn_, Counting::below, Counting::above,
+        Counting::Eq_8, Counting::Eq_9, Counting::kept_edge, Counting::processed_face})
     REQUIRE(times > 0);
 }
 

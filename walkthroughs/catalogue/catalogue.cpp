@@ -71,6 +71,11 @@ std::string nearest_name(std::string_view name) {
   std::vector<std::string> spellings;  // all names, then all without their folders
   for (const Walkthrough& w : catalogue()) spellings.push_back(w.name);
   for (const Walkthrough& w : catalogue()) spellings.push_back(w.name.substr(w.name.rfind('/') + 1));
+  // A word such as R7 is no name that somebody spelled wrongly.
+  const bool begins_one =
+      std::ranges::any_of(spellings, [&](const std::string& each) { return each.starts_with(name); });
+  const std::vector<const Walkthrough*> saying = walkthroughs_that_say(name);
+  if (!begins_one && !saying.empty()) return saying.front()->name;
   const auto found = std::ranges::find(spellings, nearest(name, spellings)) - spellings.begin();
   return spellings[static_cast<std::size_t>(found) % catalogue().size()];
 }

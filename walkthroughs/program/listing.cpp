@@ -25,6 +25,14 @@ std::size_t length(const std::string& text) {
 
 std::string spaces(std::size_t count) { return std::string(count, ' '); }
 
+/// Returns: the summary, behind the report's name of the region ("R7: ") where it does not say that itself.
+std::string summary_of(const Walkthrough& w) {
+  if (!w.region_case) return w.summary;
+  const std::string region = w.region_case->text.substr(0, 2);
+  const bool is_missing = region[0] == 'R' && w.summary.find(region) == std::string::npos;
+  return is_missing ? region + ": " + w.summary : w.summary;
+}
+
 using Row = std::array<std::string, 5>;
 
 std::string how_it_ends(const Story& story) {
@@ -65,7 +73,7 @@ void write_list(std::ostream& out, const std::vector<Walkthrough>& walkthroughs)
     for (const Walkthrough& w : walkthroughs)
       if (folder_of(w) == folder) widest = std::max(widest, length(w.name));
     for (const Walkthrough& w : walkthroughs)
-      if (folder_of(w) == folder) out << w.name << spaces(widest + 2 - length(w.name)) << w.summary << '\n';
+      if (folder_of(w) == folder) out << w.name << spaces(widest + 2 - length(w.name)) << summary_of(w) << '\n';
   }
 }
 

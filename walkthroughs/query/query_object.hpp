@@ -1,7 +1,6 @@
 /// The objects of a query, in the scalar that it is asked in.
 #pragma once
 
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <concepts>
 #include <optional>
@@ -9,13 +8,11 @@
 #include <utility>
 
 #include "core/shapes.hpp"
+#include "walkthroughs/model/exact_number.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/scene_object.hpp"
 
 namespace walkthroughs {
-
-/// Fractions without limit. Expression templates are off, because Eigen keeps what a function of the scalar returns.
-using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// A shape of core/: a form and, where one is given, its pose.
 template <class S>

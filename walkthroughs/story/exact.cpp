@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_dec_float.hpp>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
+#include "walkthroughs/model/exact_number.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
 namespace {
 
-using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 using Vec = gjk::Vec3<Exact>;
 using ExactTrace = gjk::Trace<Exact>;
 

@@ -177,7 +177,7 @@ std::string_view example_scene() {
   },
 
   // How the algorithm runs.
-  "first_direction": [1, 0, 0],  // without it, and with "eager": from the center of a to that of b
+  "first_direction": [1, 0, 0],  // left out, "eager" goes from the center of a to that of b
   "iteration_limit": 20,
   "crossing_test": "on",   // "off": go on until there are no new points
   "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake; "eager": P·d < 0 ends

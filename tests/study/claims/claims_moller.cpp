@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -7,12 +6,13 @@
 #include "core/gjk.hpp"
 #include "tests/study/claims/claims_measured.hpp"
 #include "tests/study/claims/claims_verdict.hpp"
+#include "tests/study/methods/moller_1997.hpp"
 #include "tests/study/pairs/dice.hpp"
 #include "tests/study/pairs/families.hpp"
-#include "tests/study/methods/moller_1997.hpp"
-#include "tests/study/truth/oracle.hpp"
 #include "tests/study/pairs/over_pairs.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
+#include "tests/study/truth/oracle.hpp"
+#include "walkthroughs/model/exact_number.hpp"
 
 namespace study {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 using moller_1997::Distances;
 using moller_1997::Triangle;
 
-using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Exact = walkthroughs::Exact;
 
 template <class S>
 struct Triangles {

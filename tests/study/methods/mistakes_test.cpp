@@ -6,9 +6,9 @@
 #include "tests/catch.hpp"
 #include "tests/core/replay.hpp"
 #include "tests/study/claims/claims_measured.hpp"
+#include "tests/study/methods/wrong_rules.hpp"
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
-#include "tests/study/methods/wrong_rules.hpp"
 
 namespace study {
 namespace {
@@ -148,6 +148,8 @@ TEST_CASE("Where a mistake decides otherwise than its numbers say, the reason te
   const std::string as_if = ", but these rules go on as if ";
   require_telling<OriginAtVertexMissed>("A is the origin" + as_if + "the origin lies elsewhere");
   require_telling<OriginOnSegmentMissed>("the origin lies on AB" + as_if + "the origin lies to one side of AB");
+  require_telling<DirectionFromVertex>(
+      "AO is not zero, from which these rules conclude: the origin lies to one side of AB");
   require_telling<OriginInTriangleMissed>("the origin lies in the triangle" + as_if +
                                           "the origin lies below the triangle, on the side of −ABCn");
   require_telling<TwoDimensionsOnly>("the origin lies above the triangle, on the side of ABCn" + as_if +

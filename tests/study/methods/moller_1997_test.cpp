@@ -1,18 +1,18 @@
 #include "tests/study/methods/moller_1997.hpp"
 
 #include <algorithm>
-#include <boost/multiprecision/gmp.hpp>
 #include <map>
 
 #include "core/gjk.hpp"
 #include "tests/catch.hpp"
-#include "tests/study/truth/oracle.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
+#include "tests/study/truth/oracle.hpp"
+#include "walkthroughs/model/exact_number.hpp"
 
 namespace study::moller_1997 {
 namespace {
 
-using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Exact = walkthroughs::Exact;
 
 template <class S>
 Triangle<S> as(const Points& points) {

@@ -1,7 +1,6 @@
 /// A pair as shapes of one scalar: what GJK is asked. Made before the clock starts.
 #pragma once
 
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <concepts>
 #include <memory>
@@ -12,11 +11,12 @@
 #include "core/gjk.hpp"
 #include "core/shapes.hpp"
 #include "tests/study/pairs/pair.hpp"
+#include "walkthroughs/model/exact_number.hpp"
 
 namespace study {
 
 /// Fractions of whole numbers of any length. Without expression templates: Eigen's own are enough.
-using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Exact = walkthroughs::Exact;
 
 /// The shapes of core/ that bodies turn into in S, those that S can ask about.
 template <class S>

@@ -194,7 +194,9 @@ class Panel {
       return std::string("lc rgb ") + blue + " dt 1 lw 1.5 ps 1.4 pt " + (is_filled ? "5" : "4") + title;
     if (rules == "eager")
       return std::string("lc rgb ") + green + " dt '.' lw 1.5 ps 1.4 pt " + (is_filled ? "13" : "12") + title;
-    return std::string("lc rgb ") + vermilion + " dt '-' lw 1.5 ps 1.4 pt " + (is_filled ? "9" : "8") + title;
+    if (rules == "as-printed")
+      return std::string("lc rgb ") + vermilion + " dt '-' lw 1.5 ps 1.4 pt " + (is_filled ? "9" : "8") + title;
+    throw std::logic_error("rules '" + rules + "' have no line style");
   }
 
   /// Returns: a round distance of marks on an axis from 0 to `end`, at most five of them.

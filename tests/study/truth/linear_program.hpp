@@ -7,16 +7,16 @@
 #pragma once
 
 #include <array>
-#include <boost/multiprecision/gmp.hpp>
 #include <variant>
 #include <vector>
 
 #include "tests/study/pairs/pair.hpp"
+#include "walkthroughs/model/exact_number.hpp"
 
 namespace study {
 
 /// Exact: a fraction of whole numbers of any length.
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational = walkthroughs::Exact;
 using RationalVec = std::array<Rational, 3>;
 
 /// The weight of one of a list's points in a convex combination.

@@ -1,15 +1,16 @@
 #include "tests/study/truth/nearest_feature.hpp"
 
 #include <array>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "walkthroughs/model/exact_number.hpp"
+
 namespace study {
 namespace {
 
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Rational = walkthroughs::Exact;
 
 /// A value, and how large the terms were that it is a sum of: its error is at most a few roundings of `terms`.
 struct Estimate {

@@ -2,19 +2,17 @@
 
 #include "walkthroughs/model/any_shape.hpp"
 
-#include <boost/multiprecision/gmp.hpp>
 #include <random>
 #include <set>
 
 #include "core/gjk.hpp"
 #include "tests/catch.hpp"
+#include "walkthroughs/model/exact_number.hpp"
 #include "walkthroughs/model/scene.hpp"
 
 using namespace walkthroughs;
 
 namespace {
-
-using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 class Dice {
  public:

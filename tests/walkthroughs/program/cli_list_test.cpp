@@ -34,7 +34,7 @@ TEST_CASE("gjkstep list prints each walkthrough with its summary, one line each,
   REQUIRE(printed.size() == catalogue().size());
   for (const Walkthrough& w : catalogue())
     CHECK(std::ranges::count_if(printed, [&](const std::string& line) {
-            return line.starts_with(w.name + "  ") && line.ends_with("  " + w.summary);
+            return line.starts_with(w.name + "  ") && line.ends_with(" " + w.summary);
           }) == 1);
 }
 
@@ -77,6 +77,9 @@ TEST_CASE("gjkstep list WORD finds names, titles and cases, whatever the capital
     CHECK(std::ranges::none_of(printed, [](const std::string& l) { return l.starts_with("figure-4"); }));
   }
   CHECK(lines(run("list overflowed").out).size() == 2);
+  // Also who searches the whole list finds each case by the report's number.
+  for (const std::string& line : lines(run("list").out))
+    if (line.starts_with("regions/2-simplex-r7 ")) CHECK(has(line, " R7: "));
 }
 
 TEST_CASE("A word that no walkthrough says, and a name without its folder, get the name that was meant") {
@@ -85,6 +88,7 @@ TEST_CASE("A word that no walkthrough says, and a name without its folder, get t
   CHECK(unknown.out.empty());
   CHECK(has(unknown.err, "no walkthrough has or says 'figrue-4'; did you mean 'figure-4'?"));
   CHECK(has(run("render 2-simplex-r7").err, "did you mean 'regions/2-simplex-r7'?"));
+  CHECK(has(run("render R7").err, "did you mean 'regions/2-simplex-r7'?"));
   CHECK(has(run("trace 2-simplex-r8").err, "did you mean 'regions/2-simplex-r"));
   CHECK(has(run("trace regions/2-simplex-r8").err, "did you mean 'regions/2-simplex-r"));
 }

@@ -218,7 +218,7 @@ TEST_CASE("What gjkstep query does not know is exit code 2 with the word that wa
 TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
   const std::string help = shell("$program query --help").out;
   for (const char* part : {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"",
-                           "\"evidence\"", "\"error\"", "16 MiB", "Exit codes"})
+                           "\"sum\"", "\"evidence\"", "\"error\"", "16 MiB", "Exit codes"})
     CHECK(has(help, part));
 }
 

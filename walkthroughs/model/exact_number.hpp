@@ -1,0 +1,12 @@
+/// The number that does not round.
+#pragma once
+
+#include <boost/multiprecision/gmp.hpp>
+
+namespace walkthroughs {
+
+/// Fractions without limit, computed by GMP; every finite float is one. Expression templates are off, because Eigen keeps
+/// what a function of the scalar returns.
+using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+}  // namespace walkthroughs
