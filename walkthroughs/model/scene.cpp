@@ -6,6 +6,7 @@
 
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
+#include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/widened.hpp"
 
@@ -49,8 +50,7 @@ Point center_of(const Object& object) {
 }
 
 Scene from_center_to_center(Scene scene) {
-  const Point direction = gjk::first_direction_between(center_of(scene.a), center_of(scene.b));
-  if (gjk::is_usable_direction(direction)) scene.options.first_direction = direction;
+  scene.options.first_direction = direction_between_centers<double>(center_of(scene.a), center_of(scene.b));
   return scene;
 }
 

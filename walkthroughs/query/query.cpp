@@ -5,6 +5,7 @@
 
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
+#include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_object.hpp"
 #include "walkthroughs/text/scene_object.hpp"
@@ -35,16 +36,13 @@ Point center_of(const ObjectAsWritten& object) {
   return object.pose ? (*object.pose)(own) : own;
 }
 
-/// Rules that test the first point, too, begin between the centers, as in scenes; but along the usual direction where S has
-/// no such number.
+/// Rules that test the first point, too, begin between the centers, as in scenes.
 template <class S>
 gjk::Options<S> options_of(const PairAsWritten& pair, const QueryOptions& query) {
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
-  if (gjk::first_point(query.rules) != gjk::FirstPoint::tested) return options;
-  const Point d = gjk::first_direction_between(center_of(pair.a), center_of(pair.b));
-  const gjk::Vec3<S> direction(static_cast<S>(d.x()), static_cast<S>(d.y()), static_cast<S>(d.z()));
-  if (gjk::is_usable_direction(direction)) options.first_direction = direction;
+  if (gjk::first_point(query.rules) == gjk::FirstPoint::tested)
+    options.first_direction = direction_between_centers<S>(center_of(pair.a), center_of(pair.b));
   return options;
 }
 

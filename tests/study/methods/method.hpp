@@ -51,7 +51,7 @@ struct Method {
 
 /// A shape of whatever form, where speed does not matter.
 template <class S>
-struct AnyShape {
+struct AnyForm {
   const Form<S>& form;
   gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
     return std::visit([&](const auto& shape) { return shape.support(d); }, form);
@@ -73,7 +73,7 @@ gjk::Result<S> result_of(const Question& question, gjk::Options<S>& options) {
   const auto* const a = std::get_if<gjk::PointSet<S>>(&q.a);
   const auto* const b = std::get_if<gjk::PointSet<S>>(&q.b);
   if (a && b) return gjk::collision<S, Rules>(*a, *b, options);
-  return gjk::collision<S, Rules>(AnyShape<S>{q.a}, AnyShape<S>{q.b}, options);
+  return gjk::collision<S, Rules>(AnyForm<S>{q.a}, AnyForm<S>{q.b}, options);
 }
 
 template <class S>
@@ -99,7 +99,7 @@ Answer answer_of(const gjk::Result<S>& result) {
 /// A shape that notes in which directions it is asked.
 template <class S>
 struct NotingShape {
-  const AnyShape<S>& shape;
+  const AnyForm<S>& shape;
   std::vector<gjk::Vec3<S>>& directions;
   gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
     directions.push_back(d);
@@ -152,7 +152,7 @@ struct Asking {
   static std::vector<gjk::Vec3<S>> directions_of(const Question& question, int limit) {
     const auto& q = static_cast<const QuestionOf<S>&>(question);
     std::vector<gjk::Vec3<S>> directions;
-    const AnyShape<S> a{q.a}, b{q.b};
+    const AnyForm<S> a{q.a}, b{q.b};
     gjk::Options<S> options = limited_to<S>(limit);
     set_first_direction<S, Rules>(options, q);
     gjk::collision<S, Rules>(NotingShape<S>{a, directions}, b, options);

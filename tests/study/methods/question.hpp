@@ -12,6 +12,7 @@
 #include "core/shapes.hpp"
 #include "tests/study/pairs/pair.hpp"
 #include "walkthroughs/model/exact_number.hpp"
+#include "walkthroughs/model/first_direction.hpp"
 
 namespace study {
 
@@ -91,16 +92,12 @@ std::optional<Form<S>> form_of(const Body& body) {
   return std::visit(form, walkthroughs::converted<S>(body, walkthroughs::Cast<S>{}));
 }
 
-/// Returns: the direction from a point inside the first body to one inside the second, found in doubles as scene files have
-/// it; the usual one where S has none.
 template <class S>
 gjk::Vec3<S> between_centers(const Pair& pair) {
   const auto middle = [](const Body& body) {
     return std::visit([](const auto& form) { return walkthroughs::RowOf<decltype(form)>::middle(form); }, body);
   };
-  const Vec d = gjk::first_direction_between(middle(pair.a), middle(pair.b));
-  const gjk::Vec3<S> direction(static_cast<S>(d.x()), static_cast<S>(d.y()), static_cast<S>(d.z()));
-  return gjk::is_usable_direction(direction) ? direction : gjk::Options<S>{}.first_direction;
+  return walkthroughs::direction_between_centers<S>(middle(pair.a), middle(pair.b));
 }
 
 /// Returns: what to ask of GJK in S; empty where S cannot ask about such bodies.
