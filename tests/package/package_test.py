@@ -187,6 +187,35 @@ class GoldenTests(InAFolder):
         self.assertFalse(stale.exists())
         self.assertTrue(note.exists())
 
+    def test_pictures_that_no_test_accepted_stay(self):
+        (self.expected / "rendered-by.json").unlink()
+        (self.expected / "logo.png").write_bytes(b"of somebody else")
+        self.assertIn("nothing is accepted: ", self.fails(GJKSTEP_ACCEPT="1"))
+
+    def test_folders_whose_names_look_like_patterns(self):
+        for name, beside in (("e[1]", "e1"), ("what?", "what1"), ("all*", "all that")):
+            self.declare(f"NAME [[box and can]] SCENE box-and-can.json EXPECTED \"{name}\" OPTIONS --size 64x36")
+            foreign = self.project / beside / "keep.png"
+            foreign.parent.mkdir()
+            foreign.write_bytes(b"of somebody else")
+            self.passes(GJKSTEP_ACCEPT="1")
+            shutil.copy(self.project / name / "box-and-can/000.png", self.project / name / "box-and-can/007.png")
+            self.assertIn("007.png, which is no longer drawn", one_line(self.passes(GJKSTEP_ACCEPT="1")))
+            self.passes()
+            self.assertTrue(foreign.exists())
+
+    def test_options_that_draw_nothing_are_told(self):
+        self.declare("NAME [[box and can]] SCENE box-and-can.json EXPECTED expected OPTIONS --help")
+        for asked in "01":
+            self.assertIn("draws no pictures", one_line(self.fails(GJKSTEP_ACCEPT=asked)))
+
+    def test_without_testing_enabled_it_warns(self):
+        text = (self.project / "CMakeLists.txt").read_text()
+        (self.project / "CMakeLists.txt").write_text(text.replace("enable_testing()\n", ""))
+        self.assertIn("call enable_testing()", one_line(self.configure()[1]))
+        (self.project / "CMakeLists.txt").write_text(text.replace("enable_testing()\n", "") + "enable_testing()\n")
+        self.assertNotIn("enable_testing", one_line(self.configure()[1]))
+
     def test_damaged_pictures_are_told_and_replaced(self):
         self.first.write_bytes(b"no picture")
         self.assertIn("000.png", self.fails())
@@ -228,6 +257,15 @@ class GoldenTests(InAFolder):
                 ("NAME a EXPECTED c",): "SCENE is missing",
                 ("more NAME a SCENE b.json EXPECTED c",): "'more' is not expected",
                 ("NAME a SCENE b.json EXPECTED c", "NAME d SCENE b.json EXPECTED ./c/"): "'d' and 'a' share",
+                ("NAME a SCENE b.json EXPECTED c", "NAME d SCENE b.json EXPECTED c/."): "'d' and 'a' share",
+                ("NAME a SCENE b.json EXPECTED c", "NAME d SCENE b.json EXPECTED c/e"): "'d' and 'a' share",
+                ("NAME a SCENE b.json EXPECTED c/e", "NAME d SCENE b.json EXPECTED c"): "'d' and 'a' share",
+                ("NAME a SCENE b.json EXPECTED .",): "which holds your project",
+                ("NAME a SCENE b.json EXPECTED ..",): "which holds your project",
+                ("NAME a SCENE b.json EXPECTED ${CMAKE_BINARY_DIR}/golden/a/e",): "where tests draw anew",
+                ("NAME a SCENE b.json EXPECTED ${CMAKE_BINARY_DIR}",): "where tests draw anew",
+                ("NAME a SCENE b.json EXPECTED CMakeLists.txt",): "is a file; name a folder",
+                ("NAME a SCENE b.json EXPECTED CMakeLists.txt/e",): "is a file; name a folder",
                 ("NAME a/b SCENE b.json EXPECTED c", "NAME a:b SCENE b.json EXPECTED d"): "'a:b' and 'a/b' share",
         }.items():
             self.declare(*calls)

@@ -11,12 +11,23 @@ function(shell_word text out)
   set(${out} "'${text}'" PARENT_SCOPE)
 endfunction()
 
+# In OUT: the pictures below `folder`, relative to it. A folder may be called [v2], which is no pattern.
+function(pictures_in folder out)
+  string(REGEX REPLACE "([[?*])" "[\\1]" pattern "${folder}")
+  file(GLOB_RECURSE pictures RELATIVE "${folder}" "${pattern}/*.png")
+  set(${out} "${pictures}" PARENT_SCOPE)
+endfunction()
+
 function(draw)
   file(REMOVE_RECURSE "${FOLDER}")
   execute_process(COMMAND "${PROGRAM}" render ${SCENES} ${OPTIONS} --rendered-by --out "${actual}"
                   OUTPUT_VARIABLE list_of_files RESULT_VARIABLE code)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "'${NAME}' cannot be drawn: gjkstep render ended with ${code}, see above")
+  endif()
+  pictures_in("${actual}" drawn)
+  if(NOT drawn)
+    message(FATAL_ERROR "'${NAME}' draws no pictures: look at its OPTIONS, which are '${OPTIONS}'")
   endif()
 endfunction()
 
@@ -36,15 +47,19 @@ function(compare out)
 endfunction()
 
 # Puts what was drawn in the place of the pictures in EXPECTED. Files are copied beside these first and moved only when
-# all are there: what goes wrong, such as a full disk, leaves no half of a file. Files other than pictures stay.
+# all are there: what goes wrong, such as a full disk, leaves no half of a file. Files other than pictures stay, and so do
+# pictures that were not accepted here: a folder that has been accepted before is known by its rendered-by.json.
 function(accept)
   set(staged "${EXPECTED}/.accepting")
   file(REMOVE_RECURSE "${staged}")
+  pictures_in("${EXPECTED}" old)
+  if(old AND NOT EXISTS "${EXPECTED}/rendered-by.json")
+    message(FATAL_ERROR "nothing is accepted: ${EXPECTED} holds pictures that no test accepted, and would lose them; \
+name an EXPECTED that this test has alone, or remove them first")
+  endif()
   file(COPY "${actual}/" DESTINATION "${staged}")
-  file(GLOB_RECURSE old RELATIVE "${EXPECTED}" "${EXPECTED}/*.png")
-  file(GLOB_RECURSE new RELATIVE "${staged}" "${staged}/*")
-  list(FILTER old EXCLUDE REGEX "^[.]accepting/")
-  foreach(file IN LISTS new)
+  pictures_in("${staged}" new)
+  foreach(file IN LISTS new ITEMS rendered-by.json)
     cmake_path(GET file PARENT_PATH folder)
     file(MAKE_DIRECTORY "${EXPECTED}/${folder}")
     file(RENAME "${staged}/${file}" "${EXPECTED}/${file}")
@@ -52,10 +67,11 @@ function(accept)
   list(REMOVE_ITEM old ${new})
   foreach(file IN LISTS old)
     file(REMOVE "${EXPECTED}/${file}")
+    message(NOTICE "removed ${EXPECTED}/${file}, which is no longer drawn")
   endforeach()
   file(REMOVE_RECURSE "${staged}")
   list(LENGTH new count)
-  message(NOTICE "accepted ${count} files in ${EXPECTED}")
+  message(NOTICE "accepted ${count} pictures in ${EXPECTED}")
 endfunction()
 
 function(refuse)
