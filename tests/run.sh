@@ -2,8 +2,8 @@
 # Installs what is missing, builds as users build the program, with warnings as errors, times plain and observed calls, and
 # runs all tests.
 #
-#     tests/run.sh               ten minutes on two cores the first time, two when nothing has changed
-#     tests/run.sh --sanitize    builds and tests once more, with AddressSanitizer and UndefinedBehaviorSanitizer
+#     tests/run.sh               twelve minutes on two cores the first time, two when nothing has changed
+#     tests/run.sh --sanitize    builds and tests once more, under AddressSanitizer and UBSan: 38 minutes
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh

@@ -240,7 +240,7 @@ Picture error_vs_time(const Settings& settings) {
          << in_quotes(heading(settings, families.size())) << " font ',10'\nset label " << in_quotes(made)
          << " at screen 0.985,0.025 right font ',9'\nset grid\n"
          << "set ylabel 'share wrong or undecided, mean of families'\n"
-         << "set key at screen 0.5,0.925 center top vertical maxrows 2 samplen 4\n";
+         << "set key at screen 0.5,0.935 center top vertical maxrows 3 samplen 4\n";
   for (const Panel& panel : panels) script << panel.text(top) << "unset ylabel\nunset key\nunset label\n";
   script << "unset multiplot\n";
   return {"error-vs-time.png", script.str()};
