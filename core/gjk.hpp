@@ -97,13 +97,11 @@ class Search {
   /// The plain call's: everything inlined, the shapes, too. In the pieces in which GCC 12 leaves it otherwise, queries of
   /// triangles take a tenth longer and more, as tests/bench/peers measures them. Not under sanitizers: their checks of all that
   /// is inlined take minutes to compile.
-#ifndef __SANITIZE_ADDRESS__
-  [[gnu::flatten]]
+#ifdef __SANITIZE_ADDRESS__
+  void search_in_one_piece() { search(); }
+#else
+  [[gnu::flatten]] void search_in_one_piece() { search(); }
 #endif
-  void
-  search_in_one_piece() {
-    search();
-  }
 
   void search() {
     tell_([&] { return SearchStarted<S>{.direction = direction_, .why = why_first_direction()}; });

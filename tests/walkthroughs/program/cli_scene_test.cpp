@@ -6,6 +6,7 @@
 #include "render/image.hpp"
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
+#include "tests/walkthroughs/text/scene_texts.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -48,5 +49,33 @@ TEST_CASE("A scene file that is not there or says nothing is exit code 3, and no
     const Untouched untouched;
     check_failure("render figure-5 " + quoted(file.string()) + untouched.option, 3, {file.filename().string()});
     check_failure("trace " + quoted(file.string()), 3, {file.filename().string()});
+  }
+}
+
+TEST_CASE("gjkstep scene --example prints a scene that gjkstep scene --check accepts") {
+  const Outcome example = run("scene --example");
+  CHECK(example.exit_code == 0);
+  CHECK(example.out == example_scene());
+  const Written file(example.out);
+  const Outcome checked = run("scene --check " + quoted(file.path.string()));
+  CHECK(checked.exit_code == 0);
+  CHECK(checked.out == file.path.string() + ": ok: " + summary(read_scene(file.path)) + "\n");
+  CHECK(checked.err.empty());
+}
+
+TEST_CASE("gjkstep scene --check answers a bad scene with exit code 3 and the complaint alone") {
+  const Written file(scene_text(corner, "{}"));
+  const Outcome checked = run("scene --check " + quoted(file.path.string()));
+  CHECK(checked.exit_code == 3);
+  CHECK(checked.out.empty());
+  CHECK(checked.err == "gjkstep: " + complaint_about_file(file.path) + "\n");
+}
+
+TEST_CASE("gjkstep scene says what it can do") {
+  for (const char* arguments : {"", "--example --check x", "--check"}) {
+    const Outcome outcome = run(std::string("scene ") + arguments);
+    INFO(arguments << ": " << outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("--check") != std::string::npos);
   }
 }
