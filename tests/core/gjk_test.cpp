@@ -207,6 +207,25 @@ TEST_CASE("A direction that overflows is not searched along: the search ends und
 }
 
 // Recorded, not wished for: the contract of collision() says so.
+TEST_CASE("w·d = −∞ proves nothing: only a finite product separates", "[gjk]") {
+  const auto beyond = [](const Points& points) {
+    std::vector<V> placed;
+    for (const Point& p : points) placed.push_back(vec<double>(p) * 1e200);
+    return PointSet<double>(placed);
+  };
+  const auto origin = point_set<double>(origin_only);
+  const auto require_undecided = [](const Result<double>& result, int iterations) {
+    REQUIRE(result.status == Status::undecided);
+    REQUIRE(result.reason == Reason::unusable_direction);
+    REQUIRE_FALSE(result.separation.has_value());
+    REQUIRE(result.iterations == iterations);
+  };
+  require_undecided(asked<double>(beyond({{2, 0, 0}, {1, 0, 0}}), origin), 2);
+  Options<double> far_along_x;
+  far_along_x.first_direction = V(1e200, 0, 0);
+  require_undecided(collision<double, Eager<>>(beyond({{-1, 0, 0}}), origin, far_along_x), 1);
+}
+
 TEST_CASE("In floating point, touching askew and products beyond the range of the scalar give wrong answers",
           "[gjk]") {
   const Points tetrahedron{{0, 0, 0}, {4, 1, 0}, {1, 4, 1}, {1, 0, 5}};

@@ -2,6 +2,11 @@
 /// are rounded away from zero, are found touching.
 #include "core/zero_test.hpp"
 
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
 #include "tests/catch.hpp"
 #include "tests/core/rules_support.hpp"
 
@@ -9,6 +14,7 @@ namespace gjk::test {
 namespace {
 
 using Relative = Intended<RelativeZeroTest>;
+using V3 = Vec3<double>;
 
 const Points cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
 
@@ -145,6 +151,84 @@ TEST_CASE("A product that counts as zero is told as it was computed, with the ve
   REQUIRE(at_the_point.relation == Relation::not_zero);
   REQUIRE(regions_told<AsIntended>({V(-1, -1, speck), V(1, -1, speck), V(0, 1, speck)}).back().relation !=
           Relation::zero);
+}
+
+/// Keeps the lengths of the factors of every product that is compared with zero, which counts as it is.
+struct LoggingZeroTest {
+  struct Size {
+    std::multiset<double> lengths;
+
+    friend Size operator*(Size u, const Size& v) {
+      u.lengths.insert(v.lengths.begin(), v.lengths.end());
+      return u;
+    }
+    template <class Product>
+    const Product& snap(const Product& product) const {
+      if (log.empty() || log.back() != lengths) log.push_back(lengths);
+      return product;
+    }
+  };
+  static Size size(const Vec3<double>& v) { return {{v.lpNorm<1>()}}; }
+  static Size size(const Vertex<double>& v) { return {{v.a.point.lpNorm<1>() + v.b.point.lpNorm<1>()}}; }
+
+  static inline std::vector<std::multiset<double>> log;
+};
+
+/// Returns: "AB AB AC AO" for "ABn·AO" made as "AB×ABCn": the letters of all that was multiplied.
+std::vector<std::string> factors_of(const std::string& expression, const std::string& formula) {
+  static const std::map<std::string, std::string> eq_14{{"ABCn", "AB×AC"}, {"ACDn", "AC×AD"}, {"ADBn", "AD×AB"}};
+  std::vector<std::string> factors;
+  std::string all = std::regex_replace(expression, std::regex("×|·"), " ");
+  if (!formula.empty()) all = std::regex_replace(formula, std::regex("×"), " ") + " AO";
+  std::istringstream words(all);
+  for (std::string word; words >> word;) {
+    if (!eq_14.contains(word)) {
+      factors.push_back(word);
+      continue;
+    }
+    for (const std::string& each : factors_of(eq_14.at(word), "")) factors.push_back(each);
+  }
+  return factors;
+}
+
+TEST_CASE("Every product is compared with the lengths of the factors that its formula names, and of no others",
+          "[zero]") {
+  Dice dice(43);
+  std::set<std::string> seen;
+  for (int i = 0; i < 3000; ++i) {
+    Simplex<double> simplex;
+    for (int n = 0; n <= i % 4; ++n) {
+      const V3 a = vec<double>(dice.point(999)), b = vec<double>(dice.point(999));
+      simplex.add({{a}, {b}, a - b});
+    }
+    const auto length = [&](const std::string& word) {
+      const Vertex<double>& A = simplex[simplex.size() - 1];
+      if (word == "AO") return LoggingZeroTest::size(A);
+      return LoggingZeroTest::size(V3(simplex[simplex.size() - 1 - (word[1] - 'A')].w - A.w));
+    };
+    Simplex<double> kept = simplex;
+    Trace<double> trace;
+    LoggingZeroTest::log.clear();
+    process<Intended<LoggingZeroTest>>(kept, CrossingTest::on, trace);
+    std::vector<std::multiset<double>> expected;
+    for (const auto& region : events_of_kind<RegionTested<double>>(trace.events)) {
+      if (region.expression.empty()) continue;
+      LoggingZeroTest::Size size;
+      for (const std::string& word : factors_of(region.expression, region.formula)) size = size * length(word);
+      expected.push_back(size.lengths);
+      seen.insert(std::to_string(region.simplex_size) + region.face + region.expression);
+    }
+    INFO("simplex " << i << " of " << simplex.size());
+    REQUIRE(LoggingZeroTest::log == expected);
+  }
+  REQUIRE(seen.size() == 1 + 1 + 3 + 3 + 6);  // Algorithms 2, 3 and 4, the faces and their edges
+}
+
+TEST_CASE("w·d is compared with the lengths of both points of the vertex and of the direction", "[zero]") {
+  LoggingZeroTest::log.clear();
+  const Vertex<double> vertex{{V3(1, -2, 4)}, {V3(8, 16, -32)}, V3(-7, -18, 36)};
+  REQUIRE_FALSE(detail::reach<LoggingZeroTest>(vertex, V3(64, -128, 256)).is_zero());
+  REQUIRE(LoggingZeroTest::log == std::vector{std::multiset<double>{7 + 56, 448}});
 }
 
 }  // namespace

@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+"""Changes one place of the project at a time and tells which test noticed.
+
+    tests/mutants/mutate.py [WORDS]            the mutants of mutants.txt, or those with one of WORDS: do the goldens notice?
+    tests/mutants/mutate.py --made N [WORDS]   N mutants that nobody chose, of each folder (see made.py): do its tests notice?
+        --seed S        other mutants
+        --in FOLDER     of this folder only (core, render, walkthroughs)
+        --programs      asks each folder's own program of tests, not the goldens as well
+    tests/mutants/mutate.py --check [MUTANTS]  whether each of mutants.txt (or that file) and of equivalent.txt can be made
+        --folder F      works in the copy F and keeps it: the next run builds what has changed, not all
+
+Works on a copy of the project, in a temporary folder unless told otherwise, built with little optimisation. Exit code 1
+where a mutant of mutants.txt survives or cannot be made, or where fewer than 95 of 100 made ones are noticed in a folder;
+those of equivalent.txt, which change nothing that can be seen, count for neither.
+"""
+import argparse, os, pathlib, re, shutil, signal, subprocess, sys, tempfile, time
+
+import made
+
+here = pathlib.Path(__file__).resolve().parent
+root = here.parents[1]
+folders = {"core": "core-tests", "render": "render-tests", "walkthroughs": "walkthroughs-tests"}
+aim = 95  # of 100
+
+
+def parts_of(line):
+    return tuple(part.strip(" ") for part in line.split(" | "))
+
+
+def problem_of(line):
+    """Why this mutant cannot be made; empty where it can."""
+    parts = parts_of(line)
+    if len(parts) != 4:
+        return f"has {len(parts)} parts instead of 4, divided by ' | '"
+    file, old, new, _ = parts
+    if not (root / file).is_file():
+        return f"there is no file {file}"
+    if not old or old == new:
+        return "changes nothing"
+    times = (root / file).read_text().count(old)
+    return "" if times == 1 else f"'{old}' is {times} times in {file}, and must be there exactly once"
+
+
+def problem_of_equivalent(line):
+    """Why this is no mutant that made.py makes; empty where it is one."""
+    parts = parts_of(line)
+    if len(parts) != 4:
+        return f"has {len(parts)} parts instead of 4, divided by ' | '"
+    file, old, new, _ = parts
+    if not (root / file).is_file():
+        return f"there is no file {file}"
+    made_there = made.mutants_of(file, (root / file).read_text())
+    return "" if any((m.old_line, m.new_line) == (old, new) for m in made_there) else "is not made of the text that stands there"
+
+
+def listed_in(listed, problem):
+    """The parts of all lines of that file. Ends the program where one of them has a problem."""
+    lines = [(i, l) for i, l in enumerate(listed.read_text().splitlines(), 1) if l.strip() and not l.startswith("#")]
+    problems = [f"{listed}:{i}: {problem(l)}: bring it up to date\n    {l}" for i, l in lines if problem(l)]
+    if problems:
+        sys.exit("\n".join(problems))
+    return [parts_of(line) for _, line in lines]
+
+
+def run(command, folder, patience=None):
+    """Returns: exit code and output; 'does not end' where it takes longer."""
+    process = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                               errors="replace", start_new_session=True)
+    try:
+        return process.communicate(timeout=patience)[0], process.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        return "does not end", 1
+
+
+def build(folder, *targets):
+    return run(["cmake", "--build", "build", "--parallel", "2", "--target", *targets], folder)[1] == 0
+
+
+def files_of(folder):
+    """All files of the project in that folder, by their path in it."""
+    tops = [folder / top for top in (*folders, "tests")]
+    found = {f.relative_to(folder) for top in tops for f in top.rglob("*") if f.is_file() and "__pycache__" not in f.parts}
+    return found | {pathlib.Path("CMakeLists.txt"), pathlib.Path("README.md")}
+
+
+def copy_to(folder):
+    """Brings the copy up to date: what has not changed keeps its time, and is not built again."""
+    for file in files_of(folder) - files_of(root):
+        (folder / file).unlink(missing_ok=True)
+    for file in files_of(root):
+        if not (folder / file).is_file() or (folder / file).read_bytes() != (root / file).read_bytes():
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(root / file, folder / file)
+    options = ["-DGJKSTEP_TESTS=ON", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1"]
+    run(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options], folder)
+
+
+# ---- goldens: which of them notices a mutant of mutants.txt
+
+
+def goldens_that_differ(folder, patience):
+    """The traces and the pictures that differ, by name; each test may take so many seconds."""
+    says = {}
+    for kind, test, marks in (("traces", "traces of all*", [": the traces part"]),
+                              ("images", "images of*", ["-report: ", "-dark: ", "-slides: ", "-no-captions: "])):
+        out, code = run(["build/golden-tests", test], folder, patience)
+        names = [l.strip() for l in out.splitlines() if any(m in l for m in marks)]
+        if code and not names:
+            names = ["does not end" if out == "does not end" else "crashes"]
+        says[kind] = [n.split(": ")[0] for n in names]
+    return says
+
+
+def try_chosen(mutant, folder, patience):
+    """Whether a golden noticed that mutant; prints which."""
+    file, old, new, wrong = mutant
+    path = folder / file
+    sound = path.read_text()
+    path.write_text(sound.replace(old, new))
+    verdict = ""
+    if build(folder, "golden-tests"):
+        says = goldens_that_differ(folder, patience)
+        verdict = "; ".join(f"{len(found)} {kind}, first {found[0]}" for kind, found in says.items() if found)
+    else:
+        wrong += " (does not compile)"
+    print(f"{'noticed' if verdict else 'SURVIVED'}  {file}: {wrong}\n    {verdict}", flush=True)
+    path.write_text(sound)
+    return bool(verdict)
+
+
+def try_all_chosen(words, folder):
+    chosen = [mutant for mutant in listed_in(here / "mutants.txt", problem_of)
+              if not words or any(word in " | ".join(mutant) for word in words)]
+    if not chosen:
+        sys.exit(f"no mutant has {' or '.join(words)} in its line")
+    start = time.monotonic()
+    if not build(folder, "golden-tests") or any(goldens_that_differ(folder, 1800).values()):
+        sys.exit("without any change the golden tests do not pass: nothing can be said of mutants")
+    patience = 60 + 10 * (time.monotonic() - start)  # a mutant that ends must not be taken for one that does not
+    survivors = sum(not try_chosen(mutant, folder, patience) for mutant in chosen)
+    print(f"{survivors} survived")
+    return survivors == 0
+
+
+# ---- tests: do they notice a mutant that nobody chose
+
+
+def fitting_tests(file):
+    """Catch2's words for the tests of that file, or of its room where none is called after it."""
+    path = pathlib.PurePath(file)
+    room = root / "tests" / path.parent
+    named = sorted(test.stem for test in room.glob("*_test.cpp") if test.stem.startswith(path.stem))
+    tests = named or sorted(test.stem for test in room.glob("*_test.cpp"))
+    return ",".join(f"[#{test}]" for test in tests if not test.endswith("_in_browser_test"))
+
+
+def stages(file, programs_only):
+    """Programs and which of their tests, those first that most likely notice. Each is built when its turn comes."""
+    program = folders[file.split("/")[0]]
+    yield program, [fitting_tests(file)]
+    yield program, []
+    if not programs_only:
+        yield "golden-tests", []
+
+
+def first_failure(out):
+    case = re.search(r"^-{20,}\n(.*?)\n-{20,}", out, re.S | re.M)
+    return out if out == "does not end" else case.group(1).splitlines()[0] if case else "crashes"
+
+
+def who_notices(file, folder, patience, programs_only):
+    """The first test that fails; empty where none does. None: this does not compile."""
+    for program, tests in stages(file, programs_only):
+        if not build(folder, program):
+            return None
+        out, code = run([f"build/{program}", "--filenames-as-tags", "--abort", *tests], folder, patience[program])
+        if code:
+            return f"{program}: {first_failure(out)}"
+    return ""
+
+
+def try_made(mutant, folder, patience, programs_only):
+    """Returns: 'noticed', 'SURVIVED' or 'no mutant', which the compiler refuses; prints it."""
+    path, start = folder / mutant.file, time.monotonic()
+    sound = path.read_text()
+    path.write_text(sound[:mutant.start] + mutant.new + sound[mutant.end:])
+    try:
+        by = who_notices(mutant.file, folder, patience, programs_only)
+    finally:
+        path.write_text(sound)
+    verdict = "no mutant" if by is None else "noticed" if by else "SURVIVED"
+    print(f"{verdict:9} {mutant.file}:{mutant.line}: {mutant.kind} ({time.monotonic() - start:.0f} s)"
+          f"\n    {mutant.old_line}\n    {mutant.new_line}" + (f"\n    {by}" if by else ""), flush=True)
+    return verdict
+
+
+def patience_of(folder, programs):
+    """How many seconds each program may take with a mutant: what it takes without one, ten times."""
+    patience = {}
+    for program in programs:
+        start = time.monotonic()
+        if not build(folder, program) or run([f"build/{program}"], folder)[1]:
+            sys.exit(f"without any change {program} does not pass: nothing can be said of mutants")
+        patience[program] = 60 + 10 * (time.monotonic() - start)
+    return patience
+
+
+def try_all_made(arguments, folder):
+    equivalent = {parts[:3] for parts in listed_in(here / "equivalent.txt", problem_of_equivalent)}
+    tops = [arguments.only] if arguments.only else list(folders)
+    programs = [folders[top] for top in tops] + ([] if arguments.programs else ["golden-tests"])
+    patience = patience_of(folder, programs)
+    table, good = [], True
+    for top in tops:
+        start = time.monotonic()
+        files = sorted(str(f.relative_to(root)) for f in (root / top).rglob("*.[ch]pp"))
+        mutants = [m for file in files for m in made.mutants_of(file, (root / file).read_text())]
+        mutants = [m for m in mutants if not arguments.words or any(word in f"{m.file}:{m.line}" for word in arguments.words)]
+        counts = dict.fromkeys(("noticed", "SURVIVED", "no mutant", "equivalent"), 0)
+        for mutant in made.sample(mutants, arguments.made, arguments.seed):
+            known = (mutant.file, mutant.old_line, mutant.new_line) in equivalent
+            counts["equivalent" if known else try_made(mutant, folder, patience, arguments.programs)] += 1
+        judged = counts["noticed"] + counts["SURVIVED"]
+        good &= 100 * counts["noticed"] >= aim * judged
+        score = f"{100 * counts['noticed'] / judged:.0f} %" if judged else "none"
+        table.append(f"{top:13} {len(mutants):8} {counts['noticed']:8} {counts['SURVIVED']:9} {score:>6} "
+                     f"{counts['equivalent']:11} {counts['no mutant']:14} {(time.monotonic() - start) / 60:8.1f}")
+    print(f"\nseed {arguments.seed}\n{'folder':13} {'possible':>8} {'noticed':>8} {'survived':>9} {'score':>6} "
+          f"{'equivalent':>11} {'not compiled':>14} {'minutes':>8}", *table, sep="\n")
+    return good
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("words", nargs="*")
+    parser.add_argument("--made", type=int)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--in", dest="only", choices=folders)
+    parser.add_argument("--programs", action="store_true")
+    parser.add_argument("--folder", type=pathlib.Path)
+    parser.add_argument("--check", action="store_true")
+    arguments = parser.parse_args()
+    if arguments.check:
+        chosen = listed_in(pathlib.Path(arguments.words[0]) if arguments.words else here / "mutants.txt", problem_of)
+        listed_in(here / "equivalent.txt", problem_of_equivalent)
+        return print(len(chosen), "mutants can be made")
+    with tempfile.TemporaryDirectory(prefix="gjkstep-mutants-") as temporary:
+        folder = (arguments.folder or pathlib.Path(temporary)).resolve()
+        folder.mkdir(parents=True, exist_ok=True)
+        copy_to(folder)
+        good = try_all_made(arguments, folder) if arguments.made else try_all_chosen(arguments.words, folder)
+    sys.exit(0 if good else 1)
+
+
+main()
