@@ -88,6 +88,31 @@ TEST_CASE("dashes run on around the corners of a polyline") {
   REQUIRE(capsules.at(1).from.isApprox(Vec2(30, 26), 1e-5));  // 16 units along the way
 }
 
+TEST_CASE("every dash of a line is drawn once, wherever the line begins and ends") {
+  constexpr double period = 12, straight = 8 - 2;  // of a line 2 wide, whose caps belong to the dash
+  for (int begin = 0; begin < 30; ++begin) {
+    for (int length = 1; length < 80; ++length) {
+      Page page;
+      const std::array corners = {Vec2(20, 30), Vec2(20 + begin, 30), Vec2(20 + begin + length, 30)};
+      page.canvas.polyline(corners, {.width = 2, .dash = {8, 4}});
+      std::vector<Vec2> expected;  // from and to, along the line
+      for (const auto& [first, last] : {std::pair(0, begin), std::pair(begin, begin + length)})
+        for (int i = 0; i < 10; ++i)
+          if (const double from = std::max<double>(i * period, first), to = std::min<double>(i * period + straight, last);
+              from <= to && (first != last))
+            expected.emplace_back(20 + from, 20 + to);
+      INFO("a line of " << begin << " and on for " << length);
+      std::vector<Ends> dashes = capsules_of(page.canvas);
+      if (begin == 0) dashes.erase(dashes.begin());  // the dot that a line without length is
+      REQUIRE(dashes.size() == expected.size());
+      for (std::size_t i = 0; i < dashes.size(); ++i) {
+        REQUIRE(dashes[i].from.x() == Approx(expected[i].x()).margin(1e-4));
+        REQUIRE(dashes[i].to.x() == Approx(expected[i].y()).margin(1e-4));
+      }
+    }
+  }
+}
+
 TEST_CASE("around an outline fits a whole number of dashes") {
   Page page;
   const std::array corners = {Vec2(20, 20), Vec2(60, 20), Vec2(60, 60), Vec2(20, 60)};  // 160 around, 10.67 periods
@@ -143,6 +168,35 @@ TEST_CASE("what lies outside the clip box adds no triangles") {
   REQUIRE(page.canvas.vertices().size() == 6);
 }
 
+TEST_CASE("a line is drawn where its width or its fading edge reaches into the clip box, and not from farther away") {
+  constexpr double half = 10, fades = 1;
+  for (const double away : {half - 0.1, half + fades - 0.1, half + fades + 0.1}) {
+    for (const auto& [from, to] : {std::pair(Vec2(60, 20 - away), Vec2(140, 20 - away)),
+                                   {Vec2(60, 80 + away), Vec2(140, 80 + away)},
+                                   {Vec2(50 - away, 30), Vec2(50 - away, 70)},
+                                   {Vec2(150 + away, 30), Vec2(150 + away, 70)}}) {
+      Page page;
+      page.canvas.clip({{50, 20}, {150, 80}});
+      page.canvas.line(from, to, {.width = 2 * half});
+      INFO(away << " beside the box, from " << from.transpose());
+      REQUIRE(page.canvas.vertices().size() == (away < half + fades ? 6 : 0));
+    }
+  }
+}
+
+TEST_CASE("a polygon is drawn where its fading edge reaches into the clip box, and not from farther away") {
+  for (const double away : {0.4, 1.6}) {
+    for (const Box& box : {Box{{60, 5}, {140, 20 - away}}, Box{{60, 80 + away}, {140, 95}},
+                           Box{{5, 30}, {50 - away, 70}}, Box{{150 + away, 30}, {195, 70}}}) {
+      Page page;
+      page.canvas.clip({{50, 20}, {150, 80}});
+      page.canvas.rectangle(box, palette::ink);
+      INFO(away << " beside the clip box, from " << box.min.transpose());
+      REQUIRE(page.canvas.vertices().empty() == (away > 1.5));
+    }
+  }
+}
+
 TEST_CASE("runs hold the clip rectangles in drawing order") {
   Page page;
   page.canvas.disc({10, 10}, 3, palette::ink);
@@ -188,6 +242,23 @@ TEST_CASE("text boxes: alignment, and letters inside the box of the line") {
   REQUIRE(50 - ink.min.y() == Approx(page.canvas.cap_height(style)).margin(1));
   REQUIRE(ink.max.y() > 53);  // the g reaches below the baseline
   REQUIRE(page.canvas.ink_box({100, 50}, " ", style).width() == 0);
+}
+
+TEST_CASE("letters stand on whole pixels, the nearest to the place that was asked for") {
+  const auto first_corner = [](double x, double y) {
+    Page page;
+    page.canvas.text({x, y}, "H", {.size = 20});
+    return Vec2(page.canvas.vertices()[0].x, page.canvas.vertices()[0].y);
+  };
+  const Vec2 there = first_corner(40, 50);
+  for (const double off : {-0.49, -0.2, 0.2, 0.49}) {
+    REQUIRE(first_corner(40 + off, 50) == there);
+    REQUIRE(first_corner(40, 50 + off) == there);
+  }
+  for (const double off : {-0.51, 0.51}) {
+    REQUIRE(first_corner(40 + off, 50) == there + Vec2(std::copysign(1, off), 0));
+    REQUIRE(first_corner(40, 50 + off) == there + Vec2(0, std::copysign(1, off)));
+  }
 }
 
 TEST_CASE("all of the halo lies below all of the letters") {

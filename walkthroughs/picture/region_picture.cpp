@@ -199,11 +199,7 @@ class RegionPicture {
   std::string inequality_of(const Region& region) const {
     const double* value = std::get_if<double>(&region.value);
     if (!value) return "";
-    const std::string relation = region.verdict == Verdict::rejected          ? " ≤ 0"
-                                 : region.relation == gjk::Relation::positive ? " > 0"
-                                 : region.relation == gjk::Relation::negative ? " < 0"
-                                                                              : "";
-    return shown_.names.translate(region.expression) + " = " + number(*value) + relation;
+    return shown_.names.translate(region.expression) + " = " + number(*value) + compared_with_zero(region, *value);
   }
 
   /// The normal of the region just tested, from the middle of its feature.

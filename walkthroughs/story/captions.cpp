@@ -13,20 +13,6 @@ using gjk::Crossing;
 using gjk::Relation;
 using gjk::Verdict;
 
-/// What is said of a number that only the zero test takes for zero.
-std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 0"; }
-
-/// What follows the number that decides. A zero speaks for itself.
-std::string sign(Relation relation, double value) {
-  switch (relation) {
-    case Relation::positive: return " > 0";
-    case Relation::negative: return " < 0";
-    case Relation::zero: return as_zero(value);
-    case Relation::not_zero: return " ≠ 0";
-  }
-  return "";
-}
-
 // -- Remarks ----------------------------------------------------------------------------------------------------------
 
 bool is_about(const Remark& remark, const gjk::RegionTested<double>& region) {
@@ -272,9 +258,9 @@ class Captions {
     if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";
     text += names_.translate(event.expression);
     if (const double* value = std::get_if<double>(&event.value))
-      text += " = " + number(*value) + (chosen ? sign(event.relation, *value) : *value > 0 ? as_zero(*value) : " ≤ 0");
+      text += " = " + number(*value) + compared_with_zero(event, *value);
     if (const Point* value = std::get_if<Point>(&event.value))
-      text += " = " + vec(*value) + sign(event.relation, value->cwiseAbs().maxCoeff());
+      text += " = " + vec(*value) + compared_with_zero(event, value->cwiseAbs().maxCoeff());
     if (event.simplex_size == 1 || (event.simplex_size == 2 && without_crossing_test())) return {Mark::none, text};
     return {chosen ? Mark::yes : Mark::no, text};
   }

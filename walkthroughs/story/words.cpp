@@ -52,6 +52,19 @@ std::string vector(const Point& value, Dimension dimension) {
   return "(" + joined(numbers, ", ") + ")";
 }
 
+std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 0"; }
+
+std::string compared_with_zero(const gjk::RegionTested<double>& region, double value) {
+  if (region.verdict == gjk::Verdict::rejected) return value > 0 ? as_zero(value) : " ≤ 0";
+  switch (region.relation) {
+    case gjk::Relation::positive: return " > 0";
+    case gjk::Relation::negative: return " < 0";
+    case gjk::Relation::zero: return as_zero(value);
+    case gjk::Relation::not_zero: return " ≠ 0";
+  }
+  return "";
+}
+
 std::string Names::of(Role role) const {
   if (naming_ == Naming::roles) return std::string(1, gjk::letter(role));
   return static_cast<int>(role) < now_.processed.size() ? hull_.name(now_.processed.point(role)) : "";

@@ -22,6 +22,13 @@ std::string short_number(double value);
 /// Returns: "(x, y)" for vectors of the plane, "(x, y, z)" for those of space.
 std::string vector(const Point& value, Dimension dimension = Dimension::plane);
 
+/// Returns: what follows the number that decides: " > 0", " ≤ 0", or ", which counts as 0" where only the zero test takes it
+/// for zero; nothing behind a zero that was found to be one, which speaks for itself. Of a vector `value` is the largest
+/// component.
+std::string compared_with_zero(const gjk::RegionTested<double>& region, double value);
+/// Returns: the last of these, or nothing, for a value that counts as zero.
+std::string as_zero(double value);
+
 /// What the vertices are called at one moment.
 class Names {
  public:

@@ -8,6 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
@@ -277,6 +278,44 @@ TEST_CASE("A move that ends at the origin's height proves nothing, and says so")
         Facts{"C·d = 0: this proves nothing"});
   CHECK(frame(story, "The origin lies on segment AC.").facts.at(0).text == "CA×CO×CA = (0, 0)");
   CHECK(story.frames.back().caption == "The origin lies in segment AC, so the objects intersect.");
+}
+
+TEST_CASE("Behind a number stands what it was taken for, also where only the zero test takes it for zero") {
+  using gjk::Relation;
+  using gjk::Verdict;
+  const Story story = tell(walkthrough("figure-4-left"));
+  const Telling& telling = story.tellings.at(0);
+  const auto first_fact = [&](const gjk::Event<double>& event, std::size_t place) {
+    return facts(caption(event, story, telling, replay(telling.trace, place + 1)).value()).at(0);
+  };
+  for (std::size_t i = 0; i < telling.trace.events.size(); ++i) {
+    if (const auto* region = std::get_if<gjk::RegionTested<double>>(&telling.trace.events[i]); region && region->normal) {
+      const auto told = [&](Verdict verdict, Relation relation, double value) {
+        auto changed = *region;
+        changed.verdict = verdict, changed.relation = relation, changed.value = value;
+        const std::string fact = first_fact(changed, i);
+        return fact.substr(fact.rfind(" = ") + 3);
+      };
+      CHECK(told(Verdict::chosen, Relation::positive, 0.25) == "0.25 > 0");
+      CHECK(told(Verdict::chosen, Relation::negative, -0.25) == "−0.25 < 0");
+      CHECK(told(Verdict::chosen, Relation::zero, 0) == "0");
+      CHECK(told(Verdict::chosen, Relation::zero, -0.25) == "−0.25, which counts as 0");
+      CHECK(told(Verdict::rejected, Relation::positive, -0.25) == "−0.25 ≤ 0");
+      CHECK(told(Verdict::rejected, Relation::positive, 0) == "0 ≤ 0");
+      CHECK(told(Verdict::rejected, Relation::positive, 0.25) == "0.25, which counts as 0");
+    }
+    if (const auto* test = std::get_if<gjk::CrossingTested<double>>(&telling.trace.events[i]); test && test->value) {
+      const auto told = [&](double value) {
+        auto changed = *test;
+        changed.value = value, changed.verdict = gjk::Crossing::crossed;
+        const std::string fact = first_fact(changed, i);
+        return fact.substr(fact.find(" = ") + 3);
+      };
+      CHECK(told(0.25) == "0.25 > 0: the origin was crossed");
+      CHECK(told(0) == "0: this proves nothing");
+      CHECK(told(-0.25) == "−0.25, which counts as 0: this proves nothing");
+    }
+  }
 }
 
 TEST_CASE("A search that runs into its limit ends without an answer") {

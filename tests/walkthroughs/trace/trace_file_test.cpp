@@ -153,6 +153,18 @@ Walkthrough search_on_sums() {
   return w;
 }
 
+/// Without the crossing test: a vertex that was dropped is found again, and the search goes on.
+Walkthrough search_that_meets_a_vertex_again() {
+  Walkthrough w = walkthrough_of({{0, 0, 0}});
+  w.naming = Naming::roles;
+  Scene& scene = w.scenes[0];
+  scene.dimension = Dimension::space;
+  scene.a = {"triangle", Points{{0, 2, 1}, {2, 1, 0}, {-2, -1, -2}}};
+  scene.b = {"segment", Points{{-2, 4, 1}, {-1, 0, -1}}};
+  scene.options.crossing_test = gjk::CrossingTest::off;
+  return w;
+}
+
 /// The traces that together have every event, every kind of object, and each way to end.
 std::vector<std::string> texts_to_change() {
   std::vector<std::string> texts;
@@ -165,6 +177,7 @@ std::vector<std::string> texts_to_change() {
   short_of_breath.scenes[0].options.iteration_limit = 2;
   texts.push_back(trace_text(short_of_breath));
   texts.push_back(trace_text(search_on_sums()));
+  texts.push_back(trace_text(search_that_meets_a_vertex_again()));
   return texts;
 }
 
@@ -314,6 +327,20 @@ TEST_CASE("No line of a trace can be left out, doubled, or change places with th
       CHECK(complaint_about_trace(text_of(swapped)) != "read");
     }
   }
+}
+
+TEST_CASE("A normal is made as its region says, not by another formula of the same value", "[trace-file]") {
+  std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("regions/3-simplex-face-acd")));
+  int changed = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].value("formula", "") != "AB×AC") continue;
+    std::vector<OrderedJson> otherwise = lines;
+    otherwise[i]["formula"] = "ABCn";
+    INFO("line " << i + 1);
+    CHECK(complaint_about_trace(text_of(otherwise)).find("'formula' is 'ABCn'; expected 'AB×AC'") != std::string::npos);
+    ++changed;
+  }
+  CHECK(changed >= 2);  // of a triangle and of a tetrahedron
 }
 
 TEST_CASE("A point of an object that the search found cannot be changed", "[trace-file]") {
