@@ -26,8 +26,8 @@ class CurrentContext {
 std::unique_ptr<CurrentContext> make_osmesa_context();
 std::unique_ptr<CurrentContext> make_egl_context();
 
-/// Returns: variables of the environment that are set and are the usual reason why there is no context, as the end of a
-/// message; or nothing.
+/// Returns: what is usually the reason why OpenGL fails, as the end of a message: variables of the environment that are set,
+/// a limit of memory; or nothing.
 std::string suspects();
 
 struct BuiltIn {

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <memory>
 #include <system_error>
-#include <utility>
 
 namespace render {
 namespace {
@@ -23,13 +22,18 @@ int open_unnamed(const fs::path& folder) {
 }
 
 /// A file that disappears unless it is put in place when it is whole. Without a name until then, it also does where the
-/// program is interrupted or killed. Where every file has a name, it has a temporary one, which an end by force leaves.
+/// program is interrupted or killed, but for the moment in which it replaces another: then it has a temporary name, always
+/// the same, so that the next one removes what was left. Where every file has a name, it has one with the number of the
+/// process, so that nobody else puts it in place too early, and an end by force leaves it.
 class NewFile {
  public:
-  explicit NewFile(const fs::path& target) : target_(target), temporary_(target) {
-    temporary_ += "." + std::to_string(getpid()) + ".tmp";
-    descriptor_ = open_unnamed(target.parent_path());
-    if (descriptor_ >= 0) return;
+  explicit NewFile(const fs::path& target)
+      : target_(target),
+        temporary_(target),
+        descriptor_(open_unnamed(target.parent_path())),
+        shares_name_(descriptor_ >= 0) {
+    temporary_ += shares_name_ ? ".unfinished" : "." + std::to_string(getpid()) + ".unfinished";
+    if (shares_name_) return;
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail("create " + temporary_.string(), errno);
     is_named_ = true;
@@ -50,14 +54,15 @@ class NewFile {
     }
   }
 
-  /// A file that is there can only be replaced by one with a name.
-  void put_in_place() {
-    if (!is_named_ && name(target_)) return;
+  /// Returns: false where another process, which writes the same file at this moment, has taken the temporary name away.
+  bool put_in_place() {
+    // As closing does, this tells what some file systems notice late; the descriptor itself is needed to give a name.
+    if (::close(::dup(descriptor_)) != 0) fail("write all of it", errno);
+    if (!is_named_) ::unlink(temporary_.c_str());  // of a process that has been killed
+    if (!is_named_ && name(target_)) return true;
     if (!is_named_ && errno != EEXIST) fail("give it its name", errno);
-    if (!is_named_) name_temporarily();
-    if (::close(std::exchange(descriptor_, -1)) != 0) fail("write all of it", errno);
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename " + temporary_.string() + " to it", errno);
-    is_named_ = false;
+    if (!is_named_) name_temporarily();  // as only what has a name can replace a file
+    return replaces_target();
   }
 
  private:
@@ -67,9 +72,16 @@ class NewFile {
     return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0;
   }
   void name_temporarily() {
-    ::unlink(temporary_.c_str());  // of a process of the same number that has been killed
-    if (!name(temporary_)) fail("create " + temporary_.string(), errno);
+    while (!name(temporary_))
+      if (errno != EEXIST || (::unlink(temporary_.c_str()) != 0 && errno != ENOENT))
+        fail("create " + temporary_.string(), errno);
     is_named_ = true;
+  }
+  bool replaces_target() {
+    const bool replaced = ::rename(temporary_.c_str(), target_.c_str()) == 0;
+    if (!replaced && !(shares_name_ && errno == ENOENT)) fail("rename " + temporary_.string() + " to it", errno);
+    is_named_ = false;
+    return replaced;
   }
 
   [[noreturn]] void fail(const std::string& step, int error_number) const {
@@ -79,8 +91,9 @@ class NewFile {
 
   const fs::path target_;
   fs::path temporary_;
-  int descriptor_ = -1;
-  bool is_named_ = false;  // by the temporary name
+  int descriptor_;
+  const bool shares_name_;  // the temporary one, with other processes
+  bool is_named_ = false;   // by it
 };
 
 /// To be renamed to a device would replace it, where one may.
@@ -102,9 +115,11 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   refuse_other_than_file(path);
-  NewFile file(path);
-  file.write(bytes);
-  file.put_in_place();
+  for (bool done = false; !done;) {
+    NewFile file(path);
+    file.write(bytes);
+    done = file.put_in_place();
+  }
 }
 
 void write_file(const fs::path& path, std::string_view text) {

@@ -20,8 +20,9 @@ struct ReadError : FileError {
   using FileError::FileError;
 };
 
-/// Writes beside `path` and puts in place what is whole, so that an interrupted run leaves either the old file or the whole
-/// new one, and nothing else where the file system knows files without a name (NFS and FAT do not).
+/// Writes beside `path` and puts in place what is whole, so that a run that is interrupted or killed leaves either the old
+/// file or the whole new one. Beside it, if that happens in the moment of replacing, one `path`.unfinished, which the next
+/// write to `path` removes; and, where the file system knows no files without a name (NFS, FAT), one `path`.N.unfinished.
 /// Errors: FileError, also where `path` is a folder or a device; no temporary file is left behind.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);

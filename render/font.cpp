@@ -11,6 +11,8 @@
 #include <string>
 #include <tuple>
 
+#include "render/limits.hpp"
+
 namespace render {
 namespace {
 
@@ -102,7 +104,7 @@ using Face = std::unique_ptr<FT_FaceRec_, FaceDeleter>;
 
 Library open_library() {
   FT_Library library = nullptr;
-  if (FT_Init_FreeType(&library) != 0) throw FontError("FreeType cannot be started: out of memory?");
+  if (FT_Init_FreeType(&library) != 0) throw FontError("FreeType cannot be started: out of memory?" + memory_limit());
   return Library(library);
 }
 
@@ -115,7 +117,8 @@ Face open_face(FT_Library library, const std::filesystem::path& file) {
                                ? "is not a font that FreeType reads (FreeType error " + std::to_string(error) + ")"
                                : "does not exist";
   throw FontError("the font file " + file.string() + " " + what +
-                  "; install it with: apt-get install fonts-dejavu-core, or set GJKSTEP_FONT_DIR to its folder");
+                  "; install it with: apt-get install fonts-dejavu-core, or set GJKSTEP_FONT_DIR to its folder" +
+                  memory_limit());
 }
 
 /// Returns the height of an H, in font units.
@@ -156,7 +159,8 @@ FT_Face Font::Impl::resized(Weight weight, long size) {
   FT_Face face = faces[static_cast<std::size_t>(weight)].face.get();
   // At 72 dots per inch a point is a pixel.
   if (FT_Set_Char_Size(face, 0, size, 72, 72) != 0) {
-    throw FontError("FreeType cannot set the text size " + std::to_string(from_26_6(size)) + " pixels");
+    throw FontError("FreeType cannot set the text size " + std::to_string(from_26_6(size)) + " pixels" +
+                    memory_limit());
   }
   return face;
 }
@@ -172,7 +176,7 @@ CachedGlyph Font::Impl::render(FT_Face face, FT_UInt index) {
   const FT_Error error = FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP | FT_LOAD_RENDER);
   if (error != 0) {
     throw FontError("FreeType cannot draw glyph " + std::to_string(index) + " of " + face->family_name +
-                    " (FreeType error " + std::to_string(error) + ")");
+                    " (FreeType error " + std::to_string(error) + ")" + memory_limit());
   }
   const FT_GlyphSlot slot = face->glyph;
   CachedGlyph result{{.x = slot->bitmap_left, .y = -slot->bitmap_top}, slot->advance.x};

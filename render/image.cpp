@@ -148,6 +148,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   if (writer.info == nullptr) throw std::bad_alloc();
   png_set_write_fn(writer.png, &encoder, append_bytes, nullptr);
   if (!run_libpng(writer, image, texts)) {
+    if (encoder.message.find("memory") != std::string::npos) throw std::bad_alloc();
     throw FileError("cannot encode a picture: libpng says: " + encoder.message);
   }
   return std::move(encoder.bytes);

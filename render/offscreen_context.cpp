@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 #include "render/context_backend.hpp"
+#include "render/limits.hpp"
 
 namespace render {
 namespace {
@@ -84,7 +85,7 @@ std::string suspects() {
                            "LIBGL_DRIVERS_PATH", "__EGL_VENDOR_LIBRARY_FILENAMES", "__EGL_VENDOR_LIBRARY_DIRS"}) {
     if (const char* value = std::getenv(name)) set += std::string("; ") + name + "=" + value + " is set, try without";
   }
-  return set;
+  return set + memory_limit();
 }
 
 struct OffscreenContext::Impl {

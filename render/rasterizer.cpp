@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <string>
 
+#include "render/context_backend.hpp"
 #include "render/gl.hpp"
 
 namespace render {
@@ -94,11 +94,6 @@ std::string error_name(GLenum error) {
 
 std::string describe(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height) + " pixels"; }
 
-std::string driver_hint() {
-  const char* driver = std::getenv("GALLIUM_DRIVER");
-  return driver == nullptr ? "" : std::string("; GALLIUM_DRIVER=") + driver + " is set, try without";
-}
-
 }  // namespace
 
 struct Rasterizer::Impl {
@@ -182,7 +177,7 @@ void Rasterizer::Impl::link_program() {
   if (linked != GL_TRUE) {
     std::array<GLchar, 2000> log{};
     gl.get_program_info_log(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    throw ContextError(std::string("the shader does not link: ") + log.data() + driver_hint());
+    throw ContextError(std::string("the shader does not link: ") + log.data() + suspects());
   }
   gl.use_program(program);
   check_errors("set up");
@@ -198,7 +193,7 @@ void Rasterizer::Impl::resize(Size wanted) {
   if (status != GL_FRAMEBUFFER_COMPLETE) {
     size = {};
     gl.get_error();  // thrown with this one; the next drawing starts without it
-    throw ContextError("no framebuffer of " + describe(wanted) + ": " + status_name(status) + driver_hint());
+    throw ContextError("no framebuffer of " + describe(wanted) + ": " + status_name(status) + suspects());
   }
   gl.viewport(0, 0, wanted.width, wanted.height);
   gl.uniform2f(gl.get_uniform_location(program, "pixels_to_clip"), 2.0f / static_cast<float>(wanted.width),
@@ -240,7 +235,7 @@ Image Rasterizer::Impl::read_back() {
 void Rasterizer::Impl::check_errors(const char* step) {
   const GLenum error = gl.get_error();
   if (error != GL_NO_ERROR) {
-    throw ContextError(std::string("OpenGL reports ") + error_name(error) + " on " + step + driver_hint());
+    throw ContextError(std::string("OpenGL reports ") + error_name(error) + " on " + step + suspects());
   }
 }
 

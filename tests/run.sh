@@ -22,9 +22,10 @@ run_tests() {
 # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
 # libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
 # libccd-dev, libfcl-dev and libbullet-dev: what gjkstep-peers times the plain call beside.
+# strace lets single calls of the system fail, as on a full disk.
 # dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system (tests/package).
 require_packages $program_packages catch2 libbenchmark-dev python3 python3-jsonschema chromium libcgal-dev gnuplot-nox \
-  libccd-dev libfcl-dev libbullet-dev dpkg-dev file mmdebstrap python3-yaml
+  libccd-dev libfcl-dev libbullet-dev strace dpkg-dev file mmdebstrap python3-yaml
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
 printf '\nPlain and observed calls\n'

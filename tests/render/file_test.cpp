@@ -8,7 +8,9 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/catch.hpp"
 
@@ -93,6 +95,58 @@ TEST_CASE("A program that is ended while it writes leaves nothing behind, and th
   write_file(folder.path / "old", bytes);
   CHECK(ended_while_writing(folder.path / "old") == SIGXFSZ);
   CHECK(read_file(folder.path / "old") == bytes);
+  CHECK(entries(folder.path) == 1);
+}
+
+TEST_CASE("What a killed program has left beside a file is gone when the file is written again, be it there or not") {
+  const Folder folder;
+  if (!has_unnamed_files(folder.path)) {
+    WARN("skipped: here every file has a name");
+    return;
+  }
+  const fs::path file = folder.path / "file", left = folder.path / "file.unfinished";
+  for (int round = 0; round < 2; ++round) {
+    std::ofstream(left) << "half";
+    write_file(file, bytes);
+    CHECK(read_file(file) == bytes);
+    CHECK(entries(folder.path) == 1);
+  }
+}
+
+TEST_CASE("What is in the way of replacing a file, and is none, is told and stays, and so does the file") {
+  const Folder folder;
+  const fs::path file = folder.path / "file";
+  write_file(file, bytes);
+  fs::create_directory(folder.path / "file.unfinished");
+  if (has_unnamed_files(folder.path)) CHECK_THROWS_AS(write_file(file, "new"), FileError);
+  CHECK(fs::is_directory(folder.path / "file.unfinished"));
+  CHECK(entries(folder.path) == 2);
+}
+
+TEST_CASE("Programs that write the same file at once do not disturb each other, and who reads it finds it whole") {
+  const Folder folder;
+  const fs::path file = folder.path / "file";
+  write_file(file, std::vector<std::uint8_t>(10000, 0));
+  std::vector<pid_t> writers;
+  for (std::uint8_t k = 1; k <= 3; ++k) {
+    writers.push_back(fork());
+    if (writers.back() == 0) {
+      for (int i = 0; i < 300; ++i) write_file(file, std::vector<std::uint8_t>(10000, k));  // what it throws ends it
+      _exit(0);
+    }
+  }
+  int torn = 0, failed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::vector<std::uint8_t> found = read_file(file);
+    if (found != std::vector<std::uint8_t>(10000, found.at(0))) ++torn;
+  }
+  for (const pid_t writer : writers) {
+    int status = 0;
+    waitpid(writer, &status, 0);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) ++failed;
+  }
+  CHECK(torn == 0);
+  CHECK(failed == 0);
   CHECK(entries(folder.path) == 1);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/picture_size.hpp"
 
@@ -27,6 +28,13 @@ render::Size parse_size(const std::string& text) {
 
 void expect_named(const std::string& option, const std::string& name, const std::string& example) {
   if (name.empty() || name.starts_with("--")) throw UsageError(option + " '" + name + "': name " + example);
+}
+
+void expect_output_apart_from(const std::string& scene_file) {
+  Places places;
+  places.read(scene_file, "the scene file " + scene_file);
+  places.write_standard_output();
+  places.expect_apart();
 }
 
 // ---------------------------------------------------------------------------------------------- --gl

@@ -34,6 +34,9 @@ render::Backend chosen_backend(const std::optional<std::string>& name);
 /// name, and how.
 void expect_named(const std::string& option, const std::string& name, const std::string& example);
 
+/// Errors: UsageError where standard output is the scene file that is to be read.
+void expect_output_apart_from(const std::string& scene_file);
+
 /// Whether a word of the command line means a scene file and not a walkthrough.
 inline bool is_scene_file(const std::string& name) { return name.ends_with(".json"); }
 

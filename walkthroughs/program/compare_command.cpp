@@ -9,6 +9,7 @@
 #include "render/compare_report.hpp"
 #include "render/file.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/places.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -85,13 +86,26 @@ render::CompareReport empty_report(const CompareCommand& command) {
                                 .where = fs::current_path().string()});
 }
 
+constexpr const char* page_of_report = "index.html";
+
+void expect_apart(const std::vector<render::FilePair>& pairs, const fs::path& report) {
+  Places places;
+  for (const render::FilePair& files : pairs) {
+    places.read(files.expected, "the picture " + files.expected.string());
+    places.read(files.actual, "the picture " + files.actual.string());
+  }
+  places.write(report / page_of_report, "the page of --report");
+  places.write_standard_output();
+  places.expect_apart();
+}
+
 fs::path write_report(const render::CompareReport& report, const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
     throw render::FileError("cannot create the folder " + folder.string() + ": " + error.message() +
                             "; choose another with --report");
-  const fs::path page = folder / "index.html";
+  const fs::path page = folder / page_of_report;
   render::write_file(page, report.html());
   return page;
 }
@@ -143,7 +157,10 @@ int CompareCommand::run() const {
   if (report) expect_named("--report", *report, "a folder to write to, for example --report differences");
   const std::vector<render::FilePair> pairs = pairs_of(expected, actual);
   std::optional<render::CompareReport> page;
-  if (report) page = empty_report(*this);
+  if (report) {
+    expect_apart(pairs, *report);
+    page = empty_report(*this);
+  }
   Tally tally;
   for (const render::FilePair& files : pairs) {
     const render::ComparedFiles compared = render::compare_files(files);

@@ -1,12 +1,19 @@
 #include "walkthroughs/program/exit_code.hpp"
 
+#include <unistd.h>
+
+#include <array>
 #include <csignal>
+#include <cstddef>
+#include <cstring>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 #include "render/backend.hpp"
 #include "render/file.hpp"
 #include "render/font.hpp"
+#include "render/limits.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace walkthroughs {
@@ -33,15 +40,62 @@ ExitCode code_of_this_exception() {
   }
 }
 
+/// Returns: what it says. A thread that cannot be started says no more than "Resource temporarily unavailable".
+std::string what_failed(const std::system_error& error) {
+  if (error.code() != std::errc::resource_unavailable_try_again) return error.what();
+  return "a thread cannot be started; allow more processes (ulimit -u), or more memory (ulimit -v)";
+}
+
+// ---------------------------------------------------------------------------------------------- crashes
+
+/// Made beforehand: a handler of signals must not ask for memory, nor find it gone when the program ends.
+std::array<char, 200> program_that_crashes, advice_on_crashes;
+std::array<char, 1 << 16> stack_for_crashes;  // the usual one may not grow where memory is short
+
+void copy(const std::string& text, std::array<char, 200>& to) { to[text.copy(to.data(), to.size() - 1)] = '\0'; }
+
+/// Tells of a crash, and ends the program: whether files are whole does not depend on how it ends.
+[[noreturn]] void tell_crash(int signal) {
+  const std::array<const char*, 6> parts = {
+      program_that_crashes.data(), ": crashed (",
+      ::sigdescr_np(signal),       "), as libraries such as Mesa do where memory or threads are lacking",
+      advice_on_crashes.data(),    "\n"};
+  for (const char* part : parts)
+    if (::write(STDERR_FILENO, part, std::strlen(part)) < 0) break;
+  ::_exit(unexpected);
+}
+
+/// Mesa and LLVM do not look whether they have got the memory or the thread that they asked for. Nothing that is tried first
+/// proves that a later picture will not crash them. What somebody else handles, such as a sanitizer, stays with him.
+void tell_crashes_of(const std::string& program) {
+  const std::string limit = render::memory_limit();
+  copy(program, program_that_crashes);
+  copy(limit.empty() ? "; if there is enough of both, please report the command" : limit, advice_on_crashes);
+  const stack_t stack{.ss_sp = stack_for_crashes.data(), .ss_flags = 0, .ss_size = stack_for_crashes.size()};
+  ::sigaltstack(&stack, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE}) {
+    struct sigaction before {};
+    struct sigaction telling {};
+    telling.sa_handler = tell_crash;
+    telling.sa_flags = SA_ONSTACK;
+    if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+      ::sigaction(signal, &telling, nullptr);
+  }
+}
+
 }  // namespace
 
 int exit_code_of(const std::string& program, const std::string& if_out_of_memory, const std::function<int()>& run) {
   std::signal(SIGXFSZ, SIG_IGN);
+  tell_crashes_of(program);
   try {
     return run();
   } catch (const std::bad_alloc&) {
-    std::cerr << program << ": out of memory; " << if_out_of_memory << '\n';
+    std::cerr << program << ": out of memory; " << if_out_of_memory << render::memory_limit() << '\n';
     return unexpected;
+  } catch (const std::system_error& error) {
+    std::cerr << program << ": " << what_failed(error) << '\n';
+    return code_of_this_exception();
   } catch (const std::exception& error) {
     std::cerr << program << ": " << error.what() << '\n';
     return code_of_this_exception();

@@ -102,5 +102,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return walkthroughs::exit_code_of("gjkstep", "choose a smaller --size", [&] { return run(argc, argv); });
+  return walkthroughs::exit_code_of("gjkstep", "ask for less, such as a smaller --size", [&] { return run(argc, argv); });
 }

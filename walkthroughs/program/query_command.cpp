@@ -15,6 +15,7 @@
 #include "render/file.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/places.hpp"
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
@@ -121,6 +122,10 @@ int QueryCommand::run() const {
     throw UsageError("--max-iterations " + std::to_string(max_iterations) + ": expected a whole number from 1 to " +
                      std::to_string(scene_limits::iterations));
   options.iteration_limit = max_iterations;
+  Places places;
+  places.read_standard_input();
+  places.write_standard_output();
+  places.expect_apart();
   std::signal(SIGPIPE, SIG_IGN);  // so that a reader who leaves is an error of writing, told like others
   const QueryTally tally = answer_lines(options, read_some, write_all);
   if (tally.bad == 0) return all_answered;

@@ -15,6 +15,7 @@
 #include "walkthroughs/picture/movie.hpp"
 #include "walkthroughs/picture/render_frames.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
@@ -78,6 +79,7 @@ class Rendering {
   void run() const {
     const Output output = checked_output();
     const Selection selection = select();
+    expect_apart(selection, output.folder);
     Written written;  // before the renderer, which writes what it was given even when it goes early
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
@@ -124,6 +126,19 @@ class Rendering {
     if (selection.chosen().empty())
       throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
     return selection;
+  }
+
+  void expect_apart(const Selection& selection, const std::filesystem::path& folder) const {
+    Places places;
+    for (const std::string& name : command_.names)
+      if (is_scene_file(name)) places.read(name, "the scene file " + name);
+    for (const std::string& file : command_.traces) places.read(file, "the trace " + file);
+    for (const Selection::Chosen& each : selection.chosen())
+      places.write_pictures(folder / each.walkthrough->name, "the pictures of " + each.walkthrough->name);
+    if (command_.rendered_by) places.write(folder / render::rendered_by_file, "what --rendered-by notes");
+    if (command_.captions) places.write(*command_.captions, "what --captions writes");
+    places.write_standard_output();
+    places.expect_apart();
   }
 
   void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {

@@ -11,6 +11,7 @@ void SceneCommand::run() const {
   if (example) {
     std::cout << example_scene();
   } else if (check) {
+    expect_output_apart_from(*check);
     const std::string declared = summary(read_scene(*check));  // before the first word that says it is well
     std::cout << *check << ": ok: " << declared << '\n';
   } else {

@@ -11,7 +11,10 @@ namespace walkthroughs {
 namespace {
 
 void write_trace(const std::string& name) {
-  if (is_scene_file(name)) return write_traces(std::cout, read_scene(name).walkthrough);
+  if (is_scene_file(name)) {
+    expect_output_apart_from(name);
+    return write_traces(std::cout, read_scene(name).walkthrough);
+  }
   if (find_walkthrough(name) == nullptr && !find_walkthroughs(name).empty())
     throw UsageError("'" + name + "' is a folder: name one of its walkthroughs; 'gjkstep list " + name +
                      "' shows them");

@@ -1,0 +1,111 @@
+#include "walkthroughs/program/places.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <system_error>
+
+#include "walkthroughs/program/exit_code.hpp"
+
+namespace walkthroughs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns: the one spelling of that place. Follows also links to what is not there yet, as weakly_canonical() does not, and
+/// `links` of them at most, as the system does.
+fs::path resolved(const fs::path& path, int& links) {
+  std::error_code is_none;
+  fs::path found;
+  for (const fs::path& part : fs::absolute(path)) {
+    if (part == "..") {
+      found = found.parent_path();
+    } else if (!part.empty() && part != ".") {
+      const fs::path target = links > 0 ? fs::read_symlink(found / part, is_none) : fs::path();
+      found = target.empty() ? found / part : resolved(found / target, --links);
+    }
+  }
+  return found;
+}
+
+fs::path resolved(const fs::path& path) {
+  int links = 40;
+  return resolved(path, links);
+}
+
+/// Returns: the same, but for its last name, which is not followed where it is a link.
+fs::path resolved_but_for_last(const fs::path& path) {
+  const fs::path last = path.filename();
+  const bool is_name = !last.empty() && last != "." && last != "..";
+  return is_name ? resolved(path.has_parent_path() ? path.parent_path() : ".") / last : resolved(path);
+}
+
+bool is_named_as_picture(const fs::path& file) {
+  return file.extension() == ".png" || file.extension() == ".mp4" || file.extension() == ".gif";
+}
+
+[[noreturn]] void refuse(const std::string& one, const std::string& other, const fs::path& where) {
+  throw UsageError(one + " and " + other + " have the same place, " + where.string() +
+                   ": one would be written over the other; choose another place for one of them");
+}
+
+/// Returns: the path of what a standard stream is, empty where it is no file, such as a pipe.
+fs::path file_of(int stream) {
+  struct stat status {};
+  if (::fstat(stream, &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  std::error_code unknown;
+  return fs::read_symlink("/proc/self/fd/" + std::to_string(stream), unknown);
+}
+
+}  // namespace
+
+void Places::read(const fs::path& file, const std::string& what) {
+  read_.emplace_back(resolved_but_for_last(file), what);
+  if (resolved(file) != read_.back().first) read_.emplace_back(resolved(file), what);
+}
+
+void Places::write(const fs::path& file, const std::string& what) {
+  written_.emplace_back(resolved_but_for_last(file), what);
+}
+
+void Places::write_pictures(const fs::path& folder, const std::string& what) {
+  pictures_.emplace_back(resolved(folder), what);
+}
+
+void Places::read_standard_input() {
+  if (const fs::path file = file_of(STDIN_FILENO); !file.empty()) read(file, "standard input");
+}
+
+void Places::write_standard_output() {
+  if (const fs::path file = file_of(STDOUT_FILENO); !file.empty()) write(file, "standard output");
+}
+
+void Places::expect_apart() const {
+  std::map<fs::path, std::string> pictures, folders, files;
+  const auto add_folders = [&](fs::path folder, const std::string& what) {
+    while (folders.emplace(folder, what).second && folder.has_relative_path()) folder = folder.parent_path();
+  };
+  for (const auto& [place, what] : pictures_) {
+    if (const auto [there, is_new] = pictures.emplace(place, what); !is_new) refuse(there->second, what, place);
+    add_folders(place, what);
+  }
+  for (const auto& [place, what] : written_) add_folders(place.parent_path(), what);
+  const auto expect_no_picture = [&](const fs::path& place, const std::string& what) {
+    const auto there = pictures.find(place.parent_path());
+    if (there != pictures.end() && is_named_as_picture(place)) refuse(what, there->second, place);
+  };
+  for (const auto& [folder, what] : folders) expect_no_picture(folder, what);
+  const auto expect_no_folder = [&](const fs::path& place, const std::string& what) {
+    if (const auto there = folders.find(place); there != folders.end()) refuse(what, there->second, place);
+  };
+  for (const auto& [place, what] : read_) files.emplace(place, what);
+  for (const auto& [place, what] : written_)
+    if (const auto [there, is_new] = files.emplace(place, what); !is_new) refuse(what, there->second, place);
+  for (const auto& [place, what] : files) {
+    expect_no_picture(place, what);
+    expect_no_folder(place, what);
+  }
+}
+
+}  // namespace walkthroughs
