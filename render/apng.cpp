@@ -3,11 +3,12 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "render/png_chunk.hpp"
 
 namespace render {
 namespace {
@@ -15,9 +16,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using View = std::span<const std::uint8_t>;
 
-constexpr std::array<std::uint8_t, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-constexpr std::size_t around_chunk = 12;  // length, type and checksum
-constexpr std::size_t end_size = around_chunk;
+constexpr std::size_t end_size = around_png_chunk;
 
 void put(Bytes& bytes, View more) { bytes.insert(bytes.end(), more.begin(), more.end()); }
 void put(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
@@ -30,32 +29,15 @@ void put_16(Bytes& bytes, std::uint32_t value) {
   for (const int shift : {8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-std::uint32_t get_32(View bytes) {
-  return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 | bytes[3];
-}
-
 /// Returns: a chunk: length, type, data, and the checksum of type and data.
 Bytes chunk(std::string_view type, View data) {
   Bytes bytes;
-  bytes.reserve(data.size() + around_chunk);
+  bytes.reserve(data.size() + around_png_chunk);
   put_32(bytes, static_cast<std::uint32_t>(data.size()));
   put(bytes, type);
   put(bytes, data);
   put_32(bytes, static_cast<std::uint32_t>(crc32_z(0, bytes.data() + 4, bytes.size() - 4)));
   return bytes;
-}
-
-struct Chunk {
-  std::string_view type;
-  View data;
-};
-
-/// Takes the first chunk off the front of a PNG after its signature.
-Chunk next_chunk(View& png) {
-  const std::size_t size = get_32(png);
-  const Chunk first{{reinterpret_cast<const char*>(png.data()) + 4, 4}, png.subspan(8, size)};
-  png = png.subspan(size + around_chunk);
-  return first;
 }
 
 /// International text says its own language: none. Not compressed, no translated keyword.
@@ -93,7 +75,7 @@ Bytes control_chunk(std::uint32_t sequence, View size, double seconds) {
 }  // namespace
 
 void Animation::begin(View header) {
-  put(bytes_, signature);
+  put(bytes_, png_signature);
   put(bytes_, chunk("IHDR", header));
   if (!text_.title.empty()) put(bytes_, text_chunk("Title", text_.title));
   if (!text_.description.empty()) put(bytes_, text_chunk("Description", text_.description));
@@ -103,10 +85,10 @@ void Animation::begin(View header) {
 }
 
 void Animation::add(View png, double seconds) {
-  View rest = png.subspan(signature.size());
-  const View header = next_chunk(rest).data;
+  View rest = png.subspan(png_signature.size());
+  const View header = take_png_chunk(rest)->data;
   if (bytes_.empty()) begin(header);
-  const View first_header = View(bytes_).subspan(signature.size() + 8, header.size());
+  const View first_header = View(bytes_).subspan(png_signature.size() + 8, header.size());
   if (!std::ranges::equal(header, first_header))
     throw std::invalid_argument("the pictures of an animation are all of one size and kind");
 
@@ -114,8 +96,8 @@ void Animation::add(View png, double seconds) {
   put(bytes_, control_chunk(sequence_++, header.first(8), seconds));
   Bytes data;
   if (frames_ > 0) put_32(data, sequence_++);  // frames after the first one have their number in each chunk
-  while (!rest.empty())
-    if (const Chunk next = next_chunk(rest); next.type == "IDAT") put(data, next.data);
+  while (const std::optional<PngChunk> next = take_png_chunk(rest))
+    if (next->type == "IDAT") put(data, next->data);
   put(bytes_, chunk(frames_ == 0 ? "IDAT" : "fdAT", data));
   put(bytes_, chunk("IEND", {}));
   std::ranges::copy(counts_chunk(++frames_), bytes_.begin() + static_cast<std::ptrdiff_t>(counts_at_));

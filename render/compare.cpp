@@ -108,7 +108,8 @@ std::string pixels(std::int64_t count) { return std::to_string(count) + (count =
 }  // namespace
 
 std::int64_t Tolerance::allowed(Size size) const {
-  return std::max(few, std::int64_t{size.width} * size.height / one_in);
+  const std::int64_t all = std::int64_t{size.width} * size.height;
+  return std::min(std::max(few, all / one_in), all / small_one_in);
 }
 
 const char* name(Verdict verdict) {

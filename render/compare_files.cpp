@@ -17,30 +17,80 @@ bool is_picture(const fs::path& path) {
   return extension == ".png";
 }
 
-[[noreturn]] void fail(const fs::path& folder, const std::error_code& error) {
-  throw ReadError("cannot read the folder " + folder.string() + ": " + error.message() +
-                  "; check that it exists and may be read");
+[[noreturn]] void fail(const fs::path& folder, const std::string& why, const std::string& what_to_do) {
+  throw ReadError("cannot read the folder " + folder.string() + ": " + why + "; " + what_to_do);
 }
 
-void collect(const fs::path& folder, const fs::path& root, std::vector<std::string>& names) {
-  std::error_code error;
+/// Returns: what is in `folder`. So the folder is not kept open while those below are read.
+std::vector<fs::directory_entry> entries_of(const fs::path& folder, std::error_code& error) {
+  std::vector<fs::directory_entry> entries;
   fs::directory_iterator entry(folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-    std::error_code unknown;  // what kind of entry; then it is not a folder
-    if (entry->symlink_status(unknown).type() == fs::file_type::directory)
-      collect(entry->path(), root, names);
-    else if (is_picture(entry->path()))
-      names.push_back(entry->path().lexically_relative(root).generic_string());
-  }
-  if (error) fail(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) entries.push_back(*entry);
+  return entries;
 }
 
-/// Refuses what would never end, such as a pipe or a device; a file that is not there has its own message.
+/// A walk through all folders below one.
+class Walk {
+ public:
+  explicit Walk(const fs::path& root) : root_(root) {}
+
+  std::vector<std::string> names() {
+    if (const std::error_code error = enter(root_))
+      fail(root_, error.message(), "check that it exists and may be read");
+    std::ranges::sort(names_);
+    return std::move(names_);
+  }
+
+ private:
+  static constexpr int most_links = 1'000;
+
+  /// Returns: why not, where `folder` cannot be entered.
+  std::error_code enter(const fs::path& folder) {
+    std::error_code error;
+    const fs::path place = place_of(folder, error);
+    if (std::ranges::count(around_, place) > 0) error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    if (error) return error;
+    const std::vector<fs::directory_entry> entries = entries_of(folder, error);
+    if (error) return error;
+    around_.push_back(place);
+    for (const fs::directory_entry& entry : entries) take(entry);
+    around_.pop_back();
+    return {};
+  }
+
+  /// Returns: the name of `folder` that has no links in it.
+  fs::path place_of(const fs::path& folder, std::error_code& error) {
+    if (!around_.empty() && !fs::is_symlink(folder, error)) return around_.back() / folder.filename();
+    if (++links_ > most_links)
+      fail(root_, "there are more than 1,000 links to folders below", "look for links to folders of links");
+    return fs::canonical(folder, error);
+  }
+
+  void take(const fs::directory_entry& entry) {
+    std::error_code unknown;
+    const bool is_folder = entry.is_directory(unknown), leads_nowhere = !is_folder && !entry.exists(unknown);
+    const fs::path& path = entry.path();
+    const bool listed = is_folder ? bool(enter(path)) : is_picture(path) || (leads_nowhere && !path.has_extension());
+    if (listed) names_.push_back(path.lexically_relative(root_).generic_string());
+  }
+
+  const fs::path root_;
+  std::vector<std::string> names_;
+  std::vector<fs::path> around_;  // the folders that hold the current one
+  int links_ = 0;                 // that were followed
+};
+
+/// A folder among the pictures is there because it could not be entered.
+[[noreturn]] void fail_to_enter(const fs::path& folder) {
+  std::error_code error;
+  entries_of(folder, error);
+  if (error) fail(folder, error.message(), "check that it may be read");
+  fail(folder, "a link makes it lead back to a folder around it", "remove the link");
+}
+
 Image read_picture(const fs::path& path) {
   std::error_code unknown;
-  const fs::file_status status = fs::status(path, unknown);
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    throw ReadError("cannot read " + path.string() + ": it is not a file; put a PNG file in its place");
+  if (fs::is_directory(path, unknown)) fail_to_enter(path);
   try {
     return read_png(path);
   } catch (const std::bad_alloc&) {
@@ -67,12 +117,7 @@ void compare_pictures(ComparedFiles& found, const Tolerance& tolerance) {
 
 }  // namespace
 
-std::vector<std::string> pictures_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  collect(folder, folder, names);
-  std::ranges::sort(names);
-  return names;
-}
+std::vector<std::string> pictures_in(const fs::path& folder) { return Walk(folder).names(); }
 
 std::vector<FilePair> file_pairs(const fs::path& expected, const fs::path& actual) {
   const std::vector<std::string> of_expected = pictures_in(expected), of_actual = pictures_in(actual);

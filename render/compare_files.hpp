@@ -19,9 +19,12 @@ struct FilePair {
   Sides sides = Sides::both;
 };
 
-/// Returns: the names of all *.png (or *.PNG) in `folder` and below, relative to it, sorted. Links to folders are not
-/// followed, so there are no loops; whatever else has such a name is listed, and found unreadable when it is compared.
-/// Errors: ReadError where a folder cannot be read.
+/// Returns: the names of all *.png (or *.PNG) in `folder` and below, relative to it, sorted. Links are followed. Nothing
+/// that may hold pictures is left out: whatever else has such a name, a folder that cannot be read, a link that leads back
+/// to a folder around it, and one that leads nowhere and may have led to a folder are listed, and found unreadable when
+/// they are compared.
+/// Errors: ReadError where `folder` itself cannot be read, or where it takes more than 1,000 links, as folders of links
+/// to folders of links do.
 std::vector<std::string> pictures_in(const std::filesystem::path& folder);
 
 /// Returns: every name that either folder has, sorted. Errors: as pictures_in().

@@ -249,9 +249,9 @@ std::string rule() {
   const Tolerance usual;
   return "<p>A pixel is off when a channel differs by more than " + std::to_string(usual.channel) +
          ". Two pictures pass when at most " + std::to_string(usual.few) +
-         " pixels are off (in large pictures: one in " + std::to_string(usual.one_in) +
-         ") and no group of them, joined by edges or corners, is larger than " + std::to_string(usual.group) +
-         ".</p>\n";
+         " pixels are off (in large pictures: one in " + std::to_string(usual.one_in) + "; in small ones: one in " +
+         std::to_string(usual.small_one_in) + ") and no group of them, joined by edges or corners, is larger than " +
+         std::to_string(usual.group) + ".</p>\n";
 }
 
 std::string pictures_in_words(int count) { return std::to_string(count) + (count == 1 ? " picture" : " pictures"); }

@@ -1,11 +1,11 @@
 #include "render/file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
-#include <memory>
+#include <string>
 #include <system_error>
 
 namespace render {
@@ -106,15 +106,65 @@ void refuse_other_than_file(const fs::path& path) {
                     "; check that you mean it, and name a file");
 }
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+std::string in_words(std::uintmax_t bytes) {
+  constexpr std::uintmax_t mebi = 1 << 20, kibi = 1 << 10;
+  return bytes >= mebi ? std::to_string(bytes / mebi) + " MiB" : std::to_string(bytes / kibi) + " KiB";
+}
+
+/// A file that is open for reading.
+class OldFile {
+ public:
+  explicit OldFile(const fs::path& path)
+      : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+    if (descriptor_ < 0) fail(reason(errno), "check that the file exists and may be read");
+  }
+  ~OldFile() { ::close(descriptor_); }
+  OldFile(const OldFile&) = delete;
+  OldFile& operator=(const OldFile&) = delete;
+
+  /// Returns: all bytes. It may have grown since its size was asked for, and files of /proc do not tell theirs.
+  std::vector<std::uint8_t> read(std::uintmax_t most) const {
+    std::vector<std::uint8_t> bytes(size(most) + 1);  // one more, to see the end
+    for (std::size_t count = 0;;) {
+      if (count == bytes.size()) bytes.resize(count + (1 << 16));
+      const ssize_t more = ::read(descriptor_, bytes.data() + count, bytes.size() - count);
+      if (more < 0 && errno == EINTR) continue;
+      if (more < 0) fail(reason(errno), "check the disk");
+      count += static_cast<std::size_t>(more);
+      if (count > most) fail_too_large(most);
+      if (more > 0) continue;
+      bytes.resize(count);
+      return bytes;
+    }
+  }
+
+ private:
+  std::size_t size(std::uintmax_t most) const {
+    struct stat status;
+    if (::fstat(descriptor_, &status) != 0) fail(reason(errno), "check the disk");
+    if (!S_ISREG(status.st_mode))
+      fail(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file", "put a file in its place");
+    if (static_cast<std::uintmax_t>(status.st_size) > most) fail_too_large(most);
+    return static_cast<std::size_t>(status.st_size);
+  }
+  [[noreturn]] void fail_too_large(std::uintmax_t most) const {
+    fail("it is larger than " + in_words(most), "put a smaller file in its place");
+  }
+  [[noreturn]] void fail(const std::string& why, const std::string& what_to_do) const {
+    throw ReadError("cannot read " + path_.string() + ": " + why + "; " + what_to_do);
+  }
+
+  const fs::path path_;
+  const int descriptor_;
 };
-using File = std::unique_ptr<std::FILE, FileCloser>;
 
 }  // namespace
 
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   refuse_other_than_file(path);
+  if (bytes.size() > max_file_bytes)
+    throw FileError("cannot write " + path.string() + ": it would be larger than " + in_words(max_file_bytes) +
+                    "; ask for smaller or fewer pictures");
   for (bool done = false; !done;) {
     NewFile file(path);
     file.write(bytes);
@@ -126,20 +176,6 @@ void write_file(const fs::path& path, std::string_view text) {
   write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-std::vector<std::uint8_t> read_file(const fs::path& path) {
-  const auto fail = [&](int error_number) {
-    throw ReadError("cannot read " + path.string() + ": " + reason(error_number) +
-                    "; check that the file exists and may be read");
-  };
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) fail(errno);
-  std::vector<std::uint8_t> bytes;
-  std::vector<std::uint8_t> block(1 << 16);
-  while (const std::size_t size = std::fread(block.data(), 1, block.size(), file.get())) {
-    bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(size));
-  }
-  if (std::ferror(file.get()) != 0) fail(errno);
-  return bytes;
-}
+std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t most) { return OldFile(path).read(most); }
 
 }  // namespace render

@@ -20,14 +20,19 @@ struct ReadError : FileError {
   using FileError::FileError;
 };
 
+/// The largest file that is written or read: a program that reads files whole must not be asked for all of the memory.
+inline constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 30;
+
 /// Writes beside `path` and puts in place what is whole, so that a run that is interrupted or killed leaves either the old
 /// file or the whole new one. Beside it, if that happens in the moment of replacing, one `path`.unfinished, which the next
 /// write to `path` removes; and, where the file system knows no files without a name (NFS, FAT), one `path`.N.unfinished.
-/// Errors: FileError, also where `path` is a folder or a device; no temporary file is left behind.
+/// Errors: FileError, also where `path` is a folder or a device, and where there are more than max_file_bytes; no
+/// temporary file is left behind.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// Errors: ReadError.
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path);
+/// Errors: ReadError, also where `path` is no regular file, such as a pipe or a device, which may never end, and where it
+/// is larger than `most` bytes. Reads no more, and waits for nobody.
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uintmax_t most = max_file_bytes);
 
 }  // namespace render

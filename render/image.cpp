@@ -3,15 +3,26 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <csetjmp>
-#include <cstring>
 #include <new>
+#include <optional>
+
+#include "render/png_chunk.hpp"
 
 namespace render {
 namespace {
 
 constexpr std::size_t channels = 3;
-constexpr png_uint_32 max_side = 16384;  // a damaged header must not ask for all of the memory
+
+bool is_too_large(std::uint32_t width, std::uint32_t height) {
+  return std::max(width, height) > std::uint32_t{max_image_side};
+}
+
+std::string too_large(std::uint32_t width, std::uint32_t height) {
+  return "it is " + std::to_string(width) + "x" + std::to_string(height) + " pixels large, and at most " +
+         std::to_string(max_image_side) + " each way can be read";
+}
 
 // ---------------------------------------------------------------------------------------------- encoding
 
@@ -79,6 +90,55 @@ bool run_libpng(const PngWriter& writer, const Image& image, const std::vector<p
 
 // ---------------------------------------------------------------------------------------------- decoding
 
+/// What is wrong with a PNG, and what to do about it.
+struct Fault {
+  std::string what;
+  const char* what_to_do = "replace it with an undamaged PNG file";
+};
+
+/// The chunk that comes first: how large the picture is, and how many bits a pixel takes.
+struct Header {
+  std::uint32_t width, height, bits;
+};
+
+std::optional<Header> header_of(const PngChunk& chunk) {
+  if (chunk.type != "IHDR" || chunk.data.size() != 13 || !chunk.intact) return std::nullopt;
+  constexpr std::array<std::uint32_t, 7> samples = {1, 1, 3, 1, 2, 1, 4};  // of a pixel, by kind of colour
+  const std::uint8_t depth = chunk.data[8], kind = chunk.data[9];
+  if (kind >= samples.size()) return std::nullopt;
+  return Header{get_32(chunk.data), get_32(chunk.data.subspan(4)), depth * samples[kind]};
+}
+
+/// `rest`: the chunks after the header. A short file must not ask for all of the memory: a byte of compressed data holds
+/// at most 1032 others (https://zlib.net/zlib_tech.html).
+std::optional<Fault> fault_after(const Header& header, std::span<const std::uint8_t> rest) {
+  std::size_t compressed = 0;
+  while (const std::optional<PngChunk> chunk = take_png_chunk(rest)) {
+    if (!chunk->intact) return Fault{"it is damaged: a checksum is wrong"};
+    if (chunk->type == "IDAT") compressed += chunk->data.size();
+    if (chunk->type != "IEND") continue;
+    if (std::uint64_t{header.width} * header.height * header.bits / 8 / 1032 <= compressed) return std::nullopt;
+    return Fault{"it is damaged: there is not enough data for its pixels"};
+  }
+  return Fault{"it is cut off: its end is missing"};
+}
+
+/// Looks at the file as a whole, before libpng decodes it, which stops where the last pixel is.
+std::optional<Fault> fault_of(std::span<const std::uint8_t> png) {
+  if (png.empty()) return Fault{"it is empty"};
+  const std::size_t begin = std::min(png.size(), png_signature.size());
+  if (!std::ranges::equal(png.first(begin), std::span(png_signature).first(begin)))
+    return Fault{"it is not a PNG file"};
+  std::span<const std::uint8_t> rest = png.subspan(begin);
+  const std::optional<PngChunk> first = take_png_chunk(rest);
+  if (!first) return Fault{"it is cut off: its end is missing"};
+  const std::optional<Header> header = header_of(*first);
+  if (!header) return Fault{"it is damaged: its header is wrong"};
+  if (is_too_large(header->width, header->height))
+    return Fault{too_large(header->width, header->height), "compare smaller pictures"};
+  return fault_after(*header, rest);
+}
+
 /// libpng's simplified reader: converts every kind of PNG, and returns errors instead of jumping.
 struct PngReader {
   png_image header{};
@@ -139,6 +199,10 @@ void Image::paste(const Image& other, int x, int y) {
 }
 
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
+  const auto width = static_cast<std::uint32_t>(image.size().width),
+             height = static_cast<std::uint32_t>(image.size().height);
+  if (is_too_large(width, height))
+    throw FileError("cannot encode a picture: " + too_large(width, height) + "; draw a smaller one");
   std::vector<png_text> texts;
   if (!text.title.empty()) texts.push_back(text_chunk("Title", text.title));
   if (!text.description.empty()) texts.push_back(text_chunk("Description", text.description));
@@ -158,24 +222,26 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
   write_file(path, encode_png(image, text));
 }
 
-Image read_png(const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> bytes = read_file(path);
+Image decode_png(std::span<const std::uint8_t> png, const std::string& name) {
+  const auto fail = [&](const Fault& fault) {
+    throw ReadError("cannot read " + name + ": " + fault.what + "; " + fault.what_to_do);
+  };
+  if (const std::optional<Fault> fault = fault_of(png)) fail(*fault);
   PngReader reader;
   png_image& header = reader.header;
-  const auto fail = [&](const std::string& why) {
-    throw ReadError("cannot read " + path.string() + ": " + why + "; replace it with an undamaged PNG file");
-  };
-  if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) fail(header.message);
-  if (header.width > max_side || header.height > max_side) fail("larger than 16384 pixels each way");
-
-  header.format = PNG_FORMAT_RGBA;
-  header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16-bit files are as gamma-encoded as 8-bit ones
-  std::vector<std::uint8_t> rgba(PNG_IMAGE_SIZE(header));
-  if (png_image_finish_read(&header, nullptr, rgba.data(), 0, nullptr) == 0) fail(header.message);
+  const auto damaged = [&] { fail({std::string("it cannot be decoded: libpng says: ") + header.message}); };
+  if (png_image_begin_read_from_memory(&header, png.data(), png.size()) == 0) damaged();
 
   Image image({static_cast<int>(header.width), static_cast<int>(header.height)});
-  flatten(rgba, image);
+  const bool transparent = (header.format & PNG_FORMAT_FLAG_ALPHA) != 0;
+  header.format = transparent ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+  header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16-bit files are as gamma-encoded as 8-bit ones
+  std::vector<std::uint8_t> rgba(transparent ? PNG_IMAGE_SIZE(header) : 0);
+  if (png_image_finish_read(&header, nullptr, transparent ? rgba.data() : image.row(0), 0, nullptr) == 0) damaged();
+  if (transparent) flatten(rgba, image);
   return image;
 }
+
+Image read_png(const std::filesystem::path& path) { return decode_png(read_file(path), path.string()); }
 
 }  // namespace render

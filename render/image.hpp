@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "render/geometry.hpp"
 
 namespace render {
+
+/// The largest picture that is written or read, each way.
+inline constexpr int max_image_side = 16384;
 
 /// Rows from top to bottom, three bytes a pixel, no padding.
 class Image {
@@ -45,14 +49,18 @@ struct PngText {
 
 /// Returns: `image` as a PNG file. 8-bit RGB, compression level 6, PNG_FILTER_NONE: of the settings that were tried the
 /// smallest files for pictures of lines and flat areas (tests/bench/render_bench.cpp has the numbers).
-/// Errors: FileError.
+/// Errors: FileError, also where the picture is larger than max_image_side.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text);
 
 /// Writes encode_png() to `path` as write_file() does. Errors: FileError.
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text);
 
-/// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white).
-/// Errors: ReadError where the file is missing, not a PNG, or damaged.
+/// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white). What comes after the
+/// end chunk is no part of the picture and not looked at. `name` is what errors call it.
+/// Errors: ReadError where that is no PNG, damaged anywhere, cut off, or larger than max_image_side.
+Image decode_png(std::span<const std::uint8_t> png, const std::string& name);
+
+/// Returns: the picture in the file, as decode_png(). Errors: ReadError, as read_file() and decode_png().
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace render

@@ -62,9 +62,8 @@ std::optional<RenderedBy> read_rendered_by(const fs::path& folder) {
   const fs::path path = folder / rendered_by_file;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return std::nullopt;
-  if (fs::file_size(path, error) > most_bytes) return not_understood("it is longer than 64 KiB");
   try {
-    return parse(read_file(path));
+    return parse(read_file(path, most_bytes));
   } catch (const ReadError& unreadable) {
     return not_understood(unreadable.what());
   }

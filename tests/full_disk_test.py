@@ -25,11 +25,11 @@ calls = ["write", "linkat", "rename", "mkdir", "dup", "openat", "pwrite64", "ftr
 
 
 def strace(case, call, n, log):
-    """The command in front of the one that is to fail. Of what opens files, only what opens those of the case counts."""
+    """The command in front of the one that is to fail, without programs that it starts. Of what opens files, only what opens those of the case counts."""
     paths = {pathlib.Path(name) for name in case.whole}  # as the command spells them
     paths |= {folder for path in paths for folder in path.parents}
     only = [word for path in sorted(paths) for word in ("-P", path)] if call == "openat" else []
-    return ["strace", "-f", "--seccomp-bpf", "-y", "-qq", "-o", log, "-e", f"trace={call}", *only,
+    return ["strace", "-f", "--seccomp-bpf", "--detach-on=execve", "-y", "-qq", "-o", log, "-e", f"trace={call}", *only,
             "-e", f"inject={call}:error=ENOSPC:when={n}"]
 
 
@@ -61,7 +61,7 @@ def runs_of(case, call, log):
             if not all(map(tells_of_errors, failed)):
                 tried += 1
                 problems += [f"{case.name}, {failed[0]}: {problem}" for problem in problems_of(case, call, failed, code, said)]
-            n += 1 if arguments.all else 5
+            n += 1 if arguments.all else n
     return tried, problems
 
 

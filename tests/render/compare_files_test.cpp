@@ -1,5 +1,6 @@
 #include "render/compare_files.hpp"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -61,13 +62,89 @@ TEST_CASE("The pictures of a folder are its .png and .PNG files and those of fol
   CHECK(pictures_in(folders.expected.string() + "/") == names);
 }
 
-TEST_CASE("Links to folders are not followed and a loop of them ends") {
+TEST_CASE("Links to folders are followed, and what is in them is compared") {
   const Folders folders;
-  draw(folders.expected / "a.png", {1, 2, 3});
-  fs::create_directory_symlink(folders.expected, folders.expected / "loop");
-  fs::create_directory_symlink(folders.actual, folders.expected / "elsewhere");
-  draw(folders.actual / "b.png", {1, 2, 3});
-  CHECK(pictures_in(folders.expected) == std::vector<std::string>{"a.png"});
+  for (const auto& [side, color] : {std::pair{folders.expected, Color{10, 10, 10}}, {folders.actual, {10, 10, 20}}}) {
+    const fs::path elsewhere = folders.root / (side.filename().string() + " elsewhere");
+    draw(elsewhere / "deep" / "a.png", color);
+    fs::create_directory_symlink(elsewhere, side / "one");
+    fs::create_directory_symlink(elsewhere / "deep", side / "other.png");
+  }
+  CHECK(pictures_in(folders.expected) == std::vector<std::string>{"one/deep/a.png", "other.png/a.png"});
+  CHECK(verdicts(folders) == std::vector{Verdict::different, Verdict::different});
+}
+
+TEST_CASE("A link that leads back to a folder around it is refused by name, and the other pictures are compared") {
+  const Folders folders;
+  const fs::path elsewhere = folders.root / "elsewhere";
+  for (const fs::path& side : {folders.expected, folders.actual}) draw(side / "sub/a.png", {1, 2, 3});
+  fs::create_directory_symlink(".", folders.expected / "here");
+  fs::create_directory_symlink(folders.expected, folders.expected / "sub/up");
+  fs::create_directory_symlink(elsewhere, folders.actual / "away");
+  fs::create_directories(elsewhere);
+  fs::create_directory_symlink(folders.actual, elsewhere / "back");
+  CHECK(pictures_in(folders.expected) == std::vector<std::string>{"here", "sub/a.png", "sub/up"});
+  CHECK(pictures_in(folders.actual) == std::vector<std::string>{"away/back", "sub/a.png"});
+  fs::create_directory_symlink(folders.root, elsewhere / "above");  // which is not around it, but holds what is
+  CHECK(std::ranges::count(pictures_in(folders.actual), "away/above/actual") == 1);
+  fs::remove(elsewhere / "above");
+  for (const FilePair& pair : file_pairs(folders.expected, folders.actual)) {
+    const ComparedFiles compared = compare_files(pair);
+    INFO(compared.words);
+    CHECK(compared.verdict == (pair.name == "sub/a.png" ? Verdict::same : Verdict::unreadable));
+    CHECK(has(compared.words, pair.name == "sub/a.png" ? "equal" : pair.name + ": a link makes it lead back"));
+  }
+}
+
+TEST_CASE("Links to folders of links cannot make a walk without end") {
+  const Folders folders;
+  for (int i = 0; i < 12; ++i) {  // 4096 ways
+    const fs::path folder = folders.root / std::to_string(i), next = folders.root / std::to_string(i + 1);
+    fs::create_directories(folder);
+    for (const char* name : {"a", "b"}) fs::create_directory_symlink(next, folder / name);
+  }
+  fs::create_directories(folders.root / "12");
+  CHECK_THROWS_AS(pictures_in(folders.root / "0"), ReadError);
+}
+
+TEST_CASE("A folder that cannot be entered and a link that leads nowhere are told, and notes are not") {
+  const Folders folders;
+  for (const fs::path& side : {folders.expected, folders.actual}) {
+    draw(side / "a.png", {1, 2, 3});
+    fs::create_symlink("gone", side / "link");
+    fs::create_symlink("round", side / "round");
+    fs::create_symlink("gone.txt", side / "notes.txt");
+  }
+  CHECK(verdicts(folders) == std::vector{Verdict::same, Verdict::unreadable, Verdict::unreadable});
+}
+
+TEST_CASE("A folder that may not be read is told by its name, and the other pictures are compared") {
+  if (geteuid() == 0) {
+    WARN("skipped: root may read everything");
+    return;
+  }
+  const Folders folders;
+  for (const fs::path& side : {folders.expected, folders.actual}) {
+    draw(side / "a.png", {1, 2, 3});
+    draw(side / "sub/b.png", {1, 2, 3});
+    fs::permissions(side / "sub", fs::perms::none);
+  }
+  CHECK(verdicts(folders) == std::vector{Verdict::same, Verdict::unreadable});
+  CHECK(has(compare_files(file_pairs(folders.expected, folders.actual)[1]).words, "sub: Permission denied"));
+  for (const fs::path& side : {folders.expected, folders.actual}) fs::permissions(side / "sub", fs::perms::owner_all);
+}
+
+TEST_CASE("Folders in one another, more than files may be open, are walked") {
+  const Folders folders;
+  fs::path deep = folders.expected;
+  for (int i = 0; i < 100; ++i) deep /= "d";
+  draw(deep / "a.png", {1, 2, 3});
+  rlimit before;
+  getrlimit(RLIMIT_NOFILE, &before);
+  const rlimit few{40, before.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &few);
+  CHECK(pictures_in(folders.expected) == std::vector{(deep / "a.png").lexically_relative(folders.expected).string()});
+  setrlimit(RLIMIT_NOFILE, &before);
 }
 
 TEST_CASE("A folder that is not there is an error that names it") {
@@ -105,7 +182,7 @@ TEST_CASE("What cannot be read is told so whatever it is and the other pictures 
   write(folders.actual / "empty.png", "");
   fs::create_symlink("loop.png", folders.actual / "loop.png");
   REQUIRE(mkfifo((folders.actual / "pipe.png").c_str(), 0600) == 0);
-  fs::create_directory_symlink(folders.expected, folders.actual / "to-folder.png");
+  fs::create_directory_symlink(folders.actual, folders.actual / "to-folder.png");
   int unreadable = 0;
   for (const FilePair& pair : file_pairs(folders.expected, folders.actual)) {
     const ComparedFiles compared = compare_files(pair);

@@ -110,7 +110,8 @@ TEST_CASE("The page tells pixels off and largest group and bounding box and hist
   Image actual = plain({9, 9, 9});
   for (int x : {2, 3, 4, 5, 6}) actual.row(3)[3 * x] = 14;
   CompareReport report(head);
-  report.add(compared("a.png", plain({9, 9, 9}), actual, {.few = 9, .reason = "because of <this>"}), "cp");
+  report.add(compared("a.png", plain({9, 9, 9}), actual, {.few = 9, .small_one_in = 10, .reason = "because of <this>"}),
+             "cp");
   const std::string html = report.html();
   CHECK(has(html, ">pixels off</th><td class=\"number\">5</td><td>at most 9 may be</td>"));
   CHECK(has(html, ">largest group of them</th><td class=\"number over\">5</td><td>✗ at most 4 may be</td>"));

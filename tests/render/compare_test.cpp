@@ -122,9 +122,33 @@ TEST_CASE("In a large picture one pixel in 50000 may be off and not one more") {
   CHECK_FALSE(passed(with(scattered(13, 1000), size)));
 }
 
+TEST_CASE("In a tiny picture one pixel in 100 may be off and not one more") {
+  const Size size{30, 20};
+  CHECK(with(scattered(6, 30), size).verdict == Verdict::within_tolerance);
+  CHECK(with(scattered(7, 30), size).verdict == Verdict::different);
+  CHECK(with({{5, 5}}, {10, 10}).verdict == Verdict::within_tolerance);
+  CHECK(with({{5, 5}}, {11, 9}).verdict == Verdict::different);
+  const Tolerance usual;
+  CHECK(usual.allowed({1, 1}) == 0);
+  CHECK(usual.allowed({20, 20}) == 4);
+  CHECK(usual.allowed({799, 1}) == 7);
+}
+
+TEST_CASE("A wholly different picture is different however small it is") {
+  for (int width = 1; width <= 40; ++width)
+    for (int height = 1; height <= 40; ++height) {
+      Image white({width, height});
+      white.fill({255, 255, 255});
+      const Comparison found = compare(Image({width, height}), white);
+      CAPTURE(width, height);
+      REQUIRE(found.verdict == Verdict::different);
+      REQUIRE(found.allowed * 100 <= found.off);
+    }
+}
+
 TEST_CASE("The larger of the two limits counts and parts of a pixel do not") {
   const Tolerance usual;
-  CHECK(usual.allowed({1, 1}) == 8);
+  CHECK(usual.allowed({40, 20}) == 8);
   CHECK(usual.allowed({1000, 449}) == 8);
   CHECK(usual.allowed({50'000, 9}) == 9);
   CHECK(usual.allowed({449'999, 1}) == 8);

@@ -1,6 +1,7 @@
 #include "render/file.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -9,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,23 @@ bool has_unnamed_files(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
   if (descriptor >= 0) ::close(descriptor);
   return descriptor >= 0;
+}
+
+std::string error_of_reading(const fs::path& file, std::uintmax_t most = max_file_bytes) {
+  try {
+    read_file(file, most);
+  } catch (const ReadError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Returns: how many bytes this process has read, of whatever; nothing where the system does not count them.
+std::optional<std::uintmax_t> bytes_read_so_far() {
+  std::ifstream counts("/proc/self/io");
+  std::string key;
+  std::uintmax_t bytes = 0;
+  return counts >> key >> bytes && key == "rchar:" ? std::optional(bytes) : std::nullopt;
 }
 
 /// Writes 100,000 bytes in a process that the system ends after 1,000. Returns: the signal by which it ended.
@@ -82,6 +101,59 @@ TEST_CASE("A file that cannot be written names itself, and the old one stays") {
 TEST_CASE("A file that is not there cannot be read") {
   const Folder folder;
   REQUIRE_THROWS_AS(read_file(folder.path / "missing"), FileError);
+}
+
+TEST_CASE("What may never end is not read, and nobody is waited for: pipes, devices, folders") {
+  const Folder folder;
+  REQUIRE(mkfifo((folder.path / "pipe").c_str(), 0600) == 0);
+  for (const fs::path& path : {folder.path / "pipe", fs::path("/dev/zero"), folder.path}) {
+    INFO(path);
+    CHECK(error_of_reading(path).starts_with("cannot read " + path.string() + ": it is "));
+  }
+}
+
+TEST_CASE("A file of so many bytes is read, and one of one more is not") {
+  const Folder folder;
+  write_file(folder.path / "file", bytes);
+  CHECK(read_file(folder.path / "file", bytes.size()) == bytes);
+  CHECK(error_of_reading(folder.path / "file", bytes.size() - 1).find("it is larger than") != std::string::npos);
+  write_file(folder.path / "empty", "");
+  CHECK(read_file(folder.path / "empty", 0).empty());
+}
+
+TEST_CASE("A file that does not tell its size is read whole, and no more of it than allowed") {
+  if (!fs::exists("/proc/self/status")) {
+    WARN("skipped: no /proc");
+    return;
+  }
+  CHECK(read_file("/proc/self/status").size() > 100);
+  CHECK(error_of_reading("/proc/self/status", 100).find("it is larger than") != std::string::npos);
+}
+
+TEST_CASE("A file of 3 GiB is refused for its size before it is read") {
+  if (!bytes_read_so_far()) {
+    WARN("skipped: nobody counts what is read");
+    return;
+  }
+  const Folder folder;
+  write_file(folder.path / "large", "");
+  fs::resize_file(folder.path / "large", std::uintmax_t{3} << 30);  // no disk holds its zeros
+  const std::uintmax_t before = *bytes_read_so_far();
+  CHECK(error_of_reading(folder.path / "large").find("it is larger than 1024 MiB") != std::string::npos);
+  CHECK(*bytes_read_so_far() - before < 100'000);
+}
+
+TEST_CASE("What could not be read afterwards is not written") {
+  const Folder folder;
+  const std::size_t size = max_file_bytes + 1;  // of address space, not of memory
+  void* const nothing = ::mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  REQUIRE(nothing != MAP_FAILED);
+  const fs::path file = folder.path / "file";
+  CHECK_THROWS_WITH(
+      write_file(file, std::span(static_cast<const std::uint8_t*>(nothing), size)),
+      "cannot write " + file.string() + ": it would be larger than 1024 MiB; ask for smaller or fewer pictures");
+  ::munmap(nothing, size);
+  CHECK(entries(folder.path) == 0);
 }
 
 TEST_CASE("A program that is ended while it writes leaves nothing behind, and the old file as it was") {

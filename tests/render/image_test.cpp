@@ -3,6 +3,7 @@
 #include <png.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <array>
 #include <csignal>
@@ -63,6 +64,35 @@ std::string error_of_reading(const fs::path& path) {
     return error.what();
   }
   return "";
+}
+
+std::string error_of_decoding(std::span<const std::uint8_t> png) {
+  try {
+    decode_png(png, "it");
+  } catch (const ReadError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string big_endian(std::uint32_t value) {
+  std::string bytes;
+  for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<char>(value >> shift));
+  return bytes;
+}
+
+std::string chunk(const std::string& type, const std::string& data) {
+  const std::string checked = type + data;
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(checked.data()), static_cast<uInt>(checked.size()));
+  return big_endian(static_cast<std::uint32_t>(data.size())) + checked + big_endian(static_cast<std::uint32_t>(sum));
+}
+
+std::string deflated(const std::string& bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string packed(size, '\0');
+  REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                   static_cast<uLong>(bytes.size())) == Z_OK);
+  return packed.substr(0, size);
 }
 
 /// Writes a PNG with libpng's simplified API, for formats that write_png never uses.
@@ -176,45 +206,97 @@ TEST_CASE("reading: missing, a folder, empty, not a PNG") {
   const Folder folder;
   REQUIRE(error_of_reading(folder.path / "a.png").find("No such file") != std::string::npos);
   REQUIRE(error_of_reading(folder.path / "a.png").find((folder.path / "a.png").string()) != std::string::npos);
-  REQUIRE_FALSE(error_of_reading(folder.path).empty());
-  store(folder.path / "b.png", "");
-  REQUIRE_FALSE(error_of_reading(folder.path / "b.png").empty());
-  store(folder.path / "c.png", std::string(5000, 'x'));
-  REQUIRE_FALSE(error_of_reading(folder.path / "c.png").empty());
+  REQUIRE(error_of_reading(folder.path).find("it is a folder") != std::string::npos);
+  const fs::path path = folder.path / "b.png";
+  for (const auto& [bytes, words] : {std::pair{std::string(), "it is empty"},
+                                     {std::string(5000, 'x'), "it is not a PNG file"},
+                                     {std::string("\x89PNX"), "it is not a PNG file"},
+                                     {std::string("\x89PN"), "it is cut off"}}) {
+    store(path, bytes);
+    REQUIRE(error_of_reading(path) == "cannot read " + path.string() + ": " + words +
+                                          (words == std::string("it is cut off") ? ": its end is missing" : "") +
+                                          "; replace it with an undamaged PNG file");
+  }
 }
 
-TEST_CASE("a PNG that is cut off anywhere before its last pixels is damaged") {
-  const Folder folder;
-  const fs::path path = folder.path / "a.png";
-  write_png(path, gradient({30, 30}), {"title", ""});
-  const std::string whole = bytes_of(path);
-  for (std::size_t size = 0; size + 20 < whole.size(); size += 7) {
+TEST_CASE("a PNG that is cut off anywhere is told so, also where all pixels are there") {
+  const std::vector<std::uint8_t> whole = encode_png(gradient({30, 30}), {"title", ""});
+  for (std::size_t size = 1; size < whole.size(); ++size) {
     INFO(size << " of " << whole.size() << " bytes");
-    store(path, whole.substr(0, size));
-    REQUIRE_FALSE(error_of_reading(path).empty());
+    REQUIRE(error_of_decoding(std::span(whole).first(size)) ==
+            "cannot read it: it is cut off: its end is missing; replace it with an undamaged PNG file");
   }
 }
 
-TEST_CASE("a PNG with a flipped bit either fails with FileError or decodes, it never crashes") {
+TEST_CASE("a PNG in which any one byte is another is damaged") {
+  std::vector<std::uint8_t> bytes = encode_png(gradient({12, 12}), {"title", "a text that no pixel needs"});
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    INFO("byte " << i);
+    bytes[i] ^= 0x10;
+    REQUIRE_FALSE(error_of_decoding(bytes).empty());
+    bytes[i] ^= 0x10;
+  }
+  REQUIRE(error_of_decoding(bytes).empty());
+}
+
+TEST_CASE("what comes after the end of a PNG is no part of it") {
   const Folder folder;
   const fs::path path = folder.path / "a.png";
-  write_png(path, gradient({12, 12}), {"title", ""});
-  const std::string whole = bytes_of(path);
-  int damaged = 0;
-  for (std::size_t i = 0; i < whole.size(); ++i) {
-    std::string changed = whole;
-    changed[i] = static_cast<char>(changed[i] ^ 0x10);
-    store(path, changed);
-    damaged += error_of_reading(path).empty() ? 0 : 1;
-  }
-  REQUIRE(damaged > static_cast<int>(whole.size()) / 2);
+  write_png(path, gradient({30, 30}), {});
+  store(path, bytes_of(path) + "more");
+  REQUIRE(read_png(path) == gradient({30, 30}));
 }
 
-TEST_CASE("a header that asks for a huge picture is refused") {
+TEST_CASE("whatever chunks a PNG consists of, it is read or refused with a sentence") {
+  const std::string header = chunk("IHDR", big_endian(2) + big_endian(1) + std::string("\x08\x00\x00\x00\x00", 5)),
+                    pixels = chunk("IDAT", deflated(std::string("\0\x10\x20", 3))), end = chunk("IEND", ""),
+                    begin = "\x89PNG\r\n\x1a\n";
+  const auto read = [&](const std::string& chunks) {
+    const std::string bytes = begin + chunks;
+    return error_of_decoding({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  };
+  REQUIRE(read(header + pixels + end).empty());
+  REQUIRE(read(header + chunk("teST", "of another program") + pixels + end).empty());
+  for (const std::string& bad :
+       {end, pixels + end, header + end, header + header + pixels + end, header + chunk("IDAT", "no zlib") + end,
+        header + chunk("IDAT", deflated("")) + end, header + chunk("TEST", "must be known") + pixels + end,
+        chunk("IHDR", "") + pixels + end,
+        chunk("IHDR", big_endian(0) + big_endian(1) + std::string("\x08\x00\x00\x00\x00", 5)) + pixels + end,
+        chunk("IHDR", big_endian(2) + big_endian(1) + std::string("\x08\x07\x00\x00\x00", 5)) + pixels + end,
+        chunk("IHDR", big_endian(2) + big_endian(1) + std::string("\x08\xff\x00\x00\x00", 5)) + pixels + end})
+    REQUIRE(read(bad).starts_with("cannot read it: it "));
+}
+
+TEST_CASE("a picture that is too large is told so, and is not called damaged") {
   const Folder folder;
-  const std::vector<std::uint8_t> row(20000 * 3);
-  store_as(folder.path / "a.png", PNG_FORMAT_RGB, {20000, 1}, row.data());
-  REQUIRE(error_of_reading(folder.path / "a.png").find("16384") != std::string::npos);
+  for (const auto& [width, height] : {std::pair{16385u, 1u}, {1u, 16385u}, {2'000'000u, 2'000'000u}, {1u << 31, 1u}}) {
+    const std::string header = big_endian(width) + big_endian(height) + std::string("\x08\x02\x00\x00\x00", 5);
+    store(folder.path / "a.png", "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IEND", ""));
+    REQUIRE(error_of_reading(folder.path / "a.png") ==
+            "cannot read " + (folder.path / "a.png").string() + ": it is " + std::to_string(width) + "x" +
+                std::to_string(height) +
+                " pixels large, and at most 16384 each way can be read; compare smaller pictures");
+  }
+}
+
+TEST_CASE("the largest pictures are written and read, and one pixel more is refused by both") {
+  for (const Size size : {Size{max_image_side, 1}, Size{1, max_image_side}})
+    REQUIRE(decode_png(encode_png(gradient(size), {}), "it") == gradient(size));
+  for (const Size size : {Size{max_image_side + 1, 1}, Size{1, max_image_side + 1}})
+    REQUIRE_THROWS_AS(encode_png(Image(size), {}), FileError);
+}
+
+TEST_CASE("a short file that says it is a huge picture does not get the memory for it") {
+  const Folder folder;
+  const std::string header = big_endian(16384) + big_endian(16384) + std::string("\x08\x02\x00\x00\x00", 5);
+  store(folder.path / "a.png", "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) +
+                                   chunk("IDAT", deflated(std::string(100'000, '\0'))) + chunk("IEND", ""));
+  REQUIRE(error_of_reading(folder.path / "a.png").find("not enough data for its pixels") != std::string::npos);
+}
+
+TEST_CASE("the emptiest of pictures is not too short for its pixels") {
+  for (const int side : {1, 2, 100, 3000})
+    REQUIRE(decode_png(encode_png(Image({side, side}), {}), "it") == Image({side, side}));
 }
 
 TEST_CASE("grey, palette and alpha become RGB, alpha over white") {

@@ -180,10 +180,11 @@ CLI::App* add_compare_command(CLI::App& app, CompareCommand& compare) {
                       "folder to write index.html to: a page that shows what differs, and how to accept it");
   command->footer(
       "Decoded pixels are compared, transparent ones on white, of animations the first picture. A pixel is off when a\n"
-      "channel differs by more than 2. Pictures pass when at most 8 pixels are off (in large pictures: one in 50,000) "
-      "and\n"
-      "no group of them, joined by edges or corners, is larger than 4. In folders, a file that one side lacks is a\n"
-      "difference. If a folder holds rendered-by.json, an object of strings, the report shows it.\n"
+      "channel differs by more than 2. Pictures pass when at most 8 pixels are off (in large pictures: one in 50,000;\n"
+      "in small ones: one in 100) and no group of them, joined by edges or corners, is larger than 4. In folders, a\n"
+      "file that one side lacks is a difference, and links are followed. If a folder holds rendered-by.json, an "
+      "object\n"
+      "of strings, the report shows it.\n"
       "Exit codes: 0 the same, 1 different, 2 wrong usage, 3 a picture cannot be read, 5 cannot write.");
   return command;
 }

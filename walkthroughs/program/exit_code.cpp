@@ -72,7 +72,9 @@ void tell_crashes_of(const std::string& program) {
   copy(program, program_that_crashes);
   copy(limit.empty() ? "; if there is enough of both, please report the command" : limit, advice_on_crashes);
   const stack_t stack{.ss_sp = stack_for_crashes.data(), .ss_flags = 0, .ss_size = stack_for_crashes.size()};
-  ::sigaltstack(&stack, nullptr);
+  stack_t stack_before{};
+  if (::sigaltstack(nullptr, &stack_before) == 0 && (stack_before.ss_flags & SS_DISABLE) != 0)
+    ::sigaltstack(&stack, nullptr);
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE}) {
     struct sigaction before {};
     struct sigaction telling {};

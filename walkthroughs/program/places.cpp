@@ -3,7 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
+#include <map>
 #include <system_error>
 
 #include "walkthroughs/program/exit_code.hpp"

@@ -1,5 +1,6 @@
 // gjkstep compare, as its users run it.
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -96,7 +97,7 @@ TEST_CASE("gjkstep compare prints a line for each pair that differs and a summar
   CHECK(outcome.exit_code == 1);
   CHECK(outcome.err.empty());
   CHECK(lines(outcome.out) == std::vector<std::string>{
-                                  "2.png: different: 144 pixels are off (8 may be); the largest group is 144 pixels (4 "
+                                  "2.png: different: 144 pixels are off (1 may be); the largest group is 144 pixels (4 "
                                   "may be); all within 16x9 "
                                   "at (0, 0)",
                                   "3.png: within the tolerance: no pixel is off; channels differ by up to 2 (2 may be)",
@@ -128,6 +129,22 @@ TEST_CASE("A picture that cannot be read is exit code 3 and the others are compa
   CHECK(has(outcome.err, "replace it"));
   CHECK(has(outcome.out, "3 of 3 pictures differ (2 different, 1 unreadable)"));
   CHECK(accept_commands(sides.page()).size() == 3);  // of two pictures, and of both
+}
+
+TEST_CASE("What never ends and what is far too large is exit code 3 with the reason, and nobody waits") {
+  const Sides sides;
+  draw(sides.expected / "a.png", one);
+  const std::string a = quoted((sides.expected / "a.png").string());
+  REQUIRE(mkfifo((sides.actual / "pipe").c_str(), 0600) == 0);
+  std::ofstream(sides.actual / "large").flush();
+  fs::resize_file(sides.actual / "large", std::uintmax_t{3} << 30);
+  for (const auto& [file, reason] : {std::pair{fs::path("/dev/zero"), "it is not a regular file"},
+                                     {sides.actual / "pipe", "it is not a regular file"},
+                                     {sides.actual / "large", "it is larger than 1024 MiB"}}) {
+    const Outcome outcome = run("compare " + a + " \"" + file.string() + "\"");
+    CHECK(outcome.exit_code == 3);
+    CHECK(has(outcome.err, "cannot read " + file.string() + ": " + reason));
+  }
 }
 
 TEST_CASE("A side that is not there is exit code 3 and the message names it") {
@@ -222,7 +239,7 @@ TEST_CASE("Names of files cannot write more lines than their own") {
 TEST_CASE("gjkstep compare --help tells the rule and the exit codes") {
   const std::string help = run("compare --help").out;
   for (const char* part :
-       {"EXPECTED", "ACTUAL", "--report", "more than 2", "one in 50,000", "larger than 4", "3 a picture"})
+       {"EXPECTED", "ACTUAL", "--report", "more than 2", "one in 50,000", "one in 100", "larger than 4", "3 a picture"})
     CHECK(has(help, part));
 }
 

@@ -1,0 +1,30 @@
+/// What a PNG file consists of: a signature, and chunks up to an end chunk.
+/// https://www.w3.org/TR/png-3/
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace render {
+
+inline constexpr std::array<std::uint8_t, 8> png_signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+inline constexpr std::size_t around_png_chunk = 12;  ///< bytes: length, type and checksum
+
+/// Requires: four bytes. Returns: their number; PNG keeps the most significant byte first.
+std::uint32_t get_32(std::span<const std::uint8_t> bytes);
+
+/// Views of the file's bytes.
+struct PngChunk {
+  std::string_view type;
+  std::span<const std::uint8_t> data;
+  bool intact;  ///< whether the checksum is right
+};
+
+/// Takes the first chunk off the front of `png`, a file after its signature.
+/// Returns: nothing where `png` ends before the chunk does.
+std::optional<PngChunk> take_png_chunk(std::span<const std::uint8_t>& png);
+
+}  // namespace render
