@@ -176,6 +176,8 @@ void write_file(const fs::path& path, std::string_view text) {
   write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
+void expect_writable(const fs::path& folder) { const NewFile file(folder / "file"); }
+
 std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t most) { return OldFile(path).read(most); }
 
 }  // namespace render

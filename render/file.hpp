@@ -31,6 +31,9 @@ inline constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 30;
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Errors: FileError where no file can be made in that folder; none is left behind.
+void expect_writable(const std::filesystem::path& folder);
+
 /// Errors: ReadError, also where `path` is no regular file, such as a pipe or a device, which may never end, and where it
 /// is larger than `most` bytes. Reads no more, and waits for nobody.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uintmax_t most = max_file_bytes);

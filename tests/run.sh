@@ -37,3 +37,6 @@ build build/sanitized all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON -DGJKSTEP_SANIT
 # Mesa and LLVM keep some memory until the process ends; those leaks are left out by name.
 export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0"
 run_tests build/sanitized
+
+printf '\nMutants that nobody chose: is each noticed?\n'
+tests/mutants/mutate.py --made 3 --programs --folder build/mutants || stop "tests do not notice enough of what is broken, see above"

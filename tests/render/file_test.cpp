@@ -98,6 +98,14 @@ TEST_CASE("A file that cannot be written names itself, and the old one stays") {
   REQUIRE(entries(folder.path) == 1);  // nothing temporary
 }
 
+TEST_CASE("Whether a folder can be written to is found out without leaving anything there") {
+  const Folder folder;
+  expect_writable(folder.path);
+  CHECK(entries(folder.path) == 0);
+  REQUIRE_THROWS_AS(expect_writable(folder.path / "missing"), FileError);
+  REQUIRE_THROWS_AS(expect_writable("/proc"), FileError);
+}
+
 TEST_CASE("A file that is not there cannot be read") {
   const Folder folder;
   REQUIRE_THROWS_AS(read_file(folder.path / "missing"), FileError);

@@ -1,8 +1,13 @@
 /// gjkstep-study as its users run it.
 #include "tests/walkthroughs/program/program.hpp"
 
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+
+#include "tests/study/sweep/checksum.hpp"
 
 namespace walkthroughs::test {
 namespace {
@@ -54,6 +59,59 @@ TEST_CASE("study: what cannot be merged ends with 3 and a sentence", "[program]"
   check_failure("merge " + in(folder, "nowhere.json"), 3, {"cannot be read", "nowhere.json"});
 }
 
+TEST_CASE("study: a shard in which a count has changed ends with 3, its file and the reason", "[program]") {
+  const Folder folder;
+  CHECK(run("run " + small + "--shard 0/1 --out " + in(folder, "s")).exit_code == 0);
+  std::string text = bytes_of(folder.path() / "s" / "study.json");
+  text.replace(text.find("\"truth_changed\":0"), 17, "\"truth_changed\":1");
+  std::ofstream(folder.path() / "changed.json") << text;
+  const Untouched untouched;
+  check_failure("merge " + in(folder, "changed.json") + untouched.option, 3,
+                {"changed.json is damaged: its checksum is not that of what it says"});
+}
+
+/// A program called gnuplot that writes half of a picture where it is told to, and does not end.
+std::string slow_gnuplot(const Folder& folder) {
+  const std::filesystem::path program = folder.path() / "gnuplot";
+  std::ofstream(program) << "#!/bin/sh\n"
+                            "file=$(sed -n \"s/^set output '\\(.*\\)'$/\\1/p\")\n"
+                            "echo half >${file:-/dev/stdout}\n"
+                            "echo $$ >'"
+                         << (folder.path() / "started").string()
+                         << "'\n"
+                            "exec sleep 100\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  return "\"PATH=" + folder.path().string() + ":$PATH\"";
+}
+
+/// A process that has ended has no program, even while nobody has asked how it ended.
+bool is_running(const std::string& process) {
+  std::error_code error;
+  return !std::filesystem::read_symlink("/proc/" + process + "/exe", error).empty();
+}
+
+TEST_CASE("study: a run that is ended while it draws leaves no part of a picture and no gnuplot", "[program]") {
+  for (const int signal : {SIGTERM, SIGINT, SIGKILL}) {
+    INFO(signal);
+    const Folder folder;
+    std::ofstream(folder.path() / "script")
+        << "env --default-signal=INT " << slow_gnuplot(folder) << " " << quoted(GJKSTEP_PROGRAM) << " run " << small
+        << "--out " << in(folder, "out") << " >/dev/null 2>&1 &\nuntil [ -s " << in(folder, "started")
+        << " ]; do sleep 0.02; done\nkill -" << signal << " $!\nwait $!\n";
+    const int status = std::system(("sh " + in(folder, "script") + " 2>/dev/null").c_str());
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 128 + signal));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out")) {
+      INFO(entry.path());
+      CHECK((entry.path().extension() == ".json" || entry.path().extension() == ".csv" ||
+             entry.path().extension() == ".md"));
+    }
+    const std::string gnuplot = lines(bytes_of(folder.path() / "started")).at(0);
+    const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (is_running(gnuplot) && std::chrono::steady_clock::now() < late) std::this_thread::yield();
+    CHECK_FALSE(is_running(gnuplot));
+  }
+}
+
 TEST_CASE("study: what is no regular file is not read, though it may never end", "[program]") {
   check_failure("merge /dev/zero", 3, {"/dev/zero: is not a regular file"});
   check_failure("merge /tmp", 3, {"/tmp: is a folder"});
@@ -95,7 +153,7 @@ TEST_CASE("study: exact numbers that are wrong end with 1 after everything is wr
   exchange(R"({"truly_separated")", R"({"truly_what")");
   exchange(R"("truly_intersecting")", R"("truly_separated")");
   exchange(R"("truly_what")", R"("truly_intersecting")");
-  std::ofstream(folder.path() / "changed.json") << text;
+  std::ofstream(folder.path() / "changed.json") << study::with_checksum(text.substr(0, text.rfind(',')) + "}");
   const Outcome outcome = run("merge " + in(folder, "changed.json") + " --out " + in(folder, "m"));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 1);

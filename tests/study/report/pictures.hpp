@@ -11,14 +11,14 @@ namespace study {
 
 struct Picture {
   std::string file;    ///< "heat-map.png"
-  std::string script;  ///< for gnuplot, with its data; sets everything but the name of the output
+  std::string script;  ///< for gnuplot, with its data; the picture goes to its standard output
 };
 
 Picture error_vs_time(const Settings& settings);
 Picture heat_map(const Settings& settings);
 Picture iterations(const Settings& settings);
 
-/// Returns: whether the picture was drawn; the file is there whole or not at all.
+/// Returns: whether gnuplot drew the picture; the file is there whole or not at all. Errors: render::FileError.
 bool draw(const Picture& picture, const std::filesystem::path& folder);
 
 }  // namespace study

@@ -2,9 +2,14 @@
 #include "tests/study/report/pictures.hpp"
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
+#include "render/file.hpp"
+#include "render/image.hpp"
 #include "tests/catch.hpp"
+#include "tests/walkthroughs/support.hpp"
 
 namespace study::test {
 namespace {
@@ -68,6 +73,34 @@ TEST_CASE("Labels beside points keep clear of each other even where curves lie o
       CAPTURE(i, j, labels[i].x, labels[i].y, labels[j].x, labels[j].y);
       CHECK((std::abs(labels[i].x - labels[j].x) > 0.03 || std::abs(labels[i].y - labels[j].y) > 0.04));
     }
+}
+
+using walkthroughs::test::Folder;
+
+std::vector<std::string> names_in(const Folder& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) names.push_back(entry.path().filename());
+  return names;
+}
+
+TEST_CASE("A picture is drawn in place of the one before", "[pictures]") {
+  const Folder folder;
+  std::ofstream(folder.path() / "x.png") << "of other data";
+  REQUIRE(draw({"x.png", "set terminal png\nplot x\n"}, folder.path()));
+  CHECK(names_in(folder) == std::vector<std::string>{"x.png"});
+  CHECK_NOTHROW(render::read_png(folder.path() / "x.png"));
+}
+
+TEST_CASE("Where gnuplot fails there is no picture, not that of other data and no half of one", "[pictures]") {
+  const Folder folder;
+  std::ofstream(folder.path() / "x.png") << "of other data";
+  CHECK_FALSE(draw({"x.png", "set terminal png\nplot x\nno such command\n"}, folder.path()));
+  CHECK(names_in(folder).empty());
+}
+
+TEST_CASE("A picture that cannot be written is an error and no lack of gnuplot", "[pictures]") {
+  const Folder folder;
+  CHECK_THROWS_AS(draw({"x.png", "set terminal png\nplot x\n"}, folder.path() / "missing"), render::FileError);
 }
 
 }  // namespace

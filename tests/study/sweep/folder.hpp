@@ -15,9 +15,7 @@ inline void make_folder(const std::filesystem::path& folder) {
   if (error)
     throw render::FileError("cannot make the folder '" + folder.string() + "': " + error.message() +
                             "; name another, or make room for it");
-  const std::filesystem::path probe = folder / ".can-be-written";
-  render::write_file(probe, "");
-  std::filesystem::remove(probe, error);
+  render::expect_writable(folder);
 }
 
 }  // namespace study

@@ -14,9 +14,7 @@ namespace study {
 
 using walkthroughs::UsageError;
 
-/// What a command line may ask for.
-inline constexpr std::uint64_t most_pairs = 1'000'000'000'000;  ///< of each family
-inline constexpr unsigned most_threads = 1024;
+inline constexpr unsigned most_threads = 1024;  ///< that a command line may ask for
 
 enum class Scope { quick, full };
 

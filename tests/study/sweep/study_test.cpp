@@ -1,9 +1,15 @@
 /// Shards, files, and what is refused.
 #include "tests/study/sweep/study.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
 #include "tests/catch.hpp"
 #include "tests/study/report/tables.hpp"
 #include "tests/study/support.hpp"
+#include "tests/study/sweep/checksum.hpp"
 #include "tests/study/sweep/plan.hpp"
 
 namespace study::test {
@@ -51,7 +57,7 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-using Catch::Matchers::Contains;
+using Catch::Matchers::Contains, Catch::Matchers::StartsWith;
 
 TEST_CASE("Shards merged in any order give the tables of one run", "[study]") {
   const Study one = made(small_request());
@@ -108,32 +114,111 @@ TEST_CASE("A shard that is missing or there twice is refused by its number", "[s
   CHECK_THAT(refusal(shards), Contains("both are shard 1"));
 }
 
-TEST_CASE("A file that was changed by hand is refused", "[study]") {
+/// Returns: a shard of one family and one method, as its file says it.
+std::string one_row(const std::string& scalar = "double") {
   Request request = small_request();
   request.families = {"triangles"};
-  request.scalars = {"double"};
-  const std::string sound = to_json(made(request));
+  request.rules = {"as-intended"};
+  request.scalars = {scalar};
+  request.zero_tests = {"exact"};
+  request.limits = {5, 20};
+  return to_json(made(request, {1, 3}));
+}
+
+/// Returns: the text with the first `from` replaced, and the checksum that it then has.
+std::string resealed(std::string text, const std::string& from, const std::string& to) {
+  REQUIRE(text.find(from) != std::string::npos);
+  text.replace(text.find(from), from.size(), to);
+  return with_checksum(text.substr(0, text.rfind(',')) + "}");
+}
+
+TEST_CASE("A shard of which any byte has changed is refused", "[study]") {
+  const std::string sound = one_row();
+  REQUIRE(refusal(sound).empty());
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    std::string text = sound;
+    text[i] = static_cast<char>(text[i] ^ (1 + random() % 255));
+    CAPTURE(i, text[i], sound[i]);
+    REQUIRE_THAT(refusal(text), StartsWith("a.json is "));
+    text[i] = sound[i] == '7' ? '3' : '7';  // which often leaves JSON
+    REQUIRE_THAT(refusal(text), StartsWith("a.json is "));
+  }
+}
+
+TEST_CASE("A shard whose counts were changed by hand is refused by its checksum", "[study]") {
+  std::string text = one_row();
+  text.replace(text.find("\"seed\":3"), 8, "\"seed\":4");
+  CHECK(refusal(text) ==
+        "a.json is damaged: its checksum is not that of what it says; "
+        "make it again with 'gjkstep-study run'");
+  CHECK(refusal(resealed(one_row(), "\"seed\":3", "\"seed\":4")).empty());
+}
+
+TEST_CASE("A shard that makes no sense is refused though its checksum is right", "[study]") {
+  const std::string sound = one_row();
   struct Change {
     std::string from, to, said;
   };
   const std::vector<Change> changes{
-      {"\"limits\":[5,8,10,20,50]", "\"limits\":[]", "not ascending"},
-      {"\"limits\":[5,8,10,20,50]", "\"limits\":[5,8,10,20,2000000000]", "not ascending"},
-      {"\"limits\":[5,8,10,20,50]", "\"limits\":[5,8,10,20,49]", "49"},
+      {"\"limits\":[5,20]", "\"limits\":[]", "not ascending"},
+      {"\"limits\":[5,20]", "\"limits\":[20,5]", "not ascending"},
+      {"\"limits\":[5,20]", "\"limits\":[0,20]", "'0' not found"},
+      {"\"limits\":[5,20]", "\"limits\":[5,4294967316]", "'2147483647' not found"},
+      {"\"limits\":[5,20]", "\"limits\":[5,19.5]", "no whole number"},
+      {"\"limits\":[5,20]", "\"limits\":[5,19]", "19"},
+      {"\"seed\":3", "\"seed\":-1", "no whole number"},
+      {"\"index\":1", "\"index\":3", "there is no such shard"},
+      {"\"index\":1", "\"index\":2", "its tally is of 34 pairs, and the shard asks 33"},
+      {"\"processors\":[\"", "\"processors\":[],\"x\":[\"", "the processor is missing"},
+      {"\"name\":\"triangles\"", "\"name\":\"tringles\"", "there is no family 'tringles'"},
+      {"\"size\":null", "\"size\":101", "its size is another one"},
+      {"\"pairs\":101", "\"pairs\":1000000000001", "more pairs than there are"},
+      {"\"pairs\":101", "\"pairs\":98", "its tally is of 34 pairs, and the shard asks 33"},
+      {"\"slow_pairs\":2", "\"slow_pairs\":102", "more pairs than there are"},
+      {"\"rows\":[", "\"rows\":[],\"x\":[", "rows are missing"},
+      {"\"family\":\"triangles\"", "\"family\":\"boxes\"", "row 0 is not the one"},
+      {"\"rules\":\"as-intended\"", "\"rules\":\"as-you-like\"",
+       "rules as-you-like, scalar double, zero test exact: there is"},
+      {"gjkstep-study run", "x\\n!touch here\\n#", "control characters"},
       {"\"out_of_range\":0", "\"out_of_range\":-5", "no whole number"},
       {"\"out_of_range\":0", "\"out_of_range\":1.7", "no whole number"},
-      {"\"seed\":3", "\"seed\":-1", "no whole number"},
-      {"\"family\":\"triangles\"", "\"family\":\"boxes\"", "row 0"},
-      {"\"rules\":\"as-intended\"", "\"rules\":\"as-printed\"", "row"},
-      {"gjkstep-study run", "x\\n!touch here\\n#", "control characters"},
+      {"\"out_of_range\":0", "\"out_of_range\":1", "its tally is of 35 pairs, and the shard asks 34"},
+      {"\"not_askable\":0", "\"not_askable\":1", "its tally is of 35 pairs"},
+      {"\"exceptions\":0", "\"exceptions\":1", "its tally is of 35 pairs"},
+      {"\"exceptions\":0", "\"exceptions\":18446744073709551615", "a count is above 1000000000000"},
+      {"\"truth_changed\":0", "\"truth_changed\":35", "the truth changed of more pairs"},
+      {"\"predicates\":34", "\"predicates\":33", "34 pairs were answered, and the truth is proven of 33"},
+      {"\"returns\":[]", "\"returns\":[0,0,1]", "more queries came back"},
+      {"\"separated\":[0,", "\"separated\":[1,", "its tally is of 35 pairs"},
+      {"\"at_limit\":[]", "\"at_limit\":[0,1]", "stopped before the largest iteration limit"},
+      {"\"at_limit\":[]", "\"at_limit\":[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1]", "more than 20 iterations"},
+      {"\"queries\":34", "\"queries\":0", "a time is of queries that were not asked"},
+      {"\"queries\":34", "\"queries\":35", "a time is of queries that were not asked"},
+      {"\"queries\":34", "\"queries\":33", "a time is of queries that were not asked"},
+      {"\"nanoseconds\":", "\"nanoseconds\":99999999999999", "more than an hour"},
   };
   for (const Change& change : changes) {
     INFO(change.from << " becomes " << change.to);
-    std::string text = sound;
-    REQUIRE(text.find(change.from) != std::string::npos);
-    text.replace(text.find(change.from), change.from.size(), change.to);
-    CHECK_THAT(refusal(text), Contains("a.json is damaged") && Contains(change.said));
+    CHECK_THAT(refusal(resealed(sound, change.from, change.to)),
+               StartsWith("a.json is damaged: ") && Contains(change.said));
   }
+}
+
+TEST_CASE("Shards that the fuzzer begins with are read or refused as their names say", "[study]") {
+  for (const auto& entry : std::filesystem::directory_iterator(GJKSTEP_SHARDS)) {
+    INFO(entry.path());
+    std::ifstream file(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    CHECK(refusal(text).empty() == entry.path().filename().string().starts_with("ok-"));
+  }
+}
+
+TEST_CASE("Slow scalars are asked about the first pairs, which a shard of them adds up to", "[study]") {
+  const std::string sound = one_row("exact");
+  CHECK(refusal(sound).empty());
+  CHECK_THAT(refusal(resealed(sound, "\"slow_pairs\":2", "\"slow_pairs\":1")),
+             Contains("its tally is of 1 pairs, and the shard asks 0"));
 }
 
 TEST_CASE("Files that are none of the study's are refused with their name", "[study]") {
@@ -142,8 +227,8 @@ TEST_CASE("Files that are none of the study's are refused with their name", "[st
   CHECK_THAT(refusal(good.substr(0, good.size() / 2)), Contains("a.json is not JSON, or is cut off"));
   CHECK_THAT(refusal("[]"), Contains("not a file of gjkstep-study"));
   CHECK_THAT(refusal(R"({"gjkstep_study":99})"), Contains("format 99"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":3})"), Contains("damaged"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":3,"header":[]})"), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":4})"), Contains("damaged"));
+  CHECK_THAT(refusal(with_checksum(R"({"gjkstep_study":4,"header":[]})")), Contains("damaged"));
 }
 
 }  // namespace

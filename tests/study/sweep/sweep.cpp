@@ -45,10 +45,6 @@ struct Cell {
   Timings timings;
 };
 
-std::uint64_t pairs_of_shard(std::uint64_t pairs, const Shard& shard) {
-  return pairs > shard.index ? (pairs - shard.index - 1) / shard.count + 1 : 0;
-}
-
 /// All jobs of a plan, in order. There may be more of them than memory for a list.
 class Jobs {
  public:
@@ -150,9 +146,9 @@ class Worker {
   std::optional<Kind> ask(const Method& method, const View& view, Tally& tally) const try {
     const int limit = plan_.limits.back();
     const Outcome outcome = method.ask(*view.question, limit);
+    const int k = outcome.answer == Answer::at_limit ? method.first_return(*view.question, limit) : 0;
     tally.count(view.judgement, outcome);
-    if (outcome.answer == Answer::at_limit)
-      if (const int k = method.first_return(*view.question, limit)) count(tally.returns, k);
+    if (k > 0) count(tally.returns, k);
     return failure_kind(view.judgement.truth, outcome, plan_.failure_limit);
   } catch (const std::exception&) {
     ++tally.exceptions;

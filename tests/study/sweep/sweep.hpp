@@ -11,6 +11,8 @@
 
 namespace study {
 
+inline constexpr std::uint64_t most_pairs = 1'000'000'000'000;  ///< of a family, that may be asked
+
 /// How many pairs of a family are asked. Slow scalars are asked about the first few of them.
 struct Part {
   const Family* family;
@@ -22,6 +24,11 @@ struct Shard {
   std::uint64_t index = 0, count = 1;
   bool operator==(const Shard&) const = default;
 };
+
+/// Returns: how many of the first `pairs` of a family that are.
+inline std::uint64_t pairs_of_shard(std::uint64_t pairs, const Shard& shard) {
+  return pairs > shard.index ? (pairs - shard.index - 1) / shard.count + 1 : 0;
+}
 
 struct Plan {
   std::uint64_t seed = 1;
