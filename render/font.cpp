@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "render/limits.hpp"
+#include "render/utf8.hpp"
 
 namespace render {
 namespace {
@@ -21,42 +22,7 @@ long to_26_6(double pixels) { return std::lround(pixels * 64); }
 double from_26_6(long value) { return static_cast<double>(value) / 64; }
 int rounded_26_6(long value) { return static_cast<int>((value + 32) >> 6); }
 
-// ---------------------------------------------------------------------------------------------- UTF-8 and markup
-
-constexpr char32_t replacement = 0xFFFD;
-
-/// What the first byte of a UTF-8 sequence says.
-struct Lead {
-  std::size_t length;
-  char32_t bits;      // of the code point that the byte carries
-  char32_t smallest;  // code point that needs this length: anything below is an overlong form
-};
-
-Lead lead_of(unsigned char byte) {
-  if (byte < 0x80) return {1, byte, 0};
-  if (byte >= 0xC0 && byte < 0xE0) return {2, byte & 0x1Fu, 0x80};
-  if (byte >= 0xE0 && byte < 0xF0) return {3, byte & 0x0Fu, 0x800};
-  if (byte >= 0xF0 && byte < 0xF8) return {4, byte & 0x07u, 0x10000};
-  return {0, 0, 0};
-}
-
-/// Takes one code point off the front of `text`; of malformed bytes one, returned as U+FFFD.
-/// Requires: text is not empty.
-char32_t next_code_point(std::string_view& text) {
-  const Lead lead = lead_of(static_cast<unsigned char>(text.front()));
-  const std::string_view sequence = text.substr(0, lead.length);
-  char32_t code = lead.bits;
-  bool valid = lead.length > 0 && sequence.size() == lead.length;
-  for (std::size_t i = 1; i < sequence.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(sequence[i]);
-    valid = valid && (byte & 0xC0) == 0x80;
-    code = code << 6 | (byte & 0x3Fu);
-  }
-  const bool surrogate = code >= 0xD800 && code < 0xE000;
-  valid = valid && code >= lead.smallest && code <= 0x10FFFF && !surrogate;
-  text.remove_prefix(valid ? lead.length : 1);
-  return valid ? code : replacement;
-}
+// ---------------------------------------------------------------------------------------------- markup
 
 enum class Level { baseline, subscript };
 

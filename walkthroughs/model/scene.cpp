@@ -50,7 +50,10 @@ Point center_of(const Object& object) {
 }
 
 Scene from_center_to_center(Scene scene) {
-  scene.options.first_direction = direction_between_centers<double>(center_of(scene.a), center_of(scene.b));
+  const Point a = center_of(scene.a), b = center_of(scene.b);
+  scene.options.first_direction = scene.scalar == Scalar::binary32
+                                      ? direction_between_centers<float>(a, b).cast<double>()
+                                      : direction_between_centers<double>(a, b);
   return scene;
 }
 

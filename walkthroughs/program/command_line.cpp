@@ -1,17 +1,19 @@
 #include "walkthroughs/program/command_line.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/picture_size.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs {
 
 const Walkthrough& walkthrough_named(const std::string& name) {
   if (const Walkthrough* found = find_walkthrough(name)) return *found;
-  throw UsageError("there is no walkthrough '" + name + "'; did you mean '" + nearest_name(name) +
+  throw UsageError("there is no walkthrough " + in_quotes(name) + "; did you mean '" + nearest_name(name) +
                    "'? 'gjkstep list' shows all");
 }
 
@@ -22,12 +24,19 @@ std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {
 
 render::Size parse_size(const std::string& text) {
   if (const auto size = size_in(text)) return *size;
-  throw UsageError("--size '" + text + "': expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
+  throw UsageError("--size " + in_quotes(text) + ": expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
                    std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
 }
 
 void expect_named(const std::string& option, const std::string& name, const std::string& example) {
-  if (name.empty() || name.starts_with("--")) throw UsageError(option + " '" + name + "': name " + example);
+  if (name.empty() || name.starts_with("--")) throw UsageError(option + " " + in_quotes(name) + ": name " + example);
+}
+
+bool is_scene_file(const std::string& name) {
+  std::string end = name.substr(name.size() - std::min<std::size_t>(name.size(), 5));
+  for (char& c : end)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return end == ".json";
 }
 
 void expect_output_apart_from(const std::string& scene_file) {
@@ -50,7 +59,7 @@ render::Backend backend_named(const std::string& name, const std::string& source
     if (render::name_of(each) == name) return each;
     names.append(names.empty() ? "" : " or ").append(render::name_of(each));
   }
-  throw UsageError(source + " '" + name + "': expected " + names);
+  throw UsageError(source + " " + in_quotes(name) + ": expected " + names);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ void expect_named(const std::string& option, const std::string& name, const std:
 /// Errors: UsageError where standard output is the scene file that is to be read.
 void expect_output_apart_from(const std::string& scene_file);
 
-/// Whether a word of the command line means a scene file and not a walkthrough.
-inline bool is_scene_file(const std::string& name) { return name.ends_with(".json"); }
+/// Whether a word of the command line means a scene file and not a walkthrough: whether it ends in .json, in capitals or not.
+bool is_scene_file(const std::string& name);
 
 }  // namespace walkthroughs

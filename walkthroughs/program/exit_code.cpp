@@ -14,6 +14,8 @@
 #include "render/file.hpp"
 #include "render/font.hpp"
 #include "render/limits.hpp"
+#include "walkthroughs/program/standard_output.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace walkthroughs {
@@ -88,26 +90,26 @@ void tell_crashes_of(const std::string& program) {
 }  // namespace
 
 int exit_code_of(const std::string& program, const std::string& if_out_of_memory, const std::function<int()>& run) {
-  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
   tell_crashes_of(program);
+  StandardOutput output;
   try {
-    return run();
+    const int code = run();
+    std::cout.flush();
+    return code;
   } catch (const std::bad_alloc&) {
+    output.finish();  // what was said before the error
     std::cerr << program << ": out of memory; " << if_out_of_memory << render::memory_limit() << '\n';
     return unexpected;
   } catch (const std::system_error& error) {
-    std::cerr << program << ": " << what_failed(error) << '\n';
+    output.finish();
+    std::cerr << program << ": " << message_line(what_failed(error)) << '\n';
     return code_of_this_exception();
   } catch (const std::exception& error) {
-    std::cerr << program << ": " << error.what() << '\n';
+    output.finish();
+    std::cerr << program << ": " << message_line(error.what()) << '\n';
     return code_of_this_exception();
   }
-}
-
-void flush_output() {
-  if (!std::cout.flush())
-    throw render::FileError(
-        "cannot write to standard output; check that the disk has space left, or that who reads has not left");
 }
 
 }  // namespace walkthroughs

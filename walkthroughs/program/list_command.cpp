@@ -5,15 +5,18 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/listing.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs {
 
 void ListCommand::run() const {
-  if (name.empty()) return write_list(std::cout, catalogue());
-  std::vector<const Walkthrough*> found = find_walkthroughs(name);
-  if (found.empty()) found = walkthroughs_that_say(name);
+  if (!name) return write_list(std::cout, catalogue());
+  if (name->find_first_not_of(' ') == std::string::npos)
+    throw UsageError(in_quotes(*name) + " is no word to look for; leave it out: 'gjkstep list' shows all");
+  std::vector<const Walkthrough*> found = find_walkthroughs(*name);
+  if (found.empty()) found = walkthroughs_that_say(*name);
   if (found.empty())
-    throw UsageError("no walkthrough has or says '" + name + "'; did you mean '" + nearest_name(name) +
+    throw UsageError("no walkthrough has or says " + in_quotes(*name) + "; did you mean '" + nearest_name(*name) +
                      "'? 'gjkstep list' shows all");
   write_table(std::cout, found);
 }

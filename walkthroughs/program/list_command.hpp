@@ -2,12 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 namespace walkthroughs {
 
 struct ListCommand {
-  std::string name;
+  std::optional<std::string> name;
 
   /// Errors: UsageError where nothing has that name or says that word.
   void run() const;

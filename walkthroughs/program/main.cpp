@@ -15,6 +15,7 @@
 #include "walkthroughs/program/scene_command.hpp"
 #include "walkthroughs/program/trace_command.hpp"
 #include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace {
 
@@ -40,7 +41,7 @@ std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
     const bool is_name = walkthroughs::find_walkthrough(word) != nullptr;
-    complaint = "there is no command '" + word + "'; did you mean '" +
+    complaint = "there is no command " + walkthroughs::in_quotes(word) + "; did you mean '" +
                 (is_name ? "render " + word : walkthroughs::nearest(word, commands)) + "'?";
   }
   return complaint + (complaint.ends_with('?') ? " " : "; ") +
@@ -73,12 +74,13 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
-    walkthroughs::flush_output();
     return walkthroughs::ok;
   } catch (const CLI::ParseError& error) {
     throw UsageError(what_was_wrong(app, error));
   }
   int answer = walkthroughs::ok;
+  if (version && !app.get_subcommands().empty())
+    throw UsageError("--version stands alone; leave it out, or '" + app.get_subcommands().front()->get_name() + "'");
   if (version)
     print_version(render.gl);
   else if (*list_command)
@@ -95,12 +97,12 @@ int run(int argc, char** argv) {
     answer = query.run();
   else
     throw UsageError("what to do? 'gjkstep --help' shows the commands");
-  walkthroughs::flush_output();
   return answer;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return walkthroughs::exit_code_of("gjkstep", "ask for less, such as a smaller --size", [&] { return run(argc, argv); });
+  return walkthroughs::exit_code_of("gjkstep", "ask for less, such as fewer points or a smaller --size",
+                                    [&] { return run(argc, argv); });
 }

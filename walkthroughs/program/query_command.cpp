@@ -6,18 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <iostream>
 #include <span>
 #include <string_view>
 
-#include "render/file.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
+#include "walkthroughs/program/number_option.hpp"
+#include "walkthroughs/program/standard_output.hpp"
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
@@ -40,22 +41,13 @@ Evidence: where separated, a direction d, the points a and b farthest along d an
 simplex, its newest vertex last, each w = a - b. An index is the position in "points", from 0. Numbers are the
 shortest that read back the same in the scalar. Strings are: the fractions of exact ("1/3"), long doubles beyond all
 doubles, "inf", "-inf" and "nan".
+Where differences of points are beyond about 1e±75 (double) or 1e±8 (float), products of them overflow or vanish, and
+the answer is arbitrary; long-double and exact have room for all numbers that a line may hold.
 A bad line, also a blank one, gives {"error": "...", "line": n}, and the others are answered.
 Answers are written before more is read, so a program may ask one pair and wait.
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
 
 enum Answer { all_answered = 0, bad_lines = 3 };
-
-/// A pipe may have been set, by another program that holds it, to fail rather than wait (O_NONBLOCK).
-/// Returns: whether errno says so; then it has waited. Keeps errno.
-bool wait_for(int descriptor, short event) {
-  const int reason = errno;
-  pollfd polled{descriptor, event, 0};
-  const bool waits = reason == EAGAIN || reason == EWOULDBLOCK;
-  if (waits) ::poll(&polled, 1, -1);
-  errno = reason;
-  return waits;
-}
 
 std::size_t read_some(std::span<char> bytes) {
   for (;;) {
@@ -68,30 +60,6 @@ std::size_t read_some(std::span<char> bytes) {
   }
 }
 
-std::string what_to_do(int error_number) {
-  switch (error_number) {
-    case EPIPE: return "who reads the answers has left before the last one; let it read to the end";
-    case ENOSPC:
-    case EDQUOT: return "make room, or write to another disk";
-    default: return "check where the output goes";
-  }
-}
-
-[[noreturn]] void fail_to_write(int error_number) {
-  throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(error_number) + "; " +
-                          what_to_do(error_number));
-}
-
-void write_all(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(STDOUT_FILENO, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && wait_for(STDOUT_FILENO, POLLOUT)) continue;
-    if (count < 0) fail_to_write(errno);
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 /// Returns: the enumerator at the position of the word. Errors: UsageError.
 template <class Enumerator, std::size_t count>
 Enumerator choice(const std::string& option, const std::string& word,
@@ -99,7 +67,7 @@ Enumerator choice(const std::string& option, const std::string& word,
   const auto found = std::ranges::find(words, word);
   if (found != words.end()) return static_cast<Enumerator>(found - words.begin());
   const std::vector<std::string> known(words.begin(), words.end());
-  throw UsageError(option + " '" + word + "' is not known; did you mean '" + nearest(word, known) +
+  throw UsageError(option + " " + in_quotes(word) + " is not known; did you mean '" + nearest(word, known) +
                    "'? 'gjkstep query --help' shows all");
 }
 
@@ -118,16 +86,12 @@ int QueryCommand::run() const {
   QueryOptions options{.scalar = choice<QueryScalar>("--scalar", scalar, query_scalars),
                        .rules = choice<RuleSet>("--rules", rules, words_of::rules),
                        .zero_test = choice<ZeroTest>("--zero-test", zero_test, words_of::zero_test)};
-  if (max_iterations < 1 || max_iterations > scene_limits::iterations)
-    throw UsageError("--max-iterations " + std::to_string(max_iterations) + ": expected a whole number from 1 to " +
-                     std::to_string(scene_limits::iterations));
   options.iteration_limit = max_iterations;
   Places places;
   places.read_standard_input();
   places.write_standard_output();
   places.expect_apart();
-  std::signal(SIGPIPE, SIG_IGN);  // so that a reader who leaves is an error of writing, told like others
-  const QueryTally tally = answer_lines(options, read_some, write_all);
+  const QueryTally tally = answer_lines(options, read_some, write_to_standard_output);
   if (tally.bad == 0) return all_answered;
   std::cerr << "gjkstep: " << tally.bad << " of " << tally.lines << (tally.lines == 1 ? " line is" : " lines are")
             << " not answered; the first is line " << tally.first_bad << ", and its \"error\" says why\n";
@@ -141,8 +105,10 @@ CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
       ->capture_default_str();
   command->add_option("--rules", query.rules, words_and_meanings(gjk::rule_sets))->capture_default_str();
   command->add_option("--zero-test", query.zero_test, words_and_meanings(gjk::zero_tests))->capture_default_str();
-  command->add_option("--max-iterations", query.max_iterations, "1 to 1000; then the answer is undecided")
-      ->capture_default_str();
+  expect_number(
+      command->add_option("--max-iterations", query.max_iterations, "so many at most; then the answer is undecided")
+          ->capture_default_str(),
+      1, scene_limits::iterations);
   command->footer(footer);
   return command;
 }

@@ -16,9 +16,11 @@
 #include "walkthroughs/picture/render_frames.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
+#include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
 
@@ -101,14 +103,10 @@ class Rendering {
     std::vector<std::shared_ptr<const Story>> stories;
   };
 
-  static constexpr double shortest_frame = 0.02, longest_frame = 60;  // seconds
-
   Output checked_output() const {
     expect_named("--out", command_.out, "a folder to write to, for example --out pictures");
     if (command_.captions)
       expect_named("--captions", *command_.captions, "a file to write, for example --captions captions.json");
-    if (!(shortest_frame <= command_.frame_time && command_.frame_time <= longest_frame))
-      throw UsageError("--frame-time: expected seconds from 0.02 to 60, for example 2");
     const Look look{.style = Style(theme_named(command_.theme)),
                     .text = command_.no_captions ? Text::none : Text::around};
     return {.folder = command_.out,
@@ -153,7 +151,7 @@ class Rendering {
       report(frame);
     };
     const auto report_file = [&w](const std::filesystem::path& file) {
-      std::cout << file.string() << "  " << w.title << std::endl;
+      std::cout << printable(file.string()) << "  " << w.title << std::endl;
     };
     renderer.frames(*story, output, report_frame, command_.apng ? std::optional(command_.frame_time) : std::nullopt,
                     report_file);
@@ -166,7 +164,7 @@ class Rendering {
     static const bool terminal = isatty(STDERR_FILENO) != 0;
     const std::size_t count = frame.story.frames.size();
     if (terminal) std::cerr << "\r\033[K";
-    std::cout << frame.file.string() << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
+    std::cout << printable(frame.file.string()) << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
     if (terminal && frame.index + 1 < count)
       std::cerr << frame.story.walkthrough.name << ": frame " << frame.index + 1 << " of " << count << std::flush;
   }
@@ -175,13 +173,13 @@ class Rendering {
     const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
     const std::filesystem::path file = folder / render::rendered_by_file;
     render::write_file(file, text);
-    std::cout << file.string() << "  what drew these pictures\n";
+    std::cout << printable(file.string()) << "  what drew these pictures\n";
   }
 
   void write_captions(const std::vector<FrameFile>& written) const {
     const std::string text = captions_json(written);
     render::write_file(*command_.captions, text);
-    std::cout << *command_.captions << "  captions and descriptions of the frames\n";
+    std::cout << printable(*command_.captions) << "  captions and descriptions of the frames\n";
   }
 
   void print_movies(const Selection& selection, const Output& output) const {
@@ -214,21 +212,24 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command->add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
   command->add_option("--movie", render.movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif")
       ->check(CLI::IsMember({"mp4", "gif"}));
-  command
-      ->add_option("--frame-time", render.frame_time,
-                   "seconds for which animation and movie show a frame; the last one is shown twice as long")
-      ->capture_default_str();
+  expect_number(
+      command
+          ->add_option("--frame-time", render.frame_time,
+                       "seconds for which animation and movie show a frame; the last one is shown twice as long")
+          ->capture_default_str(),
+      0.02, 60.0);
   command->add_option("--detail", render.detail, "a frame for each decision, or for each step (iteration)")
       ->check(CLI::IsMember({"decision", "step"}))
       ->capture_default_str();
   command->add_option("--theme", render.theme, "colours and weights: for a report, for slides, or on a dark ground")
       ->check(CLI::IsMember({"report", "slides", "dark"}))
       ->capture_default_str();
-  command
-      ->add_option("--turn", render.turns,
-                   "further views of each frame of a scene in space, from all around: 000-turn-1.png, ...")
-      ->check(CLI::Range(0, 72))
-      ->capture_default_str();
+  expect_number(
+      command
+          ->add_option("--turn", render.turns,
+                       "further views of each frame of a scene in space, from all around: 000-turn-1.png, ...")
+          ->capture_default_str(),
+      0, 72);
   command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
   command->add_option("--captions", render.captions,
                       "JSON file to write: caption, description and events of each frame");

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
 namespace walkthroughs {
@@ -13,7 +14,7 @@ void SceneCommand::run() const {
   } else if (check) {
     expect_output_apart_from(*check);
     const std::string declared = summary(read_scene(*check));  // before the first word that says it is well
-    std::cout << *check << ": ok: " << declared << '\n';
+    std::cout << printable(*check) << ": ok: " << declared << '\n';
   } else {
     throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
   }

@@ -4,6 +4,7 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
@@ -16,11 +17,11 @@ void write_trace(const std::string& name) {
     return write_traces(std::cout, read_scene(name).walkthrough);
   }
   if (find_walkthrough(name) == nullptr && !find_walkthroughs(name).empty())
-    throw UsageError("'" + name + "' is a folder: name one of its walkthroughs; 'gjkstep list " + name +
+    throw UsageError(in_quotes(name) + " is a folder: name one of its walkthroughs; 'gjkstep list " + name +
                      "' shows them");
   const Walkthrough& found = walkthrough_named(name);
   if (found.layout == Layout::diagrams)
-    throw UsageError("'" + name + "' is a diagram, which no search makes: there is no trace of it");
+    throw UsageError(in_quotes(name) + " is a diagram, which no search makes: there is no trace of it");
   write_traces(std::cout, found);
 }
 

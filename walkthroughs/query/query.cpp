@@ -19,14 +19,24 @@ struct PairAsWritten {
   ObjectAsWritten a, b;
 };
 
+Numbers numbers_of(QueryScalar scalar) {
+  switch (scalar) {
+    case QueryScalar::binary32: return Numbers::floats;
+    case QueryScalar::exact: return Numbers::fractions;
+    case QueryScalar::binary64:
+    case QueryScalar::long_double: break;
+  }
+  return Numbers::doubles;
+}
+
 /// Errors: DocumentError.
-PairAsWritten read_pair(std::string_view line) {
+PairAsWritten read_pair(std::string_view line, QueryScalar scalar) {
   if (line.find_first_not_of(" \t\r") == std::string_view::npos)
     throw DocumentError(1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out");
   const Document document = Document::of_line(line);
   const Value root = document.root();
   expect_object(root, {"a", "b", "dimension"}, "an object { ... } with 'a' and 'b'");
-  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane};
+  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(scalar)};
   ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);
   return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
 }
@@ -49,7 +59,7 @@ gjk::Options<S> options_of(const PairAsWritten& pair, const QueryOptions& query)
 template <class S>
 void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
   const gjk::Options<S> options = options_of<S>(pair, query);
-  const QueryObject<S> a = query_object<S>(std::move(pair.a), "a"), b = query_object<S>(std::move(pair.b), "b");
+  const QueryObject<S> a = query_object<S>(std::move(pair.a)), b = query_object<S>(std::move(pair.b));
   const auto answer_by = [&]<class Rules>() { write_answer(gjk::collision<S, Rules>(a, b, options), out); };
   if constexpr (std::floating_point<S>)
     gjk::with_rules(query.rules, query.zero_test, answer_by);
@@ -81,7 +91,7 @@ void write_too_long(std::size_t line_number, std::string& out) {
 
 bool answer_line(std::string_view line, std::size_t line_number, const QueryOptions& options, std::string& out) {
   try {
-    answer(read_pair(line), options, out);
+    answer(read_pair(line, options.scalar), options, out);
     return true;
   } catch (const DocumentError& error) {
     write_error((error.key.empty() ? "" : error.key + ": ") + error.what(), line_number, out);

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "walkthroughs/text/printable.hpp"
+
 namespace walkthroughs {
 namespace {
 
@@ -235,12 +237,21 @@ class DocumentBuilder {
 
 namespace {
 
+[[noreturn]] void fail_at_byte_not_utf_8(std::string_view text) {
+  const std::string_view front = text.substr(0, first_not_utf_8(text).value());
+  const std::size_t line_begin = front.rfind('\n') + 1;  // 0 where there is no line break
+  throw DocumentError(1 + static_cast<int>(std::ranges::count(front, '\n')), "",
+                      "is not UTF-8 at column " + std::to_string(front.size() - line_begin + 1) + ": the byte " +
+                          printable(text.substr(front.size(), 1)) + " is no letter there; save the text as UTF-8");
+}
+
 /// Finds what the parser would take for the end of the text, or complain about less clearly.
 void require_text(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw DocumentError(1, "", "the file is empty; 'gjkstep scene --example' prints one to begin with");
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw DocumentError(1, "", "the text is UTF-16; save it as UTF-8");
+  if (!simdjson::validate_utf8(text.data(), text.size())) fail_at_byte_not_utf_8(text);
   const auto is_control = [](char c) { return '\0' <= c && c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
   if (const auto at = std::ranges::find_if(text, is_control); at != text.end()) {
     const auto lines = std::count(text.begin(), at, '\n');
@@ -352,43 +363,6 @@ void Value::fail(const std::string& reason) const { throw DocumentError(node().l
 void Value::fail_without(std::string_view key, const std::string& reason) const {
   const std::string path = document_->path(index_);
   throw DocumentError(node().line, path + (path.empty() ? "" : ".") + std::string(key), reason);
-}
-
-std::u32string code_points(std::string_view text) {
-  std::u32string points;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    const int more = lead < 0xC0 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
-    char32_t point = more == 0 ? lead : lead & (0x3Fu >> more);
-    for (int k = 0; k < more && i < text.size(); ++k)
-      point = point << 6 | (static_cast<unsigned char>(text[i++]) & 0x3Fu);
-    points += point;
-  }
-  return points;
-}
-
-bool is_printable(char32_t c) {
-  const bool control = c < 0x20 || (0x7F <= c && c < 0xA0);
-  const bool turns_or_breaks_lines = (0x200E <= c && c <= 0x200F) || (0x2028 <= c && c <= 0x202E) ||
-                                     (0x2066 <= c && c <= 0x2069) || c == 0x061C || c == 0xFEFF;
-  return !control && !turns_or_breaks_lines;
-}
-
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string out = "'";
-  std::size_t count = 0;
-  for (std::size_t begin = 0, end; begin < text.size(); begin = end) {
-    if (++count > longest) {
-      out += "…";
-      break;
-    }
-    end = begin + 1;
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
-    const std::string_view letter = text.substr(begin, end - begin);
-    out += is_printable(code_points(letter)[0]) ? std::string(letter) : "�";
-  }
-  return out + "'";
 }
 
 }  // namespace walkthroughs

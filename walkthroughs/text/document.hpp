@@ -98,13 +98,4 @@ class Value {
   Document::Index index_;
 };
 
-/// Returns: the code points of valid UTF-8.
-std::u32string code_points(std::string_view text);
-
-/// Returns: whether a terminal or a picture can show it: no control character, nothing that breaks or turns lines.
-bool is_printable(char32_t code_point);
-
-/// Returns: `text` in quotes for an error message: cut short where it is long, and without what is not printable.
-std::string in_quotes(std::string_view text);
-
 }  // namespace walkthroughs

@@ -1,6 +1,6 @@
 #include "walkthroughs/text/picture_size.hpp"
 
-#include <charconv>
+#include "walkthroughs/text/decimal.hpp"
 
 namespace walkthroughs {
 
@@ -10,13 +10,11 @@ bool is_size(const render::Size& size) {
 }
 
 std::optional<render::Size> size_in(std::string_view text) {
-  render::Size size;
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, size.width);
-  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
-  const auto height = std::from_chars(width.ptr + 1, end, size.height);
-  if (height.ec != std::errc() || height.ptr != end || !is_size(size)) return std::nullopt;
-  return size;
+  const std::size_t x = text.find('x');
+  if (x == std::string_view::npos) return std::nullopt;
+  const auto width = decimal<int>(text.substr(0, x)), height = decimal<int>(text.substr(x + 1));
+  if (!width || !height || !is_size({*width, *height})) return std::nullopt;
+  return render::Size{*width, *height};
 }
 
 }  // namespace walkthroughs

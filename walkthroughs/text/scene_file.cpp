@@ -1,10 +1,10 @@
 #include "walkthroughs/text/scene_file.hpp"
 
-#include <algorithm>
-
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/picture_size.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/scene_object.hpp"
 
@@ -33,7 +33,7 @@ void name_the_nameless(Object& a, Object& b, const Space& space) {
 
 gjk::Options<double> read_options(const Value& root, const Space& space) {
   gjk::Options<double> options;
-  if (const auto first = root.member("first_direction")) options.first_direction = space.direction(*first);
+  if (const auto first = root.member("first_direction")) options.first_direction = space.first_direction(*first);
   if (const auto limit = root.member("iteration_limit"))
     options.iteration_limit = whole_number(*limit, 1, scene_limits::iterations);
   if (const auto test = root.member("crossing_test"))
@@ -68,48 +68,22 @@ std::optional<render::Size> read_size(const Value& root) {
   return render::Size{side(sides[0]), side(sides[1])};
 }
 
-// -- Names from file names --------------------------------------------------------------------------------------------
-
-bool is_plain_letter(char c) {
-  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '.' || c == '_' || c == '-';
-}
-
-/// Returns: a name for a folder.
-std::string folder_name(const std::string& file_name) {
-  std::string name = std::filesystem::path(file_name).stem().string();
-  std::ranges::replace_if(
-      name, [](char c) { return !is_plain_letter(c); }, '-');
-  const bool is_usable = !name.empty() && name != "." && name != "..";
-  return is_usable ? name : "scene";
-}
-
-/// Returns: the stem as a title, where a title may be like that; else the name of the folder. An underscore would be read
-/// as the mark of a subscript.
-std::string title_from(const std::string& file_name) {
-  std::string stem = std::filesystem::path(file_name).stem().string();
-  const bool is_ascii = std::ranges::all_of(stem, [](char c) { return ' ' <= c && c <= '~'; });
-  const bool is_blank = stem.find_first_not_of(' ') == std::string::npos;
-  if (!is_ascii || is_blank) stem = folder_name(file_name);
-  std::ranges::replace(stem, '_', ' ');
-  return stem.substr(0, scene_limits::title);
-}
-
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_object(root,
                 {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
                  "zero_test", "scalar", "panels", "size"},
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
-  const std::string heading = title ? words(*title, scene_limits::title) : title_from(file_name);
-  const Space space{dimension_of(root)};
+  const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
   const Scalar scalar = scalar_of(root);
+  const Space space{.dimension = dimension_of(root), .numbers = numbers_of(scalar)};
   Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
   Object b = scene_object(required(root, "b", "give the second object"), space, scalar);
   name_the_nameless(a, b, space);
   const gjk::Options<double> options = read_options(root, space);
   const RuleSet rules = read_rules(root);
   const ZeroTest zero_test = read_zero_test(root);
-  Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test};
+  Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar};
   if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
     scene = from_center_to_center(std::move(scene));
   const auto panels_given = root.member("panels");
@@ -118,13 +92,13 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
 
   SceneFile file;
   file.size = size;
-  file.walkthrough.name = folder_name(file_name);
+  file.walkthrough.name = name_from_file(file_name);
   file.walkthrough.title = file.walkthrough.summary = heading;
   file.walkthrough.source = "scene file";
   file.walkthrough.layout = Layout::search;
   file.walkthrough.panels = panels;
   file.walkthrough.naming = Naming::roles;
-  file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene), root));
+  file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
   return file;
 }
 

@@ -49,8 +49,7 @@ struct SceneError : InputError {
   using InputError::InputError;
 };
 
-/// One scene as a walkthrough of Layout::search and Naming::roles. Its name is the file's without extension, with '-' for
-/// everything but letters, digits, '.', '_' and '-', so that it can name a folder.
+/// One scene as a walkthrough of Layout::search and Naming::roles. Its name is made from the file's (names.hpp).
 struct SceneFile {
   Walkthrough walkthrough;
   std::optional<render::Size> size;

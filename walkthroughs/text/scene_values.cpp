@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 
+#include "walkthroughs/model/exact_number.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
 namespace walkthroughs::reading {
@@ -55,13 +57,6 @@ double number(const Value& value) {
   return value.number();
 }
 
-double length(const Value& object, std::string_view key) {
-  const Value value = required(object, key, "give it as a positive number");
-  const double found = number(value);
-  if (!(found > 0)) value.fail("must be larger than 0, found " + number_text(found) + "; give a positive length");
-  return found;
-}
-
 int whole_number(const Value& value, int low, int high) {
   const std::string range = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
   expect(value, Kind::number, range);
@@ -81,19 +76,21 @@ std::size_t choice(const Value& value, std::span<const std::string_view> words) 
 
 std::string words(const Value& value, std::size_t longest) {
   expect(value, Kind::string, "a string");
-  const std::u32string points = code_points(value.text());
-  const bool blank = std::ranges::all_of(points, [](char32_t c) { return c == U' '; });
-  if (blank) value.fail("is empty; write something, or leave the key out");
-  if (!std::ranges::all_of(points, is_printable))
-    value.fail("has a control character, such as a line break or a tab; leave it out");
-  if (points.size() > longest)
-    value.fail("has " + std::to_string(points.size()) + " characters; shorten it to " + std::to_string(longest));
+  if (const std::string objection = objection_to_words(value.text(), longest); !objection.empty())
+    value.fail(objection);
   return value.text();
 }
 
 // -- Points -----------------------------------------------------------------------------------------------------------
 
 namespace {
+
+const std::string other_unit_or_double = "choose another unit of length, or compute in double";
+
+void expect_positive_float(const Value& value, double x) {
+  if (static_cast<float>(x) == 0)
+    value.fail(number_text(x) + " is so small that it is 0 as a float; " + other_unit_or_double);
+}
 
 [[noreturn]] void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
   const std::string hint = !space.is_plane() && count == 2 ? "; for a scene of the plane say \"dimension\": 2" : "";
@@ -121,19 +118,42 @@ Dimension dimension_of(const Value& declared) {
 
 Point Space::point(const Value& value) const {
   expect(value, Kind::list, point_words());
-  const std::vector<Value> numbers = value.children();
+  const std::vector<Value> coordinates = value.children();
   const bool may_have_two = is_plane() || two_numbers == TwoNumbers::lie_in_the_plane;
-  if (numbers.size() != 3 && !(may_have_two && numbers.size() == 2)) fail_wrong_count(*this, value, numbers.size());
+  if (coordinates.size() != 3 && !(may_have_two && coordinates.size() == 2))
+    fail_wrong_count(*this, value, coordinates.size());
   Point found = Point::Zero();
-  for (std::size_t i = 0; i < numbers.size(); ++i) found[static_cast<int>(i)] = number(numbers[i]);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) found[static_cast<int>(i)] = coordinate(coordinates[i]);
   if (is_plane() && found.z() != 0)
-    numbers[2].fail("must be 0, because the scene has \"dimension\": 2; found " + number_text(found.z()));
+    coordinates[2].fail("must be 0, because the scene has \"dimension\": 2; found " + number_text(found.z()));
   return found;
 }
 
 Point Space::direction(const Value& value) const {
-  const Point found = point(value);
+  const Point found = Space{dimension, two_numbers}.point(value);
   if (found.isZero(0)) value.fail("has no length; give a direction other than zero");
+  return found;
+}
+
+Point Space::first_direction(const Value& value) const {
+  const Point found = direction(value);
+  point(value);  // each of its numbers is one that the search can have
+  if (numbers == Numbers::floats) expect_positive_float(value, found.cwiseAbs().maxCoeff());
+  return found;
+}
+
+double Space::length(const Value& object, std::string_view key) const {
+  const Value value = required(object, key, "give it as a positive number");
+  const double found = coordinate(value);
+  if (!(found > 0)) value.fail("must be larger than 0, found " + number_text(found) + "; give a positive length");
+  if (numbers == Numbers::floats) expect_positive_float(value, found);
+  return found;
+}
+
+double Space::coordinate(const Value& value) const {
+  const double found = number(value);
+  if (numbers == Numbers::floats && !std::isfinite(static_cast<float>(found)))
+    value.fail(number_text(found) + " is beyond the largest float, 3.4e38; " + other_unit_or_double);
   return found;
 }
 
@@ -187,7 +207,7 @@ struct FieldReader {
   void operator()(field::Direction direction, Point& to) const {
     to = space.direction(required(value, direction.name, "give it as a direction [x, y, z]"));
   }
-  void operator()(field::Length length, double& to) const { to = reading::length(value, length.name); }
+  void operator()(field::Length length, double& to) const { to = space.length(value, length.name); }
   void operator()(field::Places, Points& to) const {
     expect(value, Kind::list, "a list of points");
     const std::vector<Value> children = value.children();
@@ -226,7 +246,12 @@ AnyShape read_shape(const Value& object, const Space& space, int sums_around) {
   const Value value = shape_of(object);
   AnyShape shape;
   for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
-    if (value.key() == ShapeRow<Shape>::key) read_fields(value, space, sums_around, shape.emplace<Shape>());
+    if (value.key() != ShapeRow<Shape>::key) return;
+    if (space.numbers == Numbers::fractions && !CanBeAsked<typename ShapeRow<Shape>::template In<Exact>>)
+      object.fail("a " + std::string(ShapeRow<Shape>::kind) +
+                  " cannot be asked in exact numbers, because its points need square roots; give points, or "
+                  "choose another --scalar");
+    read_fields(value, space, sums_around, shape.emplace<Shape>());
   });
   return shape;
 }
@@ -282,13 +307,6 @@ Scalar scalar_of(const Value& declared) {
   return scalar ? static_cast<Scalar>(choice(*scalar, words_of::scalar)) : Scalar::binary64;
 }
 
-Scene in_its_scalar(Scene scene, const Value& declared) {
-  if (scalar_of(declared) == Scalar::binary64) return scene;
-  try {
-    return in_float(std::move(scene));
-  } catch (const std::range_error& error) {
-    declared.member("scalar")->fail(std::string(error.what()) + "; choose another unit of length, or \"double\"");
-  }
-}
+Scene in_its_scalar(Scene scene) { return scene.scalar == Scalar::binary32 ? in_float(std::move(scene)) : scene; }
 
 }  // namespace walkthroughs::reading

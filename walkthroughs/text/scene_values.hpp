@@ -29,8 +29,6 @@ inline void expect_object(const Value& value, const Keys& keys, std::string_view
 Value required(const Value& object, std::string_view key, std::string_view what_to_do);
 
 double number(const Value& value);
-/// Returns: the positive number of that key.
-double length(const Value& object, std::string_view key);
 int whole_number(const Value& value, int low, int high);
 /// Returns: the position of the word in `words`.
 std::size_t choice(const Value& value, std::span<const std::string_view> words);
@@ -43,15 +41,28 @@ Dimension dimension_of(const Value& declared);
 /// What points of two numbers mean in space.
 enum class TwoNumbers { refused, lie_in_the_plane };
 
-/// Where a scene lies decides what a point looks like.
+/// The numbers that are asked: all of the text must be some, and exact fractions know no square roots.
+enum class Numbers { doubles, floats, fractions };
+
+inline Numbers numbers_of(Scalar scalar) { return scalar == Scalar::binary32 ? Numbers::floats : Numbers::doubles; }
+
+/// Where a scene lies decides what a point looks like, and what it is asked in, what its coordinates may be.
 struct Space {
   Dimension dimension;
   TwoNumbers two_numbers = TwoNumbers::refused;
+  Numbers numbers = Numbers::doubles;
 
   bool is_plane() const { return dimension == Dimension::plane; }
   std::string_view point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }
   Point point(const Value& value) const;
+  /// Only the ratios of its numbers count: these may be any.
   Point direction(const Value& value) const;
+  Point first_direction(const Value& value) const;
+  /// Returns: the positive number of that key.
+  double length(const Value& object, std::string_view key) const;
+
+ private:
+  double coordinate(const Value& value) const;
 };
 
 /// Returns: the keys of an object that may have a name and a pose.
@@ -72,7 +83,7 @@ gjk::Vec3<float> direction_in_float(const Point& direction);
 
 /// Returns: what `declared` says with its key "scalar"; double where there is none.
 Scalar scalar_of(const Value& declared);
-/// Returns: the scene in the scalar that `declared` asks for with its key "scalar"; in doubles where there is none.
-Scene in_its_scalar(Scene scene, const Value& declared);
+/// Returns: the scene with its numbers rounded to its scalar, which can hold all of them.
+Scene in_its_scalar(Scene scene);
 
 }  // namespace walkthroughs::reading

@@ -14,6 +14,17 @@ constexpr double roundings = 1024;
 
 double largest(const Point& p) { return p.cwiseAbs().maxCoeff(); }
 
+/// Multiplies lengths by a power of two, which rounds nothing that is not as small as its new unit of rounding.
+struct Scaled {
+  int exponent;
+
+  double length(double x) const { return std::scalbn(x, exponent); }
+  Point point(const Point& p) const {
+    return p.unaryExpr([this](double x) { return length(x); });
+  }
+  Point direction(const Point& d) const { return d; }
+};
+
 /// One overload for each form.
 class Objection {
  public:
@@ -52,7 +63,7 @@ class Objection {
     const double half = cylinder.height / 2, radius = cylinder.radius;
     const double allowed = allowance(bound_of(cylinder));
     const Point axis = turned(cylinder.axis.stableNormalized()), from_center = found_.point - pose_(cylinder.center);
-    const double height = from_center.dot(axis), distance = (from_center - height * axis).norm();
+    const double height = from_center.dot(axis), distance = (from_center - height * axis).stableNorm();
     const bool in_cap = std::abs(std::abs(height) - half) <= allowed;
     const bool on_rim = std::abs(distance - radius) <= allowed;
     if (!in_cap || !(on_rim || distance <= allowed)) return "lies neither on a rim nor in the middle of a cap";
@@ -61,18 +72,21 @@ class Objection {
     return from_center.dot(along_) >= reach - 3 * allowed ? "" : "is not the farthest point of the cylinder";
   }
 
-  /// Seen from the sum at rest.
+  /// Seen from the sum at rest, and as if it were about as large as 1: the products of lengths neither vanish nor overflow.
   std::string operator()(const Sum& sum) const {
     if (found_.index) return on_an_object_without_list();
     const double size = bound_of(sum), allowed = 3 * allowance(size) + vanished();
     if (may_overflow(size)) return "";
     const Eigen::Matrix3d back = pose_.rotation.transpose();
     const Frame frame(back * along_);
-    const FarthestFace farthest = farthest_face(sum, frame, {allowed, roundings * precision_.epsilon});
-    const Point point = back * (found_.point - pose_.translation);
-    if (!(std::abs(point.dot(frame.d) - farthest.reach) <= allowed))
+    const Scaled scaled{size > 0 ? -std::ilogb(size) : 0};
+    const double tolerance = scaled.length(allowed);
+    const FarthestFace farthest =
+        farthest_face(converted<double>(AnyShape(sum), scaled), frame, {tolerance, roundings * precision_.epsilon});
+    const Point point = scaled.point(back * (found_.point - pose_.translation));
+    if (!(std::abs(point.dot(frame.d) - farthest.reach) <= tolerance))
       return "does not reach as far as the sum, whose farthest points are the sums of the farthest points of its two";
-    if (!(distance(frame.across(point), farthest.hull) <= farthest.slack + allowed))
+    if (!(distance(frame.across(point), farthest.hull) <= farthest.slack + tolerance))
       return "is not a sum of farthest points of the two that are added up";
     return "";
   }

@@ -8,6 +8,7 @@
 
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs {
 
@@ -19,8 +20,6 @@ struct Contradiction : std::runtime_error {
 inline void require(bool holds, const std::string& reason) {
   if (!holds) throw Contradiction(reason);
 }
-
-inline std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
 
 inline std::string written(const Point& p) {
   return "[" + number_text(p.x()) + ", " + number_text(p.y()) + ", " + number_text(p.z()) + "]";

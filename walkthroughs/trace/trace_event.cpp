@@ -5,6 +5,7 @@
 
 #include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/trace/trace_values.hpp"
 
 namespace walkthroughs {

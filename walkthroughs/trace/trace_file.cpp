@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/trace/trace_check.hpp"
 #include "walkthroughs/trace/trace_event.hpp"
 #include "walkthroughs/trace/trace_header.hpp"

@@ -6,6 +6,8 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/precision.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/names.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_values.hpp"
 
@@ -49,18 +51,19 @@ Scene read_scene(const Value& value) {
                  "zero_test", "scalar"},
                 "an object that describes a scene");
   const std::string name = words(member(value, "name"), scene_limits::name);
-  const Space space{whole_number(member(value, "dimension"), 2, 3) == 2 ? Dimension::plane : Dimension::space};
-  const auto in = value.member("scalar");
-  const Scalar scalar = in ? enumerator<Scalar>(*in, words_of::scalar) : Scalar::binary64;
+  const Scalar scalar = scalar_of(value);
+  const Space space{
+      .dimension = whole_number(member(value, "dimension"), 2, 3) == 2 ? Dimension::plane : Dimension::space,
+      .numbers = numbers_of(scalar)};
   Object a = read_object(member(value, "a"), space, scalar), b = read_object(member(value, "b"), space, scalar);
   const gjk::Options<double> options{
-      .first_direction = space.direction(member(value, "first_direction")),
+      .first_direction = space.first_direction(member(value, "first_direction")),
       .iteration_limit = whole_number(member(value, "iteration_limit"), 1, scene_limits::iterations),
       .crossing_test = enumerator<gjk::CrossingTest>(member(value, "crossing_test"), words_of::crossing_test)};
   const auto rules = enumerator<RuleSet>(member(value, "rules"), words_of::rules);
   const auto zero = value.member("zero_test");
   const ZeroTest zero_test = zero ? enumerator<ZeroTest>(*zero, words_of::zero_test) : ZeroTest::exact;
-  return in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules, zero_test}, value);
+  return in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar});
 }
 
 std::vector<Scene> read_scenes(const Value& value) {
@@ -130,20 +133,11 @@ void read_presentation(const Value& value, Walkthrough& walkthrough) {
     layout.fail("'close_up' is there exactly where the layout is 'close-ups'");
 }
 
-/// Names like "regions/2-simplex-r3": pictures go to a folder of that name, which must not lie elsewhere.
+/// A name like "regions/2-simplex-r3".
 std::string read_name(const Value& value) {
-  const std::string name = words(value, trace_limits::name);
-  const auto is_plain = [](char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-';
-  };
-  bool is_begin = true;
-  for (const char c : name + "/") {
-    const bool is_good = is_begin ? is_plain(c) : is_plain(c) || c == '.' || c == '/';
-    if (!is_good)
-      value.fail(in_quotes(name) + " cannot name a folder; use letters, digits, '_', '-', and inside of words '.'");
-    is_begin = c == '/';
-  }
-  return name;
+  expect(value, Kind::string, "a string");
+  if (const std::string objection = objection_to_name(value.text()); !objection.empty()) value.fail(objection);
+  return value.text();
 }
 
 /// Whether this is a trace, and one that this program knows: before anything else can look wrong about it.

@@ -8,7 +8,7 @@ namespace walkthroughs {
 /// Beside these, scene_limits hold for objects, and document_limits for each line.
 namespace trace_limits {
 inline constexpr std::size_t bytes = 64 << 20;
-inline constexpr std::size_t name = 200, words = 1000;  ///< characters: of a walkthrough, of a sentence
+inline constexpr std::size_t words = 1000;  ///< characters of a sentence
 inline constexpr std::size_t remarks = 100;
 inline constexpr std::size_t corners = 26;         ///< of a hull whose corners have letters
 inline constexpr std::size_t differences = 10000;  ///< of vertices, where corners have letters

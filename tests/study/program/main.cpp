@@ -1,6 +1,5 @@
 // gjkstep-study: measure the trade of speed against accuracy. Reads the command line, turns failures into exit codes.
 #include <CLI/CLI.hpp>
-#include <csignal>
 
 #include "tests/study/program/commands.hpp"
 #include "walkthroughs/program/exit_code.hpp"
@@ -21,21 +20,18 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
-    walkthroughs::flush_output();
     return walkthroughs::ok;
   } catch (const CLI::ParseError& error) {
     throw study::UsageError(std::string(error.what()) + "; 'gjkstep-study --help' and 'gjkstep-study COMMAND --help' " +
                             "show what there is");
   }
   commands.run();
-  walkthroughs::flush_output();
   return walkthroughs::ok;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that is not there, or a reader who leaves, is an error of writing
   return walkthroughs::exit_code_of("gjkstep-study", "ask for fewer --families or --threads, or merge fewer files",
                                     [&] { return run(argc, argv); });
 }

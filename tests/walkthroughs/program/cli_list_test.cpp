@@ -82,6 +82,11 @@ TEST_CASE("gjkstep list WORD finds names, titles and cases, whatever the capital
     if (line.starts_with("regions/2-simplex-r7 ")) CHECK(has(line, " R7: "));
 }
 
+TEST_CASE("A blank word is no word to look for") {
+  check_failure("list ''", 2, {"'' is no word to look for; leave it out"});
+  check_failure("list '  '", 2, {"'  ' is no word to look for"});
+}
+
 TEST_CASE("A word that no walkthrough says, and a name without its folder, get the name that was meant") {
   const Outcome unknown = run("list figrue-4");
   CHECK(unknown.exit_code == 2);

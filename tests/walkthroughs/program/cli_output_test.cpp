@@ -59,6 +59,38 @@ TEST_CASE("Standard output that is full is exit code 5") {
     INFO(command);
     const Outcome outcome = run(command, "", {.out = "/dev/full", .err = ""});
     CHECK(outcome.exit_code == 5);
-    CHECK(has(outcome.err, "standard output"));
+    CHECK(outcome.err ==
+          "gjkstep: cannot write to standard output: No space left on device; make room on the disk, or "
+          "write to another one\n");
   }
+}
+
+namespace {
+
+/// Runs the program with nobody who reads what it prints.
+Outcome run_unread(const std::string& arguments) {
+  const Folder folder;
+  const fs::path err = folder.path() / "stderr", code = folder.path() / "code";
+  // The reader has ended before the program begins.
+  const std::string command = "{ sleep 0.1; " + quoted(GJKSTEP_PROGRAM) + " " + arguments + " 2>" +
+                              quoted(err.string()) + "; echo $? >" + quoted(code.string()) + "; } | true";
+  REQUIRE(std::system(command.c_str()) == 0);
+  return {std::stoi(bytes_of(code)), "", bytes_of(err)};
+}
+
+}  // namespace
+
+TEST_CASE("Who does not read what is printed is told so, and what was asked for ends") {
+  const Folder folder;
+  const std::string out = " --out " + quoted(folder.path().string());
+  for (const std::string& command : {std::string("trace cycle-intersecting"), std::string("list"),
+                                     std::string("--help"), "render --all --size 32x18" + out}) {
+    INFO(command);
+    const Outcome outcome = run_unread(command);
+    CHECK(outcome.exit_code == 5);
+    CHECK(outcome.err ==
+          "gjkstep: cannot write to standard output: Broken pipe; who reads it has left before the end; "
+          "let it read all\n");
+  }
+  CHECK(listing(folder.path()).size() < 20);
 }

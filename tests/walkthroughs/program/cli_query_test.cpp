@@ -87,7 +87,7 @@ TEST_CASE("Output that cannot be written is exit code 5, also where its reader l
   const Outcome left = shell("{ " + many + "$program query; echo $? >$folder/code; } | head -n 1; cat $folder/code");
   REQUIRE(lines(left.out).size() == 2);
   CHECK(lines(left.out)[1] == "5");
-  CHECK(has(left.err, "Broken pipe; who reads the answers has left"));
+  CHECK(has(left.err, "Broken pipe; who reads it has left before the end"));
   const Outcome closed = shell("echo x | $program query >&-");
   CHECK(closed.exit_code == 5);
   CHECK(has(closed.err, "Bad file descriptor; check where the output goes"));
@@ -209,16 +209,13 @@ TEST_CASE("gjkstep query waits where its pipes do not, for who reads its answers
 TEST_CASE("What gjkstep query does not know is exit code 2 with the word that was probably meant") {
   check_failure("query --scalar duoble", 2, {"--scalar 'duoble' is not known", "did you mean 'double'"});
   check_failure("query --rules as-print", 2, {"did you mean 'as-printed'"});
-  check_failure("query --max-iterations 0", 2, {"--max-iterations 0", "from 1 to 1000"});
-  check_failure("query --max-iterations 1001", 2, {"from 1 to 1000"});
-  check_failure("query --max-iterations ten", 2, {"--max-iterations"});
   check_failure("query pairs.jsonl", 2, {"pairs.jsonl"});
 }
 
 TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
   const std::string help = shell("$program query --help").out;
   for (const char* part : {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"",
-                           "\"sum\"", "\"evidence\"", "\"error\"", "16 MiB", "Exit codes"})
+                           "\"sum\"", "\"evidence\"", "\"error\"", "16 MiB", "1e±75", "Exit codes"})
     CHECK(has(help, part));
 }
 

@@ -31,6 +31,14 @@ TEST_CASE("A scene file is rendered at the size that it asks for, beside walkthr
   CHECK(size_of(out / "mine" / "000.png") == render::Size{64, 36});
 }
 
+TEST_CASE("A scene file may end in capitals") {
+  const Folder folder;
+  const fs::path scene = scene_file(folder.path() / "MINE.JSON"), out = folder.path() / "out";
+  CHECK(run("trace " + quoted(scene.string())).exit_code == 0);
+  CHECK(run("render " + quoted(scene.string()) + " --out " + quoted(out.string())).exit_code == 0);
+  CHECK(fs::exists(out / "MINE" / "000.png"));
+}
+
 TEST_CASE("Two scene files that would write to the same folder are refused, and nothing is written") {
   const Folder folder;
   const std::string one = quoted(scene_file(folder.path() / "mine.json").string());

@@ -63,6 +63,22 @@ TEST_CASE("gjkstep render --from-trace draws the files that the walkthrough itse
   }
 }
 
+TEST_CASE("gjkstep render --from-trace takes the trace of a scene file of whatever name") {
+  const Folder folder;
+  const fs::path trace = folder.path() / "trace.jsonl", out = folder.path() / "out";
+  for (const std::string& stem : {std::string("_"), std::string(".s"), std::string("- -"), std::string("größe\x1b[2J"),
+                                  std::string("\xff"), std::string(250, 'x')}) {
+    INFO(stem);
+    const fs::path scene = scene_file(folder.path() / (stem + ".json"));
+    REQUIRE(run("trace " + quoted(scene.string()), "", {.out = trace.string(), .err = ""}).exit_code == 0);
+    const Outcome drawn = run("render --size 32x18 --detail step --from-trace " + quoted(trace.string()) + " --out " +
+                              quoted(out.string()));
+    CHECK(drawn.exit_code == 0);
+    CHECK(drawn.err.empty());
+  }
+  CHECK(fs::exists(out / "s" / "000.png"));
+}
+
 TEST_CASE("The changed trace in the README is refused as the README says") {
   std::string text = run("trace figure-4-right").out;
   const std::string verdict = "\"verdict\":\"not-crossed\"";

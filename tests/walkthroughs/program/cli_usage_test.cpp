@@ -1,5 +1,8 @@
 // Help, and what is refused as wrong usage: exit code 2.
 
+#include <filesystem>
+#include <fstream>
+
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
@@ -34,6 +37,11 @@ TEST_CASE("The option --version prints the version and the OpenGL renderer") {
   CHECK(outcome.err.empty());
   CHECK(outcome.out.starts_with("gjkstep 0."));
   CHECK(has(outcome.out, "OpenGL "));
+}
+
+TEST_CASE("The option --version stands alone") {
+  check_failure("--version list", 2, {"--version stands alone; leave it out, or 'list'"});
+  check_failure("--version trace figure-5", 2, {"or 'trace'"});
 }
 
 TEST_CASE("Without a command, or with one that there is not, the program says where to find help") {
@@ -77,13 +85,83 @@ TEST_CASE("A size that is not WIDTHxHEIGHT within the limits is refused, and not
   }
 }
 
-TEST_CASE(
-    "A movie that there is not, a time that is none, a theme or a number of turns that there is not are refused") {
-  for (const char* option : {"--movie avi", "--frame-time 0", "--frame-time 0.01", "--frame-time -1", "--frame-time 61",
-                             "--frame-time nan", "--frame-time inf", "--frame-time two", "--theme blue", "--turn 73",
-                             "--turn -1", "--turn some", "--turn 1.5"}) {
+TEST_CASE("A movie or a theme that there is not is refused") {
+  for (const std::string option : {"--movie", "--theme"}) {
     const Untouched untouched;
-    const std::string name = std::string(option).substr(0, std::string(option).find(' '));
-    check_failure("render figure-5 " + std::string(option) + untouched.option, 2, {name});
+    check_failure("render figure-5 " + option + " blue" + untouched.option, 2, {option});
+  }
+}
+
+TEST_CASE("Numbers on the command line are decimal and each option has one range and one reason") {
+  const Untouched untouched;
+  const std::string render = "render figure-5" + untouched.option + " ";
+  for (const auto& [option, expected] : std::vector<std::pair<std::string, std::string>>{
+           {render + "--turn", "--turn: expected a whole number from 0 to 72, found "},
+           {render + "--frame-time", "--frame-time: expected a number from 0.02 to 60, found "},
+           {"query --max-iterations", "--max-iterations: expected a whole number from 1 to 1000, found "}})
+    for (const char* const number : {"-1", "1001", "2147483648", "99999999999999999999", "1e400", "", " ", "0x10", "x",
+                                     "+5", "5 ", "5,5", "nan", "inf", "ten"})
+      check_failure(option + " " + quoted(number), 2, {expected + quoted(number)});
+  for (const std::string option : {"--turn", "--max-iterations"})
+    check_failure((option == "--turn" ? render : "query ") + option + " 1.5", 2,
+                  {option + ": expected a whole number"});
+  for (const char* const time : {"0", "0.01", "60.1", "0x1p1"})
+    check_failure(render + "--frame-time " + time, 2, {"from 0.02 to 60, found " + quoted(time)});
+}
+
+TEST_CASE("A number on the command line that begins with 0 is decimal, too") {
+  const Folder folder;
+  const Outcome outcome =
+      run("render cycle-separated --detail step --size 32x18 --turn 010 --out " + quoted(folder.path().string()));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(outcome.out, "000-turn-10.png"));
+}
+
+TEST_CASE("Whatever a word of the command line holds is told in one line that a terminal shows as it is") {
+  const Folder folder;
+  const std::string hostile = "\x1b[31m\xe2\x80\xaex\xff\n", escaped = "\\x1b[31m\\u202ex\\xff\\x0a";
+  std::ofstream(folder.path() / (hostile + ".json")) << "{}";
+  const std::string bad_scene = "'" + folder.path().string() + "/$.json'";
+  for (const std::string& words : std::vector<std::string>{"list '$'",
+                                                           "render '$'",
+                                                           "trace '$'",
+                                                           "'$'",
+                                                           "--'$'",
+                                                           "list --'$'",
+                                                           "render figure-5 --theme '$'",
+                                                           "render figure-5 --size '$'",
+                                                           "render figure-5 --turn '$'",
+                                                           "render figure-5 --movie '$'",
+                                                           "render figure-5 --gl '$'",
+                                                           "query --rules '$'",
+                                                           "query --max-iterations '$'",
+                                                           "query '$'",
+                                                           "scene --check '$'",
+                                                           "scene --check " + bad_scene,
+                                                           "render " + bad_scene,
+                                                           "render '$.json'",
+                                                           "trace '$.json'",
+                                                           "render --from-trace '$'",
+                                                           "compare '$' '$'"}) {
+    std::string arguments = words;
+    for (std::size_t at; (at = arguments.find('$')) != std::string::npos;) arguments.replace(at, 1, hostile);
+    const Outcome outcome = run(arguments);
+    INFO(words << ": " << outcome.err);
+    CHECK((outcome.exit_code == 2 || outcome.exit_code == 3));
+    CHECK(has(outcome.err, escaped));
+    CHECK(lines(outcome.err).size() == 1);
+  }
+}
+
+TEST_CASE("A long word of the command line is told shortened") {
+  const std::string longest(100'000, 'y');
+  for (const std::string words : {"list ", "render ", "trace ", "", "--", "query --rules ", "render figure-5 --size ",
+                                  "render figure-5 --turn ", "render figure-5 --theme ", "scene --check "}) {
+    const Outcome outcome = run(words + longest);
+    INFO(words << outcome.err.substr(0, 1000));
+    CHECK((outcome.exit_code == 2 || outcome.exit_code == 3));
+    CHECK(outcome.err.size() < 1000);
+    CHECK(has(outcome.err, "yyy…"));
   }
 }

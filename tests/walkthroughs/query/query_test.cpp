@@ -292,9 +292,11 @@ TEST_CASE("Eager rules search from where the poses put the centers, and need one
   CHECK(beyond["iterations"] == 1);  // their distance is no float, so the search begins along +x
 }
 
-TEST_CASE("Points of the plane have two numbers, or a third that is 0, a pair may say that it is planar, as scenes do") {
+TEST_CASE(
+    "Points of the plane have two numbers, or a third that is 0, a pair may say that it is planar, as scenes do") {
   const std::string flat = R"({"points":[[0,0],[2,0],[0,2]]})", also_flat = R"({"points":[[0,0,0],[2,0,0],[0,2,0]]})";
-  const std::string disc = R"({"sphere":{"center":[3,3],"radius":1}})", a_ball = R"({"sphere":{"center":[3,3,0],"radius":1}})";
+  const std::string disc = R"({"sphere":{"center":[3,3],"radius":1}})",
+                    a_ball = R"({"sphere":{"center":[3,3,0],"radius":1}})";
   CHECK(answer(pair_of(flat, disc)) == answer(pair_of(also_flat, a_ball)));
   const auto planar = [](const std::string& a, const std::string& b) {
     return answer("{\"dimension\":2,\"a\":" + a + ",\"b\":" + b + "}");
@@ -398,8 +400,10 @@ TEST_CASE("A bad line is told with its number, its place and what to do") {
            {pair_of(dot, dot) + " // no", "is not JSON"},
            {pair_of(dot, dot).substr(0, 30), "is not JSON"},
            {std::string("{\"a\"\0}", 6), "there is a byte 0"},
-           {"{\"\xFF\":1}", "is not JSON"},
-           {"{\"\xC3\":1}", "is not JSON"},
+           {"{\"\xFF\":1}", "is not UTF-8 at column 3: the byte \\xff is no letter there; save the text as UTF-8"},
+           {"{\"\xC3\":1}", "is not UTF-8 at column 3: the byte \\xc3"},
+           {"{\"\xE2\x80\xAE\x1B\":1}", "there is a byte 27"},
+           {R"({"\u202e\u001b":1})", "\\u202e\\x1b: is not a key"},
            {"{\"\\ud800\":1}", "is not JSON"},
            {"\xFF\xFE{", "UTF-16"},
            {std::string(1000000, '['), "too many brackets"},
@@ -423,14 +427,17 @@ TEST_CASE("A set may have as many points as in scene files and not one more") {
 TEST_CASE("What a float cannot hold is told and not taken for infinite or nothing") {
   const QueryOptions in_float{.scalar = QueryScalar::binary32};
   for (const auto& [object, part] : std::vector<std::pair<std::string, std::string>>{
-           {R"({"points":[[1e39,0,0]]})", "1e+39 is beyond the largest float"},
-           {R"({"sphere":{"center":[0,-1e40,0],"radius":1}})", "-1e+40 is beyond"},
-           {R"({"sphere":{"center":[0,0,0],"radius":1e-46}})", "1e-46 is so small that it is 0 as a float"},
-           {R"({"cylinder":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":1e-60}})", "1e-60 is so small"},
-           {R"({"sum":[{"points":[[0,0,0]]},{"sphere":{"center":[0,0,0],"radius":1e-46}}]})", "1e-46 is so small"},
-           {R"({"points":[[0,0,0]],"pose":{"translation":[1e39,0,0]}})", "1e+39 is beyond"}}) {
-    CHECK(has(error_of(pair_of(dot, object), in_float), "b: " + part));
-    CHECK(has(error_of(pair_of(object, dot), in_float), "a: " + part));
+           {R"({"points":[[0,0,0],[1e39,0,0]]})", ".points[1][0]: 1e+39 is beyond the largest float"},
+           {R"({"sphere":{"center":[0,-1e40,0],"radius":1}})", ".sphere.center[1]: -1e+40 is beyond"},
+           {R"({"sphere":{"center":[0,0,0],"radius":1e39}})", ".sphere.radius: 1e+39 is beyond"},
+           {R"({"sphere":{"center":[0,0,0],"radius":1e-46}})", ".sphere.radius: 1e-46 is so small that it is 0 as a"},
+           {R"({"cylinder":{"center":[0,0,0],"axis":[1,0,0],"radius":1,"height":1e-60}})",
+            ".cylinder.height: 1e-60 is so small"},
+           {R"({"sum":[{"points":[[0,0,0]]},{"sphere":{"center":[0,0,0],"radius":1e-46}}]})",
+            ".sum[1].sphere.radius: 1e-46 is so small"},
+           {R"({"points":[[0,0,0]],"pose":{"translation":[1e39,0,0]}})", ".pose.translation[0]: 1e+39 is beyond"}}) {
+    CHECK(has(error_of(pair_of(dot, object), in_float), "b" + part));
+    CHECK(has(error_of(pair_of(object, dot), in_float), "a" + part));
     CHECK(answer(pair_of(dot, object)).contains("status"));
   }
 }
@@ -460,5 +467,5 @@ TEST_CASE("Spheres and cylinders cannot be asked in exact numbers") {
   CHECK(has(error_of(pair_of(R"({"cylinder":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":1}})", dot), exact),
             "a: a cylinder cannot be asked in exact numbers"));
   const std::string capsule = R"({"sum":[{"points":[[0,0,0],[1,0,0]]},)" + std::string(ball) + "]}";
-  CHECK(has(error_of(pair_of(capsule, dot), exact), "a: a sphere cannot be asked in exact numbers"));
+  CHECK(has(error_of(pair_of(capsule, dot), exact), "a.sum[1]: a sphere cannot be asked in exact numbers"));
 }

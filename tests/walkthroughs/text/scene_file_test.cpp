@@ -204,28 +204,6 @@ TEST_CASE("Comments, a byte order mark and lines that end in CR LF are read", "[
   check_complaint(text, "4: radius", {"is not a key"});
 }
 
-TEST_CASE("The name of a scene can name a folder, whatever its file is called", "[scene-file]") {
-  const auto name = [](const std::string& file) { return parsed(scene_text(corner, ball), file).walkthrough.name; };
-  CHECK(name("a/b/Tank_2-x.1.json") == "Tank_2-x.1");
-  CHECK(name("two words;rm -rf ~.json") == "two-words-rm--rf--");
-  CHECK(name("Zürich.json") == "Z--rich");
-  CHECK(name("line\nbreak.json") == "line-break");
-  CHECK(name("..") == "scene");
-  CHECK(name(".") == "scene");
-  CHECK(name("") == "scene");
-  CHECK(name("/") == "scene");
-  CHECK(name("...json") == "scene");
-}
-
-TEST_CASE("A title made from the file's name can be drawn, whatever the file is called", "[scene-file]") {
-  const auto title = [](const std::string& file) { return parsed(scene_text(corner, ball), file).walkthrough.title; };
-  CHECK(title("a/two words.json") == "two words");
-  CHECK(title("snake_case.json") == "snake case");
-  CHECK(title("line\nbreak.json") == "line-break");
-  CHECK(title("\xFF.json") == "-");
-  CHECK(title(std::string(200, 'x') + ".json").size() == scene_limits::title);
-}
-
 TEST_CASE("Reading a scene computes nothing, and running it asks each object once an iteration", "[scene-file]") {
   for (const char* rules : {"\"rules\": \"as-intended\"", "\"rules\": \"as-printed\"", "\"rules\": \"eager\""}) {
     const Scene scene = scene_of(scene_text(corner, ball, rules));
@@ -294,10 +272,35 @@ TEST_CASE("In floats a cylinder has the axis that its numbers have as floats, of
   CHECK(axis("[0.1, 0.3, 0.7]") != in_double.axis().cast<float>().cast<double>());
 }
 
-TEST_CASE("Numbers that do not fit into floats are named, and what to do", "[scene-file]") {
-  const std::string far_away = R"({"sphere": {"center": [1e40, 0, 0], "radius": 1}})";
-  check_complaint(scene_text(corner, far_away, R"("scalar": "float")"), "4: scalar",
-                  {"1e+40 is beyond all floats; choose another unit of length, or \"double\""});
+TEST_CASE("Numbers that do not fit into floats are named where they stand, and what to do", "[scene-file]") {
+  const auto check = [](const std::string& b, const std::string& rest, const std::string& place,
+                        const std::string& part) {
+    check_complaint(scene_text(corner, b, R"("scalar": "float")" + rest), place,
+                    {part, "choose another unit of length, or compute in double"});
+    CHECK_NOTHROW(parsed(scene_text(corner, b, R"("scalar": "double")" + rest)));
+  };
+  check(R"({"sphere": {"center": [1e40, 0, 0], "radius": 1}})", "", "3: b.sphere.center[0]",
+        "1e+40 is beyond the largest float, 3.4e38");
+  check(R"({"points": [[0, 0, 0],
+    [0, 0, -1e39]]})",
+        "", "4: b.points[1][2]", "-1e+39 is beyond");
+  check(R"({"points": [[0, 0, 0]], "pose": {"translation": [0, 1e39, 0]}})", "", "3: b.pose.translation[1]",
+        "1e+39 is beyond");
+  check(R"({"sphere": {"center": [0, 0, 0], "radius": 1e-50}})", "", "3: b.sphere.radius",
+        "1e-50 is so small that it is 0 as a float");
+  check(ball, ",\n\"first_direction\": [0, 1e-46, 0]", "5: first_direction", "1e-46 is so small");
+  check(ball, ",\n\"first_direction\": [0, 1e39, 0]", "5: first_direction[1]", "1e+39 is beyond");
+}
+
+TEST_CASE("In floats eager rules begin between the centers, or along +x where no float tells how", "[scene-file]") {
+  const auto first = [](const std::string& x) {
+    return scene_of(scene_text("{\"points\": [[-" + x + ", 0, 0]]}", "{\"points\": [[" + x + ", 0, 0]]}",
+                               R"("rules": "eager", "scalar": "float")"))
+        .options.first_direction;
+  };
+  CHECK(first("0.1") == Point(0.2f, 0, 0));
+  CHECK(first("3e38") == Point(1, 0, 0));
+  CHECK(first("1e-46") == Point(1, 0, 0));
 }
 
 TEST_CASE("The summary says in one line what a scene declares", "[scene-file]") {

@@ -26,8 +26,13 @@ TEST_CASE("An empty file is called empty, and how to begin is said", "[scene-fil
 }
 
 TEST_CASE("A text in another encoding is turned away", "[scene-file]") {
-  check_complaint("{\n\"title\": \"\xFF\"}", "2: title", {"ill-formed UTF-8"});
-  check_complaint("{\n\"title\": \"\xED\xA0\x80\"}", "2: title", {"ill-formed UTF-8"});
+  check_complaint("{\n\"title\": \"\xFF\"}", "2",
+                  {"is not UTF-8 at column 11: the byte \\xff", "save the text as UTF-8"});
+  check_complaint("{\n\"title\": \"\xED\xA0\x80\"}", "2", {"is not UTF-8 at column 11: the byte \\xed"});
+  check_complaint(
+      "{\n // Gr\xF6\xDF"
+      "e\n}",
+      "2", {"is not UTF-8 at column 7: the byte \\xf6"});
   check_complaint(std::string("\xFF\xFE{\0}\0", 6), "1", {"UTF-16", "save it as UTF-8"});
   check_complaint(scene_text(corner, ball) + std::string("\n\0{", 3), "6", {"byte 0"});
   check_complaint("{\n// \x07\n}", "2", {"byte 7"});
@@ -87,7 +92,7 @@ TEST_CASE("An unknown key is turned away with the nearest one that is known", "[
   check_object(R"({"points": [[0, 0, 0]], "pose": {"rotation": {"angle": 1}}})", "2: a.pose.rotation.angle",
                {"is not a key"});
   check_rest("\"" + std::string(100000, 'x') + "\": 3", "4: " + std::string(40, 'x') + "…", {"is not a key"});
-  check_rest(R"("a\u001b[31mb": 3)", "4: a�[31mb", {"is not a key"});
+  check_rest(R"("a\u001b[31mb": 3)", "4: a\\x1b[31mb", {"is not a key"});
 }
 
 TEST_CASE("A missing key is named", "[scene-file]") {

@@ -1,0 +1,38 @@
+#include "walkthroughs/text/printable.hpp"
+
+#include "tests/catch.hpp"
+
+using namespace walkthroughs;
+
+TEST_CASE("What is not printable is shown as an escape, and the rest as it is") {
+  CHECK(printable("plain, größe, ∞ 𝄞 'quoted' \\") == "plain, größe, ∞ 𝄞 'quoted' \\");
+  CHECK(printable(std::string("\x1b[31m\r\n\t\0\x7f", 10)) == "\\x1b[31m\\x0d\\x0a\\x09\\x00\\x7f");
+  CHECK(printable("a\u202eb\u2066c\u200fd\u061ce\ufefff\u0085") == "a\\u202eb\\u2066c\\u200fd\\u061ce\\ufefff\\u0085");
+  CHECK(printable("\xff\xc3(\xed\xa0\x80\xe2\x80") == "\\xff\\xc3(\\xed\\xa0\\x80\\xe2\\x80");
+}
+
+TEST_CASE("The first byte that is not UTF-8 is found") {
+  CHECK_FALSE(first_not_utf_8("").has_value());
+  CHECK_FALSE(first_not_utf_8("größe 𝄞").has_value());
+  CHECK(first_not_utf_8("ü\xff") == 2);
+  CHECK(first_not_utf_8("ab\xe2\x80") == 2);
+  CHECK(first_not_utf_8("\xc0\x80") == 0);          // overlong
+  CHECK(first_not_utf_8("\xf4\x90\x80\x80") == 0);  // beyond U+10FFFF
+}
+
+TEST_CASE("Quotes hold 40 letters at most, whatever their bytes") {
+  CHECK(in_quotes("") == "''");
+  CHECK(in_quotes("\x1b") == "'\\x1b'");
+  std::string letters;
+  for (int i = 0; i < 40; ++i) letters += "ü";
+  CHECK(in_quotes(letters) == "'" + letters + "'");
+  CHECK(in_quotes(letters + "x") == "'" + letters + "…'");
+}
+
+TEST_CASE("A message is one line, and its overlong words lack their middle") {
+  CHECK(message_line("/tmp/a b: is\nbad; mend it") == "/tmp/a b: is\\x0abad; mend it");
+  const std::string front(200, 'a'), back(80, 'z');
+  CHECK(message_line("at " + front + back + ": no") == "at " + front.substr(1) + "…" + back.substr(1) + ": no");
+  CHECK(message_line(front + back + " no") == front + back + " no");
+  CHECK(message_line(front + std::string(5000, 'm') + back + " no") == front + "…" + back + " no");
+}

@@ -1,0 +1,74 @@
+#include "walkthroughs/text/names.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "render/utf8.hpp"
+#include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
+
+namespace walkthroughs {
+namespace {
+
+const std::string nameless = "scene";
+
+std::string stem_of(const std::string& file_name) { return std::filesystem::path(file_name).stem().string(); }
+
+bool may_begin_a_name(char c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-';
+}
+
+bool may_be_in_a_name(char c) { return may_begin_a_name(c) || c == '.'; }
+
+}  // namespace
+
+std::string objection_to_words(std::string_view text, std::size_t longest) {
+  const std::u32string points = code_points(text);
+  if (std::ranges::all_of(points, [](char32_t c) { return c == U' '; }))
+    return "is empty; write something, or leave the key out";
+  if (!std::ranges::all_of(points, is_printable))
+    return "has a control character, such as a line break or a tab; leave it out";
+  if (points.size() > longest)
+    return "has " + std::to_string(points.size()) + " characters; shorten it to " + std::to_string(longest);
+  return "";
+}
+
+std::string objection_to_name(std::string_view name) {
+  if (std::string objection = objection_to_words(name, scene_limits::walkthrough); !objection.empty()) return objection;
+  bool is_begin = true;
+  for (const char c : std::string(name) + "/") {
+    const bool is_good = is_begin ? may_begin_a_name(c) : may_be_in_a_name(c) || c == '/';
+    if (!is_good)
+      return in_quotes(name) + " cannot name a folder; use letters, digits, '_', '-', and inside of words '.'";
+    is_begin = c == '/';
+  }
+  return "";
+}
+
+std::string name_from_file(const std::string& file_name) {
+  std::string name = stem_of(file_name);
+  std::ranges::replace_if(
+      name, [](char c) { return !may_be_in_a_name(c); }, '-');
+  name.erase(0, name.find_first_not_of('.'));  // all of it where there is nothing else
+  name.resize(std::min(name.size(), scene_limits::walkthrough));
+  return name.empty() ? nameless : name;
+}
+
+std::string title_from_file(const std::string& file_name) {
+  const std::string stem = stem_of(file_name);
+  std::string title;
+  std::size_t length = 0;
+  for (std::string_view rest = stem; !rest.empty() && length < scene_limits::title;) {
+    const render::Letter letter = render::first_letter(rest);
+    rest.remove_prefix(letter.bytes.size());
+    const bool divides = letter.code_point == U'_' || letter.code_point == U' ';
+    if (divides && (title.empty() || title.ends_with(' '))) continue;
+    const bool can_be_shown = letter.is_well_formed && is_printable(letter.code_point);
+    title += divides ? " " : can_be_shown ? std::string(letter.bytes) : "-";
+    ++length;
+  }
+  if (title.ends_with(' ')) title.pop_back();
+  return title.empty() ? nameless : title;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,23 @@
+/// What walkthroughs and their titles may be called: the same in scene files and in traces.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace walkthroughs {
+
+/// Returns: what speaks against `text` as words to be shown; empty where nothing does. `longest`: in characters.
+std::string objection_to_words(std::string_view text, std::size_t longest);
+
+/// Pictures go to a folder of the walkthrough's name, which must not lie elsewhere, nor be hidden.
+/// Returns: what speaks against such a name; empty where nothing does.
+std::string objection_to_name(std::string_view name);
+
+/// Returns: a name for the walkthrough of that file, made from its stem.
+std::string name_from_file(const std::string& file_name);
+
+/// Returns: the stem of that file as a title. An underscore, which would be read as the mark of a subscript, divides words.
+std::string title_from_file(const std::string& file_name);
+
+}  // namespace walkthroughs

@@ -1,0 +1,29 @@
+/// Texts of others, shown in messages: what a user typed, read or called a file may hold anything.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace walkthroughs {
+
+/// Returns: the code points of UTF-8; U+FFFD for each byte that is not.
+std::u32string code_points(std::string_view text);
+
+/// Returns: whether a terminal or a picture can show it: no control character, nothing that breaks or turns lines.
+bool is_printable(char32_t code_point);
+
+/// Returns: where the first byte is that is not UTF-8; nothing where all are.
+std::optional<std::size_t> first_not_utf_8(std::string_view text);
+
+/// Returns: `text` with escapes such as \x1b and \u202e for what is not printable or not UTF-8, in one line.
+std::string printable(std::string_view text);
+
+/// Returns: `text` in quotes, printable, and cut short where it is long.
+std::string in_quotes(std::string_view text);
+
+/// Returns: a message, printable, its overlong words (names of files, most likely) without their middle.
+std::string message_line(std::string_view text);
+
+}  // namespace walkthroughs
