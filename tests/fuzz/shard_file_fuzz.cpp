@@ -15,6 +15,7 @@
 #include "tests/study/report/pictures.hpp"
 #include "tests/study/report/tables.hpp"
 #include "tests/study/sweep/checksum.hpp"
+#include "tests/study/sweep/study_file.hpp"
 
 namespace {
 

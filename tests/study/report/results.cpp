@@ -6,6 +6,7 @@
 #include "tests/study/report/pictures.hpp"
 #include "tests/study/report/tables.hpp"
 #include "tests/study/sweep/folder.hpp"
+#include "tests/study/sweep/study_file.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {

@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/study/support.hpp"
 #include "tests/study/sweep/plan.hpp"
+#include "tests/study/sweep/study_file.hpp"
 
 namespace study::test {
 namespace {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tests/study/sweep/sweep.hpp"
@@ -46,12 +45,6 @@ Counts counts_at(const FamilyNote& family, const Row& row, int limit);
 struct StudyError : walkthroughs::InputError {
   using InputError::InputError;
 };
-
-/// Returns: the study as JSON; counts as they were counted, so that nothing is lost.
-std::string to_json(const Study& study);
-
-/// `name` stands in errors. Errors: StudyError.
-Study from_json(std::string_view text, const std::string& name);
 
 /// Exact numbers, asked by the rules as intended, are never wrong where they decide: else GJK or the oracle has an error.
 ///

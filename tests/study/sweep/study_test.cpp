@@ -11,6 +11,7 @@
 #include "tests/study/support.hpp"
 #include "tests/study/sweep/checksum.hpp"
 #include "tests/study/sweep/plan.hpp"
+#include "tests/study/sweep/study_file.hpp"
 
 namespace study::test {
 namespace {
