@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace render {
 namespace {
@@ -63,6 +67,33 @@ struct Overlaps {
   }
 };
 
+/// Returns: 0, 1, … `count` - 1 in the order of what `key` makes of them, equals as they are.
+template <class Compare, class Key>
+std::vector<std::size_t> sorted(std::size_t count, Compare compare, Key key) {
+  std::vector<std::size_t> indices(count);
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  std::ranges::stable_sort(indices, compare, key);
+  return indices;
+}
+
+using Followers = std::vector<std::vector<std::size_t>>;  // for each face those that must be drawn after it
+
+/// From left to right, so that only faces that share a column of the picture are compared.
+Followers followers_of(const std::vector<Face>& faces, const Camera& camera) {
+  Overlaps overlaps{faces, {}};
+  for (const Face& face : faces) overlaps.look.push_back(seen(face, camera));
+  const auto left = [&](std::size_t i) { return overlaps.look[i].around.min.x(); };
+  const auto right = [&](std::size_t i) { return overlaps.look[i].around.max.x(); };
+  const std::vector<std::size_t> from_left = sorted(faces.size(), std::ranges::less{}, left);
+  Followers followers(faces.size());
+  for (auto i = from_left.begin(); i != from_left.end(); ++i)
+    for (auto j = i + 1; j != from_left.end() && left(*j) < right(*i); ++j) {
+      if (overlaps.must_precede(*i, *j)) followers[*i].push_back(*j);
+      if (overlaps.must_precede(*j, *i)) followers[*j].push_back(*i);
+    }
+  return followers;
+}
+
 }  // namespace
 
 Camera::Camera(double azimuth, double elevation)
@@ -86,40 +117,45 @@ Vec3 Face::middle() const {
 }
 
 std::vector<std::size_t> back_to_front(const std::vector<Face>& faces, const Camera& camera) {
-  std::vector<std::size_t> waiting(faces.size()), order;
-  std::iota(waiting.begin(), waiting.end(), std::size_t{0});
-  std::ranges::stable_sort(waiting, std::ranges::greater{},
-                           [&](std::size_t i) { return camera.depth(faces[i].middle()); });
-  Overlaps overlaps{faces, {}};
-  for (const Face& face : faces) overlaps.look.push_back(seen(face, camera));
+  const std::vector<std::size_t> farthest_first =
+      sorted(faces.size(), std::ranges::greater{}, [&](std::size_t i) { return camera.depth(faces[i].middle()); });
+  const Followers followers = followers_of(faces, camera);
   std::vector<std::size_t> before(faces.size(), 0);  // how many of those still waiting must be drawn before each
-  for (const std::size_t i : waiting)
-    for (const std::size_t j : waiting) before[j] += overlaps.must_precede(i, j);
+  for (const std::vector<std::size_t>& each : followers)
+    for (const std::size_t j : each) ++before[j];
 
+  std::vector<std::size_t> place(faces.size()), order;
+  std::set<std::size_t> waiting, ready;  // places in `farthest_first`
+  for (std::size_t at = 0; at < faces.size(); ++at) {
+    place[farthest_first[at]] = at;
+    waiting.insert(at);
+    if (before[farthest_first[at]] == 0) ready.insert(at);
+  }
   while (!waiting.empty()) {
-    auto next = std::ranges::find_if(waiting, [&](std::size_t i) { return before[i] == 0; });
-    if (next == waiting.end()) next = waiting.begin();  // faces in a circle: no order is right
-    const std::size_t drawn = *next;
+    const std::size_t next = ready.empty() ? *waiting.begin() : *ready.begin();  // in a circle no order is right
     waiting.erase(next);
-    for (const std::size_t j : waiting) before[j] -= overlaps.must_precede(drawn, j);
-    order.push_back(drawn);
+    ready.erase(next);
+    order.push_back(farthest_first[next]);
+    for (const std::size_t j : followers[order.back()])
+      if (--before[j] == 0 && waiting.contains(place[j])) ready.insert(place[j]);
   }
   return order;
 }
 
 std::vector<Edge> edges_of(const std::vector<Face>& faces, const Camera& camera) {
   std::vector<Edge> edges;
+  const auto key = [](const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); };
+  using Corner = std::tuple<double, double, double>;
+  std::map<std::pair<Corner, Corner>, std::size_t> places;  // in `edges`, of the edge between two corners
   for (const Face& face : faces) {
     const bool hidden = !camera.sees(face.outward());
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
       const Vec3 &from = face.corners[i], &to = face.corners[(i + 1) % face.corners.size()];
-      const auto known = std::ranges::find_if(edges, [&](const Edge& edge) {
-        return (edge.from == to && edge.to == from) || (edge.from == from && edge.to == to);
-      });
-      if (known == edges.end())
+      const auto [known, is_new] = places.emplace(std::minmax({key(from), key(to)}), edges.size());
+      if (is_new)
         edges.push_back({from, to, hidden});
       else
-        known->hidden = known->hidden && hidden;
+        edges[known->second].hidden = edges[known->second].hidden && hidden;
     }
   }
   return edges;

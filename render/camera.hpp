@@ -50,7 +50,7 @@ struct Face {
 /// Returns: the order in which to draw translucent faces: of two that overlap in the picture the farther one first, where
 /// faces do not run through each other and do not overlap in a circle; among faces that may come in any order the
 /// farthest middle first, equals in the order given. The faces of one convex surface are always in order.
-/// Every pair is compared: meant for hundreds of faces, not for millions.
+/// Faces that overlap in the picture are compared in pairs: meant for thousands, not for millions.
 std::vector<std::size_t> back_to_front(const std::vector<Face>& faces, const Camera& camera);
 
 /// An edge of a closed convex surface, once. The outline of the picture is made of edges that are not hidden.

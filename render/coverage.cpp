@@ -21,6 +21,10 @@ struct Ramp {
 /// Returns the ramp with value `value` at `p`.
 Ramp ramp_through(const Vec2& p, double value, const Vec2& gradient) { return {gradient, value - gradient.dot(p)}; }
 
+/// Each cell is clipped by the ramps of all corners: of more than this only those are kept that stand out by so many pixels.
+constexpr std::size_t most_corners = 360;
+constexpr double least_corner = 1.0 / 32;
+
 /// Returns the corners that differ from the one before, turning from x to y. Empty for a polygon without area.
 Polygon cleaned(std::span<const Vec2> corners) {
   Polygon polygon;
@@ -36,7 +40,7 @@ Polygon cleaned(std::span<const Vec2> corners) {
   }
   if (area == 0) return {};
   if (area < 0) std::reverse(polygon.begin(), polygon.end());
-  return polygon;
+  return polygon.size() > most_corners ? simplified(polygon, least_corner) : polygon;
 }
 
 /// Blunter corners need no ramp of their own. The limit lies between 120 and 135 degrees: no usual corner is close to it.

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 
+#include "render/bidi.hpp"
 #include "render/limits.hpp"
 #include "render/utf8.hpp"
 
@@ -52,6 +54,16 @@ std::vector<Character> parse_markup(std::string_view text) {
     }
   }
   return characters;
+}
+
+std::vector<Character> in_visual_order(const std::vector<Character>& characters) {
+  std::u32string codes;
+  for (const Character& character : characters) codes += character.code;
+  const VisualText text = visual(codes);
+  std::vector<Character> ordered;
+  for (std::size_t i = 0; i < text.codes.size(); ++i)
+    ordered.push_back({text.codes[i], characters[text.from[i]].level});
+  return ordered;
 }
 
 constexpr double subscript_size = 0.7;  // ems, as is the next
@@ -112,6 +124,7 @@ struct Font::Impl {
   Library library = open_library();
   std::array<LoadedFace, 2> faces;                                  // indexed by Weight
   std::map<std::tuple<Weight, FT_UInt, long>, CachedGlyph> glyphs;  // key: face, glyph index, size in 26.6
+  std::set<char32_t> missing;
   std::vector<std::uint8_t> atlas;
   int shelf_top = 0, shelf_height = 0, shelf_x = 0;  // the row of the atlas that is being filled
 
@@ -192,10 +205,11 @@ TextLine Font::set(std::string_view text, double pixels, Weight weight) {
   long pen = 0;  // 26.6
   FT_UInt previous = 0;
   Level previous_level = Level::baseline;
-  for (const auto& [code, level] : parse_markup(text)) {
+  for (const auto& [code, level] : in_visual_order(parse_markup(text))) {
     const long size = to_26_6(level == Level::subscript ? subscript_size * em : em);
     const FT_Face face = impl_->resized(weight, size);
     const FT_UInt index = FT_Get_Char_Index(face, code);
+    if (index == 0) impl_->missing.insert(code);
     FT_Vector kerning{};
     if (level == previous_level) FT_Get_Kerning(face, previous, index, FT_KERNING_UNFITTED, &kerning);
     pen += kerning.x;
@@ -219,6 +233,8 @@ TextLine Font::set(std::string_view text, double pixels, Weight weight) {
 }
 
 int Font::atlas_height() const { return static_cast<int>(impl_->atlas.size()) / atlas_width; }
+
+const std::set<char32_t>& Font::missing() const { return impl_->missing; }
 
 const std::vector<std::uint8_t>& Font::atlas() const { return impl_->atlas; }
 

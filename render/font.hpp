@@ -1,12 +1,14 @@
 /// Text: FreeType glyphs of DejaVu Sans, with subscripts.
 ///
 /// Markup: `_x` sets the next character as a subscript, `_{xyz}` several; `\_` is an underscore. Text is UTF-8.
-/// A character that the font lacks is drawn as the font's own box, a byte that is not UTF-8 as U+FFFD.
+/// A character that the font lacks is drawn as the font's own box, a byte that is not UTF-8 as U+FFFD. Hebrew and Arabic run
+/// from right to left.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -57,6 +59,9 @@ class Font {
   /// whole pixels, unhinted, so that text is the same wherever it stands.
   static constexpr double max_pixels = 400;
   TextLine set(std::string_view text, double pixels, Weight weight);
+
+  /// Returns: the characters that it was asked for and does not have.
+  const std::set<char32_t>& missing() const;
 
   /// The atlas: `atlas_width` bytes a row; grows downwards only, so old glyph positions stay valid.
   static constexpr int atlas_width = 1024;

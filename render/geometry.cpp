@@ -3,6 +3,34 @@
 #include <algorithm>
 
 namespace render {
+namespace {
+
+double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
+  const Vec2 along = to - from, to_p = p - from;
+  const double squared = along.squaredNorm();
+  const double share = squared > 0 ? std::clamp(to_p.dot(along) / squared, 0.0, 1.0) : 0;
+  return (to_p - along * share).norm();
+}
+
+/// Appends what is needed of the corners from `first` to before `last`; an index beyond the last corner begins anew.
+void append_needed(std::span<const Vec2> polygon, std::size_t first, std::size_t last, double tolerance,
+                   std::vector<Vec2>& needed) {
+  const auto at = [&](std::size_t i) -> const Vec2& { return polygon[i % polygon.size()]; };
+  std::size_t farthest = first;
+  double most = tolerance;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const double away = distance_to_segment(at(i), at(first), at(last));
+    if (away > most) {
+      most = away;
+      farthest = i;
+    }
+  }
+  if (farthest == first) return needed.push_back(at(first));
+  append_needed(polygon, first, farthest, tolerance, needed);
+  append_needed(polygon, farthest, last, tolerance, needed);
+}
+
+}  // namespace
 
 // Liang and Barsky (1984): the segment enters the box where it has entered both slabs and leaves it where it leaves
 // the first.
@@ -33,6 +61,13 @@ std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradie
     if ((at_from < 0) != (at_to < 0)) kept.push_back(from + (to - from) * (at_from / (at_from - at_to)));
   }
   return kept;
+}
+
+// Douglas and Peucker (1973).
+std::vector<Vec2> simplified(std::span<const Vec2> polygon, double tolerance) {
+  std::vector<Vec2> needed;
+  if (!polygon.empty()) append_needed(polygon, 0, polygon.size(), tolerance, needed);
+  return needed;
 }
 
 }  // namespace render

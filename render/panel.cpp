@@ -174,15 +174,15 @@ void Panel::plus(const Vec2& center, double half, const Stroke& stroke) {
   }
 }
 
-void Panel::grid(double step, const Stroke& stroke) {
+void Panel::grid(double step, const Stroke& stroke, const Vec2& through) {
   if (!(step * view_.scale() >= min_grid_spacing)) return;  // it would be a grey area
   const Vec2 low = view_.scene({frame_.min.x(), frame_.max.y()});
   const Vec2 high = view_.scene({frame_.max.x(), frame_.min.y()});
-  for (const double x : multiples_between(low.x(), high.x(), step)) {
-    canvas_.line(view_.page({x, low.y()}), view_.page({x, high.y()}), stroke);
+  for (const double x : multiples_between(low.x() - through.x(), high.x() - through.x(), step)) {
+    canvas_.line(view_.page({x + through.x(), low.y()}), view_.page({x + through.x(), high.y()}), stroke);
   }
-  for (const double y : multiples_between(low.y(), high.y(), step)) {
-    canvas_.line(view_.page({low.x(), y}), view_.page({high.x(), y}), stroke);
+  for (const double y : multiples_between(low.y() - through.y(), high.y() - through.y(), step)) {
+    canvas_.line(view_.page({low.x(), y + through.y()}), view_.page({high.x(), y + through.y()}), stroke);
   }
 }
 

@@ -58,8 +58,9 @@ class Panel {
   /// Fine parallel lines across a convex area, `spacing` page units apart and fixed to the page, so that areas side by
   /// side are hatched alike; no obstacles. Nothing is drawn where `spacing` is below 3.
   void hatch(std::span<const Vec2> corners, double spacing, const Stroke& stroke);
-  /// Fine lines at whole multiples of `step` scene units; no obstacles.
-  void grid(double step, const Stroke& stroke);
+  /// Fine lines, one each way through `through` and the others at whole multiples of `step` scene units from there; no
+  /// obstacles.
+  void grid(double step, const Stroke& stroke, const Vec2& through = Vec2::Zero());
 
   /// Names the point `anchor`. The label stands near it, if possible on the side of `toward` (scene units, any length;
   /// of length 0: above and to the right). `style.align` is not used.

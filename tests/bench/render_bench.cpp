@@ -30,9 +30,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -142,6 +144,54 @@ void print_starts(const std::string& program) {
   std::printf("context start %.1f ms, first frame %.1f ms\n\n", median(contexts), median(frames));
 }
 
+// -- Many points ------------------------------------------------------------------------------------------------------
+
+using walkthroughs::Point;
+
+/// So many points on a ball or in it, or in the plane on a circle, around `center`.
+walkthroughs::Points many_points(const std::string& where, int count, const Point& center) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> number;
+  std::uniform_real_distribution<double> share;
+  walkthroughs::Points points;
+  for (int i = 0; i < count; ++i) {
+    Point p(number(random), number(random), where == "circle" ? 0 : number(random));
+    p.normalize();
+    if (where == "in a ball") p *= std::cbrt(share(random));
+    points.push_back(center + p);
+  }
+  return points;
+}
+
+/// From the points to the pixels of the first frame: search, hulls, camera, laying out, drawing.
+Milliseconds first_frame_of(const std::string& where, int count, walkthroughs::Studio& studio) {
+  Walkthrough walkthrough{.name = where, .title = where, .source = "", .summary = ""};
+  walkthrough.naming = walkthroughs::Naming::roles;
+  const bool plane = where == "circle";
+  walkthrough.scenes.push_back({.name = "",
+                                .a = {"a", many_points(where, count, Point::Zero())},
+                                .b = {"b", many_points(where, count, Point(1.3, 0.4, plane ? 0 : 0.5))},
+                                .dimension = plane ? walkthroughs::Dimension::plane : walkthroughs::Dimension::space});
+  const Milliseconds start = now();
+  const StagedStory story(walkthroughs::tell(walkthrough));
+  const Milliseconds staged = now();
+  const Cost cost = cost_of(story, 0, studio);
+  return staged - start + cost.layout + cost.draw + cost.read_back;
+}
+
+/// A bar a row, so that a line is seen as one: its length doubles with the points.
+void print_curve(walkthroughs::Studio& studio) {
+  std::printf("\nfirst frame of two sets of so many points, ms\n");
+  for (const char* const where : {"on a ball", "in a ball", "circle"})
+    for (const int count : {1250, 2500, 5000, 10'000, 20'000, 40'000, 100'000}) {
+      std::vector<double> times;
+      for (int repeat = 0; repeat < repeats; ++repeat) times.push_back(first_frame_of(where, count, studio));
+      const double time = median(times);
+      std::printf("%-10s %7d %8.0f  %s\n", where, count, time,
+                  std::string(static_cast<std::size_t>(time / 25), '#').c_str());
+    }
+}
+
 // -- The whole program ------------------------------------------------------------------------------------------------
 
 struct Run {
@@ -238,6 +288,7 @@ int main(int argc, char** argv) {
     walkthroughs::Studio studio;
     print_frames(*walkthroughs::find_walkthrough("figure-4-left"), studio);
     if (const Walkthrough* const w = in_space()) print_frames(*w, studio);
+    print_curve(studio);
   }
   std::fflush(stdout);
   print_program();

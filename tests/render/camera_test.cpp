@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "tests/catch.hpp"
@@ -197,4 +198,52 @@ TEST_CASE("edges come in the order in which the faces name them first") {
   REQUIRE(edges[0].from == Vec3(0, 0, 0));
   REQUIRE(edges[0].to == Vec3(0, 1, 0));
   REQUIRE(edges[3].to == Vec3(-1, 0, 0));
+}
+
+// ---------------------------------------------------------------------------------------------- many faces
+
+namespace {
+
+/// A ball of so many rings, each of twice as many four-sided faces and, at the poles, triangles.
+std::vector<Face> globe(int rings) {
+  const auto at = [&](int ring, int step) {
+    if (ring == 0 || ring == rings) return Vec3(0, 0, ring == 0 ? 1 : -1);
+    const double down = std::numbers::pi * ring / rings, around = std::numbers::pi * (step % (2 * rings)) / rings;
+    return Vec3(std::sin(down) * std::cos(around), std::sin(down) * std::sin(around), std::cos(down));
+  };
+  std::vector<Face> faces;
+  for (int ring = 0; ring < rings; ++ring)
+    for (int step = 0; step < 2 * rings; ++step) {
+      Face face{{at(ring, step), at(ring + 1, step), at(ring + 1, step + 1), at(ring, step + 1)}};
+      if (ring == 0) face.corners.pop_back();
+      if (ring + 1 == rings) face.corners.erase(face.corners.begin() + 1);
+      faces.push_back(face);
+    }
+  return faces;
+}
+
+}  // namespace
+
+TEST_CASE("all faces of a fine ball are drawn once, those turned away before those in front of them") {
+  const std::vector<Face> faces = globe(40);
+  const Camera camera(30, 20);
+  const std::vector<std::size_t> order = back_to_front(faces, camera);
+  std::vector<std::size_t> place(faces.size(), faces.size());
+  for (std::size_t at = 0; at < order.size(); ++at) place[order[at]] = at;
+  REQUIRE(std::ranges::count(place, faces.size()) == 0);
+  int behind = 0;
+  for (std::size_t back = 0; back < faces.size(); ++back)
+    for (std::size_t front = 0; front < faces.size(); ++front)
+      if (!camera.sees(faces[back].outward()) && camera.sees(faces[front].outward()) &&
+          (camera(faces[back].middle()) - camera(faces[front].middle())).norm() < 0.01) {
+        ++behind;
+        REQUIRE(place[back] < place[front]);
+      }
+  REQUIRE(behind > 100);
+}
+
+TEST_CASE("a ball of 80,000 faces has each of its edges once") {
+  constexpr int rings = 200;
+  // Down from each pole and along each ring between the poles.
+  REQUIRE(edges_of(globe(rings), Camera(30, 20)).size() == 2 * rings * (rings + rings - 1));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -129,4 +130,15 @@ TEST_CASE("a polygon without area has no cells") {
   REQUIRE(coverage_cells(std::array{Vec2(1, 1), Vec2(5, 5), Vec2(9, 9)}, bounds).empty());
   REQUIRE(coverage_cells(std::array{Vec2(1, 1), Vec2(1, 1), Vec2(1, 1)}, bounds).empty());
   REQUIRE(coverage_cells({}, bounds).empty());
+}
+
+TEST_CASE("a polygon with more corners than pixels is covered as it is, by few cells") {
+  constexpr int count = 3000;
+  std::vector<Vec2> disc;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    disc.emplace_back(20 + 15 * std::cos(angle), 20 + 15 * std::sin(angle));
+  }
+  REQUIRE(integral(disc) == Approx(area_of(disc)).epsilon(2e-3));
+  REQUIRE(coverage_cells(disc, bounds).size() < 200);
 }

@@ -127,3 +127,39 @@ TEST_CASE("GJKSTEP_FONT_DIR names the folder of the fonts") {
     setenv("GJKSTEP_FONT_DIR", before.c_str(), 1);
   }
 }
+
+TEST_CASE_METHOD(Fixture, "Hebrew runs from right to left, numbers and Latin letters in it from left to right") {
+  const auto glyphs = [&](std::string_view text) { return set(text).glyphs; };
+  const auto are = [&](std::string_view text, std::vector<std::string_view> letters) {
+    const std::vector<PlacedGlyph> found = glyphs(text);
+    REQUIRE(found.size() == letters.size());
+    for (std::size_t i = 0; i < letters.size(); ++i) REQUIRE(same_bitmap(found[i], glyphs(letters[i]).at(0)));
+    for (std::size_t i = 1; i < found.size(); ++i) REQUIRE(found[i].x >= found[i - 1].x);
+  };
+  are("אבג", {"ג", "ב", "א"});
+  are("א12", {"1", "2", "א"});
+  are("cube א", {"c", "u", "b", "e", " ", "א"});
+  are("(אב)", {"(", "ב", "א", ")"});
+  are("א(", {")", "א"});
+}
+
+TEST_CASE_METHOD(Fixture, "a subscript stays with its letters where text is turned around") {
+  const TextLine line = set("אב_{ג}");
+  REQUIRE(line.glyphs.size() == 3);
+  REQUIRE(line.glyphs[0].height < line.glyphs[1].height);
+}
+
+TEST_CASE_METHOD(Fixture, "Arabic letters are joined, and marks of direction draw nothing") {
+  const TextLine joined = set("بب"), alone = set("ب");
+  REQUIRE(joined.glyphs.size() == 2);
+  REQUIRE_FALSE(same_bitmap(joined.glyphs[0], joined.glyphs[1]));
+  REQUIRE_FALSE(same_bitmap(joined.glyphs[0], alone.glyphs[0]));
+  REQUIRE(set("\u200Fא\u200F").glyphs.size() == 1);
+}
+
+TEST_CASE_METHOD(Fixture, "letters that the font lacks are remembered, each once, and no others") {
+  set("cube → ∞, куб, קובייה");
+  REQUIRE(font.missing().empty());
+  set("漢字漢");
+  REQUIRE(font.missing() == std::set<char32_t>{0x5B57, 0x6F22});
+}

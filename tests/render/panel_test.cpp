@@ -107,6 +107,18 @@ TEST_CASE("a grid has a line at every multiple of its step, unless they would ru
   REQUIRE(desk.canvas.vertices().size() == 6 * (7 + 5));
 }
 
+TEST_CASE("a grid may go through any point, also one far away") {
+  Desk desk, moved;
+  {
+    Panel panel(desk.canvas, frame, desk.view);
+    panel.grid(5, {.width = 1});
+  }
+  Panel panel(moved.canvas, frame, moved.view);
+  panel.grid(5, {.width = 1}, {5e6 + 1, -2.5e6});
+  REQUIRE(moved.canvas.vertices().size() == 6 * (6 + 5));  // x: -14..11
+  REQUIRE(moved.canvas.vertices()[0].x == Approx(desk.canvas.vertices()[0].x + moved.view.scale()));
+}
+
 TEST_CASE("a label stands where it was asked to, beside its anchor") {
   Desk desk;
   Panel panel(desk.canvas, frame, desk.view);

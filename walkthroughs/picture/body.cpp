@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 #include "walkthroughs/model/farthest_face.hpp"
@@ -16,6 +17,8 @@ using render::Vec2;
 constexpr int outline_directions = 180;
 constexpr int rim_points = 72;
 constexpr std::size_t most_differences = 20'000;  // more vertices could not be told apart in a picture
+constexpr std::size_t most_in_outline = 360;      // corners that are drawn all
+constexpr double least_corner = 1e-5;  // of more, those that stand out so far, in parts of the outline's size
 
 std::vector<Vec2> through(const Lens& lens, const std::vector<Point>& points) {
   std::vector<Vec2> picture;
@@ -35,6 +38,23 @@ std::vector<Point> corners_of(const std::vector<render::Face>& faces) {
   return corners;
 }
 
+/// Returns: whether the points have surely more than `most_corners`, told by which of them are farthest in directions all
+/// around. So no hull is made that is not drawn: among points in one plane Qhull takes quadratic time.
+bool has_many_corners(const std::vector<Point>& points) {
+  if (points.size() <= most_corners) return false;
+  const gjk::PointSet<double> set(points);
+  std::set<int> farthest;
+  constexpr int directions = 4 * most_corners;
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < directions && farthest.size() <= most_corners; ++i) {
+    const double z = 1 - (2 * i + 1.0) / directions, level = std::sqrt(1 - z * z), angle = golden_angle * i;
+    farthest.insert(set.support({level * std::cos(angle), level * std::sin(angle), z}).index.value());
+  }
+  return farthest.size() > most_corners;
+}
+
+Body only_outline(std::vector<Point> vertices) { return {std::move(vertices), {}, {}, true}; }
+
 Body polytope(std::vector<Point> vertices, Dimension dimension) {
   if (dimension == Dimension::plane) {
     Body flat;
@@ -42,8 +62,10 @@ Body polytope(std::vector<Point> vertices, Dimension dimension) {
       flat.vertices.emplace_back(corner.x(), corner.y(), 0);
     return flat;
   }
+  if (has_many_corners(vertices)) return only_outline(std::move(vertices));
   std::vector<render::Face> faces = hull_faces(vertices);
   if (!faces.empty()) vertices = corners_of(faces);
+  if (!faces.empty() && vertices.size() > most_corners) return only_outline(std::move(vertices));
   return {std::move(vertices), std::move(faces), {}};
 }
 
@@ -113,6 +135,17 @@ struct OutlineOf {
   }
 };
 
+/// Returns: an outline as it is; where it has very many corners, without those that no picture is large enough for.
+std::vector<Vec2> seen(std::vector<Vec2> hull) {
+  if (hull.size() <= most_in_outline) return hull;
+  Vec2 low = hull[0], high = hull[0];
+  for (const Vec2& corner : hull) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  return render::simplified(hull, least_corner * (high - low).maxCoeff());
+}
+
 // -- What is flat of a round object -----------------------------------------------------------------------------------
 
 constexpr std::size_t most_directions = 200;  // more flat parts could not be told apart in a picture
@@ -158,6 +191,7 @@ Straight straight_of_flat(const std::vector<Point>& points) {
 }
 
 Straight straight_of_polytope(const std::vector<Point>& points) {
+  if (has_many_corners(points)) return {};
   const std::vector<render::Face> faces = hull_faces(points);
   if (faces.empty()) return straight_of_flat(points);
   Straight found;
@@ -255,12 +289,12 @@ Body body_of_difference(const Scene& scene, const Body& a, const Body& b) {
 }
 
 std::vector<Vec2> outline(const Object& object, const Body& body, const Lens& lens) {
-  if (!body.vertices.empty()) return convex_hull(through(lens, body.vertices));
-  return std::visit(OutlineOf{object.pose, lens}, object.form);
+  if (!body.vertices.empty()) return seen(convex_hull(through(lens, body.vertices)));
+  return seen(std::visit(OutlineOf{object.pose, lens}, object.form));
 }
 
 std::vector<Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens) {
-  if (!body.vertices.empty()) return convex_hull(through(lens, body.vertices));
+  if (!body.vertices.empty()) return seen(convex_hull(through(lens, body.vertices)));
   const AskedObject<double> a(scene.a), b(scene.b);
   const gjk::MinkowskiDifference<double, AskedObject<double>, AskedObject<double>> difference(a, b);
   std::vector<Vec2> farthest;

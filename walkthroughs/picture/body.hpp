@@ -1,8 +1,7 @@
 /// The objects and their difference as pictures need them. GJK never needs their hulls and outlines; only pictures do.
 #pragma once
 
-#include <optional>
-#include <string>
+#include <cstddef>
 #include <vector>
 
 #include "walkthroughs/picture/lens.hpp"
@@ -21,17 +20,21 @@ struct Body {
   std::vector<Point> vertices;
   std::vector<render::Face> faces;  ///< of a polytope in space
   std::vector<Flat> flats;          ///< of a round object in space
+  bool only_outline = false;        ///< a polytope in space with more than `most_corners`: its faces are left out
 };
 
-/// Returns: of a polytope, also one that is a sum, its vertices and faces, unless it has too many to be worth it; of other
-/// objects what of them is flat. Asks no support function.
+/// The edges between more would cover a body in a picture, and cost more than all else.
+inline constexpr std::size_t most_corners = 1000;
+
+/// Returns: of a polytope, also one that is a sum, its vertices and faces, unless it has too many to be worth it; where it
+/// has `only_outline`, perhaps points inside as well; of other objects what of them is flat. Asks no support function.
 Body body_of(const Object& object, Dimension dimension);
 
 /// Returns: the difference of two point sets, unless it has too many vertices to be worth it; else an empty body.
 Body body_of_difference(const Scene& scene, const Body& a, const Body& b);
 
-/// Returns: the outline of an object in the picture, counter-clockwise; of a sum the sum of the outlines of its two. Asks no
-/// support function.
+/// Returns: the outline of an object in the picture, counter-clockwise, with the corners that are seen; of a sum the sum of
+/// the outlines of its two. Asks no support function.
 std::vector<render::Vec2> outline(const Object& object, const Body& body, const Lens& lens);
 
 /// Returns: the outline of the difference in the picture. Asks the support functions where `body` is empty.

@@ -58,7 +58,7 @@ class DifferencePicture {
         center_(outline_.empty() ? pencil_.at(middle_of_search()) : middle_of(outline_)) {}
 
   void set() {
-    if (!pencil_.in_space()) panel_.grid(1, style_.grid);
+    if (!pencil_.in_space()) panel_.grid(shown_.stage.placing.scale, style_.grid);
     if (!outline_.empty()) hull();
   }
 

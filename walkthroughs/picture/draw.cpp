@@ -35,11 +35,25 @@ constexpr double objects_margin = 64, difference_margin = 64;  // around a scene
 
 Box panel_box(double left, double right, double top) { return {{left, top}, {right, top + panels_height}}; }
 
-/// One scene of one frame.
-Shown shown(const StagedStory& story, const Names& names, std::size_t scene, const Frame& frame, const Lens& lens,
-            const Style& style) {
-  return {story.tellings[scene], story.stages[scene], frame.moments[scene], names, frame.focus_of(scene), lens, style};
-}
+/// One scene of one frame, as it is drawn.
+struct SceneOfFrame {
+  SceneOfFrame(const StagedStory& story, std::size_t frame, std::size_t scene)
+      : stage(story.stages[scene]),
+        now(story.drawn(frame, scene)),
+        names(story.walkthrough.naming, stage.telling->hull, now),
+        focus(story.frames[frame].focus_of(scene)) {}
+  SceneOfFrame(const SceneOfFrame&) = delete;  // names refer to it
+  SceneOfFrame& operator=(const SceneOfFrame&) = delete;
+
+  Shown shown(const Lens& lens, const Style& style) const {
+    return {*stage.telling, stage, now, names, focus, lens, style};
+  }
+
+  const Stage& stage;
+  const Moment now;
+  const Names names;
+  const Focus focus;
+};
 
 Lens turned(const Lens& lens, double degrees) {
   return lens.camera && degrees != 0 ? Lens{lens.camera->turned(degrees)} : lens;
@@ -166,10 +180,10 @@ View view_of_difference(const Shown& what, const Box& room) {
 }
 
 int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
-  const Telling& telling = story.tellings[0];
+  const Telling& telling = *story.stages[0].telling;
   const Lens lens = turned(story.stages[0].lens, look.turn);
-  const Names names = story.names(index, 0);
-  const Shown what = shown(story, names, 0, story.frames[index], lens, look.style);
+  const SceneOfFrame scene(story, index, 0);
+  const Shown what = scene.shown(lens, look.style);
   const Columns boxes = columns(telling.panels, top);
   const Box room = below_title(boxes.difference).grown(-difference_margin);
   View view = view_of_difference(what, room);
@@ -205,9 +219,9 @@ std::string title_of_scene(const StagedStory& story, std::size_t scene, const Fr
 
 bool shows_a_move(const StagedStory& story) { return story.walkthrough.layout == Layout::close_ups; }
 
-Bounds bounds_of_scene(const StagedStory& story, std::size_t scene, const Frame& frame, const Lens& lens) {
-  return shows_a_move(story) ? bounds_of_move(frame.moments[scene], lens)
-                             : bounds_of_difference(story.tellings[scene], story.stages[scene], lens);
+Bounds bounds_of_scene(const StagedStory& story, std::size_t scene, std::size_t frame, const Lens& lens) {
+  return shows_a_move(story) ? bounds_of_move(story.drawn(frame, scene), lens)
+                             : bounds_of_difference(*story.stages[scene].telling, story.stages[scene], lens);
 }
 
 int draw_scene(Canvas& canvas, const StagedStory& story, const Place& place, const Shown& what) {
@@ -220,17 +234,17 @@ int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, doubl
                        panel_box(middle + panel_gap / 2, right_margin, top)};
   const auto view = [&](std::size_t s, const Lens& lens, double scale) {
     const Bounds box =
-        bounds_of_scene(story, s, story.frames.back(), lens);  // of the last frame, so that nothing jumps
+        bounds_of_scene(story, s, story.frames.size() - 1, lens);  // of the last frame, so that nothing jumps
     return fit(box, below_title(boxes[s]).grown(-difference_margin), scale);
   };
   const Lens lenses[] = {turned(story.stages[0].lens, look.turn), turned(story.stages[1].lens, look.turn)};
   const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());
   int crowded = 0;
   for (std::size_t s = 0; s < 2; ++s) {
-    const Names names = story.names(index, s);
+    const SceneOfFrame scene(story, index, s);
     crowded +=
         draw_scene(canvas, story, {boxes[s], title_of_scene(story, s, story.frames[index]), view(s, lenses[s], scale)},
-                   shown(story, names, s, story.frames[index], lenses[s], look.style));
+                   scene.shown(lenses[s], look.style));
   }
   return crowded;
 }
@@ -271,13 +285,12 @@ std::vector<Cell> cells(const StagedStory& story) {
 }
 
 int draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cell, const Box& frame, const Look& look) {
-  const Frame& shown_frame = story.frames[cell.frame];
   if (story.walkthrough.layout == Layout::diagrams) return story.diagrams[cell.frame].draw(canvas, frame, look.style);
   const Lens lens = turned(story.stages[cell.scene].lens, look.turn);
-  const Names names = story.names(cell.frame, cell.scene);
-  const Bounds box = bounds_of_scene(story, cell.scene, shown_frame, lens);
+  const SceneOfFrame scene(story, cell.frame, cell.scene);
+  const Bounds box = bounds_of_scene(story, cell.scene, cell.frame, lens);
   const Place place{frame, cell.title, fit(box, below_title(frame).grown(-cell_margin))};
-  return draw_scene(canvas, story, place, shown(story, names, cell.scene, shown_frame, lens, look.style));
+  return draw_scene(canvas, story, place, scene.shown(lens, look.style));
 }
 
 /// The width of one cell; a diagram keeps the shape that it has in a frame.

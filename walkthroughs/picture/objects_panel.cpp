@@ -9,12 +9,14 @@ namespace {
 using render::Vec2;
 
 KeyEntry swatch(const std::string& text, render::Color fill, const render::Stroke& outline) {
-  return {text, [=](render::Canvas& canvas, const Vec2& at) {
+  return {text,
+          [=](render::Canvas& canvas, const Vec2& at) {
             const render::Box box{at - Vec2(9, 7), at + Vec2(9, 7)};
             const Vec2 corners[] = {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
             canvas.polygon(corners, fill);
             canvas.outline(corners, {outline.color, 2.5});
-          }};
+          },
+          true};
 }
 
 /// The flat parts of a round object: those in sight whole, the others as far as they lie behind thin and dashed.
@@ -57,7 +59,8 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
                     swatch(literal(scene.b.name), style.object_b_fill, style.object_b)});
   render::Panel panel(canvas, below_title(place.frame), place.view);
   Pencil pencil(panel, shown.lens, style);
-  if (!pencil.in_space()) panel.grid(1, style.grid);
+  const Placing& placing = shown.stage.placing;
+  if (!pencil.in_space()) panel.grid(placing.scale, style.grid, pencil.at(Point(-placing.center * placing.scale)));
   draw_object(pencil, scene.a, shown.stage.a, style.object_a_fill, style.object_a);
   draw_object(pencil, scene.b, shown.stage.b, style.object_b_fill, style.object_b);
   pencil.triad(canvas, place.frame);

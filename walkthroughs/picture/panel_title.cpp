@@ -1,5 +1,6 @@
 #include "walkthroughs/picture/panel_title.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace walkthroughs {
@@ -8,11 +9,25 @@ namespace {
 using render::Vec2;
 
 constexpr double title_height = 36, margin = 14;
-constexpr double least_key_size = 11;
+constexpr double least_key_size = 11, shortened_key_size = 15;
+constexpr const char* ellipsis = "…";
 constexpr double key_pitch = 42;  // a sign with the space around it
 
-/// Draws the entries at the right end of `room`, in smaller letters where they would not fit, or as many as fit then.
-void draw_key(render::Canvas& canvas, render::Interval room, double baseline, const std::vector<KeyEntry>& key,
+/// Returns: `text` without its last character, "…" in its place: "cube" becomes "cub…", and that "cu…".
+std::string shorter(std::string text) {
+  const auto drop_last = [&] {
+    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+    if (!text.empty()) text.pop_back();
+  };
+  if (text.ends_with(ellipsis)) drop_last();
+  drop_last();
+  if (text.ends_with('\\')) text.pop_back();  // of an underscore's markup
+  return text + ellipsis;
+}
+
+/// Draws the entries at the right end of `room`, in smaller letters where they would not fit; where they do not fit then,
+/// those of a user's words shortened, of others as many as fit.
+void draw_key(render::Canvas& canvas, render::Interval room, double baseline, std::vector<KeyEntry> key,
               const Style& style) {
   render::TextStyle text = style.panel_title;
   const auto width = [&](const KeyEntry& entry) {
@@ -22,6 +37,14 @@ void draw_key(render::Canvas& canvas, render::Interval room, double baseline, co
     return std::accumulate(key.begin(), key.end(), 0.0, [&](double sum, const KeyEntry& e) { return sum + width(e); });
   };
   while (text.size > least_key_size && needed() > room.to - room.from) text.size -= 1;
+  if (needed() > room.to - room.from && std::ranges::all_of(key, &KeyEntry::may_be_shortened)) {
+    text.size = shortened_key_size;
+    while (needed() > room.to - room.from) {
+      KeyEntry& widest = *std::ranges::max_element(key, {}, width);
+      if (widest.text == ellipsis) break;
+      widest.text = shorter(widest.text);
+    }
+  }
   std::size_t fitting = 0;
   for (double end = room.from; fitting < key.size(); ++fitting)
     if ((end += width(key[fitting])) > room.to) break;

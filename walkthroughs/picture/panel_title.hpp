@@ -17,6 +17,7 @@ render::Box below_title(const render::Box& frame);
 struct KeyEntry {
   std::string text;
   std::function<void(render::Canvas&, const render::Vec2&)> draw;
+  bool may_be_shortened = false;  ///< a name that may be of any length: its sign is shown always
 };
 
 /// Draws the frame of a panel, its title at the left and at the right as much of its key as there is room for.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace walkthroughs {
 namespace {
@@ -12,6 +13,37 @@ using render::Vec2;
 constexpr double page_diagonal = 1500;   // page units: longer than any panel
 constexpr double patch_half_side = 110;  // page units
 constexpr double triad_length = 30, triad_margin = 48, least_between_names = 14, least_named_axis = 0.3;
+constexpr double name_beyond_tip = 9, name_beside_tip = 13, name_rise = 5, least_from_axis = 7;
+
+double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
+  const Vec2 along = to - from;
+  const double share = along.isZero(0) ? 0 : std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (p - from - share * along).norm();
+}
+
+/// The three axes of a triad in the picture, and where their names stand.
+struct Triad {
+  Vec2 start;
+  Vec2 tips[3];
+
+  /// Returns: where to write the name of an axis: beyond its tip; beside it where another axis runs there.
+  Vec2 place_of_name(int axis) const {
+    const Vec2 unit = (tips[axis] - start).stableNormalized(), beside(-unit.y(), unit.x());
+    const Vec2 beyond = tips[axis] + unit * name_beyond_tip;
+    if (clearance(axis, beyond) >= least_from_axis) return beyond;
+    const Vec2 left = tips[axis] - beside * name_beside_tip, right = tips[axis] + beside * name_beside_tip;
+    return clearance(axis, right) > clearance(axis, left) ? right : left;
+  }
+
+ private:
+  /// Returns: how far a place is from the other axes.
+  double clearance(int axis, const Vec2& place) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int other = 0; other < 3; ++other)
+      if (other != axis) least = std::min(least, distance_to_segment(place, start, tips[other]));
+    return least;
+  }
+};
 
 /// Returns: two unit vectors that span the plane across `d`, the first level where possible.
 std::pair<Point, Point> span_across(const Point& d) {
@@ -106,12 +138,16 @@ void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
   panel_.disc(panel_.view().scene(start), triad_margin - 2, style_.theme.paper.with_alpha(170));
   const render::TextStyle text{.size = 17, .color = style_.theme.grey, .align = render::Align::center};
   const char* const names[] = {"x", "y", "z"};
+  Triad axes{start, {}};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec2 picture = (*lens_.camera)(Point::Unit(axis));
+    axes.tips[axis] = start + Vec2(picture.x(), -picture.y()) * triad_length;
+  }
   std::vector<Vec2> named;
   for (int axis = 0; axis < 3; ++axis) {
-    const Vec2 picture = (*lens_.camera)(Point::Unit(axis)), along(picture.x(), -picture.y());
-    canvas.arrow(start, start + along * triad_length, {style_.theme.grey, 2});
-    if (along.norm() <= least_named_axis) continue;
-    Vec2 at = start + along * triad_length + along.stableNormalized() * 9 + Vec2(0, 5);
+    canvas.arrow(start, axes.tips[axis], {style_.theme.grey, 2});
+    if ((axes.tips[axis] - start).norm() <= least_named_axis * triad_length) continue;
+    Vec2 at = axes.place_of_name(axis) + Vec2(0, name_rise);
     for (const Vec2& other : named)
       if ((at - other).norm() < least_between_names)
         at = other + Vec2(0, at.y() < other.y() ? -1 : 1) * least_between_names;

@@ -13,10 +13,10 @@ std::optional<int> decisive_iteration(const std::vector<Remark>& remarks) {
   return std::nullopt;
 }
 
-Stage stage_of(const Telling& telling, const std::vector<Remark>& remarks) {
+Stage stage_of(const Telling& telling, const Placing& placing, const std::vector<Remark>& remarks) {
   const Scene& scene = telling.scene;
   const Panels& panels = telling.panels;
-  Stage stage;
+  Stage stage{&telling, placing, {}, {}, {}, {}};
   if (panels.objects || panels.hull) {
     stage.a = body_of(scene.a, scene.dimension);
     stage.b = body_of(scene.b, scene.dimension);
@@ -30,7 +30,37 @@ Stage stage_of(const Telling& telling, const std::vector<Remark>& remarks) {
 }  // namespace
 
 StagedStory::StagedStory(Story story) : Story(std::move(story)) {
-  for (const Telling& telling : tellings) stages.push_back(stage_of(telling, remarks));
+  const Placing placing = placing_of(tellings);
+  for (const Telling& telling : tellings) {
+    const Telling* drawn = &telling;
+    if (placing.moves()) {
+      const Scene& scene = placed_scenes_.emplace_back(placing.placed(telling.scene));
+      drawn = &placed_tellings_.emplace_back(
+          Telling{scene, placing.placed(telling.trace), placing.placed(telling.hull), telling.panels});
+    }
+    stages.push_back(stage_of(*drawn, placing, remarks));
+  }
+}
+
+Moment StagedStory::drawn(std::size_t frame, std::size_t scene) const {
+  if (!stages[scene].placing.moves()) return frames[frame].moments[scene];
+  return replay(stages[scene].telling->trace, frames[frame].events[scene].last + 1);
+}
+
+std::vector<std::string> StagedStory::left_out() const {
+  std::vector<std::string> sentences;
+  for (std::size_t s = 0; s < stages.size(); ++s) {
+    const Scene& scene = tellings[s].scene;
+    const auto tell = [&](const Body& body, const std::string& name) {
+      if (body.only_outline)
+        sentences.push_back(name + " has more than " + std::to_string(most_corners) +
+                            " corners: it is drawn without its edges, which would cover it");
+    };
+    tell(stages[s].a, "'" + scene.a.name + "'");
+    tell(stages[s].b, "'" + scene.b.name + "'");
+    tell(stages[s].difference, "the difference");
+  }
+  return sentences;
 }
 
 }  // namespace walkthroughs

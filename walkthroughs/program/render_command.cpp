@@ -15,8 +15,9 @@
 #include "walkthroughs/picture/movie.hpp"
 #include "walkthroughs/picture/render_frames.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/places.hpp"
+#include "walkthroughs/program/missing_letters.hpp"
 #include "walkthroughs/program/number_option.hpp"
+#include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
@@ -91,6 +92,7 @@ class Rendering {
       render(each, sized, renderer, written);
     }
     renderer.finish();
+    if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
     if (command_.rendered_by) write_rendered_by(studio, output.folder);
     if (command_.captions) write_captions(written.frames);
     if (command_.movie) print_movies(selection, output);
@@ -117,8 +119,14 @@ class Rendering {
 
   Selection select() const {
     Selection selection;
-    for (const std::string& name : command_.names) selection.add(name);
-    for (const std::string& file : command_.traces) selection.add_trace(file);
+    for (const std::string& name : command_.names) {
+      progress("reading " + name);
+      selection.add(name);
+    }
+    for (const std::string& file : command_.traces) {
+      progress("reading " + file);
+      selection.add_trace(file);
+    }
     if (command_.all)
       for (const Walkthrough& w : catalogue()) selection.add({&w});
     if (selection.chosen().empty())
@@ -142,8 +150,12 @@ class Rendering {
   void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
     const Walkthrough& w = *chosen.walkthrough;
     const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
-    const auto story =
-        std::make_shared<const StagedStory>(chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown));
+    progress(w.name + ": searching");
+    Story told = chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown);
+    progress(w.name + ": looking for hulls and cameras");
+    const auto story = std::make_shared<const StagedStory>(std::move(told));
+    progress(w.name + ": drawing");
+    for (const std::string& sentence : story->left_out()) note(w.name + ": " + sentence);
     if (command_.captions) written.stories.push_back(story);
     const auto report_frame = [this, story, &written](const std::filesystem::path& file, std::size_t index) {
       const FrameFile frame{file, *story, index};
@@ -159,14 +171,26 @@ class Rendering {
     if (command_.sheet) renderer.sheet(*story, output, report_file);
   }
 
-  /// One line for each file, and on a terminal how far it is.
+  /// One line for each file, and how far it is.
   static void report(const FrameFile& frame) {
-    static const bool terminal = isatty(STDERR_FILENO) != 0;
     const std::size_t count = frame.story.frames.size();
-    if (terminal) std::cerr << "\r\033[K";
+    progress("");
     std::cout << printable(frame.file.string()) << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
-    if (terminal && frame.index + 1 < count)
-      std::cerr << frame.story.walkthrough.name << ": frame " << frame.index + 1 << " of " << count << std::flush;
+    if (frame.index + 1 < count)
+      progress(frame.story.walkthrough.name + ": frame " + std::to_string(frame.index + 1) + " of " +
+               std::to_string(count));
+  }
+
+  /// On a terminal, what is being done: in place of what was being done before, nothing where `what` is empty.
+  static void progress(const std::string& what) {
+    static const bool terminal = isatty(STDERR_FILENO) != 0;
+    if (terminal) std::cerr << "\r\033[K" + what << std::flush;
+  }
+
+  /// What the pictures do not tell, once for all of them.
+  static void note(const std::string& sentence) {
+    progress("");
+    std::cerr << "gjkstep: " + sentence + "\n";
   }
 
   static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {

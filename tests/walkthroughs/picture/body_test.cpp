@@ -150,3 +150,60 @@ TEST_CASE("A sum of point sets with too many corners has no faces and still its 
   CHECK(body_of({"object", shape, {}}, Dimension::space).vertices.empty());
   check_is_outline(shape, from_above_the_side(), {});
 }
+
+namespace {
+
+Points around(int count, double z_of_base) {
+  Points rim;
+  for (int i = 0; i < count; ++i)
+    rim.emplace_back(std::cos(2 * pi * i / count), std::sin(2 * pi * i / count), z_of_base);
+  return rim;
+}
+
+Points on_ball(int count) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> number;
+  Points points;
+  for (int i = 0; i < count; ++i) points.push_back(Point(number(random), number(random), number(random)).normalized());
+  return points;
+}
+
+Points cone(int count) {
+  Points points = around(count, 0);
+  points.emplace_back(0, 0, 2);
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("A body with more corners than a picture can show is drawn as its outline, and only then") {
+  for (const Points& many : {on_ball(1500), on_ball(20'000), cone(1200), cone(50'000)}) {
+    const Object object{"many", many, {}};
+    const Body body = body_of(object, Dimension::space);
+    CHECK(body.only_outline);
+    CHECK(body.faces.empty());
+    const std::vector<Vec2> found = outline(object, body, from_above_the_side());
+    CHECK(found.size() < 800);
+    CHECK(area(found) > 1);
+  }
+  const Body few = body_of({"few", on_ball(900), {}}, Dimension::space);
+  CHECK_FALSE(few.only_outline);
+  CHECK(few.faces.size() == 2 * 900 - 4);
+  CHECK(body_of({"cone", cone(900), {}}, Dimension::space).faces.size() == 901);
+  Points inside = box(1, 1, 1);  // of many points eight are corners
+  for (const Point& p : on_ball(5000)) inside.push_back(p / 2);
+  CHECK(body_of({"box", inside, {}}, Dimension::space).faces.size() == 6);
+}
+
+TEST_CASE("A rounded cone of very many corners has its outline, too, and no flat parts") {
+  const AnyShape shape = Sum{{cone(20'000), ball(0.5)}};
+  CHECK(body_of({"object", shape, {}}, Dimension::space).flats.empty());
+  check_is_outline(shape, from_above_the_side(), {});
+}
+
+TEST_CASE("An outline in the plane has no more corners than are seen, and stays where it was") {
+  const std::vector<Vec2> found = outline_of(around(100'000, 0), Lens{});
+  CHECK(found.size() < 800);
+  CHECK(area(found) == Approx(pi).epsilon(1e-4));
+  CHECK(outline_of(around(300, 0), Lens{}).size() == 300);
+}

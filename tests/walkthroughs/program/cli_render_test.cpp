@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -90,6 +91,45 @@ TEST_CASE("gjkstep render shows its progress on a terminal") {
   CHECK(lines(outcome.out).size() == 3);
   CHECK(terminal.shows("figure-5: frame 1 of 3"));
   CHECK(terminal.shows("figure-5: frame 2 of 3"));
+}
+
+TEST_CASE(
+    "gjkstep render says which objects have too many corners for their edges to be drawn, and what takes its time") {
+  const Folder folder;
+  const fs::path file = folder.path() / "rough.json";
+  std::ofstream scene(file);
+  scene << R"({"size": "32x18", "a": {"name": "pebble", "points": [[0, 0, 2])";
+  for (int i = 0; i < 1500; ++i) scene << ", [" << std::cos(i) << ", " << std::sin(i) << ", 0]";
+  scene << R"(]}, "b": {"points": [[3, 0, 0], [3, 1, 0], [3, 0, 1], [4, 0, 0]]}})";
+  scene.close();
+  const std::string arguments =
+      "render " + quoted(file.string()) + " --out " + quoted((folder.path() / "out").string());
+  const Outcome outcome = run(arguments);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err ==
+        "gjkstep: rough: 'pebble' has more than 1000 corners: it is drawn without its edges, which would "
+        "cover it\n"
+        "gjkstep: rough: the difference has more than 1000 corners: it is drawn without its edges, which would cover "
+        "it\n");
+  Terminal terminal;
+  CHECK(run(arguments, "", {.out = "", .err = terminal.name()}).exit_code == 0);
+  CHECK(terminal.shows("reading " + file.string()));
+  CHECK(terminal.shows("rough: searching"));
+  CHECK(terminal.shows("rough: looking for hulls"));
+  CHECK(terminal.shows("rough: drawing"));
+  CHECK(terminal.shows("frame 1 of"));
+}
+
+TEST_CASE("gjkstep render names the letters that the font lacks, once") {
+  const Folder folder;
+  const fs::path file = folder.path() / "signs.json";
+  std::ofstream(file) << R"({"title": "漢字", "size": "32x18", "a": {"name": "立", "points": [[0, 0, 0]]},
+                             "b": {"points": [[1, 0, 0]]}})";
+  const Outcome outcome = run("render " + quoted(file.string()) + " --out " + quoted((folder.path() / "out").string()));
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err ==
+        "gjkstep: the font has no sign for 字 (U+5B57), 漢 (U+6F22), 立 (U+7ACB): boxes stand in their "
+        "place\n");
 }
 
 TEST_CASE("gjkstep render --all renders every walkthrough") {

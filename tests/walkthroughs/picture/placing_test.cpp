@@ -1,0 +1,101 @@
+// Scenes far away, very large or very small are drawn as what they are: pictures do not depend on unit and place.
+
+#include "walkthroughs/picture/placing.hpp"
+
+#include <cmath>
+
+#include "tests/catch.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/story/storyboard.hpp"
+
+using namespace walkthroughs;
+
+namespace {
+
+Points box(const Point& low, const Point& size) {
+  Points corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(low + size.cwiseProduct(Point(i & 1, i >> 1 & 1, i >> 2)));
+  return corners;
+}
+
+/// Two boxes, or two round objects, in a unit of their own and moved from the origin.
+Walkthrough pair(const AnyShape& a, const AnyShape& b, Dimension dimension) {
+  Walkthrough w{.name = "pair", .title = "pair", .source = "", .summary = ""};
+  w.panels.algorithm = false;  // it shows numbers
+  w.naming = Naming::roles;
+  w.scenes.push_back({.name = "", .a = {"a", a}, .b = {"b", b}, .dimension = dimension});
+  return w;
+}
+
+Walkthrough boxes(double unit, double along_x) {
+  Points a = box({0, 0, 0}, {2, 1, 1}), b = box({1, 0.5, 0.25}, {1, 2, 1});
+  for (Points* points : {&a, &b})
+    for (Point& p : *points) p = (p + Point(along_x, 0, 0)) * unit;
+  return pair(a, b, Dimension::space);
+}
+
+Walkthrough balls(double unit) {
+  return pair(Ball{{0, 0, 0}, unit}, Ball{Point(1, 0.25, 0.5) * unit, unit}, Dimension::space);
+}
+
+/// Checks that all frames but those of regions, in which numbers stand, look the same to a thousandth of a pixel.
+void check_same_pictures(const Walkthrough& usual, const Walkthrough& extreme, double unit, double along_x = 0) {
+  render::Font font(render::Font::default_directory());
+  // The search itself may overflow or vanish there, so its story is that of the usual scene.
+  const Placing away{unit, Point(-along_x, 0, 0)};
+  const StagedStory expected(tell(usual)), story(tell(extreme, {away.placed(run(usual.scenes[0]))}));
+  CHECK_FALSE(expected.stages[0].placing.moves());
+  CHECK(story.stages[0].placing.moves());
+  REQUIRE(story.frames.size() == expected.frames.size());
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    if (story.frames[i].focus == Focus::region) continue;
+    INFO("frame " << i);
+    const render::Size page = page_of_frame(Text::none);
+    render::Canvas one(page, page, render::palette::white, font), other(page, page, render::palette::white, font);
+    draw_frame(one, expected, i, {.text = Text::none});
+    draw_frame(other, story, i, {.text = Text::none});
+    REQUIRE(one.vertices().size() == other.vertices().size());
+    double most = 0;
+    for (std::size_t v = 0; v < one.vertices().size(); ++v)
+      most = std::max<double>({most, std::abs(one.vertices()[v].x - other.vertices()[v].x),
+                               std::abs(one.vertices()[v].y - other.vertices()[v].y)});
+    CHECK(most < 1e-3);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Very large and very small polytopes are drawn as those of usual size, edges included") {
+  for (const int exponent : {-990, -300, 260, 495})
+    check_same_pictures(boxes(1, 0), boxes(std::ldexp(1, exponent), 0), std::ldexp(1, exponent));
+}
+
+TEST_CASE("Very small and very large round objects are drawn as those of usual size") {
+  for (const int exponent : {-996, 490})
+    check_same_pictures(balls(1), balls(std::ldexp(1, exponent)), std::ldexp(1, exponent));
+}
+
+TEST_CASE("Objects far from the origin are drawn as those at it, small and large ones, too") {
+  for (const double away : {std::ldexp(1, 37), std::ldexp(1, 45)}) {
+    check_same_pictures(boxes(1, 0), boxes(1, away), 1, away);
+    check_same_pictures(boxes(1, 0), boxes(std::ldexp(1, 260), away), std::ldexp(1, 260), away);
+    check_same_pictures(boxes(1, 0), boxes(std::ldexp(1, -500), away), std::ldexp(1, -500), away);
+  }
+}
+
+TEST_CASE("What is said of a scene keeps its own numbers, however it is drawn") {
+  const Walkthrough extreme = boxes(std::ldexp(1, 260), 0);
+  const StagedStory story(tell(extreme));
+  const Story told = tell(extreme);
+  for (std::size_t i = 0; i < told.frames.size(); ++i) {
+    CHECK(story.frames[i].caption == told.frames[i].caption);
+    REQUIRE(story.frames[i].moments.size() == 1);
+    CHECK(story.frames[i].moments[0].found.has_value() == told.frames[i].moments[0].found.has_value());
+    if (told.frames[i].moments[0].found)
+      CHECK(story.frames[i].moments[0].found->w == told.frames[i].moments[0].found->w);
+    const Moment drawn = story.drawn(i, 0);
+    CHECK(drawn.iteration == told.frames[i].moments[0].iteration);
+    CHECK(drawn.simplex.size() == told.frames[i].moments[0].simplex.size());
+    if (drawn.found) CHECK(drawn.found->w.norm() < 100);
+  }
+}

@@ -1,0 +1,129 @@
+#include "walkthroughs/picture/placing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace walkthroughs {
+namespace {
+
+constexpr double least_size = 1e-30, most_size = 1e30;  // whose products of eight lengths are still finite, and not 0
+constexpr double farthest_in_sizes = 1e9;  // from the origin: there a coordinate says a billionth of the size
+constexpr int most_doublings = 1000;       // a scale that is a number, and its inverse, too
+
+/// A box in space; empty at first.
+struct Extent {
+  Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high = Point::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Point& p, double radius = 0) {
+    low = low.cwiseMin((p.array() - radius).matrix());
+    high = high.cwiseMax((p.array() + radius).matrix());
+  }
+  double size() const { return (high - low).maxCoeff(); }
+};
+
+/// One overload for each shape: a box around it where the pose puts it, perhaps with some room.
+struct ExtentOf {
+  const Pose& pose;
+
+  Extent operator()(const Points& points) const {
+    Extent extent;
+    for (const Point& p : points) extent.add(pose(p));
+    return extent;
+  }
+  Extent operator()(const Ball& ball) const { return around(ball.center, ball.radius); }
+  Extent operator()(const Cylinder& cylinder) const {
+    return around(cylinder.center, cylinder.height / 2 + cylinder.radius);
+  }
+  Extent operator()(const Sum& sum) const {
+    const Pose turned{pose.rotation, Point::Zero()};
+    const Extent first = std::visit(*this, sum.summands[0]);
+    const Extent second = std::visit(ExtentOf{turned}, sum.summands[1]);
+    return {first.low + second.low, first.high + second.high};
+  }
+
+ private:
+  Extent around(const Point& center, double radius) const {
+    Extent extent;
+    extent.add(pose(center), radius);
+    return extent;
+  }
+};
+
+struct Scaled {
+  double scale;
+  Point point(const Point& p) const { return p * scale; }
+  Point direction(const Point& d) const { return d; }
+  double length(double x) const { return x * scale; }
+};
+
+/// Moves and scales the points of an event; numbers that are said stay as they are.
+struct PlacedEvent {
+  const Placing& placing;
+
+  Vertex vertex(Vertex v) const {
+    v.a.point = (v.a.point - placing.center) * placing.scale;
+    v.b.point = (v.b.point - placing.center) * placing.scale;
+    v.w *= placing.scale;
+    return v;
+  }
+  Simplex simplex(const Simplex& simplex) const {
+    Simplex moved;
+    for (int i = 0; i < simplex.size(); ++i) moved.add(vertex(simplex[i]));
+    return moved;
+  }
+  void operator()(gjk::SupportFound<double>& event) const { event.vertex = vertex(event.vertex); }
+  void operator()(gjk::VertexAdded<double>& event) const { event.simplex = simplex(event.simplex); }
+  void operator()(gjk::SimplexReduced<double>& event) const {
+    event.before = simplex(event.before);
+    event.after = simplex(event.after);
+  }
+  void operator()(auto&) const {}
+};
+
+}  // namespace
+
+Scene Placing::placed(Scene scene) const {
+  for (Object* object : {&scene.a, &scene.b}) {
+    object->form = converted<double>(object->form, Scaled{scale});
+    object->pose.translation = (object->pose.translation - center) * scale;
+  }
+  return scene;
+}
+
+Trace Placing::placed(Trace trace) const {
+  for (auto& event : trace.events) std::visit(PlacedEvent{*this}, event);
+  return trace;
+}
+
+LabelledHull Placing::placed(LabelledHull hull) const {
+  for (render::Vec2& corner : hull.corners) corner *= scale;
+  return hull;
+}
+
+Placing placing_of(const std::vector<Telling>& tellings) {
+  Extent objects;
+  double largest = 0;  // of what is drawn
+  for (const Telling& telling : tellings) {
+    for (const Object* object : {&telling.scene.a, &telling.scene.b}) {
+      const Extent extent = std::visit(ExtentOf{object->pose}, object->form);
+      objects.add(extent.low);
+      objects.add(extent.high);
+    }
+    for (const auto& event : telling.trace.events)
+      if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event))
+        largest = std::max(largest, found->vertex.w.cwiseAbs().maxCoeff());
+  }
+  Placing placing;
+  if (tellings.empty() || !(objects.size() > 0)) return placing;
+  largest = std::max(largest, objects.size());
+  if (largest < least_size || largest > most_size)
+    placing.scale = std::ldexp(1, std::clamp(-std::ilogb(largest), -most_doublings, most_doublings));
+  const Point middle = objects.low / 2 + objects.high / 2;
+  if (middle.cwiseAbs().maxCoeff() > farthest_in_sizes * objects.size()) placing.center = middle;
+  return placing;
+}
+
+}  // namespace walkthroughs
