@@ -37,7 +37,8 @@ void draw_key(render::Canvas& canvas, render::Interval room, double baseline, st
     return std::accumulate(key.begin(), key.end(), 0.0, [&](double sum, const KeyEntry& e) { return sum + width(e); });
   };
   while (text.size > least_key_size && needed() > room.to - room.from) text.size -= 1;
-  if (needed() > room.to - room.from && std::ranges::all_of(key, &KeyEntry::may_be_shortened)) {
+  const bool may_be_shortened = !key.empty() && std::ranges::all_of(key, &KeyEntry::may_be_shortened);
+  if (may_be_shortened && needed() > room.to - room.from) {
     text.size = shortened_key_size;
     while (needed() > room.to - room.from) {
       KeyEntry& widest = *std::ranges::max_element(key, {}, width);

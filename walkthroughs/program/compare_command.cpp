@@ -10,6 +10,7 @@
 #include "render/file.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -40,13 +41,6 @@ std::vector<render::FilePair> pairs_of(const std::string& expected, const std::s
     throw UsageError("compare: there is no .png file in '" + expected + "' nor in '" + actual +
                      "'; name folders of pictures");
   return pairs;
-}
-
-/// Names of files can hold anything, also what would move the cursor of a terminal.
-std::string printable(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return text;
 }
 
 /// Returns: `path` as one word of a shell, and not an option.
@@ -119,9 +113,9 @@ class Tally {
                                  ? compared.words
                                  : compared.files.name + ": " + render::name(compared.verdict) + ": " + compared.words;
     if (compared.verdict == render::Verdict::unreadable)
-      std::cerr << "gjkstep: " << printable(line) << std::endl;
+      std::cerr << "gjkstep: " << message_line(line) << std::endl;
     else if (compared.verdict != render::Verdict::same)
-      std::cout << printable(line) << std::endl;
+      std::cout << message_line(line) << std::endl;
   }
 
   /// Returns: "2 of 5 pictures differ (1 different, 1 missing)" or "5 pictures are the same, 1 of them within the tolerance".
@@ -168,7 +162,7 @@ int CompareCommand::run() const {
     if (page) page->add(compared, accept_command(compared));
   }
   std::cout << tally.summary() << std::endl;
-  if (page) std::cout << "report: " << write_report(*page, *report).string() << std::endl;
+  if (page) std::cout << "report: " << printable(write_report(*page, *report).string()) << std::endl;
   return tally.exit_code();
 }
 
@@ -182,9 +176,8 @@ CLI::App* add_compare_command(CLI::App& app, CompareCommand& compare) {
       "Decoded pixels are compared, transparent ones on white, of animations the first picture. A pixel is off when a\n"
       "channel differs by more than 2. Pictures pass when at most 8 pixels are off (in large pictures: one in 50,000;\n"
       "in small ones: one in 100) and no group of them, joined by edges or corners, is larger than 4. In folders, a\n"
-      "file that one side lacks is a difference, and links are followed. If a folder holds rendered-by.json, an "
-      "object\n"
-      "of strings, the report shows it.\n"
+      "file that one side lacks is a difference, and links are followed. If a folder holds rendered-by.json,\n"
+      "an object of strings, the report shows it.\n"
       "Exit codes: 0 the same, 1 different, 2 wrong usage, 3 a picture cannot be read, 5 cannot write.");
   return command;
 }

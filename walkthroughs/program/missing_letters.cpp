@@ -1,23 +1,13 @@
 #include "walkthroughs/program/missing_letters.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <utility>
+
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs {
 namespace {
 
 constexpr std::size_t most_named = 8;
-
-/// Controls, and marks that turn text around or have no width.
-bool shows(char32_t code) {
-  constexpr std::pair<char32_t, char32_t> unseen[] = {
-      {0, 0x1F},        {0x7F, 0xA0},     {0xAD, 0xAD},       {0x61C, 0x61C},   {0x2000, 0x200F},
-      {0x2028, 0x202F}, {0x205F, 0x206F}, {0x3000, 0x3000},   {0xE000, 0xF8FF}, {0xFE00, 0xFE0F},
-      {0xFEFF, 0xFEFF}, {0xFFF0, 0xFFFB}, {0xE0000, 0x10FFFF}};
-  return std::ranges::none_of(unseen, [&](const auto& range) { return range.first <= code && code <= range.second; });
-}
 
 std::string utf8(char32_t code) {
   const auto tail = [&](int shift) { return static_cast<char>(0x80 | (code >> shift & 0x3F)); };
@@ -30,7 +20,7 @@ std::string utf8(char32_t code) {
 std::string name_of(char32_t code) {
   char text[16];
   std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(code));
-  return shows(code) ? utf8(code) + " (" + text + ")" : text;
+  return is_printable(code) ? utf8(code) + " (" + text + ")" : text;
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST_CASE("A frame for each step is the last one of its iteration") {
   CHECK(steps.frames.back().focus == Focus::end);
 }
 
-TEST_CASE("Frames cover the events of each run without a gap; a run that has ended repeats its last") {
+TEST_CASE("Frames cover the events of each run without a gap, and a run that has ended repeats its last") {
   for (const Walkthrough& w : catalogue()) {
     if (w.layout != Layout::search && w.layout != Layout::until_they_part && w.layout != Layout::in_step) continue;
     for (const Detail detail : {Detail::decision, Detail::step}) {

@@ -1,7 +1,7 @@
 """What the tests of disturbed runs share: commands of the project, and what they write when nothing disturbs them."""
 import dataclasses, json, pathlib, shutil, subprocess, sys
 
-root = pathlib.Path(__file__).resolve().parents[1]
+root = pathlib.Path(__file__).resolve().parents[2]
 unfinished = ".unfinished"  # how a file is called while it replaces another (render/file.cpp)
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Lets each write of a run fail as on a full disk, one run for each, and looks at what it leaves.
 
-    python3 tests/full_disk_test.py --program build/gjkstep                                        # some of them
-    python3 tests/full_disk_test.py --program build/gjkstep --study build/gjkstep-study --all      # by hand: ten minutes
+    python3 tests/disturbed/full_disk_test.py --program build/gjkstep              # some of them
+    python3 tests/disturbed/full_disk_test.py --program build/gjkstep --study build/gjkstep-study --all    # by hand: ten minutes
 
 strace lets the n-th call fail, in each thread, of what writes, names, closes (by a duplicate), makes a folder or opens a
 file: in an empty folder, and where all files are there already. Then the run ends with exit code 5 and a sentence, leaves no

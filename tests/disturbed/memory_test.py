@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs gjkstep with little memory (ulimit -v) and few processes (ulimit -u): it ends well, with whole files, or says why not.
 
-    python3 tests/memory_test.py build/gjkstep                       # some limits: what ctest runs
-    python3 tests/memory_test.py build/gjkstep --step 5              # every 5 MiB from 50 to 800, and a table: four minutes
+    python3 tests/disturbed/memory_test.py build/gjkstep             # some limits: what ctest runs
+    python3 tests/disturbed/memory_test.py build/gjkstep --step 5    # every 5 MiB from 50 to 800, and a table: four minutes
 
 Below some 200 MiB it is the system that cannot load the libraries, and says so (exit code 127).
 """
@@ -15,8 +15,8 @@ parser.add_argument("--backends", default="osmesa,egl", help="what to draw with"
 arguments = parser.parse_args()
 
 mebibyte = 1 << 20
-scene = pathlib.Path(__file__).resolve().parent / "fuzz/scenes/ok-cylinders.json"
-pictures = pathlib.Path(__file__).resolve().parent / "package/pictures/expected/box-and-can"
+scene = pathlib.Path(__file__).resolve().parents[1] / "fuzz/scenes/ok-cylinders.json"
+pictures = pathlib.Path(__file__).resolve().parents[1] / "package/pictures/expected/box-and-can"
 pair = b'{"a":{"points":[[0,0,0],[2,0,0],[0,2,0]]},"b":{"points":[[3,3,0],[1,1,1],[2,2,1]]}}\n'
 endings = {0: "well", 1: "memory, a thread or a crash", 3: "fonts", 4: "no OpenGL", 127: "libraries"}
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Kills commands of the project at random moments, and looks at what they leave.
 
-    python3 tests/kill_test.py --program build/gjkstep --study build/gjkstep-study --kills 1000     # by hand: half an hour
+    python3 tests/disturbed/kill_test.py --program build/gjkstep --study build/gjkstep-study --kills 1000    # by hand: half an hour
 
 Each kill is by SIGKILL, SIGTERM, SIGINT or SIGHUP, the last two as from a terminal, to the children, too; half of them in an
 empty folder, half where all files are there already. Then the command is run once more, to its end. Counted: files that
