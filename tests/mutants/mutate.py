@@ -93,7 +93,7 @@ def copy_to(folder):
         if not (folder / file).is_file() or (folder / file).read_bytes() != (root / file).read_bytes():
             (folder / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / file, folder / file)
-    options = ["-DGJKSTEP_TESTS=ON", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1"]
+    options = ["-DGJKSTEP_TESTS=ON", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS"]
     run(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options], folder)
 
 
