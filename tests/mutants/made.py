@@ -12,7 +12,8 @@ comparisons = {"<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">
 swapped = {"&&": "||", "||": "&&", "+": "-", "-": "+", "*": "/", "/": "*", "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*=",
            "true": "false", "false": "true", "min": "max", "max": "min", "front": "back", "back": "front",
            "floor": "ceil", "ceil": "floor", "sin": "cos", "cos": "sin"}
-no_call = "if while for switch return sizeof decltype catch operator constexpr requires noexcept assert".split()
+# In min and max the order of arguments does not matter.
+no_call = "min max if while for switch return sizeof decltype catch operator constexpr requires noexcept assert".split()
 no_statement = ("return throw using case default static const auto template struct class enum public private protected "
                 "typedef if for while else do switch friend explicit virtual constexpr namespace static_assert goto "
                 "inline extern concept requires").split()
@@ -54,7 +55,7 @@ def comparison_changes(code):
 
 
 def operator_changes(code):
-    for m in re.finditer(r"(?<=\s)(&&|\|\||[-+*/]=?)(?= )", code):
+    for m in re.finditer(r"(?<!\"\s)(?<=\s)(&&|\|\||[-+*/]=?)(?= [^\"])", code):  # not between texts, which only + joins
         yield "operator", m.start(), m.end(), swapped[m.group()]
     for m in re.finditer(r"\b(true|false)\b|\b(min|max|floor|ceil|sin|cos)(?=\()|(?<=[.])(front|back)(?=\(\))", code):
         yield "word", m.start(), m.end(), swapped[m.group()]

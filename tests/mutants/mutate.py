@@ -5,7 +5,6 @@
     tests/mutants/mutate.py --made N [WORDS]   N mutants that nobody chose, of each folder (see made.py): do its tests notice?
         --seed S        other mutants
         --in FOLDER     of this folder only (core, render, walkthroughs)
-        --programs      asks each folder's own program of tests, not the goldens as well
     tests/mutants/mutate.py --check [MUTANTS]  whether each of mutants.txt (or that file) and of equivalent.txt can be made
         --folder F      works in the copy F and keeps it: the next run builds what has changed, not all
 
@@ -27,36 +26,33 @@ def parts_of(line):
     return tuple(part.strip(" ") for part in line.split(" | "))
 
 
-def problem_of(line):
-    """Why this mutant cannot be made; empty where it can."""
+def problem_of(line, objection):
+    """Why this mutant cannot be made; empty where it can. `objection` says what is wrong with its text."""
     parts = parts_of(line)
     if len(parts) != 4:
         return f"has {len(parts)} parts instead of 4, divided by ' | '"
     file, old, new, _ = parts
     if not (root / file).is_file():
         return f"there is no file {file}"
+    return objection(file, old, new)
+
+
+def objection_to_chosen(file, old, new):
     if not old or old == new:
         return "changes nothing"
     times = (root / file).read_text().count(old)
     return "" if times == 1 else f"'{old}' is {times} times in {file}, and must be there exactly once"
 
 
-def problem_of_equivalent(line):
-    """Why this is no mutant that made.py makes; empty where it is one."""
-    parts = parts_of(line)
-    if len(parts) != 4:
-        return f"has {len(parts)} parts instead of 4, divided by ' | '"
-    file, old, new, _ = parts
-    if not (root / file).is_file():
-        return f"there is no file {file}"
-    made_there = made.mutants_of(file, (root / file).read_text())
-    return "" if any((m.old_line, m.new_line) == (old, new) for m in made_there) else "is not made of the text that stands there"
+def objection_to_equivalent(file, old, new):
+    made_there = {(mutant.old_line, mutant.new_line) for mutant in made.mutants_of(file, (root / file).read_text())}
+    return "" if (old, new) in made_there else "is not made of the text that stands there"
 
 
-def listed_in(listed, problem):
+def listed_in(listed, objection):
     """The parts of all lines of that file. Ends the program where one of them has a problem."""
     lines = [(i, l) for i, l in enumerate(listed.read_text().splitlines(), 1) if l.strip() and not l.startswith("#")]
-    problems = [f"{listed}:{i}: {problem(l)}: bring it up to date\n    {l}" for i, l in lines if problem(l)]
+    problems = [f"{listed}:{i}: {why}: bring it up to date\n    {l}" for i, l in lines if (why := problem_of(l, objection))]
     if problems:
         sys.exit("\n".join(problems))
     return [parts_of(line) for _, line in lines]
@@ -131,7 +127,7 @@ def try_chosen(mutant, folder, patience):
 
 
 def try_all_chosen(words, folder):
-    chosen = [mutant for mutant in listed_in(here / "mutants.txt", problem_of)
+    chosen = [mutant for mutant in listed_in(here / "mutants.txt", objection_to_chosen)
               if not words or any(word in " | ".join(mutant) for word in words)]
     if not chosen:
         sys.exit(f"no mutant has {' or '.join(words)} in its line")
@@ -156,13 +152,10 @@ def fitting_tests(file):
     return ",".join(f"[#{test}]" for test in tests if not test.endswith("_in_browser_test"))
 
 
-def stages(file, programs_only):
+def stages(file):
     """Programs and which of their tests, those first that most likely notice. Each is built when its turn comes."""
     program = folders[file.split("/")[0]]
-    yield program, [fitting_tests(file)]
-    yield program, []
-    if not programs_only:
-        yield "golden-tests", []
+    return [(program, [fitting_tests(file)]), (program, []), ("golden-tests", [])]
 
 
 def first_failure(out):
@@ -170,9 +163,9 @@ def first_failure(out):
     return out if out == "does not end" else case.group(1).splitlines()[0] if case else "crashes"
 
 
-def who_notices(file, folder, patience, programs_only):
+def who_notices(file, folder, patience):
     """The first test that fails; empty where none does. None: this does not compile."""
-    for program, tests in stages(file, programs_only):
+    for program, tests in stages(file):
         if not build(folder, program):
             return None
         out, code = run([f"build/{program}", "--filenames-as-tags", "--abort", *tests], folder, patience)
@@ -181,13 +174,13 @@ def who_notices(file, folder, patience, programs_only):
     return ""
 
 
-def try_made(mutant, folder, patience, programs_only):
+def try_made(mutant, folder, patience):
     """Returns: 'noticed', 'SURVIVED' or 'no mutant', which the compiler refuses; prints it."""
     path, start = folder / mutant.file, time.monotonic()
     sound = path.read_text()
     path.write_text(sound[:mutant.start] + mutant.new + sound[mutant.end:])
     try:
-        by = who_notices(mutant.file, folder, patience, programs_only)
+        by = who_notices(mutant.file, folder, patience)
     finally:
         path.write_text(sound)
     verdict = "no mutant" if by is None else "noticed" if by else "SURVIVED"
@@ -206,10 +199,9 @@ def patience_of(folder, programs):
 
 
 def try_all_made(arguments, folder):
-    equivalent = {parts[:3] for parts in listed_in(here / "equivalent.txt", problem_of_equivalent)}
+    equivalent = {parts[:3] for parts in listed_in(here / "equivalent.txt", objection_to_equivalent)}
     tops = [arguments.only] if arguments.only else list(folders)
-    programs = [folders[top] for top in tops] + ([] if arguments.programs else ["golden-tests"])
-    patience = patience_of(folder, programs)
+    patience = patience_of(folder, [folders[top] for top in tops] + ["golden-tests"])
     table, good = [], True
     for top in tops:
         start = time.monotonic()
@@ -219,7 +211,7 @@ def try_all_made(arguments, folder):
         counts = dict.fromkeys(("noticed", "SURVIVED", "no mutant", "equivalent"), 0)
         for mutant in made.sample(mutants, arguments.made, arguments.seed):
             known = (mutant.file, mutant.old_line, mutant.new_line) in equivalent
-            counts["equivalent" if known else try_made(mutant, folder, patience, arguments.programs)] += 1
+            counts["equivalent" if known else try_made(mutant, folder, patience)] += 1
         judged = counts["noticed"] + counts["SURVIVED"]
         good &= 100 * counts["noticed"] >= aim * judged
         score = f"{100 * counts['noticed'] / judged:.0f} %" if judged else "none"
@@ -236,13 +228,12 @@ def main():
     parser.add_argument("--made", type=int)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--in", dest="only", choices=folders)
-    parser.add_argument("--programs", action="store_true")
     parser.add_argument("--folder", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
     if arguments.check:
-        chosen = listed_in(pathlib.Path(arguments.words[0]) if arguments.words else here / "mutants.txt", problem_of)
-        listed_in(here / "equivalent.txt", problem_of_equivalent)
+        chosen = listed_in(pathlib.Path(arguments.words[0]) if arguments.words else here / "mutants.txt", objection_to_chosen)
+        listed_in(here / "equivalent.txt", objection_to_equivalent)
         return print(len(chosen), "mutants can be made")
     with tempfile.TemporaryDirectory(prefix="gjkstep-mutants-") as temporary:
         folder = (arguments.folder or pathlib.Path(temporary)).resolve()

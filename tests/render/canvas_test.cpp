@@ -212,6 +212,23 @@ TEST_CASE("runs hold the clip rectangles in drawing order") {
   REQUIRE(std::array{runs[2].left, runs[2].top, runs[2].right, runs[2].bottom} == std::array{0, 0, 200, 10});
 }
 
+TEST_CASE("an arrow that is long enough is as wide as its stroke, its head in proportion") {
+  Page page;
+  page.canvas.arrow({20, 50}, {80, 50}, {.width = 4});
+  const auto capsules = capsules_of(page.canvas);
+  REQUIRE(capsules.size() == 1);
+  REQUIRE(page.canvas.vertices()[0].radius == 2);
+  REQUIRE(capsules[0].from.x() == Approx(20));
+  REQUIRE(capsules[0].to.x() == Approx(80 - arrow_head::length * 4 + 2));  // inside the head
+  float lowest = 50, highest = 50, left = 80;
+  for (const CanvasVertex& v : page.canvas.vertices()) {
+    if (v.kind != Kind::fill) continue;
+    lowest = std::min(lowest, v.y), highest = std::max(highest, v.y), left = std::min(left, v.x);
+  }
+  REQUIRE(highest - lowest == Approx(arrow_head::width * 4).margin(1.5));  // with the edge that fades
+  REQUIRE(left == Approx(80 - arrow_head::length * 4).margin(1));
+}
+
 TEST_CASE("an arrow without length is nothing, a short one shrinks as a whole") {
   Page page;
   page.canvas.arrow({10, 10}, {10, 10}, {});
