@@ -56,7 +56,8 @@ struct Scaled {
   double scale;
   Point point(const Point& p) const { return p * scale; }
   Point direction(const Point& d) const { return d; }
-  double length(double x) const { return x * scale; }
+  /// A shape has a size, also one that vanishes beside the other.
+  double length(double x) const { return std::max(x * scale, least_size); }
 };
 
 /// Moves and scales the points of an event; numbers that are said stay as they are.

@@ -60,14 +60,13 @@ fs::path file_of(int stream) {
 
 }  // namespace
 
-void Places::read(const fs::path& file, const std::string& what) {
-  read_.emplace_back(resolved_but_for_last(file), what);
-  if (resolved(file) != read_.back().first) read_.emplace_back(resolved(file), what);
+void Places::add(std::vector<Place>& places, const fs::path& file, const std::string& what) {
+  places.emplace_back(resolved_but_for_last(file), what);
+  if (resolved(file) != places.back().first) places.emplace_back(resolved(file), what);
 }
 
-void Places::write(const fs::path& file, const std::string& what) {
-  written_.emplace_back(resolved_but_for_last(file), what);
-}
+void Places::read(const fs::path& file, const std::string& what) { add(read_, file, what); }
+void Places::write(const fs::path& file, const std::string& what) { add(written_, file, what); }
 
 void Places::write_pictures(const fs::path& folder, const std::string& what) {
   pictures_.emplace_back(resolved(folder), what);

@@ -9,8 +9,8 @@
 namespace walkthroughs {
 
 /// Knows all files and folders of a run before the first is written, so that nothing is written over what was read or over
-/// what else was written. However a path is spelt, and whichever links it goes through, one place is one place; the last
-/// name of a path is taken as it is, because a file that is written replaces a link and not what it leads to.
+/// what else was written. However a path is spelt, and whichever links it goes through, one place is one place. A path that
+/// ends in a link is two: a file that is written replaces the link, but whoever names it may mean what it leads to.
 class Places {
  public:
   /// What is read: a scene file, a trace. `what` names it in messages, here and below.
@@ -28,6 +28,8 @@ class Places {
 
  private:
   using Place = std::pair<std::filesystem::path, std::string>;  // and what is there
+
+  static void add(std::vector<Place>& places, const std::filesystem::path& file, const std::string& what);
 
   std::vector<Place> read_, written_, pictures_;
 };

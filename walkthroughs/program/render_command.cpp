@@ -184,7 +184,7 @@ class Rendering {
   /// On a terminal, what is being done: in place of what was being done before, nothing where `what` is empty.
   static void progress(const std::string& what) {
     static const bool terminal = isatty(STDERR_FILENO) != 0;
-    if (terminal) std::cerr << "\r\033[K" + what << std::flush;
+    if (terminal) std::cerr << "\r\033[K" + message_line(what) << std::flush;
   }
 
   /// What the pictures do not tell, once for all of them.

@@ -42,6 +42,7 @@ class Objection {
       return "has index " + std::to_string(*found_.index) + ", but there are " + std::to_string(points.size()) +
              " points";
     const double size = bound_of(points), allowed = allowance(size);
+    if (has_overflowed(size)) return "";
     const Point claimed = pose_(points[static_cast<std::size_t>(*found_.index)]);
     if (!(largest(found_.point - claimed) <= allowed))
       return "is not where the point of index " + std::to_string(*found_.index) + " lies";
@@ -53,6 +54,7 @@ class Objection {
 
   std::string operator()(const Ball& ball) const {
     if (found_.index) return on_an_object_without_list();
+    if (has_overflowed(bound_of(ball))) return "";
     const Point farthest = pose_(ball.center) + along_ * (ball.radius / along_.norm());
     const bool is_there = largest(found_.point - farthest) <= allowance(bound_of(ball));
     return is_there ? "" : "is not the farthest point of the sphere";
@@ -60,6 +62,7 @@ class Objection {
 
   std::string operator()(const Cylinder& cylinder) const {
     if (found_.index) return on_an_object_without_list();
+    if (has_overflowed(bound_of(cylinder))) return "";
     const double half = cylinder.height / 2, radius = cylinder.radius;
     const double allowed = allowance(bound_of(cylinder));
     const Point axis = turned(cylinder.axis.stableNormalized()), from_center = found_.point - pose_(cylinder.center);
@@ -98,6 +101,11 @@ class Objection {
 
   double vanished() const { return 4 * precision_.least / length_; }  ///< of the products with the direction itself
   bool may_overflow(double size) const { return !(3 * (size * length_) <= precision_.largest); }
+
+  /// Infinite, as what lies beyond all numbers of the scalar is.
+  bool has_overflowed(double size) const {
+    return !found_.point.allFinite() && 3 * size + largest(pose_.translation) > precision_.largest;
+  }
 
   double allowance(double size) const {
     return roundings * precision_.epsilon * (3 * size + largest(pose_.translation)) + precision_.least_normal;

@@ -83,6 +83,19 @@ TEST_CASE("Objects far from the origin are drawn as those at it, small and large
   }
 }
 
+TEST_CASE("An object that vanishes beside the other is drawn with it") {
+  render::Font font(render::Font::default_directory());
+  const Ball large{{1e150, 0, 0}, 1e149};
+  for (const AnyShape& small :
+       {AnyShape(Ball{{0, 0, 0}, 1e-300}), AnyShape(Cylinder{{0, 0, 0}, {1, 2, 3}, 1e-250, 1e-300}),
+        AnyShape(Sum{{Points{{0, 0, 0}, {1e-200, 0, 0}}, Ball{{0, 0, 0}, 1e-250}}})}) {
+    const Walkthrough w = pair(small, large, Dimension::space);
+    const StagedStory story(tell(w));
+    render::Canvas canvas(frame_page, frame_page, render::palette::white, font);
+    for (std::size_t i = 0; i < story.frames.size(); ++i) CHECK_NOTHROW(draw_frame(canvas, story, i));
+  }
+}
+
 TEST_CASE("What is said of a scene keeps its own numbers, however it is drawn") {
   const Walkthrough extreme = boxes(std::ldexp(1, 260), 0);
   const StagedStory story(tell(extreme));

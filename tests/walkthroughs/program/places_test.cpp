@@ -56,7 +56,17 @@ TEST_CASE("Links to folders are followed, also to those that are not there yet, 
   CHECK(is_refused(root / "out/a", root / "link/a/000.png"));
   CHECK(is_refused(root / "again/a", root / "link/a/000.png"));
   CHECK_FALSE(is_refused(root / "out/a", root / "ring/a/000.png"));
-  CHECK_FALSE(is_refused(root / "out/a", root / "picture"));  // which is replaced by a file
+  CHECK(is_refused(root / "out/a", root / "picture"));
+}
+
+TEST_CASE("A link to what else is written is not written over, such as /dev/stdout where that is a file") {
+  const Folder folder;
+  fs::create_symlink("printed", folder.path() / "stdout");
+  Places places;
+  places.write(folder.path() / "printed", "standard output");
+  places.expect_apart();
+  places.write(folder.path() / "stdout", "the captions");
+  CHECK_THROWS_AS(places.expect_apart(), UsageError);
 }
 
 TEST_CASE("What is read is not written over, by neither of its names, and may be read twice") {

@@ -76,6 +76,13 @@ TEST_CASE("A scene and a query of the same pair give the same answer", "[scene-f
   CHECK(asked > 150);
 }
 
+TEST_CASE("The trace of objects that a pose moves beyond all floats is taken", "[trace-file]") {
+  for (const char* object : {R"("points":[[3e38,0,0]])", R"("sphere":{"center":[3e38,0,0],"radius":1e38})",
+                             R"("cylinder":{"center":[3e38,0,0],"axis":[0,0,1],"radius":1,"height":2})"})
+    check_takes_what_it_writes({"far.json", std::string(R"({"scalar":"float","a":{)") + object +
+                                                R"(,"pose":{"translation":[3e38,0,0]}},"b":{"points":[[0,0,0]]}})"});
+}
+
 TEST_CASE("The trace of cylinders and their sums is taken at every scale", "[trace-file]") {
   for (int power = -323; power < 150; ++power) check_takes_what_it_writes(scaled(std::pow(10, power)));
 }
