@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <regex>
 
 #include "tests/catch.hpp"
 #include "tests/study/report/tables.hpp"
@@ -197,13 +198,14 @@ TEST_CASE("A shard that makes no sense is refused though its checksum is right",
       {"\"queries\":34", "\"queries\":0", "a time is of queries that were not asked"},
       {"\"queries\":34", "\"queries\":35", "a time is of queries that were not asked"},
       {"\"queries\":34", "\"queries\":33", "a time is of queries that were not asked"},
-      {"\"nanoseconds\":", "\"nanoseconds\":99999999999999", "more than an hour"},
   };
   for (const Change& change : changes) {
     INFO(change.from << " becomes " << change.to);
     CHECK_THAT(refusal(resealed(sound, change.from, change.to)),
                StartsWith("a.json is damaged: ") && Contains(change.said));
   }
+  const std::string slow = std::regex_replace(sound, std::regex("\"nanoseconds\":[0-9]+"), "\"nanoseconds\":999999999999999");
+  CHECK_THAT(refusal(resealed(slow, "", "")), Contains("a query took more than an hour"));
 }
 
 TEST_CASE("Shards that the fuzzer begins with are read or refused as their names say", "[study]") {
