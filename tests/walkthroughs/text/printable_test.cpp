@@ -30,7 +30,7 @@ TEST_CASE("Quotes hold 40 letters at most, whatever their bytes") {
 }
 
 TEST_CASE("A message is one line, and its overlong words lack their middle") {
-  CHECK(message_line("/tmp/a b: is\nbad; mend it") == "/tmp/a b: is\\x0abad; mend it");
+  CHECK(message_line("/there/a b: is\nbad; mend it") == "/there/a b: is\\x0abad; mend it");
   const std::string front(200, 'a'), back(80, 'z');
   CHECK(message_line("at " + front + back + ": no") == "at " + front.substr(1) + "…" + back.substr(1) + ": no");
   CHECK(message_line(front + back + " no") == front + back + " no");
