@@ -38,7 +38,7 @@ TEST_CASE("Simplices are the same where they have the same vertices in the same 
   REQUIRE_FALSE(of_first(2) == of_first(2).only({Role::A, Role::B}));
 }
 
-TEST_CASE("A copy has what was there; what it had before is gone", "[simplex]") {
+TEST_CASE("A copy has what was there, and nothing of what it had before", "[simplex]") {
   for (int n = 0; n <= 4; ++n) {
     Simplex<double> copy = of_first(4).only({Role::A, Role::B, Role::C, Role::D});
     copy = of_first(n);
