@@ -5,13 +5,6 @@
 namespace render {
 namespace {
 
-double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 along = to - from, to_p = p - from;
-  const double squared = along.squaredNorm();
-  const double share = squared > 0 ? std::clamp(to_p.dot(along) / squared, 0.0, 1.0) : 0;
-  return (to_p - along * share).norm();
-}
-
 /// Appends what is needed of the corners from `first` to before `last`; an index beyond the last corner begins anew.
 void append_needed(std::span<const Vec2> polygon, std::size_t first, std::size_t last, double tolerance,
                    std::vector<Vec2>& needed) {
@@ -31,6 +24,13 @@ void append_needed(std::span<const Vec2> polygon, std::size_t first, std::size_t
 }
 
 }  // namespace
+
+double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
+  const Vec2 along = to - from, to_p = p - from;
+  const double squared = along.squaredNorm();
+  const double share = squared > 0 ? std::clamp(to_p.dot(along) / squared, 0.0, 1.0) : 0;
+  return (to_p - along * share).norm();
+}
 
 // Liang and Barsky (1984): the segment enters the box where it has entered both slabs and leaves it where it leaves
 // the first.

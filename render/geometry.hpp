@@ -52,6 +52,8 @@ struct Interval {
 /// Returns: the part of the segment that lies in `box` (border included), or nothing where none does.
 std::optional<Interval> clip_segment(const Vec2& from, const Vec2& to, const Box& box);
 
+double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to);
+
 /// Returns: the part of a convex polygon where `gradient`·p + `offset` >= 0.
 std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradient, double offset);
 

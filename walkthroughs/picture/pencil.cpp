@@ -15,12 +15,6 @@ constexpr double patch_half_side = 110;  // page units
 constexpr double triad_length = 30, triad_margin = 48, least_between_names = 14, least_named_axis = 0.3;
 constexpr double name_beyond_tip = 9, name_beside_tip = 13, name_rise = 5, least_from_axis = 7;
 
-double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 along = to - from;
-  const double share = along.isZero(0) ? 0 : std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - from - share * along).norm();
-}
-
 /// The three axes of a triad in the picture, and where their names stand.
 struct Triad {
   Vec2 start;
@@ -40,7 +34,7 @@ struct Triad {
   double clearance(int axis, const Vec2& place) const {
     double least = std::numeric_limits<double>::infinity();
     for (int other = 0; other < 3; ++other)
-      if (other != axis) least = std::min(least, distance_to_segment(place, start, tips[other]));
+      if (other != axis) least = std::min(least, render::distance_to_segment(place, start, tips[other]));
     return least;
   }
 };
