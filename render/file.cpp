@@ -176,7 +176,18 @@ void write_file(const fs::path& path, std::string_view text) {
   write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-void expect_writable(const fs::path& folder) { const NewFile file(folder / "file"); }
+void expect_writable(const fs::path& path) {
+  refuse_other_than_file(path);
+  const NewFile file(path);
+}
+
+void make_folder(const fs::path& folder, const std::string& what_to_do) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw FileError("cannot create the folder " + folder.string() + ": " + error.message() + "; " + what_to_do);
+  expect_writable(folder / "file");
+}
 
 std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t most) { return OldFile(path).read(most); }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,8 +32,12 @@ inline constexpr std::uintmax_t max_file_bytes = std::uintmax_t{1} << 30;
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// Errors: FileError where no file can be made in that folder; none is left behind.
-void expect_writable(const std::filesystem::path& folder);
+/// Errors: FileError where write_file() would surely fail: `path` is a folder or a device, or no file can be made beside it;
+/// none is left behind.
+void expect_writable(const std::filesystem::path& path);
+
+/// Makes sure that the folder is there and can be written to. Errors: FileError, which says `what_to_do`.
+void make_folder(const std::filesystem::path& folder, const std::string& what_to_do);
 
 /// Errors: ReadError, also where `path` is no regular file, such as a pipe or a device, which may never end, and where it
 /// is larger than `most` bytes. Reads no more, and waits for nobody.

@@ -144,18 +144,22 @@ def try_all_chosen(words, folder):
 
 
 def fitting_tests(file):
-    """Catch2's words for the tests of that file, or of its room where none is called after it."""
+    """The files with the tests of that file, or of its room where none is called after it, without their endings."""
     path = pathlib.PurePath(file)
     room = root / "tests" / path.parent
-    named = sorted(test.stem for test in room.glob("*_test.cpp") if test.stem.startswith(path.stem))
-    tests = named or sorted(test.stem for test in room.glob("*_test.cpp"))
-    return ",".join(f"[#{test}]" for test in tests if not test.endswith("_in_browser_test"))
+    tests = sorted(test.stem for test in room.glob("*_test.cpp") if not test.stem.endswith("_in_browser_test"))
+    return [test for test in tests if test.startswith(path.stem)] or tests
 
 
 def stages(file):
     """Programs and which of their tests, those first that most likely notice. Each is built when its turn comes."""
-    program = folders[file.split("/")[0]]
-    return [(program, [fitting_tests(file)]), (program, []), ("golden-tests", [])]
+    top = file.split("/")[0]
+    program, fitting = folders[top], fitting_tests(file)
+    if top == "core":  # all of which is compiled into each test
+        first = [(test, []) for test in fitting if test != "no_heap_test"]
+    else:
+        first = [(program, [",".join(f"[#{test}]" for test in fitting)])]
+    return [*first, (program, []), ("golden-tests", [])]
 
 
 def first_failure(out):
@@ -174,15 +178,33 @@ def who_notices(file, folder, patience):
     return ""
 
 
+def keep_sound(folder):
+    """Keeps what is built without any change beside it."""
+    shutil.rmtree(folder / "sound", ignore_errors=True)
+    shutil.copytree(folder / "build", folder / "sound", symlinks=True)
+
+
+def bring_back_sound(folder):
+    """Undoes what the build of a mutant did: without this, what depends on the file would be built again unchanged."""
+    for file in (folder / "build").rglob("*"):
+        sound = folder / "sound" / file.relative_to(folder / "build")
+        if file.is_file() and not sound.is_file():
+            file.unlink()
+        elif file.is_file() and file.stat().st_mtime_ns != sound.stat().st_mtime_ns:
+            shutil.copy2(sound, file)
+
+
 def try_made(mutant, folder, patience):
     """Returns: 'noticed', 'SURVIVED' or 'no mutant', which the compiler refuses; prints it."""
     path, start = folder / mutant.file, time.monotonic()
-    sound = path.read_text()
+    sound, times = path.read_text(), path.stat()
     path.write_text(sound[:mutant.start] + mutant.new + sound[mutant.end:])
     try:
         by = who_notices(mutant.file, folder, patience)
     finally:
         path.write_text(sound)
+        os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+        bring_back_sound(folder)
     verdict = "no mutant" if by is None else "noticed" if by else "SURVIVED"
     print(f"{verdict:9} {mutant.file}:{mutant.line}: {mutant.kind} ({time.monotonic() - start:.0f} s)"
           f"\n    {mutant.old_line}\n    {mutant.new_line}" + (f"\n    {by}" if by else ""), flush=True)
@@ -202,6 +224,7 @@ def try_all_made(arguments, folder):
     equivalent = {parts[:3] for parts in listed_in(here / "equivalent.txt", objection_to_equivalent)}
     tops = [arguments.only] if arguments.only else list(folders)
     patience = patience_of(folder, [folders[top] for top in tops] + ["golden-tests"])
+    keep_sound(folder)
     table, good = [], True
     for top in tops:
         start = time.monotonic()

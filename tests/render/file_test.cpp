@@ -98,12 +98,25 @@ TEST_CASE("A file that cannot be written names itself, and the old one stays") {
   REQUIRE(entries(folder.path) == 1);  // nothing temporary
 }
 
-TEST_CASE("Whether a folder can be written to is found out without leaving anything there") {
+TEST_CASE("Whether a file can be written is found out without leaving anything there") {
   const Folder folder;
-  expect_writable(folder.path);
+  expect_writable(folder.path / "file");
   CHECK(entries(folder.path) == 0);
-  REQUIRE_THROWS_AS(expect_writable(folder.path / "missing"), FileError);
-  REQUIRE_THROWS_AS(expect_writable("/proc"), FileError);
+  write_file(folder.path / "file", bytes);
+  expect_writable(folder.path / "file");
+  CHECK(read_file(folder.path / "file") == bytes);
+  for (const fs::path& file :
+       {folder.path, folder.path / "missing" / "file", fs::path("/proc/file"), fs::path("/dev/full")})
+    REQUIRE_THROWS_AS(expect_writable(file), FileError);
+}
+
+TEST_CASE("A folder is made where it is missing, unless it cannot be made or written to") {
+  const Folder folder;
+  for (int i = 0; i < 2; ++i) make_folder(folder.path / "one" / "two", "");
+  CHECK(entries(folder.path / "one" / "two") == 0);
+  write_file(folder.path / "file", bytes);
+  for (const fs::path& other : {folder.path / "file", folder.path / "file" / "below", fs::path("/proc")})
+    REQUIRE_THROWS_AS(make_folder(other, ""), FileError);
 }
 
 TEST_CASE("A file that is not there cannot be read") {

@@ -1,7 +1,9 @@
 #include "walkthroughs/picture/body.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -18,6 +20,7 @@ constexpr int outline_directions = 180;
 constexpr int rim_points = 72;
 constexpr std::size_t most_differences = 20'000;  // more vertices could not be told apart in a picture
 constexpr std::size_t most_in_outline = 360;      // corners that are drawn all
+constexpr double alike = 1e-6;                    // radians, and parts of an object's size
 constexpr double least_corner = 1e-5;  // of more, those that stand out so far, in parts of the outline's size
 
 std::vector<Vec2> through(const Lens& lens, const std::vector<Point>& points) {
@@ -38,10 +41,8 @@ std::vector<Point> corners_of(const std::vector<render::Face>& faces) {
   return corners;
 }
 
-/// Returns: whether the points have surely more than `most_corners`, told by which of them are farthest in directions all
-/// around. So no hull is made that is not drawn: among points in one plane Qhull takes quadratic time.
-bool has_many_corners(const std::vector<Point>& points) {
-  if (points.size() <= most_corners) return false;
+/// Returns: those that are farthest in directions all around, each once; no more than one above `most_corners`.
+std::vector<Point> farthest_all_around(const std::vector<Point>& points) {
   const gjk::PointSet<double> set(points);
   std::set<int> farthest;
   constexpr int directions = 4 * most_corners;
@@ -50,7 +51,40 @@ bool has_many_corners(const std::vector<Point>& points) {
     const double z = 1 - (2 * i + 1.0) / directions, level = std::sqrt(1 - z * z), angle = golden_angle * i;
     farthest.insert(set.support({level * std::cos(angle), level * std::sin(angle), z}).index.value());
   }
-  return farthest.size() > most_corners;
+  std::vector<Point> found;
+  for (const int index : farthest) found.push_back(points[static_cast<std::size_t>(index)]);
+  return found;
+}
+
+/// Returns: the points that stick out of a hull so far that a picture may show it.
+std::vector<Point> outside(const std::vector<render::Face>& hull, const std::vector<Point>& points) {
+  std::vector<Point> normals;
+  double size = 0;
+  for (const render::Face& face : hull) {
+    normals.push_back(face.outward().stableNormalized());
+    size = std::max(size, (face.corners[0] - hull[0].corners[0]).stableNorm());
+  }
+  const auto is_inside = [&](const Point& p) {
+    for (std::size_t i = 0; i < hull.size(); ++i)
+      if (!(normals[i].dot(p - hull[i].corners[0]) <= alike * size)) return false;  // also what is too large to tell
+    return true;
+  };
+  std::vector<Point> found;
+  std::ranges::remove_copy_if(points, std::back_inserter(found), is_inside);
+  return found;
+}
+
+/// Returns: points whose hull looks the same; nothing where they are surely more than `most_corners`. So no hull is made
+/// that is not drawn: of points in one plane or along a curve Qhull takes quadratic time.
+std::optional<std::vector<Point>> without_inner_points(const std::vector<Point>& points) {
+  if (points.size() <= most_corners) return points;
+  std::vector<Point> corners = farthest_all_around(points);
+  if (corners.size() > most_corners) return std::nullopt;
+  const std::vector<render::Face> hull = hull_faces(corners);
+  if (hull.empty()) return points;
+  std::ranges::copy(outside(hull, points), std::back_inserter(corners));
+  if (corners.size() > most_corners) return std::nullopt;
+  return corners;
 }
 
 Body only_outline(std::vector<Point> vertices) { return {std::move(vertices), {}, {}, true}; }
@@ -62,8 +96,9 @@ Body polytope(std::vector<Point> vertices, Dimension dimension) {
       flat.vertices.emplace_back(corner.x(), corner.y(), 0);
     return flat;
   }
-  if (has_many_corners(vertices)) return only_outline(std::move(vertices));
-  std::vector<render::Face> faces = hull_faces(vertices);
+  const std::optional<std::vector<Point>> fewer = without_inner_points(vertices);
+  if (!fewer) return only_outline(std::move(vertices));
+  std::vector<render::Face> faces = hull_faces(*fewer);
   if (!faces.empty()) vertices = corners_of(faces);
   if (!faces.empty() && vertices.size() > most_corners) return only_outline(std::move(vertices));
   return {std::move(vertices), std::move(faces), {}};
@@ -149,7 +184,6 @@ std::vector<Vec2> seen(std::vector<Vec2> hull) {
 // -- What is flat of a round object -----------------------------------------------------------------------------------
 
 constexpr std::size_t most_directions = 200;  // more flat parts could not be told apart in a picture
-constexpr double alike = 1e-6;                // radians, and parts of an object's size
 
 void add_direction(const Point& direction, std::vector<Point>& list) {
   const Point unit = direction.stableNormalized();
@@ -191,9 +225,10 @@ Straight straight_of_flat(const std::vector<Point>& points) {
 }
 
 Straight straight_of_polytope(const std::vector<Point>& points) {
-  if (has_many_corners(points)) return {};
-  const std::vector<render::Face> faces = hull_faces(points);
-  if (faces.empty()) return straight_of_flat(points);
+  const std::optional<std::vector<Point>> fewer = without_inner_points(points);
+  if (!fewer) return {};
+  const std::vector<render::Face> faces = hull_faces(*fewer);
+  if (faces.empty()) return straight_of_flat(*fewer);
   Straight found;
   for (const render::Face& face : faces) {
     add_direction(face.outward(), found.normals);

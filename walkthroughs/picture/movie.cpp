@@ -8,6 +8,15 @@
 namespace walkthroughs {
 namespace {
 
+/// Returns: a character between quotes. Of those that a terminal acts upon, only a line break stays what it is.
+std::string in_single_quotes(char c) {
+  if (c == '\'') return "'\\''";
+  if (c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F)) return std::string(1, c);
+  char text[32];
+  std::snprintf(text, sizeof text, R"-('"$(printf '\%03o')"')-", static_cast<unsigned>(c));
+  return text;
+}
+
 /// Returns: `text` as one word of a POSIX shell, in quotes only where it needs them.
 std::string quoted(const std::string& text) {
   const auto plain = [](char c) {
@@ -16,7 +25,7 @@ std::string quoted(const std::string& text) {
   };
   if (!text.empty() && std::ranges::all_of(text, plain)) return text;
   std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  for (const char c : text) word += in_single_quotes(c);
   return word + "'";
 }
 

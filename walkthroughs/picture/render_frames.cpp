@@ -25,13 +25,10 @@ std::string file_name(std::size_t index, int turn = 0) {
   return name;
 }
 
-fs::path make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw render::FileError("cannot create the folder " + folder.string() + ": " + error.message() +
-                            "; choose another with --out");
-  return folder;
+/// Returns: the folder of a walkthrough's pictures, which is there.
+fs::path folder_of(const Output& output, const Walkthrough& walkthrough) {
+  render::make_folder(output.folder / walkthrough.name, "choose another with --out");
+  return output.folder / walkthrough.name;
 }
 
 /// Returns: the size of a picture of `page` at the scale of `output`, smaller where it would not fit.
@@ -87,7 +84,7 @@ void Renderer::write(fs::path file, render::Image image, render::PngText text, F
 void Renderer::frames(const StagedStory& story, const Output& output, FrameWritten written,
                       std::optional<double> animation_seconds, FileWritten animation_written) {
   const Walkthrough& w = story.walkthrough;
-  const fs::path folder = make_folder(output.folder / w.name);
+  const fs::path folder = folder_of(output, w);
   const std::size_t count = story.frames.size();
   const int turns = in_space(w) ? output.turns : 0;
   const auto animation = std::make_shared<render::Animation>(render::PngText{w.title, w.summary});
@@ -119,7 +116,7 @@ void Renderer::strip(const StagedStory& story, const Output& output, FileWritten
   const render::Size page = strip_page(story);
   render::Canvas canvas(pixels_of(page, output), page, output.look.style.theme.paper, studio_.font);
   draw_strip(canvas, story, output.look);
-  const fs::path file = make_folder(output.folder / story.walkthrough.name) / "strip.png";
+  const fs::path file = folder_of(output, story.walkthrough) / "strip.png";
   write(file, studio_.rasterizer.draw(canvas), {story.walkthrough.title, story.walkthrough.summary},
         std::move(written));
 }
@@ -132,7 +129,7 @@ void Renderer::sheet(const StagedStory& story, const Output& output, FileWritten
   sheet.fill(output.look.style.theme.faint);
   for (int i = 0; i < layout.count; ++i)
     sheet.paste(draw(story, static_cast<std::size_t>(i), small), layout.left(i), layout.top(i));
-  const fs::path file = make_folder(output.folder / story.walkthrough.name) / "sheet.png";
+  const fs::path file = folder_of(output, story.walkthrough) / "sheet.png";
   write(file, std::move(sheet), {story.walkthrough.title, story.walkthrough.summary}, std::move(written));
 }
 

@@ -94,11 +94,7 @@ void expect_apart(const std::vector<render::FilePair>& pairs, const fs::path& re
 }
 
 fs::path write_report(const render::CompareReport& report, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw render::FileError("cannot create the folder " + folder.string() + ": " + error.message() +
-                            "; choose another with --report");
+  render::make_folder(folder, "choose another with --report");
   const fs::path page = folder / page_of_report;
   render::write_file(page, report.html());
   return page;

@@ -83,6 +83,7 @@ class Rendering {
     const Output output = checked_output();
     const Selection selection = select();
     expect_apart(selection, output.folder);
+    expect_writable_captions(selection, output.folder);
     Written written;  // before the renderer, which writes what it was given even when it goes early
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
@@ -145,6 +146,14 @@ class Rendering {
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
     places.write_standard_output();
     places.expect_apart();
+  }
+
+  /// Before all that is drawn, not after it. They may be meant to lie beside pictures.
+  void expect_writable_captions(const Selection& selection, const std::filesystem::path& folder) const {
+    if (!command_.captions) return;
+    for (const Selection::Chosen& each : selection.chosen())
+      render::make_folder(folder / each.walkthrough->name, "choose another with --out");
+    render::expect_writable(*command_.captions);
   }
 
   void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {

@@ -1,6 +1,7 @@
 #include "walkthroughs/text/names.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "render/utf8.hpp"
@@ -14,11 +15,23 @@ const std::string nameless = "scene";
 
 std::string stem_of(const std::string& file_name) { return std::filesystem::path(file_name).stem().string(); }
 
-bool may_begin_a_name(char c) {
-  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-';
+bool is_blank(char32_t c) {
+  return c == 0xA0 || c == 0x1680 || (0x2000 <= c && c <= 0x200A) || c == 0x202F || c == 0x205F || c == 0x3000;
 }
 
-bool may_be_in_a_name(char c) { return may_begin_a_name(c) || c == '.'; }
+/// Letters of all scripts, and what no shell and no page takes for anything else.
+bool may_begin_a_name(char32_t c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-' ||
+         (c >= 0x80 && is_printable(c) && !is_blank(c));
+}
+
+bool may_be_in_a_name(char32_t c) { return may_begin_a_name(c) || c == '.'; }
+
+std::string code_point_name(char32_t c) {
+  char text[16];
+  std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(c));
+  return text;
+}
 
 }  // namespace
 
@@ -26,8 +39,8 @@ std::string objection_to_words(std::string_view text, std::size_t longest) {
   const std::u32string points = code_points(text);
   if (std::ranges::all_of(points, [](char32_t c) { return c == U' '; }))
     return "is empty; write something, or leave the key out";
-  if (!std::ranges::all_of(points, is_printable))
-    return "has a control character, such as a line break or a tab; leave it out";
+  if (const auto hidden = std::ranges::find_if_not(points, is_printable); hidden != points.end())
+    return "has " + code_point_name(*hidden) + ", which cannot be shown; leave it out";
   if (points.size() > longest)
     return "has " + std::to_string(points.size()) + " characters; shorten it to " + std::to_string(longest);
   return "";
@@ -35,8 +48,10 @@ std::string objection_to_words(std::string_view text, std::size_t longest) {
 
 std::string objection_to_name(std::string_view name) {
   if (std::string objection = objection_to_words(name, scene_limits::walkthrough); !objection.empty()) return objection;
+  if (name.size() > scene_limits::walkthrough)
+    return "has " + std::to_string(name.size()) + " bytes; shorten it to " + std::to_string(scene_limits::walkthrough);
   bool is_begin = true;
-  for (const char c : std::string(name) + "/") {
+  for (const char32_t c : code_points(name) + U"/") {
     const bool is_good = is_begin ? may_begin_a_name(c) : may_be_in_a_name(c) || c == '/';
     if (!is_good)
       return in_quotes(name) + " cannot name a folder; use letters, digits, '_', '-', and inside of words '.'";
@@ -46,11 +61,16 @@ std::string objection_to_name(std::string_view name) {
 }
 
 std::string name_from_file(const std::string& file_name) {
-  std::string name = stem_of(file_name);
-  std::ranges::replace_if(
-      name, [](char c) { return !may_be_in_a_name(c); }, '-');
-  name.erase(0, name.find_first_not_of('.'));  // all of it where there is nothing else
-  name.resize(std::min(name.size(), scene_limits::walkthrough));
+  const std::string stem = stem_of(file_name);
+  std::string name;
+  for (std::string_view rest = stem; !rest.empty();) {
+    const render::Letter letter = render::first_letter(rest);
+    rest.remove_prefix(letter.bytes.size());
+    if (letter.code_point == '.' && name.empty()) continue;
+    const std::string_view next = letter.is_well_formed && may_be_in_a_name(letter.code_point) ? letter.bytes : "-";
+    if (name.size() + next.size() > scene_limits::walkthrough) break;
+    name += next;
+  }
   return name.empty() ? nameless : name;
 }
 

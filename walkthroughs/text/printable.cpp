@@ -44,7 +44,8 @@ bool is_printable(char32_t c) {
   const bool control = c < 0x20 || (0x7F <= c && c < 0xA0);
   const bool turns_or_breaks_lines = (0x200E <= c && c <= 0x200F) || (0x2028 <= c && c <= 0x202E) ||
                                      (0x2066 <= c && c <= 0x2069) || c == 0x061C || c == 0xFEFF;
-  return !control && !turns_or_breaks_lines;
+  const bool cannot_be_seen = c == 0x00AD || c == 0x200B || (0x2060 <= c && c <= 0x2064);
+  return !control && !turns_or_breaks_lines && !cannot_be_seen;
 }
 
 std::optional<std::size_t> first_not_utf_8(std::string_view text) {

@@ -11,7 +11,8 @@ namespace walkthroughs {
 /// Returns: the code points of UTF-8; U+FFFD for each byte that is not.
 std::u32string code_points(std::string_view text);
 
-/// Returns: whether a terminal or a picture can show it: no control character, nothing that breaks or turns lines.
+/// Returns: whether a terminal or a picture can show it: no control character, nothing that breaks or turns lines, and
+/// nothing that only looks like nothing, such as a space of no width.
 bool is_printable(char32_t code_point);
 
 /// Returns: where the first byte is that is not UTF-8; nothing where all are.

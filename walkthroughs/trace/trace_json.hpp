@@ -27,7 +27,7 @@ std::string event_json(const gjk::Event<double>& event);
 /// Returns: the JSON Schema (draft 2020-12) of one line of a trace.
 std::string_view trace_schema();
 
-/// Runs the scenes of `walkthrough` and writes their traces.
+/// Runs the scenes of `walkthrough`, of which there must be one, and writes their traces.
 void write_traces(std::ostream& out, const Walkthrough& walkthrough);
 
 }  // namespace walkthroughs

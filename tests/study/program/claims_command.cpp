@@ -6,19 +6,22 @@
 
 #include "tests/study/claims/claims.hpp"
 #include "tests/study/sweep/plan.hpp"
+#include "walkthroughs/program/number_option.hpp"
 
 namespace study {
 
+using walkthroughs::expect_number;
+
 void ClaimsCommand::add_to(CLI::App& app) {
   CLI::Option* const is_quick = app.add_flag("--quick", quick, "20,000 pairs of every kind: a few seconds");
-  app.add_option("--pairs", pairs, "so many of every kind; the report took a million triangles")
-      ->check(CLI::Range(std::uint64_t{1}, most_pairs))
-      ->excludes(is_quick)
-      ->capture_default_str();
-  app.add_option("--seed", seed, "which pairs are made")->capture_default_str();
-  app.add_option("--threads", threads, "0: as many as there are processors")
-      ->check(CLI::Range(0u, most_threads))
-      ->capture_default_str();
+  expect_number(app.add_option("--pairs", pairs, "so many of every kind; the report took a million triangles")
+                    ->excludes(is_quick)
+                    ->capture_default_str(),
+                std::uint64_t{1}, most_pairs);
+  expect_number(app.add_option("--seed", seed, "which pairs are made")->capture_default_str(), std::uint64_t{0},
+                most_seed);
+  expect_number(app.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u,
+                most_threads);
 }
 
 void ClaimsCommand::run() const {

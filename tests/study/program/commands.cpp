@@ -6,14 +6,19 @@
 #include <stdexcept>
 #include <thread>
 
+#include "render/file.hpp"
 #include "tests/study/methods/all_methods.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"
 #include "tests/study/report/results.hpp"
 #include "tests/study/sweep/failure_files.hpp"
-#include "tests/study/sweep/folder.hpp"
+#include "walkthroughs/program/number_option.hpp"
+#include "walkthroughs/program/places.hpp"
 
 namespace study {
+
+using walkthroughs::expect_number;
+
 namespace {
 
 void list() {
@@ -25,6 +30,17 @@ void list() {
   std::cout << "iteration limits (--limit)\n ";
   for (const int limit : limits) std::cout << ' ' << limit;
   std::cout << '\n';
+}
+
+/// So that a shard is not written over by what it is merged into. A whole study may be, by itself.
+void expect_apart(const std::vector<std::string>& read, const std::vector<std::filesystem::path>& written) {
+  walkthroughs::Places places;
+  for (const std::string& file : read)
+    if (read.size() > 1) places.read(file, "the study " + file);
+  for (const std::filesystem::path& file : written)
+    places.write(file, "what --out gets, " + file.filename().string() + ",");
+  places.write_standard_output();
+  places.expect_apart();
 }
 
 void announce(const Plan& plan) {
@@ -55,25 +71,26 @@ void announce_time(const Plan& plan) {
 void RunCommand::add_to(CLI::App& app) {
   CLI::Option* const is_quick = app.add_flag("--quick", quick, "less than a minute on two cores (the default)");
   CLI::Option* const is_full = app.add_flag("--full", full, "says first how long it will take")->excludes(is_quick);
-  app.add_option("--seed", request.seed, "which pairs are made")->capture_default_str();
-  app.add_option("--pairs", request.pairs, "so many of each family, a 50th of them in exact numbers")
-      ->check(CLI::Range(std::uint64_t{1}, most_pairs))
-      ->excludes(is_quick)
-      ->excludes(is_full);
+  expect_number(app.add_option("--seed", request.seed, "which pairs are made")->capture_default_str(), std::uint64_t{0},
+                most_seed);
+  expect_number(app.add_option("--pairs", request.pairs, "so many of each family, a 50th of them in exact numbers")
+                    ->excludes(is_quick)
+                    ->excludes(is_full),
+                std::uint64_t{1}, most_pairs);
   add_list(app, "--families", request.families, "only these, such as triangles,boxes");
   add_list(app, "--rules", request.rules, "only these");
   add_list(app, "--scalar", request.scalars, "only these");
   add_list(app, "--zero-test", request.zero_tests, "only these");
   add_list(app, "--limit", request.limits, "these iteration limits");
   app.add_option("--shard", shard, "I/N: one N-th of the pairs, I from 0; leaves a file for merge");
-  app.add_option("--threads", threads, "0: as many as there are processors")
-      ->check(CLI::Range(0u, most_threads))
-      ->capture_default_str();
+  expect_number(app.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u,
+                most_threads);
   app.add_option("--out", out, "folder of the results")->capture_default_str();
   CLI::Option* const saves = app.add_option("--save-failures", failures, "folder for scene files of what went wrong");
-  app.add_option("--max-failures", max_failures, "of each family, method and kind")
-      ->capture_default_str()
-      ->needs(saves);
+  expect_number(app.add_option("--max-failures", max_failures, "of each family, method and kind")
+                    ->capture_default_str()
+                    ->needs(saves),
+                std::uint64_t{0}, most_pairs);
 }
 
 void RunCommand::run() const {
@@ -84,7 +101,9 @@ void RunCommand::run() const {
   Plan plan = plan_of(wanted);
   if (shard) plan.shard = parse_shard(*shard);
   plan.threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-  for (const std::string& folder : {out, failures.value_or(out)}) make_folder(folder);  // before the work, not after it
+  expect_apart({}, plan.shard.count > 1 ? std::vector{shard_file(out, plan.shard)} : result_files(out));
+  render::make_folder(out, "choose another with --out");  // before the work, not after it
+  if (failures) render::make_folder(*failures, "choose another with --save-failures");
   announce(plan);
   if (full || request.pairs) announce_time(plan);
   plan.failures_kept = failures ? max_failures : 0;
@@ -115,6 +134,7 @@ void MergeCommand::run() const {
   std::vector<NamedStudy> shards;
   if (std::ranges::count(files, "") > 0)
     throw UsageError("merge '': name files that 'gjkstep-study run --shard' wrote");
+  expect_apart(files, result_files(out));
   for (const std::string& file : files) shards.push_back({file, read_study(file)});
   const Study study = merged(std::move(shards));
   write_results(out, study);
@@ -126,7 +146,6 @@ void Commands::add_to(CLI::App& app) {
   merge_.add_to(*app.add_subcommand("merge", "add up the shards of a study"));
   claims_.add_to(*app.add_subcommand("claims", "measure what the report claims; Markdown on the standard output"));
   app.add_subcommand("list", "families and settings");
-  for (CLI::App* const command : app.get_subcommands({})) expect_digits(*command);
   all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
           {app.get_subcommand("merge"), [this] { merge_.run(); }},
           {app.get_subcommand("claims"), [this] { claims_.run(); }},

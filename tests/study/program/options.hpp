@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "tests/study/sweep/plan.hpp"
-#include "walkthroughs/program/number_option.hpp"
+#include "walkthroughs/text/decimal.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace study {
-
-/// Goes through all options that take a number without a sign. Call it when the command has all its options.
-inline void expect_digits(CLI::App& command) {
-  for (CLI::Option* const option : command.get_options([](const CLI::Option* o) {
-         return o->get_type_name().starts_with(CLI::detail::type_name<std::uint64_t>());
-       }))
-    walkthroughs::expect_number(option, std::uint64_t{0}, ~std::uint64_t{0}, "from 0, below 2^64");
-}
 
 /// An option that takes "a,b", and that may be repeated.
 template <class T>

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/study/report/results.hpp"
 #include "tests/study/sweep/checksum.hpp"
 
 namespace walkthroughs::test {
@@ -171,10 +172,19 @@ TEST_CASE("study: wrong usage ends with 2", "[program]") {
 }
 
 TEST_CASE("study: numbers are digits, and none is taken for another", "[program]") {
-  for (const std::string option : {"run --seed", "run --threads", "run --pairs", "claims --seed", "claims --pairs",
-                                   "run --save-failures f --max-failures"})
+  const std::string seeds = "from 0 to 18446744073709551615", pairs = "from 1 to 1000000000000";
+  for (const auto& [option, range] :
+       {std::pair{"run --seed", seeds},
+        {"claims --seed", seeds},
+        {"run --pairs", pairs},
+        {"claims --pairs", pairs},
+        {"run --threads", std::string("from 0 to 1024")},
+        {"claims --threads", std::string("from 0 to 1024")},
+        {"run --save-failures f --max-failures", std::string("from 0 to 1000000000000")}}) {
     for (const std::string number : {"-1", "+1", "1e3", "0x10", "18446744073709551616", "''"})
-      check_failure(option + " " + number, 2, {"expected a whole number from 0, below 2^64"});
+      check_failure(option + (" " + number), 2, {"expected a whole number " + range});
+    CHECK(has(run(std::string(option).substr(0, std::string(option).find(' ')) + " --help").out, range));
+  }
   const Folder folder;
   const Outcome outcome = run("run --seed 010 --pairs 1 --families cycles --out " + in(folder, "o"));
   CHECK(has(outcome.err, "seed 10, "));
@@ -202,6 +212,38 @@ TEST_CASE("study: a folder without a name is wrong usage", "[program]") {
   check_failure(few + "--out --seed", 2, {"--out '--seed': name a folder"});
   check_failure(few + "--save-failures ''", 2, {"--save-failures '': name a folder"});
   check_failure("merge x --out ''", 2, {"--out '': name a folder"});
+}
+
+TEST_CASE("study: results leave the files that are known before, and no others", "[program]") {
+  const Folder folder;
+  const std::string few = "run --pairs 1 --families cycles ", out = (folder.path() / "out").string();
+  CHECK(run(few + "--out " + quoted(out)).exit_code == 0);
+  CHECK(run(few + "--shard 1/3 --out " + quoted(out)).exit_code == 0);
+  std::vector<std::filesystem::path> files = study::result_files(out);
+  files.push_back(study::shard_file(out, {1, 3}));
+  for (const auto& file : files) CHECK(std::filesystem::exists(file));
+  CHECK(files.size() == listing(out).size());
+}
+
+TEST_CASE("study: what would be written over what is read is refused", "[program]") {
+  const Folder folder;
+  const std::string few = "run --pairs 1 --families cycles ", out = (folder.path() / "out").string();
+  CHECK(run(few + "--shard 0/2 --out " + quoted(out)).exit_code == 0);
+  CHECK(run(few + "--shard 1/2 --out " + quoted(out)).exit_code == 0);
+  std::filesystem::rename(out + "/shard-0-of-2.json", out + "/study.json");
+  const std::string before = bytes_of(out + "/study.json");
+  const std::string both =
+      "merge " + quoted(out + "/study.json") + " " + quoted(out + "/shard-1-of-2.json") + " --out ";
+  check_failure(both + quoted(out), 2, {"the study ", "have the same place", "study.json"});
+  CHECK(bytes_of(out + "/study.json") == before);
+  const std::string whole = (folder.path() / "whole").string();
+  CHECK(run(both + quoted(whole)).exit_code == 0);
+  CHECK(run("merge " + quoted(whole + "/study.json") + " --out " + quoted(whole)).exit_code == 0);  // draws it again
+  std::filesystem::create_directories(folder.path() / "o");
+  const Outcome outcome =
+      run(few + "--out " + in(folder, "o"), "", {.out = (folder.path() / "o/study.csv").string(), .err = ""});
+  CHECK(outcome.exit_code == 2);
+  CHECK(has(outcome.err, "standard output"));
 }
 
 TEST_CASE("study: a folder that cannot be made ends with 5", "[program]") {

@@ -9,6 +9,8 @@
 
 namespace study {
 
+inline constexpr const char* picture_files[] = {"error-vs-time.png", "heat-map.png", "iterations.png"};
+
 struct Picture {
   std::string file;    ///< "heat-map.png"
   std::string script;  ///< for gnuplot, with its data; the picture goes to its standard output

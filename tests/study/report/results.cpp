@@ -1,16 +1,21 @@
 #include "tests/study/report/results.hpp"
 
 #include <iostream>
+#include <utility>
 
 #include "render/file.hpp"
 #include "tests/study/report/pictures.hpp"
 #include "tests/study/report/tables.hpp"
-#include "tests/study/sweep/folder.hpp"
 #include "tests/study/sweep/study_file.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
 namespace {
+
+constexpr const char* whole = "study.json";
+constexpr std::pair<const char*, std::string (*)(const Settings&)> texts[] = {
+    {"study.csv", counts_csv},      {"timings.csv", timings_csv},       {"tables.md", counts_markdown},
+    {"errors.md", errors_markdown}, {"settings.md", settings_markdown}, {"timings.md", timings_markdown}};
 
 void write(const std::filesystem::path& file, const std::string& text) {
   render::write_file(file, text);
@@ -19,29 +24,34 @@ void write(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> result_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files = {folder / whole};
+  for (const auto& [name, text] : texts) files.push_back(folder / name);
+  for (const char* const picture : picture_files) files.push_back(folder / picture);
+  return files;
+}
+
 void write_results(const std::filesystem::path& folder, const Study& study) {
-  make_folder(folder);
+  render::make_folder(folder, "choose another with --out");
   const Settings settings(study);
-  write(folder / "study.json", to_json(study));
-  write(folder / "study.csv", counts_csv(settings));
-  write(folder / "timings.csv", timings_csv(settings));
-  write(folder / "tables.md", counts_markdown(settings));
-  write(folder / "errors.md", errors_markdown(settings));
-  write(folder / "settings.md", settings_markdown(settings));
-  write(folder / "timings.md", timings_markdown(settings));
+  write(folder / whole, to_json(study));
+  for (const auto& [name, text] : texts) write(folder / name, text(settings));
   for (const Picture& picture : {error_vs_time(settings), heat_map(settings), iterations(settings)})
     if (draw(picture, folder))
       std::cout << (folder / picture.file).string() << '\n';
     else
       std::cerr << "gjkstep-study: " << picture.file << " is left out: gnuplot is not there or failed; apt-get install "
-                << "gnuplot-nox, then: gjkstep-study merge " << (folder / "study.json").string() << " --out "
+                << "gnuplot-nox, then: gjkstep-study merge " << (folder / whole).string() << " --out "
                 << folder.string() << '\n';
 }
 
+std::filesystem::path shard_file(const std::filesystem::path& folder, const Shard& shard) {
+  return folder / ("shard-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.count) + ".json");
+}
+
 void write_shard(const std::filesystem::path& folder, const Study& study) {
-  make_folder(folder);
-  write(folder / ("shard-" + std::to_string(study.shard.index) + "-of-" + std::to_string(study.shard.count) + ".json"),
-        to_json(study));
+  render::make_folder(folder, "choose another with --out");
+  write(shard_file(folder, study.shard), to_json(study));
 }
 
 Study read_study(const std::filesystem::path& file) {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "render/file.hpp"
-#include "tests/study/sweep/folder.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
@@ -108,7 +107,7 @@ bool fits_scene(const Failure& failure) {
 }
 
 Saved write_failures(const std::filesystem::path& folder, const std::vector<Failure>& failures, std::uint64_t seed) {
-  make_folder(folder);
+  render::make_folder(folder, "choose another with --save-failures");
   Saved saved;
   for (const Failure& failure : failures) {
     if (!fits_scene(failure)) {

@@ -14,6 +14,7 @@ namespace study {
 
 using walkthroughs::UsageError;
 
+inline constexpr std::uint64_t most_seed = ~std::uint64_t{0};
 inline constexpr unsigned most_threads = 1024;  ///< that a command line may ask for
 
 enum class Scope { quick, full };

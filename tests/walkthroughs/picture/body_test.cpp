@@ -168,6 +168,16 @@ Points on_ball(int count) {
   return points;
 }
 
+/// Every point a corner, few of them farthest in a direction that one would think of, the hull nearly flat.
+Points twisted_cubic(int count) {
+  Points curve;
+  for (int i = 0; i < count; ++i) {
+    const double t = -1 + 2.0 * i / (count - 1);
+    curve.emplace_back(t, t * t, t * t * t);
+  }
+  return curve;
+}
+
 Points cone(int count) {
   Points points = around(count, 0);
   points.emplace_back(0, 0, 2);
@@ -193,6 +203,24 @@ TEST_CASE("A body with more corners than a picture can show is drawn as its outl
   Points inside = box(1, 1, 1);  // of many points eight are corners
   for (const Point& p : on_ball(5000)) inside.push_back(p / 2);
   CHECK(body_of({"box", inside, {}}, Dimension::space).faces.size() == 6);
+}
+
+TEST_CASE("Very many points along a curve are drawn as their outline, too") {
+  const Object object{"curve", twisted_cubic(50'000), {}};
+  const Body body = body_of(object, Dimension::space),
+             exact = body_of({"curve", twisted_cubic(1000), {}}, Dimension::space);
+  CHECK(area(outline(object, body, from_above_the_side())) ==
+        Approx(area(outline(object, exact, from_above_the_side()))).epsilon(1e-4));
+  CHECK(body.only_outline);
+}
+
+TEST_CASE("What sticks out between the directions that are looked along is part of the hull") {
+  Points points = box(1, 1, 1);
+  for (const Point& p : on_ball(1500)) points.push_back(p / 2);
+  points.emplace_back(0.3, 0.2, 1.0005);  // above a face, farthest only in directions very near its normal
+  const Body body = body_of({"roof", points, {}}, Dimension::space);
+  CHECK(body.vertices.size() == 9);
+  CHECK(body.faces.size() == 9);
 }
 
 TEST_CASE("A rounded cone of very many corners has its outline, too, and no flat parts") {

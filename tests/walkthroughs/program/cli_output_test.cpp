@@ -45,13 +45,24 @@ TEST_CASE("A frame that is larger than files may be is exit code 5, and nothing 
   CHECK(std::filesystem::is_empty(folder.path() / "figure-5"));
 }
 
-TEST_CASE("Captions that cannot be written are exit code 5") {
+TEST_CASE("Captions that cannot be written are exit code 5 before anything is drawn") {
   const Folder folder;
-  const Outcome outcome =
-      run("render figure-5 --size 32x18 --captions " + quoted((folder.path() / "no" / "where").string()) + " --out " +
-          quoted(folder.path().string()));
-  CHECK(outcome.exit_code == 5);
-  CHECK(has(outcome.err, "where"));
+  for (const std::string& captions : {(folder.path() / "no" / "where").string(), std::string("/dev/full")}) {
+    const Outcome outcome =
+        run("render figure-5 --size 32x18 --captions " + quoted(captions) + " --out " + quoted(folder.path().string()));
+    CHECK(outcome.exit_code == 5);
+    CHECK(has(outcome.err, "cannot write " + captions));
+    CHECK(std::filesystem::is_empty(folder.path() / "figure-5"));
+  }
+}
+
+TEST_CASE("Captions may lie beside the pictures, in a folder that the run makes") {
+  const Folder folder;
+  const std::string out = (folder.path() / "out").string();
+  CHECK(run("render figure-5 --size 32x18 --captions " + quoted(out + "/figure-5/captions.json") + " --out " +
+            quoted(out))
+            .exit_code == 0);
+  CHECK(std::filesystem::exists(out + "/figure-5/captions.json"));
 }
 
 TEST_CASE("Standard output that is full is exit code 5") {

@@ -99,7 +99,7 @@ TEST_CASE(
   const fs::path file = folder.path() / "rough.json";
   std::ofstream scene(file);
   scene << R"({"size": "32x18", "a": {"name": "pebble", "points": [[0, 0, 2])";
-  for (int i = 0; i < 1500; ++i) scene << ", [" << std::cos(i) << ", " << std::sin(i) << ", 0]";
+  for (int i = 0; i < 4000; ++i) scene << ", [" << std::cos(i) << ", " << std::sin(i) << ", 0]";
   scene << R"(]}, "b": {"points": [[3, 0, 0], [3, 1, 0], [3, 0, 1], [4, 0, 0]]}})";
   scene.close();
   const std::string arguments =

@@ -9,12 +9,17 @@ using namespace walkthroughs;
 TEST_CASE("The name of a scene can name a folder that is seen, whatever its file is called") {
   CHECK(name_from_file("a/b/Tank_2-x.1.json") == "Tank_2-x.1");
   CHECK(name_from_file("two words;rm -rf ~.json") == "two-words-rm--rf--");
-  CHECK(name_from_file("Zürich.json") == "Z--rich");
+  CHECK(name_from_file("Zürich.json") == "Zürich");
+  CHECK(name_from_file("場面.json") == "場面");
+  CHECK(name_from_file("a\u00A0b\u3000c\u202Ed\xFF.json") == "a-b-c-d-");
   CHECK(name_from_file("line\nbreak.json") == "line-break");
   CHECK(name_from_file("_.json") == "_");
   CHECK(name_from_file(".s") == "s");
   CHECK(name_from_file("..s.json") == "s");
   CHECK(name_from_file(std::string(250, 'x') + ".json") == std::string(200, 'x'));
+  std::string umlauts = "x";
+  for (int i = 0; i < 121; ++i) umlauts += "ü";
+  CHECK(name_from_file(umlauts + ".json") == umlauts.substr(0, 199));  // no half letter
   for (const char* const file : {"..", ".", "", "/", "...json"}) CHECK(name_from_file(file) == "scene");
 }
 
@@ -47,11 +52,15 @@ TEST_CASE("What is made from a file's name is what traces may have, letter by le
 }
 
 TEST_CASE("A name lies in its folder, is seen there, and is as long as said") {
-  for (const char* const name : {"a", "_", "-", "regions/2-simplex-r3", "a.b", "a/b/c.", "..."})
+  for (const char* const name : {"a", "_", "-", "regions/2-simplex-r3", "a.b", "a/b/c.", "ä/場面", "..."})
     CHECK(objection_to_name(name).empty() == (std::string(name) != "..."));
   for (const char* const name :
-       {"", " ", ".", "..", ".a", "/a", "a/", "a//b", "a/../b", "a/.b", "a b", "ä", "a\nb", "a\\b"})
+       {"", " ", ".", "..", ".a", "/a", "a/", "a//b", "a/../b", "a/.b", "a b", "a\u00A0b", "a\u200Bb", "a\nb", "a\\b"})
     CHECK_FALSE(objection_to_name(name).empty());
   CHECK(objection_to_name(std::string(scene_limits::walkthrough, 'x')).empty());
   CHECK(objection_to_name(std::string(scene_limits::walkthrough + 1, 'x')) == "has 201 characters; shorten it to 200");
+  std::string wide;
+  for (int i = 0; i < 101; ++i) wide += "ü";
+  CHECK(objection_to_name(wide) == "has 202 bytes; shorten it to 200");
+  CHECK(objection_to_words("a\u202Eb\tc", 9) == "has U+202E, which cannot be shown; leave it out");
 }

@@ -8,6 +8,7 @@ TEST_CASE("What is not printable is shown as an escape, and the rest as it is") 
   CHECK(printable("plain, größe, ∞ 𝄞 'quoted' \\") == "plain, größe, ∞ 𝄞 'quoted' \\");
   CHECK(printable(std::string("\x1b[31m\r\n\t\0\x7f", 10)) == "\\x1b[31m\\x0d\\x0a\\x09\\x00\\x7f");
   CHECK(printable("a\u202eb\u2066c\u200fd\u061ce\ufefff\u0085") == "a\\u202eb\\u2066c\\u200fd\\u061ce\\ufefff\\u0085");
+  CHECK(printable("a\u00adb\u200bc\u2060d\u2064e\u200cf") == "a\\u00adb\\u200bc\\u2060d\\u2064e\u200cf");
   CHECK(printable("\xff\xc3(\xed\xa0\x80\xe2\x80") == "\\xff\\xc3(\\xed\\xa0\\x80\\xe2\\x80");
 }
 

@@ -20,6 +20,7 @@ namespace {
 /// The walkthroughs of the catalogue, one through tetrahedra, and one in numbers that need all their digits.
 std::vector<Walkthrough> walkthroughs_to_trace() {
   std::vector<Walkthrough> list = catalogue();
+  std::erase_if(list, [](const Walkthrough& w) { return w.scenes.empty(); });  // diagrams have no trace
   list.push_back(walkthrough_of({{5, 1, 2}, {-4, 3, 1}, {-1, -5, 2}, {0, 1, -6}, {1, 2, 5}}));
   list.push_back(walkthrough_of({{0.1, 1.0 / 3, 1e-17}, {-0.7, 2e-5, 0.3}, {-1e-3, -2.0 / 7, 123.456}},
                                 {.first_direction = {0.1, -1e-9, 1.0 / 3}},
@@ -274,7 +275,7 @@ TEST_CASE("The verdict on a region follows from value and relation") {
 
 TEST_CASE("The walkthroughs use the whole vocabulary of events") {
   std::set<std::string> seen;
-  for (const Walkthrough& w : catalogue())
+  for (const Walkthrough& w : walkthroughs_to_trace())
     for (const Json& line : lines_of(w)) seen.insert(line.value("event", "header"));
   CHECK(seen == std::set<std::string>{"header", "search-started", "support-found", "crossing-tested", "vertex-added",
                                       "region-tested", "simplex-reduced", "direction-chosen", "finished"});
