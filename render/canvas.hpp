@@ -37,7 +37,7 @@ inline constexpr double whole = 6;
 enum class Align { left, center, right };
 
 struct TextStyle {
-  double size = 24;  ///< em size in page units
+  double size;  ///< em size in page units
   Weight weight = Weight::regular;
   Color color = palette::ink;
   Align align = Align::left;

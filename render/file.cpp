@@ -129,7 +129,7 @@ class OldFile {
       if (count == bytes.size()) bytes.resize(count + (1 << 16));
       const ssize_t more = ::read(descriptor_, bytes.data() + count, bytes.size() - count);
       if (more < 0 && errno == EINTR) continue;
-      if (more < 0) fail(reason(errno), "check the disk");
+      if (more < 0) fail_of_disk();
       count += static_cast<std::size_t>(more);
       if (count > most) fail_too_large(most);
       if (more > 0) continue;
@@ -141,12 +141,13 @@ class OldFile {
  private:
   std::size_t size(std::uintmax_t most) const {
     struct stat status;
-    if (::fstat(descriptor_, &status) != 0) fail(reason(errno), "check the disk");
+    if (::fstat(descriptor_, &status) != 0) fail_of_disk();
     if (!S_ISREG(status.st_mode))
       fail(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file", "put a file in its place");
     if (static_cast<std::uintmax_t>(status.st_size) > most) fail_too_large(most);
     return static_cast<std::size_t>(status.st_size);
   }
+  [[noreturn]] void fail_of_disk() const { fail(reason(errno), "check the disk"); }
   [[noreturn]] void fail_too_large(std::uintmax_t most) const {
     fail("it is larger than " + in_words(most), "put a smaller file in its place");
   }

@@ -242,7 +242,7 @@ void Panel::name_area(std::span<const Vec2> corners, std::string text, std::stri
 
 // Points first: their names have the least choice.
 int Panel::place_labels() {
-  std::vector<Box> taken;
+  std::vector<Box> taken = kept_clear_;
   int crowded = 0;
   const auto place_all = [&](const auto& labels) {
     std::vector<Place> places;

@@ -72,6 +72,8 @@ class Panel {
   /// The same, with `shorter` where `text` does not fit in, beside the middle of the area where that does not fit either.
   /// An empty `shorter` leaves the name out.
   void name_area(std::span<const Vec2> corners, std::string text, std::string shorter, const TextStyle& style);
+  /// No label is to stand there. `box`: page units.
+  void keep_clear(const Box& box) { kept_clear_.push_back(box); }
   /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
   /// after everything else.
   /// Returns: how many of them could not be kept clear of lines, of each other, and of the frame.
@@ -124,6 +126,7 @@ class Panel {
   std::vector<Obstacle> obstacles_, fine_lines_;
   std::vector<Label> labels_;
   std::vector<AreaName> area_names_;
+  std::vector<Box> kept_clear_;
 };
 
 }  // namespace render

@@ -280,7 +280,7 @@ TEST_CASE("letters stand on whole pixels, the nearest to the place that was aske
 
 TEST_CASE("all of the halo lies below all of the letters") {
   Page page;
-  page.canvas.text({20, 50}, "ab", {.color = palette::blue, .halo = palette::white});
+  page.canvas.text({20, 50}, "ab", {.size = 24, .color = palette::blue, .halo = palette::white});
   const auto list = page.canvas.vertices();
   REQUIRE(list.size() == 17 * 2 * 6);
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -128,6 +128,26 @@ TEST_CASE("The histogram of the page begins a bin where pixels begin to be off a
     CHECK(count(report.html(), "<th scope=\"row\">" + std::string(bin) + "</th>") == 1);
 }
 
+TEST_CASE("The bins of pixels that are off are marked and no others") {
+  for (const int tolerance : {0, 2, 3, 4, 255}) {
+    ComparedFiles pair = different("a.png");
+    pair.comparison.tolerance.channel = tolerance;
+    CompareReport report(head);
+    report.add(pair, "cp");
+    const std::string html = report.html();
+    int from = 0;
+    for (std::size_t row = html.find("<th scope=\"row\">0</th>"); row != std::string::npos;
+         row = html.find("<th scope=\"row\">", row + 1)) {
+      from = std::stoi(html.substr(row + 16));
+      const bool is_off = html.substr(row - 12, 12) == " class=\"off\"" || html.substr(row - 13, 12) == " class=\"off\"";
+      INFO("tolerance " << tolerance << ", from " << from);
+      CHECK(is_off == (from > tolerance));
+      if (html.find("</table>", row) < html.find("<th scope=\"row\">", row + 1)) break;
+    }
+    CHECK(from > 100);
+  }
+}
+
 TEST_CASE("Many pairs are shown with pictures up to a limit and the others in words and the page says so") {
   CompareReport report(head, {.failures = 2, .passes = 1});
   for (const char* name : {"1", "2", "3", "4"}) report.add(different(name), "cp");

@@ -119,6 +119,26 @@ TEST_CASE("A folder is made where it is missing, unless it cannot be made or wri
     REQUIRE_THROWS_AS(make_folder(other, ""), FileError);
 }
 
+TEST_CASE("However many files are written and read, all are closed") {
+  const Folder folder;
+  const std::ptrdiff_t open = entries("/proc/self/fd");
+  for (int i = 0; i < 20; ++i) {
+    write_file(folder.path / "file", bytes);
+    expect_writable(folder.path / "file");
+    read_file(folder.path / "file");
+  }
+  CHECK(entries("/proc/self/fd") == open);
+}
+
+TEST_CASE("What the system says of a file that cannot be read is told") {
+  try {
+    read_file("/proc/self/mem");  // a regular file whose first bytes nobody may read
+    FAIL("read");
+  } catch (const ReadError& error) {
+    CHECK(std::string(error.what()) == "cannot read /proc/self/mem: Input/output error; check the disk");
+  }
+}
+
 TEST_CASE("A file that is not there cannot be read") {
   const Folder folder;
   REQUIRE_THROWS_AS(read_file(folder.path / "missing"), FileError);

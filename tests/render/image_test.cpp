@@ -294,6 +294,19 @@ TEST_CASE("a short file that says it is a huge picture does not get the memory f
   REQUIRE(error_of_reading(folder.path / "a.png").find("not enough data for its pixels") != std::string::npos);
 }
 
+TEST_CASE("a picture packed as tightly as can be is not too short for its pixels, whatever its kind of colour") {
+  for (const auto& [kind, bytes] : {std::pair{0, 1}, {2, 3}, {4, 2}, {6, 4}}) {
+    const std::string header = big_endian(4000) + big_endian(4000) + std::string{8, static_cast<char>(kind), 0, 0, 0};
+    const std::string packed = deflated(std::string(static_cast<std::size_t>(4000 * (4000 * bytes + 1)), '\0'));
+    const std::string png = "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", packed) + chunk("IEND", "");
+    REQUIRE(error_of_decoding({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}) == "");
+    const std::string half = packed.substr(0, packed.size() * 9 / 10);
+    const std::string cut = "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", half) + chunk("IEND", "");
+    REQUIRE(error_of_decoding({reinterpret_cast<const std::uint8_t*>(cut.data()), cut.size()}).find("not enough data") !=
+            std::string::npos);
+  }
+}
+
 TEST_CASE("the emptiest of pictures is not too short for its pixels") {
   for (const int side : {1, 2, 100, 3000})
     REQUIRE(decode_png(encode_png(Image({side, side}), {}), "it") == Image({side, side}));

@@ -23,7 +23,7 @@ Image page_drawn_with(Backend backend) {
   canvas.outline(std::array{Vec2(20, 20), Vec2(90, 30), Vec2(40, 80)}, {palette::blue, 2.5, {8, 5}});
   canvas.arrow({100, 20}, {180, 70}, {palette::green, 3, {}});
   canvas.circle({150, 30}, 15, {palette::vermillion, 2, {}});
-  canvas.text({20, 60}, "a_1 × b_{12}", {.halo = palette::white});
+  canvas.text({20, 60}, "a_1 × b_{12}", {.size = 24, .halo = palette::white});
   OffscreenContext context(backend);
   Rasterizer rasterizer(context);
   return rasterizer.draw(canvas);

@@ -225,6 +225,26 @@ TEST_CASE("a label without a free place is drawn all the same") {
   REQUIRE(inside(frame, place_one(desk, panel, {0, 0}, {1, 1}, "crowded")));
 }
 
+TEST_CASE("labels without a free place are counted, others are not") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  panel.label({0, 0}, {1, 1}, "free", style);
+  panel.label({-5, -5}, {1, 1}, "as well", style);
+  CHECK(panel.place_labels() == 0);
+  for (double y = -13; y <= 13; y += 0.5) panel.line({-15, y}, {15, y}, {.width = 3});
+  panel.label({0, 0}, {1, 1}, "crowded", style);
+  panel.label({-5, -5}, {1, 1}, "too", style);
+  CHECK(panel.place_labels() == 2);
+}
+
+TEST_CASE("no label stands where none is to stand") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  const Box usual = place_one(desk, panel, {0, 0}, {1, 0}, "name");
+  panel.keep_clear(usual);
+  CHECK_FALSE(place_one(desk, panel, {0, 0}, {1, 0}, "name").overlaps(usual.grown(-2)));
+}
+
 TEST_CASE("fills and grids are no obstacles") {
   Desk desk;
   Panel plain(desk.canvas, frame, desk.view);

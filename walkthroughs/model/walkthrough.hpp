@@ -33,6 +33,7 @@ struct Panels {
   bool objects = true;    ///< the two objects
   bool hull = true;       ///< the outline of the whole difference, behind the search
   bool algorithm = true;  ///< the pseudo-code that is running
+  bool decision = true;   ///< in space: the plane in which a decision is plain
 };
 
 /// What the vertices of the difference are called.

@@ -12,9 +12,9 @@ using render::Vec2;
 
 constexpr double text_size = 17, least_text_size = 12, indent_width = 20, margin = 14, most_pitch = 26;
 
-/// The value of a test and what came of it: "= −0.42 ✗".
-std::string outcome(const gjk::RegionTested<double>& test) {
-  const double* value = std::get_if<double>(&test.value);
+/// What came of a test, and its value where that is to be shown: "= −0.42 ✗".
+std::string outcome(const gjk::RegionTested<double>& test, bool with_value) {
+  const double* value = with_value ? std::get_if<double>(&test.value) : nullptr;
   return (value ? "= " + short_number(*value) + " " : "") + (test.verdict == gjk::Verdict::chosen ? "✓" : "✗");
 }
 
@@ -73,7 +73,7 @@ class Listing {
     text.weight = render::Weight::bold;
     text.align = render::Align::right;
     text.color = test.verdict == gjk::Verdict::chosen ? style_.theme.green : style_.theme.vermillion;
-    const std::string words = outcome(test);
+    const std::string words = outcome(test, shown_.values);
     const double right = room_.max.x() - margin;
     const double room = right - from - 8, needed = canvas_.text_box({0, 0}, words, text).width();
     if (needed > room) text.size *= room / needed;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "walkthroughs/picture/decision_panel.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
@@ -26,6 +27,12 @@ KeyEntry ringed_point(const Style& style) {
             canvas.disc(at, style.point_radius - 1, style.theme.green);
             canvas.circle(at, style.point_radius + 3, {style.theme.ink, 2});
           }};
+}
+
+/// Of the view in space beside the plane pictures of a decision.
+std::vector<KeyEntry> key_beside(const Shown& shown) {
+  if (shown.focus == Focus::crossing || shown.now.simplex.size() < 3) return {ringed_point(shown.style)};
+  return key_of_origin(decision_views(shown.now, shown.focus), shown.style);
 }
 
 /// An area with the supporting line as its border.
@@ -84,7 +91,11 @@ class DifferencePicture {
   void triad(render::Canvas& canvas, const render::Box& frame) { pencil_.triad(canvas, frame); }
 
   void origin() {
-    panel_.plus(pencil_.at(Point::Zero()), 10, style_.origin);
+    const std::string face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : "";
+    if (face.empty())
+      panel_.plus(pencil_.at(Point::Zero()), 10, style_.origin);
+    else
+      drop(face);
     panel_.label(pencil_.at(Point::Zero()), center_ - pencil_.at(Point::Zero()), "O", style_.label(style_.theme.ink));
   }
 
@@ -162,6 +173,25 @@ class DifferencePicture {
   }
 
  private:
+  /// The origin above or below the plane of a triangle: its way there, hidden where the plane is in front of it.
+  void drop(const std::string& face) {
+    Point corners[3];
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = now_.simplex.point(static_cast<gjk::Role>(face[i] - 'A'));
+    const Point up = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
+    const double height = height_of_origin(now_, face);
+    const Point foot = -up * height, middle = (corners[0] + corners[1] + corners[2]) / 3;
+    const bool is_hidden = shown_.lens.camera->sees(up) != (height > 0);
+    pencil_.line(Point::Zero(), foot, is_hidden ? style_.foot : Stroke{style_.foot.color, style_.foot.width});
+    const double side = pencil_.length(9);
+    const Point level = (middle - foot).stableNormalized() * side, upright = up * (height < 0 ? -side : side);
+    if (std::abs(height) > 1.5 * side) {
+      pencil_.line(foot + level, foot + level + upright, {style_.foot.color, 1.2});
+      pencil_.line(foot + level + upright, foot + upright, {style_.foot.color, 1.2});
+    }
+    panel_.disc(pencil_.at(foot), 2.5, style_.foot.color);
+    draw_origin_beside(panel_, pencil_.at(Point::Zero()), height, style_);
+  }
+
   void hull() {
     if (pencil_.in_space() && shown_.focus == Focus::region)  // its edges would hide the regions
       panel_.polygon(outline_, style_.hull_fill.with_alpha(60));
@@ -264,7 +294,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
   draw_panel_title(canvas, place.frame, place.title, style,
-                   {ringed_point(style), dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
+                   shown.regions_beside ? key_beside(shown) : std::vector{ringed_point(style), dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
                     looking ? far_side(style) : dashes("earlier", style.former)});
   if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
   render::Panel panel(canvas, below_title(place.frame), place.view);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "walkthroughs/picture/algorithm_panel.hpp"
+#include "walkthroughs/picture/decision_panel.hpp"
 #include "walkthroughs/picture/difference_panel.hpp"
 #include "walkthroughs/picture/objects_panel.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
@@ -25,6 +26,7 @@ using render::View;
 constexpr double left_margin = 40, right_margin = 1240, panel_gap = 14;
 constexpr double panels_top = 72, panels_height = 448, margin_without_text = 20;
 constexpr double objects_width = 300, algorithm_width = 372;
+constexpr double share_of_space = 0.4, decision_margin = 34;
 constexpr double text_left = 250, mark_width = 34;
 constexpr double first_line = 556, line_pitch = 30, small_pitch = 26, last_line = 714;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -45,8 +47,8 @@ struct SceneOfFrame {
   SceneOfFrame(const SceneOfFrame&) = delete;  // names refer to it
   SceneOfFrame& operator=(const SceneOfFrame&) = delete;
 
-  Shown shown(const Lens& lens, const Style& style) const {
-    return {*stage.telling, stage, now, names, focus, lens, style};
+  Shown shown(const Lens& lens, const Look& look) const {
+    return {*stage.telling, stage, now, names, focus, lens, look.style, look.values};
   }
 
   const Stage& stage;
@@ -145,12 +147,14 @@ struct Columns {
   Box difference;
 };
 
-Columns columns(const Panels& panels, double top) {
+/// `is_decision`: the view in space stands where the objects are in other frames.
+Columns columns(const Panels& panels, double top, bool is_decision) {
   double left = left_margin, right = right_margin;
   Columns all;
-  if (panels.objects) {
-    all.objects = panel_box(left, left + objects_width, top);
-    left += objects_width + panel_gap;
+  if (panels.objects || is_decision) {
+    const double width = panels.algorithm || !is_decision ? objects_width : share_of_space * (right - left);
+    all.objects = panel_box(left, left + width, top);
+    left += width + panel_gap;
   }
   if (panels.algorithm) {
     all.algorithm = panel_box(right - algorithm_width, right, top);
@@ -179,12 +183,29 @@ View view_of_difference(const Shown& what, const Box& room) {
                                  : fit(bounds_of_difference(what.telling, what.stage, what.lens), room);
 }
 
+/// The view in space beside the plane pictures of its decision, which are what to look at first.
+int draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vector<DecisionView>& views,
+                           const Shown& what) {
+  Shown in_space = what;
+  in_space.regions_beside = true;
+  const Box &left = *boxes.objects, room = below_title(left).grown(-decision_margin);
+  const View view = view_of_difference(what, room);
+  return draw_difference(canvas, {left, "a − b", view}, in_space) + draw_decision(canvas, boxes.difference, views, what);
+}
+
 int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
   const Telling& telling = *story.stages[0].telling;
   const Lens lens = turned(story.stages[0].lens, look.turn);
   const SceneOfFrame scene(story, index, 0);
-  const Shown what = scene.shown(lens, look.style);
-  const Columns boxes = columns(telling.panels, top);
+  const Shown what = scene.shown(lens, look);
+  const std::vector<DecisionView> views =
+      shows_decision(story) ? decision_views(what.now, what.focus) : std::vector<DecisionView>{};
+  const Columns boxes = columns(telling.panels, top, !views.empty());
+  if (!views.empty()) {
+    const int crowded = draw_decision_in_space(canvas, boxes, views, what);
+    if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);
+    return crowded;
+  }
   const Box room = below_title(boxes.difference).grown(-difference_margin);
   View view = view_of_difference(what, room);
   int crowded = 0;
@@ -244,7 +265,7 @@ int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, doubl
     const SceneOfFrame scene(story, index, s);
     crowded +=
         draw_scene(canvas, story, {boxes[s], title_of_scene(story, s, story.frames[index]), view(s, lenses[s], scale)},
-                   scene.shown(lenses[s], look.style));
+                   scene.shown(lenses[s], look));
   }
   return crowded;
 }
@@ -290,7 +311,7 @@ int draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cell
   const SceneOfFrame scene(story, cell.frame, cell.scene);
   const Bounds box = bounds_of_scene(story, cell.scene, cell.frame, lens);
   const Place place{frame, cell.title, fit(box, below_title(frame).grown(-cell_margin))};
-  return draw_scene(canvas, story, place, scene.shown(lens, look.style));
+  return draw_scene(canvas, story, place, scene.shown(lens, look));
 }
 
 /// The width of one cell; a diagram keeps the shape that it has in a frame.

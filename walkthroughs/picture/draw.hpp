@@ -21,7 +21,8 @@ enum class Text {
 struct Look {
   Style style{render::themes::report};
   Text text = Text::around;
-  double turn = 0;  ///< degrees by which the camera of a scene in space is moved around the vertical axis
+  bool values = true;  ///< whether the panels show the numbers that decide
+  double turn = 0;     ///< degrees by which the camera of a scene in space is moved around the vertical axis
 };
 
 /// The page that a frame with text is laid out on; smaller and larger pictures are this page, scaled.

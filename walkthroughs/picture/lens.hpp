@@ -1,23 +1,24 @@
-/// From points of a scene to the page of a panel: flat, or through a camera.
+/// From points of a scene to the page of a panel: straight at a plane, or through a camera.
 #pragma once
 
 #include <optional>
 
 #include "render/camera.hpp"
-#include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/model/plane.hpp"
 
 namespace walkthroughs {
 
-/// A scene of the plane has no camera: its picture is the scene itself.
+/// A scene of the plane has no camera: its picture is the scene itself. Of a scene in space planes are looked at as well.
 struct Lens {
   std::optional<render::Camera> camera;
+  Plane plane = {};  ///< where there is no camera
 
-  render::Vec2 operator()(const Point& p) const { return camera ? (*camera)(p) : render::Vec2(p.head<2>()); }
+  render::Vec2 operator()(const Point& p) const { return camera ? (*camera)(p) : plane(p); }
 
   /// Returns: the unit vector of the scene that points to `angle` (radians, counter-clockwise from the right) in the picture.
   Point direction(double angle) const {
     const double c = std::cos(angle), s = std::sin(angle);
-    return camera ? Point(camera->right() * c + camera->up() * s) : Point(c, s, 0);
+    return camera ? Point(camera->right() * c + camera->up() * s) : Point(plane.right * c + plane.up * s);
   }
 };
 

@@ -79,7 +79,7 @@ void Pencil::supporting_line(const Point& on, const Point& d, const Stroke& stro
     panel_.outline(at(patch(on, d)), stroke);
     return;
   }
-  const Vec2 normal = d.head<2>();
+  const Vec2 normal = in_picture(d);
   const Vec2 along = Vec2(-normal.y(), normal.x()).stableNormalized() * length(page_diagonal);
   panel_.line(at(on) - along, at(on) + along, stroke);
 }
@@ -88,7 +88,7 @@ void Pencil::out_of_reach(const Point& on, const Point& d) {
   if (in_space())
     polygon(patch(on, d), style_.out_of_reach);
   else
-    panel_.polygon(half(panel_.corners(), at(on), d.head<2>()), style_.out_of_reach);
+    panel_.polygon(half(panel_.corners(), at(on), in_picture(d)), style_.out_of_reach);
   supporting_line(on, d, style_.support_line);
 }
 

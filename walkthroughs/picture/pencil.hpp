@@ -19,6 +19,9 @@ class Pencil {
   const Lens& lens() const { return lens_; }
   render::Vec2 at(const Point& p) const { return lens_(p); }
   std::vector<render::Vec2> at(const std::vector<Point>& points) const;
+  /// Returns: a vector of the scene, wherever it begins.
+  render::Vec2 in_picture(const Point& vector) const { return at(vector + lens_.plane.on) - at(lens_.plane.on); }
+  /// Returns: whether the picture has depth; none of a plane has.
   bool in_space() const { return lens_.camera.has_value(); }
   /// Returns: so many page units as a length in the scene.
   double length(double page_units) const { return page_units / panel_.view().scale(); }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "walkthroughs/story/decision.hpp"
+
 namespace walkthroughs {
 namespace {
 
@@ -13,22 +15,6 @@ using Region = gjk::RegionTested<double>;
 constexpr double cross_label_gap = 34;  // far enough for a leader: faces overlap in the picture
 constexpr double foot_radius = 3.5;
 constexpr double margin_in_space = 0.45;  // of the drawn part of a plane around its triangle, in widths of it
-
-/// A plane of the scene with its own two coordinates. The plane of a flat scene is the page.
-class Plane {
- public:
-  Plane() = default;
-  /// Through `on`, its first axis along `first`, its second toward `side`. Requires: the two are not parallel.
-  Plane(const Point& on, const Point& first, const Point& side) : on_(on), first_(first.stableNormalized()) {
-    second_ = (side - first_ * first_.dot(side)).stableNormalized();
-  }
-
-  Vec2 in(const Point& p) const { return {first_.dot(p - on_), second_.dot(p - on_)}; }
-  Point out(const Vec2& p) const { return on_ + first_ * p.x() + second_ * p.y(); }
-
- private:
-  Point on_ = Point::Zero(), first_ = Point::UnitX(), second_ = Point::UnitY();
-};
 
 /// Returns: a rectangle of the plane around what must be seen of it.
 std::vector<Vec2> around(const std::vector<Vec2>& points) {
@@ -53,29 +39,31 @@ struct Candidate {
 /// Draws the regions in one plane.
 class RegionPicture {
  public:
-  RegionPicture(Pencil& pencil, const Shown& shown) : pencil_(pencil), shown_(shown), style_(shown.style) {}
+  RegionPicture(Pencil& pencil, const Shown& shown)
+      : pencil_(pencil), shown_(shown), style_(shown.style), plane_(pencil.lens().plane) {}
 
   void segment() {
     const Point A = vertex(Role::A), B = vertex(Role::B);
     if (A == B) return;
-    if (pencil_.in_space()) plane_ = Plane(A, B - A, toward_origin(A, B));
+    if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, toward_origin(A, B));
     const std::vector<Vec2> clip = drawn_part({A, B, Point::Zero()});
-    const auto areas = regions_of_segment(plane_.in(A), plane_.in(B), clip);
+    const auto areas = regions_of_segment(plane_(A), plane_(B), clip);
     const Region* sides = find("", "R3 or R4");
-    const Vec2 origin = plane_.in(Point::Zero());
-    const bool left = areas[2].empty() || turn(plane_.in(B), plane_.in(A), origin) > 0;
+    const bool scene_in_space = shown_.telling.scene.dimension == Dimension::space;
+    const Vec2 origin = plane_(Point::Zero());
+    const bool left = areas[2].empty() || turn(plane_(B), plane_(A), origin) > 0;
     draw({"R1", areas[0], find("", "R1")});
     draw({"R2", areas[1], find("", "R2")});
-    draw({pencil_.in_space() ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], nullptr});
-    draw({pencil_.in_space() ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides});
+    draw({scene_in_space ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], nullptr});
+    draw({scene_in_space ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides});
   }
 
   void triangle() {
     const Point A = vertex(Role::A), B = vertex(Role::B), C = vertex(Role::C);
     if (!spans(A, B, C)) return;
-    if (pencil_.in_space()) plane_ = Plane(A, B - A, C - A);
+    if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, C - A);
     const auto areas =
-        regions_of_triangle(plane_.in(A), plane_.in(B), plane_.in(C), drawn_part({A, B, C, Point::Zero()}));
+        regions_of_triangle(plane_(A), plane_(B), plane_(C), drawn_part({A, B, C, Point::Zero()}));
     for (const int number : {4, 5, 6, 2, 3, 7, 1}) {
       const std::string label = "R" + std::to_string(number);
       draw({label, areas[static_cast<std::size_t>(number - 1)], find("", label)});
@@ -91,6 +79,36 @@ class RegionPicture {
       edges_of_face(now.face);
     else
       normal(now);
+  }
+
+  /// Without the regions, which are shown elsewhere: what is asked about, its normal, and what was rejected.
+  void in_question() {
+    const std::string face = face_in_question(shown_.now, shown_.focus);
+    if (shown_.now.simplex.size() == 4) {
+      faces();
+      edges_looking_back();
+    }
+    if (!face.empty()) pencil_.polygon({vertex(face[0]), vertex(face[1]), vertex(face[2])}, style_.tested_fill);
+    normal(shown_.now.regions.back());
+  }
+
+  /// The regions beside a face APQ in its plane: beyond AQ, beyond AP, and above the face itself.
+  void edges_of_face(const std::string& face) {
+    const char P = face[1], Q = face[2];
+    const Point A = vertex('A');
+    if (!spans(A, vertex(P), vertex(Q))) return;
+    if (pencil_.in_space()) plane_ = Plane::spanned(A, vertex(P) - A, vertex(Q) - A);
+    const auto areas = regions_of_triangle(plane_(A), plane_(vertex(P)), plane_(vertex(Q)),
+                                           drawn_part({A, vertex(P), vertex(Q), Point::Zero()}));
+    const auto beyond = [&](char other) {
+      return std::string("beyond ") + shown_.names.sorted(std::string("A") + other);
+    };
+    const Region* const now = last();
+    const bool neither = now && now->verdict == Verdict::rejected && now->feature == std::string("A") + P;
+    draw({beyond(Q), areas[6], find(face, std::string("A") + Q)});
+    draw({beyond(P), areas[2], find(face, std::string("A") + P)});
+    draw({"above " + shown_.names.sorted(face), areas[0], neither ? find("", face) : nullptr});
+    foot_of_origin();
   }
 
   void name_rejected_faces() {
@@ -123,7 +141,7 @@ class RegionPicture {
   std::vector<Vec2> drawn_part(const std::vector<Point>& points) const {
     if (!pencil_.in_space()) return pencil_.panel().corners();
     std::vector<Vec2> in_plane;
-    for (const Point& p : points) in_plane.push_back(plane_.in(p));
+    for (const Point& p : points) in_plane.push_back(plane_(p));
     return around(in_plane);
   }
 
@@ -134,12 +152,9 @@ class RegionPicture {
     return nullptr;
   }
 
-  RegionState state_of(const Region* region) const {
-    if (!region) return RegionState::pending;
-    if (region->verdict == Verdict::skipped) return RegionState::skipped;
-    if (region->verdict == Verdict::chosen) return RegionState::chosen;
-    return region == &shown_.now.regions.back() ? RegionState::just_rejected : RegionState::rejected;
-  }
+  /// Returns: what was said last; nothing before the first test.
+  const Region* last() const { return shown_.now.regions.empty() ? nullptr : &shown_.now.regions.back(); }
+  RegionState state_of(const Region* region) const { return walkthroughs::state_of(region, shown_.now); }
 
   std::vector<Vec2> picture(const std::vector<Vec2>& area) const {
     std::vector<Vec2> corners;
@@ -153,21 +168,14 @@ class RegionPicture {
     const RegionState state = state_of(candidate.region);
     fill(corners, state);
     if (!candidate.name.empty()) name(corners, candidate, state);
-    if (candidate.region == &shown_.now.regions.back()) normal(*candidate.region);
+    if (candidate.region && candidate.region == last()) normal(*candidate.region);
   }
 
   void fill(const std::vector<Vec2>& corners, RegionState state) {
-    render::Panel& panel = pencil_.panel();
-    switch (state) {
-      case RegionState::pending: break;
-      case RegionState::skipped: panel.hatch(corners, style_.hatch_spacing, style_.hatching); break;
-      case RegionState::rejected: panel.polygon(corners, style_.rejected_fill); break;
-      case RegionState::just_rejected: panel.polygon(corners, style_.tested_fill); break;
-      case RegionState::chosen: panel.polygon(corners, style_.chosen_fill); break;
-    }
-    panel.outline(corners, style_.thin);
-    if (state == RegionState::just_rejected) panel.outline(corners, style_.tested);
-    if (state == RegionState::chosen) panel.outline(corners, {style_.theme.green, 3 * style_.theme.line});
+    fill_region(pencil_.panel(), corners, state, style_);
+    pencil_.panel().outline(corners, style_.thin);
+    if (state == RegionState::just_rejected) pencil_.panel().outline(corners, style_.tested);
+    if (state == RegionState::chosen) pencil_.panel().outline(corners, {style_.theme.green, 3 * style_.theme.line});
   }
 
   void name(const std::vector<Vec2>& corners, const Candidate& candidate, RegionState state) {
@@ -184,7 +192,7 @@ class RegionPicture {
         text.weight = render::Weight::bold;
         break;
     }
-    const std::string inequality = candidate.region ? inequality_of(*candidate.region) : "";
+    const std::string inequality = candidate.region && shown_.values ? inequality_of(*candidate.region, shown_.names) : "";
     text.size *= 0.85;
     const bool must_be_named = state != RegionState::pending && state != RegionState::skipped;
     pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality,
@@ -193,13 +201,6 @@ class RegionPicture {
 
   bool uncertain(const Region& region) const {
     return shown_.now.crossing->verdict == gjk::Crossing::switched_off && region.simplex_size == 2;
-  }
-
-  /// "AB_n·AO = −0.42 ≤ 0"; nothing where the value is no number.
-  std::string inequality_of(const Region& region) const {
-    const double* value = std::get_if<double>(&region.value);
-    if (!value) return "";
-    return shown_.names.translate(region.expression) + " = " + number(*value) + compared_with_zero(region, *value);
   }
 
   /// The normal of the region just tested, from the middle of its feature.
@@ -216,7 +217,7 @@ class RegionPicture {
   /// Where the origin lies in the plane of the triangle, above or below which it is.
   void foot_of_origin() {
     if (!pencil_.in_space()) return;
-    const Point foot = plane_.out(plane_.in(Point::Zero()));
+    const Point foot = plane_.out(plane_(Point::Zero()));
     pencil_.line(Point::Zero(), foot, style_.foot);
     pencil_.panel().disc(pencil_.at(foot), foot_radius, style_.foot.color);
   }
@@ -278,25 +279,6 @@ class RegionPicture {
     for (const char* edge : {"BC", "CD", "DB"}) pencil_.line(vertex(edge[0]), vertex(edge[1]), style_.thin);
   }
 
-  /// The regions beside a face APQ in its plane: beyond AQ, beyond AP, and above the face itself.
-  void edges_of_face(const std::string& face) {
-    const char P = face[1], Q = face[2];
-    const Point A = vertex('A');
-    if (!spans(A, vertex(P), vertex(Q))) return;
-    plane_ = Plane(A, vertex(P) - A, vertex(Q) - A);
-    const auto areas = regions_of_triangle(plane_.in(A), plane_.in(vertex(P)), plane_.in(vertex(Q)),
-                                           drawn_part({A, vertex(P), vertex(Q), Point::Zero()}));
-    const auto beyond = [&](char other) {
-      return std::string("beyond ") + shown_.names.sorted(std::string("A") + other);
-    };
-    const bool neither = shown_.now.regions.back().verdict == Verdict::rejected &&
-                         shown_.now.regions.back().feature == std::string("A") + P;
-    draw({beyond(Q), areas[6], find(face, std::string("A") + Q)});
-    draw({beyond(P), areas[2], find(face, std::string("A") + P)});
-    draw({"above " + shown_.names.sorted(face), areas[0], neither ? find("", face) : nullptr});
-    foot_of_origin();
-  }
-
   Pencil& pencil_;
   const Shown& shown_;
   const Style& style_;
@@ -304,6 +286,29 @@ class RegionPicture {
 };
 
 }  // namespace
+
+RegionState state_of(const Region* region, const Moment& now) {
+  if (!region) return RegionState::pending;
+  if (region->verdict == Verdict::skipped) return RegionState::skipped;
+  if (region->verdict == Verdict::chosen) return RegionState::chosen;
+  return region == &now.regions.back() ? RegionState::just_rejected : RegionState::rejected;
+}
+
+void fill_region(render::Panel& panel, const std::vector<Vec2>& corners, RegionState state, const Style& style) {
+  switch (state) {
+    case RegionState::pending: break;
+    case RegionState::skipped: panel.hatch(corners, style.hatch_spacing, style.hatching); break;
+    case RegionState::rejected: panel.polygon(corners, style.rejected_fill); break;
+    case RegionState::just_rejected: panel.polygon(corners, style.tested_fill); break;
+    case RegionState::chosen: panel.polygon(corners, style.chosen_fill); break;
+  }
+}
+
+std::string inequality_of(const Region& region, const Names& names) {
+  const double* value = std::get_if<double>(&region.value);
+  if (!value) return "";
+  return names.translate(region.expression) + " = " + number(*value) + compared_with_zero(region, *value);
+}
 
 std::vector<std::vector<Vec2>> regions_of_segment(const Vec2& A, const Vec2& B, const std::vector<Vec2>& clip) {
   const Vec2 along = A - B, left(-along.y(), along.x());
@@ -335,6 +340,7 @@ std::vector<std::vector<Vec2>> regions_of_triangle(const Vec2& A, const Vec2& B,
 void draw_regions(Pencil& pencil, const Shown& shown) {
   if (shown.now.regions.empty()) return;  // of two scenes side by side, only the other one tests
   RegionPicture picture(pencil, shown);
+  if (shown.regions_beside) return picture.in_question();
   switch (shown.now.simplex.size()) {
     case 2: picture.segment(); break;
     case 3: picture.triangle(); break;
@@ -343,8 +349,16 @@ void draw_regions(Pencil& pencil, const Shown& shown) {
   }
 }
 
+void draw_regions_of_segment(Pencil& pencil, const Shown& shown) { RegionPicture(pencil, shown).segment(); }
+
+void draw_regions_of_triangle(Pencil& pencil, const Shown& shown) { RegionPicture(pencil, shown).triangle(); }
+
+void draw_regions_of_face(Pencil& pencil, const Shown& shown, const std::string& face) {
+  RegionPicture(pencil, shown).edges_of_face(face);
+}
+
 void name_rejected_faces(Pencil& pencil, const Shown& shown) {
-  if (shown.now.simplex.size() != 4 || shown.now.regions.empty()) return;
+  if (shown.now.simplex.size() != 4 || shown.now.regions.empty() || shown.regions_beside) return;
   RegionPicture(pencil, shown).name_rejected_faces();
 }
 

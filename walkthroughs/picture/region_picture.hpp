@@ -10,9 +10,23 @@ namespace walkthroughs {
 /// hatched, rejected ones named with ✗, the chosen one with ✓, and the one just tested has a strong border and its normal.
 enum class RegionState { pending, skipped, rejected, just_rejected, chosen };
 
+/// Returns: that of a region of `now.regions`; pending where there is none.
+RegionState state_of(const gjk::RegionTested<double>* region, const Moment& now);
+
+/// Fills or hatches an area as its state wants it; nothing while it is pending.
+void fill_region(render::Panel& panel, const std::vector<render::Vec2>& corners, RegionState state, const Style& style);
+
+/// Returns: "AB_n·AO = −0.42 ≤ 0"; nothing where the value is no number.
+std::string inequality_of(const gjk::RegionTested<double>& region, const Names& names);
+
 /// Draws the regions of the simplex that is being processed (of one face and its edges, where Algorithm 5 has come to
 /// them). Nothing where no region has been tested in this iteration.
 void draw_regions(Pencil& pencil, const Shown& shown);
+
+/// Draws those of one segment or triangle, tested or not yet, or those beside a face APQ of a tetrahedron in its plane.
+void draw_regions_of_segment(Pencil& pencil, const Shown& shown);
+void draw_regions_of_triangle(Pencil& pencil, const Shown& shown);
+void draw_regions_of_face(Pencil& pencil, const Shown& shown, const std::string& face);
 
 /// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are
 /// shown. To be asked for after the vertices have their names, which are more important.

@@ -111,7 +111,8 @@ class Rendering {
     if (command_.captions)
       expect_named("--captions", *command_.captions, "a file to write, for example --captions captions.json");
     const Look look{.style = Style(theme_named(command_.theme)),
-                    .text = command_.no_captions ? Text::none : Text::around};
+                    .text = command_.no_captions ? Text::none : Text::around,
+                    .values = !command_.no_values};
     return {.folder = command_.out,
             .size = parse_size(command_.size.value_or("1280x720")),
             .look = look,
@@ -264,6 +265,7 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
           ->capture_default_str(),
       0, 72);
   command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
+  command->add_flag("--no-values", render.no_values, "leave the numbers that decide out of the panels, for questions");
   command->add_option("--captions", render.captions,
                       "JSON file to write: caption, description and events of each frame");
   command->add_flag("--rendered-by", render.rendered_by,

@@ -15,7 +15,7 @@ struct RenderCommand {
   bool strip = false;
   bool sheet = false;
   bool apng = false;
-  bool no_captions = false;
+  bool no_captions = false, no_values = false;
   bool rendered_by = false;
   int turns = 0;
   double frame_time = 2;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -13,18 +14,17 @@ constexpr int captions_version = 1;
 
 /// Returns: the vertices of the difference or the simplex with their places, as far as they have names.
 std::string vertices_in_words(const Telling& telling, const Names& names, const Moment& now) {
+  const std::string both = with_article(telling.scene.a.name) + " and " + with_article(telling.scene.b.name);
   std::string text;
   const auto append = [&](const Point& w) {
     text += (text.empty() ? "" : ", ") + names.label(w) + " " + vector(w, telling.scene.dimension);
   };
   if (!telling.hull.corners.empty()) {
     for (const render::Vec2& corner : telling.hull.corners) append({corner.x(), corner.y(), 0});
-    return "The difference of a " + telling.scene.a.name + " and a " + telling.scene.b.name + " has the corners " +
-           text + ". ";
+    return "The difference of " + both + " has the corners " + text + ". ";
   }
   for (int i = 0; i < now.simplex.size(); ++i) append(now.simplex[i].w);
-  const std::string what =
-      "It is about the difference of a " + telling.scene.a.name + " and a " + telling.scene.b.name + ". ";
+  const std::string what = "It is about the difference of " + both + ". ";
   return text.empty() ? what : what + "The vertices of the simplex are " + text + ". ";
 }
 
@@ -78,6 +78,9 @@ std::string alternative_text(const Story& story, std::size_t index) {
     text += (several ? "\nOf the two, " + story.tellings[s].scene.name + ": " : "\n") +
             described(story.tellings[s], story.names(index, s), frame.moments[s]);
   }
+  if (shows_decision(story))
+    for (const DecisionView& view : decision_views(frame.moments[0], frame.focus))
+      text += "\n" + plain(in_words(view, frame.moments[0], story.names(index, 0)));
   for (const Fact& fact : frame.facts) text += "\n" + mark_in_words(fact.mark) + plain(fact.text) + ".";
   return text;
 }

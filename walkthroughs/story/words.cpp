@@ -138,6 +138,11 @@ std::string with_kind(const std::string& feature) {
   return kinds[std::min<std::size_t>(feature.size(), 4)] + feature;
 }
 
+std::string with_article(const std::string& name) {
+  if (name.size() == 1 || (!name.empty() && 'A' <= name[0] && name[0] <= 'Z')) return name;
+  return (std::string("aeiou").find(name[0]) == std::string::npos ? "a " : "an ") + name;
+}
+
 std::string literal(std::string_view text) {
   std::string out;
   for (const char c : text) out.append(c == '_' ? "\\_" : std::string(1, c));

@@ -64,6 +64,9 @@ class Names {
 /// Returns: "segment AE", "triangle AEG", or the bare name of a single vertex.
 std::string with_kind(const std::string& feature);
 
+/// Returns: "a box", "an octahedron"; a name of one letter, or one that begins with a capital, as it is.
+std::string with_article(const std::string& name);
+
 /// Returns: `text` with its underscores marked as such, so that a user's own words are drawn as they are.
 std::string literal(std::string_view text);
 

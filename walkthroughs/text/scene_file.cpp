@@ -160,7 +160,7 @@ std::string_view example_scene() {
   "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
 
   // What is shown beside the search. What is left out is not computed.
-  "panels": ["objects", "hull", "algorithm"],
+  "panels": ["objects", "hull", "algorithm", "decision"],
   "size": "1280x720"       // or [1280, 720]; pixels
 }
 )";
@@ -174,6 +174,7 @@ std::string summary(const SceneFile& file) {
   if (walkthrough.panels.objects) panels += ", objects";
   if (walkthrough.panels.hull) panels += ", hull";
   if (walkthrough.panels.algorithm) panels += ", algorithm";
+  if (walkthrough.panels.decision && scene.dimension == Dimension::space) panels += ", decision";
   return "'" + walkthrough.title + "', " + (scene.dimension == Dimension::plane ? "plane" : "space") + ", " +
          object(scene.a) + " and " + object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
          (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") + ", panels: search" + panels;

@@ -12,7 +12,7 @@
 ///     rules            "as-intended", "as-printed", "eager" (core/rule_sets.hpp)                       "as-intended"
 ///     zero_test        "exact", "relative" (core/zero_test.hpp)                                        "exact"
 ///     scalar           "double", "float"; numbers are rounded to the nearest float and computed with    "double"
-///     panels           those of "objects", "hull", "algorithm" to show beside the search               all three
+///     panels           those of "objects", "hull", "algorithm", "decision" to show beside the search   all four
 ///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
 ///
 /// Eager rules, which test the first point, too, begin in the direction from the center of a to that of b: the mean of a

@@ -306,7 +306,7 @@ TEST_CASE("In floats eager rules begin between the centers, or along +x where no
 TEST_CASE("The summary says in one line what a scene declares", "[scene-file]") {
   CHECK(summary(parsed(std::string(example_scene()))) ==
         "'A can beside a tilted box', space, 'box' (8 points) and 'can' (cylinder), panels: search, objects, hull, "
-        "algorithm");
+        "algorithm, decision");
   CHECK(summary(parsed(scene_text(R"({"points": [[0, 0]]})", ball, R"("dimension": 2, "panels": [])"))) ==
         "'my scene', plane, 'point set' (1 point) and 'disc' (disc), panels: search");
   const std::string capsule = R"({"name": "capsule", "sum": [{"points": [[0, 0, 0], [1, 0, 0]]}, )" + ball + "]}";

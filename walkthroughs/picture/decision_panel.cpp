@@ -1,0 +1,467 @@
+#include "walkthroughs/picture/decision_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/pencil.hpp"
+#include "walkthroughs/picture/region_picture.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Role;
+using Kind = DecisionView::Kind;
+using Region = gjk::RegionTested<double>;
+using render::Box;
+using render::Stroke;
+using render::Vec2;
+using render::View;
+
+// Page units.
+constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, least_height = 24, wanted_height = 40;
+constexpr double origin_radius = 7, in_plane_radius = 3, right_angle_side = 9;
+constexpr double narrow = 300, narrow_text = 0.8;  // a view that has no room for words
+constexpr double least_distance = 18, wanted_distance = 19;  // of the origin's foot from an edge
+constexpr double least_on_page = 1e-12;    // of that: less is rounding of the picture
+constexpr double close_up_gap = 8;
+const Vec2 close_up_size(120, 92);
+constexpr double share_of_true_shape = 0.58;  // of the panel, where it decides
+constexpr double deepest = 0.9;             // of the fourth vertex that is shown, in widths of the face
+
+Point vertex(const Shown& shown, char role) { return shown.now.simplex.point(static_cast<Role>(role - 'A')); }
+
+/// Returns: the role of the vertex of a tetrahedron that is not on that face.
+char fourth(const std::string& face) {
+  for (const char role : {'B', 'C', 'D'})
+    if (face.find(role) == std::string::npos) return role;
+  return 'A';
+}
+
+/// Returns: a power of two, of ten where that would be long, at least `factor`.
+double round_factor(double factor) {
+  return factor <= 1024 ? std::exp2(std::ceil(std::log2(factor))) : std::pow(10, std::ceil(std::log10(factor)));
+}
+
+std::string words_of_factor(double factor) {
+  char text[32];
+  if (factor < 1e6)
+    std::snprintf(text, sizeof text, "×%.0f", factor);
+  else
+    std::snprintf(text, sizeof text, "×1e%.0f", std::log10(factor));
+  return text;
+}
+
+/// One view, ready to be drawn.
+class DecisionPicture {
+ public:
+  DecisionPicture(const Box& frame, const DecisionView& view, const Shown& shown, bool is_alone)
+      : frame_(frame),
+        view_(view),
+        shown_(shown),
+        style_(shown.style),
+        is_alone_(is_alone),
+        lens_{std::nullopt, view.plane} {}
+
+  /// Chooses how much what decides is stretched: an origin that stands nearer to its plane than its mark is wide is told
+  /// from one in the plane.
+  void stretch() {
+    if (view_.kind != Kind::edge_on && view_.kind != Kind::crossing) return;
+    const double length = std::abs(view_.height) * fit(bounds()).scale();
+    if (length == 0 || length >= least_height) return;
+    (view_.kind == Kind::crossing ? lens_.plane.stretch.x() : lens_.plane.stretch.y()) =
+        round_factor(wanted_height / length);
+  }
+
+  Bounds bounds() const {
+    Bounds box{at_origin(), at_origin()};
+    const auto add = [&](const Vec2& p) { box = {box.low.cwiseMin(p), box.high.cwiseMax(p)}; };
+    for (const Vec2& p : corners()) add(p);
+    if (view_.kind != Kind::edge_on) return box;
+    add({box.low.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
+    if (!is_alone_) return box;
+    const double width = box.high.x() - box.low.x();
+    for (const double side : {-0.22, 0.18}) add({box.low.x(), side * width});  // so that an empty side is seen to be empty
+    if (has_fourth() && lens_.plane.stretch.y() == 1) {
+      const Vec2 at = lens_(vertex(shown_, fourth(view_.face)));
+      if (std::abs(at.y()) <= deepest * width) add(at);
+    }
+    return box;
+  }
+
+  View fit(const Bounds& box) const {
+    const Box room = below_title(frame_);
+    const double across = frame_.width() < narrow ? narrow_margin : margin, upright = is_alone_ ? margin : low_margin;
+    return View::fit(box.low, box.high, {room.min + Vec2(across, upright), room.max - Vec2(across, upright)},
+                     std::numeric_limits<double>::infinity());
+  }
+
+  int draw(render::Canvas& canvas, const View& view) {
+    draw_panel_title(canvas, frame_, title(), style_);
+    render::Panel panel(canvas, below_title(frame_), view);
+    Pencil pencil(panel, lens_, style_);
+    switch (view_.kind) {
+      case Kind::crossing: crossing(pencil); break;
+      case Kind::segment: segment(pencil); break;
+      case Kind::true_shape: true_shape(pencil); break;
+      case Kind::edge_on: edge_on(pencil); break;
+    }
+    const std::optional<CloseUp> close_up = close_up_in(panel);
+    if (close_up) panel.keep_clear(close_up->frame);
+    const int crowded = panel.place_labels();
+    if (close_up) draw_close_up(canvas, *close_up, view);
+    return crowded;
+  }
+
+ private:
+  /// Returns: where the origin stands in the picture; in an edge-on view as high as the search has computed.
+  Vec2 at_origin() const {
+    const Vec2 at = lens_(Point::Zero());
+    return view_.kind == Kind::edge_on ? Vec2(at.x(), lens_.plane.stretch.y() * view_.height) : at;
+  }
+
+  /// Returns: where a vertex stands. Seen edge-on a triangle's own corners lie on its line, whatever rounding says.
+  Vec2 at(char role) const {
+    const Vec2 place = lens_(vertex(shown_, role));
+    const bool is_on_line = view_.kind == Kind::edge_on && view_.face.find(role) != std::string::npos;
+    return is_on_line ? Vec2(place.x(), 0) : place;
+  }
+
+  std::vector<Vec2> corners() const {
+    std::vector<Vec2> points;
+    for (const char role : view_.face) points.push_back(at(role));
+    if (view_.kind == Kind::crossing) points.push_back(at_found());
+    return points;
+  }
+  /// Returns: where P stands, as far along d as the search has computed.
+  Vec2 at_found() const {
+    return {lens_.plane.stretch.x() * view_.height, lens_(shown_.now.found->w).y()};
+  }
+
+  // -- A magnified part --
+
+  /// A part of the picture around the origin's foot, in a corner.
+  struct CloseUp {
+    Box frame;
+    double factor;
+  };
+
+  /// Returns: how far the foot of the origin is from the edges that are asked about, in the plane.
+  double distance_to_edges() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < view_.face.size(); ++i) {
+      const Vec2 A = at('A'), along = (at(view_.face[i]) - A).stableNormalized(), way = at_origin() - A;
+      least = std::min(least, std::abs(along.x() * way.y() - along.y() * way.x()));
+    }
+    return least;
+  }
+
+  /// Returns: nothing where the foot is plainly on one side, or on the edge.
+  std::optional<CloseUp> close_up_in(const render::Panel& panel) const {
+    if (view_.kind != Kind::true_shape && view_.kind != Kind::segment) return std::nullopt;
+    const double distance = distance_to_edges() * panel.view().scale();
+    if (!(distance > least_on_page * least_distance) || distance >= least_distance) return std::nullopt;
+    const Box room = below_title(frame_).grown(-close_up_gap);
+    const Vec2 size = close_up_size.cwiseMin((room.max - room.min) * 0.45);
+    Box best;
+    double most = -1;
+    for (const bool right : {false, true})
+      for (const bool low : {false, true}) {
+        const Vec2 corner(right ? room.max.x() - size.x() : room.min.x(), low ? room.max.y() - size.y() : room.min.y());
+        const Box box{corner, corner + size};
+        const double clear = distance_to_shape(panel.view().scene((box.min + box.max) / 2));
+        if (clear <= most) continue;
+        most = clear;
+        best = box;
+      }
+    return CloseUp{best, round_factor(wanted_distance / distance)};
+  }
+
+  double distance_to_shape(const Vec2& p) const {
+    double least = (p - at_origin()).norm();
+    for (std::size_t i = 0; i < view_.face.size(); ++i)
+      least = std::min(least, render::distance_to_segment(p, at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()])));
+    return least;
+  }
+
+  void draw_close_up(render::Canvas& canvas, const CloseUp& close_up, const View& view) {
+    const Vec2 here = view.page(at_origin());
+    canvas.circle(here, origin_radius + 7, {style_.theme.ink, 1.2});
+    canvas.rectangle(close_up.frame, style_.theme.paper);
+    const double infinity = std::numeric_limits<double>::infinity();
+    const View magnified =
+        View::fit(at_origin(), at_origin(), close_up.frame, infinity).with_scale(view.scale() * close_up.factor);
+    {
+      render::Panel panel(canvas, close_up.frame, magnified);
+      Pencil pencil(panel, lens_, style_);
+      regions(pencil);
+      edges(panel);
+      mark_origin(panel);
+    }
+    const Vec2 low = close_up.frame.min, high = close_up.frame.max;
+    const Vec2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+    canvas.outline(corners, {style_.theme.ink, 1.2});
+    canvas.text({low.x() + 6, low.y() + 20}, words_of_factor(close_up.factor), style_.small_label());
+  }
+
+  void regions(Pencil& pencil) {
+    const Shown shown = with_lens();
+    if (view_.kind == Kind::segment)
+      draw_regions_of_segment(pencil, shown);
+    else if (shown_.now.simplex.size() == 3)
+      draw_regions_of_triangle(pencil, shown);
+    else
+      draw_regions_of_face(pencil, shown, view_.face);
+  }
+
+  void mark_origin(render::Panel& panel) {
+    if (view_.kind == Kind::segment)
+      panel.plus(at_origin(), 8, style_.origin);
+    else
+      draw_origin_beside(panel, at_origin(), view_.height, style_);
+  }
+
+  bool has_fourth() const { return view_.kind == Kind::edge_on && shown_.now.simplex.size() == 4; }
+
+  std::string title() const {
+    const std::string face = shown_.names.sorted(view_.face);
+    switch (view_.kind) {
+      case Kind::crossing:
+        return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", along d ", lens_.plane.stretch.x());
+      case Kind::segment: return "plane of " + face + " and O";
+      case Kind::true_shape: return face + ", true shape";
+      case Kind::edge_on:
+        return face + (frame_.width() < narrow ? stretched(" ", lens_.plane.stretch.y())
+                                               : " edge-on" + stretched(", height ", lens_.plane.stretch.y()));
+    }
+    return "";
+  }
+
+  // -- Parts --
+
+  render::TextStyle label(render::Color color, render::Weight weight = render::Weight::regular) const {
+    render::TextStyle text = style_.label(color, weight);
+    if (frame_.width() < narrow) text.size *= narrow_text;
+    return text;
+  }
+
+  static std::string stretched(const char* what, double factor) {
+    return factor == 1 ? "" : what + words_of_factor(factor);
+  }
+
+  void vertices(Pencil& pencil) {
+    render::Panel& panel = pencil.panel();
+    const Vec2 middle = middle_of(corners());
+    const std::vector<Vec2> page = panel.corners();
+    for (const char role : has_fourth() ? view_.face + fourth(view_.face) : view_.face) {
+      if (((at(role) - page[0]).array() * (at(role) - page[2]).array() > 0).any()) continue;  // stretched out of the page
+      panel.disc(at(role), style_.point_radius + 2, style_.theme.paper);
+      panel.disc(at(role), style_.point_radius, style_.theme.green);
+      if (role == 'A') panel.circle(at(role), style_.point_radius + 5, {style_.theme.ink, 2.5});
+      const bool is_on_line = view_.kind == Kind::edge_on && at(role).y() == 0;
+      panel.label(at(role), is_on_line ? Vec2(0, view_.height < 0 ? 1 : -1) : Vec2(at(role) - middle),
+                  shown_.names.of(static_cast<Role>(role - 'A')), label(style_.theme.ink, render::Weight::bold));
+    }
+  }
+
+  void edges(render::Panel& panel) {
+    const Stroke stroke{style_.simplex.color, style_.simplex.width};
+    for (std::size_t i = 0; i < view_.face.size(); ++i)
+      panel.line(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]), stroke);
+  }
+
+  void name_origin(render::Panel& panel, const Vec2& toward) {
+    mark_origin(panel);
+    panel.label(at_origin(), toward, "O", label(style_.theme.ink));
+  }
+
+  // -- Views --
+
+  void segment(Pencil& pencil) {
+    regions(pencil);
+    edges(pencil.panel());
+    vertices(pencil);
+    name_origin(pencil.panel(), {0, 1});
+  }
+
+  void true_shape(Pencil& pencil) {
+    regions(pencil);
+    edges(pencil.panel());
+    vertices(pencil);
+    name_origin(pencil.panel(), at_origin() - middle_of(corners()));
+  }
+
+  /// What is looked at, through this view's plane.
+  Shown with_lens() const {
+    return {shown_.telling, shown_.stage, shown_.now, shown_.names, shown_.focus, lens_, style_, shown_.values, false};
+  }
+
+  void edge_on(Pencil& pencil) {
+    render::Panel& panel = pencil.panel();
+    halves(panel);
+    const std::vector<Vec2> page = panel.corners();
+    panel.line({page[0].x(), 0}, {page[2].x(), 0}, style_.thin);
+    if (has_fourth()) {
+      for (const char role : view_.face)
+        panel.line(at(role), at(fourth(view_.face)), {style_.simplex.color, 1.6 * style_.theme.line});
+    }
+    edges(pencil.panel());
+    drop(pencil);
+    normal(pencil);
+    vertices(pencil);
+    name_origin(pencil.panel(), {1, view_.height < 0 ? -1.0 : 1.0});
+  }
+
+  /// Above and below the plane, as far as the search has come.
+  void halves(render::Panel& panel) {
+    const auto found = std::ranges::find_if(
+        shown_.now.regions, [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
+    if (found == shown_.now.regions.end()) return;
+    const double* const value = std::get_if<double>(&found->value);
+    const bool below = shown_.now.simplex.size() == 3 && value && *value < 0;  // either side of a triangle may be taken
+    fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, below ? -1.0 : 1.0}), state_of(&*found, shown_.now), style_);
+  }
+
+  /// From the origin to the plane, with a right angle, and the product that decides.
+  void drop(Pencil& pencil) {
+    render::Panel& panel = pencil.panel();
+    const Vec2 at = at_origin(), foot(at.x(), 0);
+    const double side = pencil.length(right_angle_side), up = at.y() < 0 ? -side : side;
+    if (std::abs(at.y()) > 1.5 * side) {
+      panel.line(at, foot, style_.foot);
+      const double left = at.x() > middle_of(corners()).x() ? -side : side;
+      panel.line(foot + Vec2(left, 0), foot + Vec2(left, up), style_.foot);
+      panel.line(foot + Vec2(left, up), foot + Vec2(0, up), style_.foot);
+    }
+    if (!shown_.values || frame_.width() < narrow) return;
+    const auto found = std::ranges::find_if(
+        shown_.now.regions, [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
+    if (found == shown_.now.regions.end()) return;
+    const char* const where = view_.height > 0 ? ", above" : view_.height < 0 ? ", below" : ", in the plane";
+    const bool is_right = at.x() > middle_of(corners()).x();
+    panel.label((at + foot) / 2, {is_right ? -1.0 : 1.0, 0}, inequality_of(*found, shown_.names) + where,
+                style_.small_label(), 12);
+  }
+
+  /// On the line, away from the drop.
+  void normal(Pencil& pencil) {
+    const auto [left, right] = std::ranges::minmax(corners(), {}, [](const Vec2& p) { return p.x(); });
+    const double near = at_origin().x() < (left.x() + right.x()) / 2 ? 0.75 : 0.25;
+    const double x = left.x() + near * (right.x() - left.x());
+    const Vec2 tail(x, 0), tip(x, pencil.length((is_alone_ && frame_.width() >= narrow ? 1 : 0.6) * style_.arrow_length));
+    pencil.panel().arrow(tail, tip, style_.normal);
+    pencil.panel().label(tail + (tip - tail) * 0.8, {-1, 0}, shown_.names.translate(view_.face + "n"),
+                         label(style_.normal.color, render::Weight::bold));
+  }
+
+  /// "P·d = 148 > 0, past O".
+  std::string product_with_d() const {
+    const double value = shown_.now.crossing->value.value_or(0);
+    const char* const where = value > 0 ? " > 0, past O" : value < 0 ? " < 0, short of O" : ", at O";
+    return shown_.names.of(shown_.now.found->w) + "·d = " + number(value) + where;
+  }
+
+  /// Eq. 9: whether the foot of P on the line of d lies past the origin.
+  void crossing(Pencil& pencil) {
+    render::Panel& panel = pencil.panel();
+    const Point P = shown_.now.found->w, d = shown_.now.direction->value;
+    const Vec2 at = at_found(), foot(at.x(), 0);
+    const std::vector<Vec2> page = panel.corners();
+    pencil.out_of_reach(lens_.plane.out(at), d);
+    panel.line({page[0].x(), 0}, {page[2].x(), 0}, style_.thin);
+    panel.line(Vec2::Zero(), foot, style_.projection);
+    panel.line(at, foot, style_.foot);
+    if (!P.isZero(0)) panel.arrow(Vec2::Zero(), at - at.stableNormalized() * pencil.length(style_.point_radius + 6), style_.normal);
+    const Vec2 tip(pencil.length(style_.arrow_length), 0);
+    panel.arrow(Vec2::Zero(), tip, style_.direction);
+    panel.label(tip * 0.8, {0, 1}, "d", label(style_.direction.color, render::Weight::bold));
+    if (shown_.values) panel.label(foot, {0, -1}, product_with_d(), style_.small_label(), 12);
+    panel.disc(at, style_.point_radius + 2, style_.theme.paper);
+    panel.disc(at, style_.point_radius, shown_.now.added ? style_.theme.green : style_.theme.vermillion);
+    panel.circle(at, style_.point_radius + 5, {style_.theme.ink, 2.5});
+    panel.label(at, at, shown_.names.of(P), label(style_.theme.ink, render::Weight::bold));
+    panel.plus(Vec2::Zero(), 8, style_.origin);
+    panel.label(Vec2::Zero(), {0, at.y() > 0 ? -1.0 : 1.0}, "O", label(style_.theme.ink));
+  }
+
+  const Box frame_;
+  const DecisionView& view_;
+  const Shown& shown_;
+  const Style& style_;
+  const bool is_alone_;  ///< no other view stands above or below
+  Lens lens_;
+};
+
+/// Whether the views show one triangle, so that in both the foot of the origin stands below it.
+bool are_below_each_other(const std::vector<DecisionView>& views) {
+  return views.size() == 2 && views[0].face == views[1].face;
+}
+
+void share_width(Bounds& one, Bounds& other) {
+  one.low.x() = other.low.x() = std::min(one.low.x(), other.low.x());
+  one.high.x() = other.high.x() = std::max(one.high.x(), other.high.x());
+}
+
+/// Returns: a place for each view.
+std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& views) {
+  std::vector<Box> places;
+  const bool below_each_other = are_below_each_other(views);
+  const auto weight = [&](const DecisionView& view) {
+    if (!below_each_other || views[1].kind != Kind::true_shape || !views[1].decides) return 0.5;
+    return &view == &views[1] ? share_of_true_shape : 1 - share_of_true_shape;
+  };
+  Vec2 corner = frame.min;
+  const double count = static_cast<double>(views.size());
+  for (const DecisionView& view : views) {
+    const double width = below_each_other ? frame.width() : (frame.width() - gap * (count - 1)) / count;
+    const double height = below_each_other ? (frame.height() - gap) * weight(view) : frame.height();
+    places.push_back({corner, corner + Vec2(width, height)});
+    corner += below_each_other ? Vec2(0, height + gap) : Vec2(width + gap, 0);
+  }
+  return places;
+}
+
+}  // namespace
+
+void draw_origin_beside(render::Panel& panel, const Vec2& at, double height, const Style& style) {
+  panel.disc(at, origin_radius + 2, style.theme.paper);
+  if (height > 0) panel.disc(at, origin_radius, style.theme.ink);
+  if (height == 0) panel.disc(at, in_plane_radius, style.theme.ink);
+  panel.circle(at, origin_radius - 1, {style.theme.ink, 2});
+}
+
+std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, const Style& style) {
+  const auto entry = [&style](const char* words, double inner) {
+    return KeyEntry{words, [&style, inner](render::Canvas& canvas, const Vec2& at) {
+                      if (inner > 0) canvas.disc(at, inner, style.theme.ink);
+                      canvas.circle(at, origin_radius - 1, {style.theme.ink, 2});
+                    }};
+  };
+  if (std::ranges::any_of(views, [](const DecisionView& view) { return view.height == 0; }))
+    return {entry("above", origin_radius), entry("in it", in_plane_radius), entry("below", 0)};
+  return {entry("O above", origin_radius), entry("O below", 0)};
+}
+
+int draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views, const Shown& shown) {
+  const std::vector<Box> places = places_of(frame, views);
+  std::vector<DecisionPicture> pictures;
+  std::vector<Bounds> boxes;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    pictures.emplace_back(places[i], views[i], shown, !are_below_each_other(views));
+    pictures[i].stretch();
+    boxes.push_back(pictures[i].bounds());
+  }
+  if (are_below_each_other(views)) share_width(boxes[0], boxes[1]);
+  double scale = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < views.size(); ++i) scale = std::min(scale, pictures[i].fit(boxes[i]).scale());
+  int crowded = 0;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const View own = pictures[i].fit(boxes[i]);
+    crowded += pictures[i].draw(canvas, are_below_each_other(views) ? own.with_scale(scale) : own);
+  }
+  return crowded;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,165 @@
+#include "walkthroughs/story/decision.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Role;
+using Kind = DecisionView::Kind;
+using Region = gjk::RegionTested<double>;
+
+bool is_direction(const Point& v) { return v.allFinite() && !v.isZero(0); }
+
+/// Returns: the part of `v` across the unit vector `along`; any vector across it where there is none.
+Point across(const Point& v, const Point& along) {
+  const Point part = v - along * along.dot(v);
+  return part.stableNorm() > 1e-12 * v.stableNorm() ? part : Point(along.unitOrthogonal());
+}
+
+Point vertex(const Moment& now, char role) { return now.simplex.point(static_cast<Role>(role - 'A')); }
+
+std::vector<DecisionView> view_of_crossing(const Moment& now) {
+  const Point &d = now.direction->value, &P = now.found->w;
+  const gjk::Crossing verdict = now.crossing->verdict;
+  const bool is_tested = verdict == gjk::Crossing::crossed || verdict == gjk::Crossing::not_crossed;
+  if (!is_tested || !is_direction(d) || !is_direction(P)) return {};
+  const Point along = d.stableNormalized();
+  return {{Kind::crossing, "", Plane::spanned(Point::Zero(), along, across(P, along)), along.dot(P)}};
+}
+
+std::vector<DecisionView> view_of_segment(const Moment& now) {
+  const Point A = vertex(now, 'A'), B = vertex(now, 'B');
+  if (!is_direction(A - B)) return {};
+  return {{Kind::segment, "AB", Plane::spanned(B, A - B, across(-B, (A - B).stableNormalized()))}};
+}
+
+/// A triangle APQ of the simplex and its normal AP×AQ.
+struct Triangle {
+  Triangle(const Moment& now, const std::string& face)
+      : corners{vertex(now, face[0]), vertex(now, face[1]), vertex(now, face[2])},
+        normal((corners[1] - corners[0]).cross(corners[2] - corners[0])) {}
+
+  std::array<Point, 3> corners;
+  Point normal;
+
+  /// Returns: the plane seen down the normal, the longest edge level and the third corner above it.
+  Plane true_shape() const {
+    std::size_t first = 0;
+    const auto edge = [&](std::size_t i) -> Point { return corners[(i + 1) % 3] - corners[i]; };
+    for (const std::size_t i : {1u, 2u})
+      if (edge(i).stableNorm() > edge(first).stableNorm()) first = i;
+    const Point up = normal.stableNormalized().cross(edge(first).stableNormalized());
+    return Plane::spanned(corners[0], edge(first), up);  // counter-clockwise: the third corner lies to the left
+  }
+  Plane edge_on() const { return Plane::spanned(corners[0], true_shape().right, normal); }
+};
+
+/// Returns: what was said of the face itself; nothing before it is tested.
+const Region* test_of(const Moment& now, const std::string& face) {
+  const auto found = std::ranges::find_if(now.regions, [&](const Region& r) { return r.face.empty() && r.feature == face; });
+  return found == now.regions.end() ? nullptr : &*found;
+}
+
+DecisionView edge_on(const Moment& now, const std::string& face, bool decides = true) {
+  return {Kind::edge_on, face, Triangle(now, face).edge_on(), height_of_origin(now, face), decides};
+}
+
+DecisionView true_shape(const Moment& now, const std::string& face, bool decides = true) {
+  return {Kind::true_shape, face, Triangle(now, face).true_shape(), height_of_origin(now, face), decides};
+}
+
+bool is_flat(const Moment& now, const std::string& face) { return !is_direction(Triangle(now, face).normal); }
+
+std::vector<DecisionView> views_of_triangle(const Moment& now) {
+  if (is_flat(now, "ABC")) return {};
+  const bool is_height = !now.regions.empty() && now.regions.back().feature == "ABC";
+  const bool is_edge = !now.regions.empty() && !is_height;
+  return {edge_on(now, "ABC", !is_edge), true_shape(now, "ABC", !is_height)};
+}
+
+std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
+  const Region* const last = now.regions.empty() ? nullptr : &now.regions.back();
+  if (last && !last->face.empty()) {
+    if (is_flat(now, last->face)) return {};
+    return {edge_on(now, last->face, false), true_shape(now, last->face)};
+  }
+  std::vector<DecisionView> views;
+  for (const char* const face : {"ABC", "ACD", "ADB"})
+    if (!is_flat(now, face) && (!last || last->feature.size() != 3 || last->feature == face)) views.push_back(edge_on(now, face));
+  return views;
+}
+
+}  // namespace
+
+double height_of_origin(const Moment& now, const std::string& face) {
+  const Region* const region = test_of(now, face);
+  const double* const value = region ? std::get_if<double>(&region->value) : nullptr;
+  if (value && region->normal && is_direction(*region->normal)) return *value / region->normal->stableNorm();
+  const Triangle triangle(now, face);
+  return triangle.normal.dot(-triangle.corners[0]) / triangle.normal.stableNorm();  // as the test to come computes it
+}
+
+std::string in_words(const DecisionView& view, const Moment& now, const Names& names) {
+  const std::string feature = with_kind(names.sorted(view.face));
+  const auto at = [&](char role) { return view.plane(vertex(now, role)); };
+  const render::Vec2 O = view.plane(Point::Zero());
+  switch (view.kind) {
+    case Kind::crossing: {
+      const std::string P = names.of(now.found->w);
+      return "In the plane of d and O" + P + ", " + P +
+             (view.height < 0 ? " stops short of the origin along d."
+              : view.height > 0 ? " lies past the origin along d."
+                                : " lies beside the origin, no farther along d.");
+    }
+    case Kind::segment:
+      if (O.x() <= at('B').x()) return "In the plane of " + feature + " and the origin, the origin lies beyond B.";
+      if (O.x() >= at('A').x()) return "In the plane of " + feature + " and the origin, the origin lies beyond A.";
+      return "In the plane of " + feature + " and the origin, the origin lies " +
+             (O.y() > 0 ? "to one side of it." : "on it.");
+    case Kind::edge_on:
+      return "Seen edge-on, the origin lies " + std::string(view.height > 0   ? "above "
+                                                            : view.height < 0 ? "below "
+                                                                              : "in the plane of ") + feature + ".";
+    case Kind::true_shape: {
+      std::string beyond;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const char from = view.face[i], to = view.face[(i + 1) % 3];
+        const render::Vec2 along = at(to) - at(from), way = O - at(from);
+        if (along.x() * way.y() - along.y() * way.x() < 0)
+          beyond += (beyond.empty() ? " beyond " : " and beyond ") + names.sorted(std::string{from, to});
+      }
+      return "Seen down its normal, the foot of the origin lies" + (beyond.empty() ? " within " : beyond + " of ") +
+             feature + ".";
+    }
+  }
+  return "";
+}
+
+std::string face_in_question(const Moment& now, Focus focus) {
+  if (focus != Focus::added && focus != Focus::region) return "";
+  const Region* const last = now.regions.empty() ? nullptr : &now.regions.back();
+  std::string face;
+  if (now.simplex.size() == 3) face = "ABC";
+  if (now.simplex.size() == 4 && last) face = last->face.empty() && last->feature.size() == 3 ? last->feature : last->face;
+  return face.empty() || is_flat(now, face) ? "" : face;
+}
+
+bool shows_decision(const Story& story) {
+  return story.walkthrough.layout == Layout::search && story.walkthrough.panels.decision &&
+         story.tellings[0].scene.dimension == Dimension::space;
+}
+
+std::vector<DecisionView> decision_views(const Moment& now, Focus focus) {
+  if (focus == Focus::crossing) return view_of_crossing(now);
+  if (focus != Focus::added && focus != Focus::region) return {};
+  switch (now.simplex.size()) {
+    case 2: return view_of_segment(now);
+    case 3: return views_of_triangle(now);
+    case 4: return views_of_tetrahedron(now);
+    default: return {};
+  }
+}
+
+}  // namespace walkthroughs

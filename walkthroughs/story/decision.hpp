@@ -1,0 +1,45 @@
+/// The plane pictures in which a decision in space is plain. A decision is the sign of one product; there is always a plane
+/// in which that sign is seen, and the view in space shows it to nobody.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "walkthroughs/model/plane.hpp"
+#include "walkthroughs/story/story.hpp"
+
+namespace walkthroughs {
+
+struct DecisionView {
+  enum class Kind {
+    crossing,    ///< the plane of d and OP, d to the right: P short of the origin, at it, or past it
+    segment,     ///< the plane of A, B and the origin, the origin above AB
+    true_shape,  ///< a triangle, straight down its normal, with the foot of the origin
+    edge_on,     ///< a triangle as a line, its normal up the page: the origin above or below
+  };
+  Kind kind;
+  std::string face;    ///< the triangle's roles, "ABC"; those of the others: "AB", ""
+  Plane plane;         ///< that is the page
+  double height = 0;    ///< of the origin above the triangle's plane, as the trace has it where it has; of OP along d
+  bool decides = true;  ///< whether this is the picture of what is asked now; others only help
+};
+
+/// Whether the frames of a story have such views: those of one search in space that has not switched them off.
+bool shows_decision(const Story& story);
+
+/// Returns: the views of a moment of a search in space, in the order in which they stand, below each other where they show
+/// one triangle (then they have one direction to the right), else side by side. None where nothing is decided, and where
+/// the vertices span no such plane.
+std::vector<DecisionView> decision_views(const Moment& now, Focus focus);
+
+/// Returns: what is seen there, a sentence: "Seen edge-on, the origin lies above triangle ABC."
+std::string in_words(const DecisionView& view, const Moment& now, const Names& names);
+
+/// Returns: the roles of the triangle whose plane is asked about, "ABC", "ADB"; empty where none is.
+std::string face_in_question(const Moment& now, Focus focus);
+
+/// Returns: the height of the origin above the plane of a triangle APQ, by the product that decides where it is known: what
+/// the search has computed is shown, not what it should have found. Requires: a triangle that is not flat.
+double height_of_origin(const Moment& now, const std::string& face);
+
+}  // namespace walkthroughs
