@@ -79,6 +79,7 @@ class DecisionPicture {
     Bounds box{at_origin(), at_origin()};
     const auto add = [&](const Vec2& p) { box = {box.low.cwiseMin(p), box.high.cwiseMax(p)}; };
     for (const Vec2& p : corners()) add(p);
+    if (view_.kind == Kind::crossing) add({0, -0.15 * box.high.y()});  // room for the product
     if (view_.kind != Kind::edge_on) return box;
     add({box.low.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
     if (!is_alone_) return box;
@@ -383,7 +384,7 @@ class DecisionPicture {
     panel.circle(at, style_.point_radius + 5, {style_.theme.ink, 2.5});
     panel.label(at, at, shown_.names.of(P), label(style_.theme.ink, render::Weight::bold));
     panel.plus(Vec2::Zero(), 8, style_.origin);
-    panel.label(Vec2::Zero(), {0, at.y() > 0 ? -1.0 : 1.0}, "O", label(style_.theme.ink));
+    panel.label(Vec2::Zero(), {at.x() > 0 ? -1.0 : 1.0, -0.5}, "O", label(style_.theme.ink));
   }
 
   const Box frame_;

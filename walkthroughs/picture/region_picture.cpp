@@ -168,7 +168,8 @@ class RegionPicture {
     const RegionState state = state_of(candidate.region);
     fill(corners, state);
     if (!candidate.name.empty()) name(corners, candidate, state);
-    if (candidate.region && candidate.region == last()) normal(*candidate.region);
+    const bool is_decision_view = shown_.telling.scene.dimension == Dimension::space && !pencil_.in_space();
+    if (candidate.region && (candidate.region == last() || is_decision_view)) normal(*candidate.region);
   }
 
   void fill(const std::vector<Vec2>& corners, RegionState state) {

@@ -85,6 +85,8 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
     if (is_flat(now, last->face)) return {};
     return {edge_on(now, last->face, false), true_shape(now, last->face)};
   }
+  if (last && last->feature.size() == 3 && last->verdict == gjk::Verdict::chosen && !is_flat(now, last->feature))
+    return {edge_on(now, last->feature), true_shape(now, last->feature, false)};  // whose edges are asked about next
   std::vector<DecisionView> views;
   for (const char* const face : {"ABC", "ACD", "ADB"})
     if (!is_flat(now, face) && (!last || last->feature.size() != 3 || last->feature == face)) views.push_back(edge_on(now, face));

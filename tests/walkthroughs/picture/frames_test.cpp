@@ -389,15 +389,31 @@ TEST_CASE("Where a frame cannot be written the error names the file, and nothing
   CHECK(listing(folder.path()) == std::vector<std::string>{"figure-5/000.png"});
 }
 
-TEST_CASE("The pictures in the README are the strips that the program draws") {
-  const std::string name = GENERATE("figure-4-left", "regions/3-simplex-inside");
-  INFO(name);
-  const fs::path file = fs::path(GJKSTEP_README_PICTURES) / (fs::path(name).filename().string() + ".png");
-  const Image committed = render::read_png(file);
-  const StagedStory story(tell(walkthrough(name)));
+namespace {
+
+/// A picture of the README and the page that it shows.
+struct ReadmePicture {
+  std::string name;
+  render::Size size, page;
+  std::function<void(render::Canvas&, const StagedStory&)> draw;
+};
+
+}  // namespace
+
+TEST_CASE("The pictures in the README are those that the program draws") {
+  const StagedStory plane(tell(walkthrough("figure-4-left"))), space(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
+  const auto strip = [](render::Canvas& canvas, const StagedStory& story) { draw_strip(canvas, story); };
+  const auto step_23 = [](render::Canvas& canvas, const StagedStory& story) { draw_frame(canvas, story, 22); };
+  const bool is_plane = GENERATE(true, false);
+  const StagedStory& story = is_plane ? plane : space;
+  const ReadmePicture picture =
+      is_plane ? ReadmePicture{"figure-4-left.png", strip_page(story), strip_page(story), strip}
+               : ReadmePicture{"3-simplex-face-adb-edge-ad.png", {960, 540}, frame_page, step_23};
+  INFO(picture.name);
+  const Image committed = render::read_png(fs::path(GJKSTEP_README_PICTURES) / picture.name);
   Studio studio;
-  render::Canvas canvas(strip_page(story), strip_page(story), render::palette::white, studio.font);
-  draw_strip(canvas, story);
+  render::Canvas canvas(picture.size, picture.page, render::palette::white, studio.font);
+  picture.draw(canvas, story);
   const Image drawn = studio.rasterizer.draw(canvas);
   REQUIRE(committed.size() == drawn.size());
   int different = 0;  // a few pixels may differ by a shade from processor to processor

@@ -184,7 +184,7 @@ TEST_CASE("What is asked about is looked at: each face before the first test, th
   CHECK(views(story, "P joins") == "ABC edge-on, ACD edge-on, ADB edge-on; ");
   CHECK(views(story, "The origin does not lie above face ABC") == "ABC edge-on; ABC");
   CHECK(views(story, "The origin does not lie above face ACD") == "ACD edge-on; ACD");
-  CHECK(views(story, "The origin lies above face ADB") == "ADB edge-on; ADB");
+  CHECK(views(story, "The origin lies above face ADB") == "ADB edge-on, ADB true shape beside; ADB");
   CHECK(views(story, "The origin does not lie beyond edge AB of face ADB") == "ADB edge-on beside, ADB true shape; ADB");
   CHECK(views(story, "The origin lies beyond edge AD of face ADB") == "ADB edge-on beside, ADB true shape; ADB");
   CHECK(views(tell(walkthrough("regions/3-simplex-inside")), "No face sees the origin") ==
