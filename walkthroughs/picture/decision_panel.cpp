@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "walkthroughs/picture/inset.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
@@ -24,10 +24,6 @@ using render::View;
 constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, least_height = 24, wanted_height = 40;
 constexpr double origin_radius = 7, in_plane_radius = 3, right_angle_side = 9;
 constexpr double narrow = 300, narrow_text = 0.8;  // a view that has no room for words
-constexpr double least_distance = 18, wanted_distance = 19;  // of the origin's foot from an edge
-constexpr double least_on_page = 1e-12;    // of that: less is rounding of the picture
-constexpr double close_up_gap = 8;
-const Vec2 close_up_size(120, 92);
 constexpr double share_of_true_shape = 0.58;  // of the panel, where it decides
 constexpr double deepest = 0.9;             // of the fourth vertex that is shown, in widths of the face
 
@@ -38,20 +34,6 @@ char fourth(const std::string& face) {
   for (const char role : {'B', 'C', 'D'})
     if (face.find(role) == std::string::npos) return role;
   return 'A';
-}
-
-/// Returns: a power of two, of ten where that would be long, at least `factor`.
-double round_factor(double factor) {
-  return factor <= 1024 ? std::exp2(std::ceil(std::log2(factor))) : std::pow(10, std::ceil(std::log10(factor)));
-}
-
-std::string words_of_factor(double factor) {
-  char text[32];
-  if (factor < 1e6)
-    std::snprintf(text, sizeof text, "×%.0f", factor);
-  else
-    std::snprintf(text, sizeof text, "×1e%.0f", std::log10(factor));
-  return text;
 }
 
 /// One view, ready to be drawn.
@@ -109,10 +91,16 @@ class DecisionPicture {
       case Kind::true_shape: true_shape(pencil); break;
       case Kind::edge_on: edge_on(pencil); break;
     }
-    const std::optional<CloseUp> close_up = close_up_in(panel);
-    if (close_up) panel.keep_clear(close_up->frame);
+    const std::optional<Inset> inset = inset_in(view);
+    if (inset) panel.keep_clear(inset->frame);
     const int crowded = panel.place_labels();
-    if (close_up) draw_close_up(canvas, *close_up, view);
+    if (inset)
+      draw_inset(canvas, *inset, view, style_, [this](render::Panel& magnified) {
+        Pencil fine(magnified, lens_, style_);
+        regions(fine);
+        edges(magnified);
+        mark_origin(magnified);
+      });
     return crowded;
   }
 
@@ -141,70 +129,15 @@ class DecisionPicture {
     return {lens_.plane.stretch.x() * view_.height, lens_(shown_.now.found->w).y()};
   }
 
-  // -- A magnified part --
-
-  /// A part of the picture around the origin's foot, in a corner.
-  struct CloseUp {
-    Box frame;
-    double factor;
-  };
-
-  /// Returns: how far the foot of the origin is from the edges that are asked about, in the plane.
-  double distance_to_edges() const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < view_.face.size(); ++i) {
-      const Vec2 A = at('A'), along = (at(view_.face[i]) - A).stableNormalized(), way = at_origin() - A;
-      least = std::min(least, std::abs(along.x() * way.y() - along.y() * way.x()));
-    }
-    return least;
-  }
-
-  /// Returns: nothing where the foot is plainly on one side, or on the edge.
-  std::optional<CloseUp> close_up_in(const render::Panel& panel) const {
+  /// Around the foot of the origin, where it stands near an edge that is asked about.
+  std::optional<Inset> inset_in(const View& view) const {
     if (view_.kind != Kind::true_shape && view_.kind != Kind::segment) return std::nullopt;
-    const double distance = distance_to_edges() * panel.view().scale();
-    if (!(distance > least_on_page * least_distance) || distance >= least_distance) return std::nullopt;
-    const Box room = below_title(frame_).grown(-close_up_gap);
-    const Vec2 size = close_up_size.cwiseMin((room.max - room.min) * 0.45);
-    Box best;
-    double most = -1;
-    for (const bool right : {false, true})
-      for (const bool low : {false, true}) {
-        const Vec2 corner(right ? room.max.x() - size.x() : room.min.x(), low ? room.max.y() - size.y() : room.min.y());
-        const Box box{corner, corner + size};
-        const double clear = distance_to_shape(panel.view().scene((box.min + box.max) / 2));
-        if (clear <= most) continue;
-        most = clear;
-        best = box;
-      }
-    return CloseUp{best, round_factor(wanted_distance / distance)};
-  }
-
-  double distance_to_shape(const Vec2& p) const {
-    double least = (p - at_origin()).norm();
-    for (std::size_t i = 0; i < view_.face.size(); ++i)
-      least = std::min(least, render::distance_to_segment(p, at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()])));
-    return least;
-  }
-
-  void draw_close_up(render::Canvas& canvas, const CloseUp& close_up, const View& view) {
-    const Vec2 here = view.page(at_origin());
-    canvas.circle(here, origin_radius + 7, {style_.theme.ink, 1.2});
-    canvas.rectangle(close_up.frame, style_.theme.paper);
-    const double infinity = std::numeric_limits<double>::infinity();
-    const View magnified =
-        View::fit(at_origin(), at_origin(), close_up.frame, infinity).with_scale(view.scale() * close_up.factor);
-    {
-      render::Panel panel(canvas, close_up.frame, magnified);
-      Pencil pencil(panel, lens_, style_);
-      regions(pencil);
-      edges(panel);
-      mark_origin(panel);
+    std::vector<Segment> asked, shape;
+    for (std::size_t i = 0; i < view_.face.size(); ++i) {
+      if (i > 0) asked.emplace_back(at('A'), at(view_.face[i]));
+      shape.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
     }
-    const Vec2 low = close_up.frame.min, high = close_up.frame.max;
-    const Vec2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-    canvas.outline(corners, {style_.theme.ink, 1.2});
-    canvas.text({low.x() + 6, low.y() + 20}, words_of_factor(close_up.factor), style_.small_label());
+    return inset_of(at_origin(), asked, shape, below_title(frame_), view);
   }
 
   void regions(Pencil& pencil) {

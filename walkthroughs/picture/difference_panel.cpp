@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "walkthroughs/picture/inset.hpp"
 #include "walkthroughs/picture/decision_panel.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
@@ -14,6 +15,7 @@ using render::Stroke;
 using render::Vec2;
 
 constexpr double line_label_gap = 9;
+constexpr double origin_arm = 8;  // page units: so small that it does not hide the edge on which it stands
 
 // -- The key ----------------------------------------------------------------------------------------------------------
 
@@ -90,10 +92,23 @@ class DifferencePicture {
 
   void triad(render::Canvas& canvas, const render::Box& frame) { pencil_.triad(canvas, frame); }
 
+  /// What a small picture around the origin shows.
+  void inset() {
+    if (!outline_.empty()) hull();
+    if (shown_.focus == Focus::region) regions();
+    if (shown_.focus == Focus::crossing) {
+      beyond_found();
+      crossing();
+    }
+    segments();
+    vertices();
+    panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+  }
+
   void origin() {
     const std::string face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : "";
     if (face.empty())
-      panel_.plus(pencil_.at(Point::Zero()), 10, style_.origin);
+      panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
     else
       drop(face);
     panel_.label(pencil_.at(Point::Zero()), center_ - pencil_.at(Point::Zero()), "O", style_.label(style_.theme.ink));
@@ -289,6 +304,29 @@ Bounds bounds_of_move(const Moment& now, const Lens& lens) {
   return bounds(points);
 }
 
+namespace {
+
+/// Of a flat picture: around the origin, where it stands near an edge of the simplex or near what bounds the set along d.
+std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, const render::View& view) {
+  const Moment& now = shown.now;
+  if (shown.lens.camera) return std::nullopt;
+  const Vec2 O = shown.lens(Point::Zero());
+  std::vector<Segment> asked, shape;
+  const std::vector<Point> corners = points_of(now.simplex);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j)
+      shape.emplace_back(shown.lens(corners[i]), shown.lens(corners[j]));
+  if (shown.focus == Focus::added || shown.focus == Focus::region) asked = shape;
+  if (shown.focus == Focus::crossing) {
+    const Vec2 P = shown.lens(now.found->w), d = shown.lens(now.direction->value) - O;
+    asked = {{P, P + Vec2(-d.y(), d.x())}};
+    shape.emplace_back(P, O);
+  }
+  return inset_of(O, asked, shape, below_title(frame), view);
+}
+
+}  // namespace
+
 int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Focus focus = shown.focus;
@@ -315,7 +353,14 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   picture.origin();
   picture.names();
   if (focus == Focus::region) picture.name_rejected_faces();
-  return panel.place_labels();
+  const std::optional<Inset> inset = inset_in(shown, place.frame, place.view);
+  if (inset) panel.keep_clear(inset->frame);
+  const int crowded = panel.place_labels();
+  if (inset)
+    draw_inset(canvas, *inset, place.view, style, [&shown](render::Panel& magnified) {
+      DifferencePicture(magnified, shown).inset();
+    });
+  return crowded;
 }
 
 int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {

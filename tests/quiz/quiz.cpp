@@ -1,0 +1,159 @@
+#include "tests/quiz/quiz.hpp"
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "walkthroughs/story/storyboard.hpp"
+
+namespace quiz {
+namespace {
+
+using namespace walkthroughs;
+using Random = std::mt19937_64;
+
+std::size_t below(Random& random, std::size_t count) { return static_cast<std::size_t>(random() % count); }
+
+/// Points on a grid of quarters, so that no two machines round differently.
+Points some_points(Random& random, Dimension dimension, std::size_t count) {
+  const auto coordinate = [&] { return (static_cast<double>(below(random, 33)) - 16) / 4; };
+  Points points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = coordinate(), y = coordinate();
+    points.emplace_back(x, y, dimension == Dimension::space ? coordinate() : 0);
+  }
+  return points;
+}
+
+Walkthrough some_walkthrough(Random& random, Dimension dimension) {
+  Points b = some_points(random, dimension, 4);
+  const Point shift = some_points(random, dimension, 1)[0] / 2;
+  for (Point& p : b) p += shift;
+  return {.name = "question",
+          .title = "question",
+          .source = "",
+          .summary = "",
+          .panels = {.objects = false, .hull = true, .algorithm = false},
+          .naming = Naming::roles,
+          .scenes = {{.name = "question",
+                      .a = {"a", some_points(random, dimension, 4), {}},
+                      .b = {"b", std::move(b), {}},
+                      .dimension = dimension}}};
+}
+
+/// The test of Algorithms 3 to 5 that ends the questions about this simplex or face; nothing where there is none.
+const gjk::RegionTested<double>* chosen_after(const Trace& trace, std::size_t event, const std::string& face) {
+  for (std::size_t i = event + 1; i < trace.events.size(); ++i) {
+    if (std::holds_alternative<gjk::VertexAdded<double>>(trace.events[i])) return nullptr;
+    const auto* tested = std::get_if<gjk::RegionTested<double>>(&trace.events[i]);
+    if (tested && tested->verdict == gjk::Verdict::chosen && tested->face == face) return tested;
+  }
+  return nullptr;
+}
+
+struct Asked {
+  std::string about, text, answer;
+};
+
+Asked about_triangle(const gjk::RegionTested<double>& chosen, Dimension dimension) {
+  const double* const value = std::get_if<double>(&chosen.value);
+  std::string answer = chosen.label;
+  if (chosen.feature == "ABC" && dimension == Dimension::space && value)
+    answer += *value > 0 ? " above" : *value < 0 ? " below" : " in";
+  return {"triangle", "In which region of the triangle does the origin lie?", answer};
+}
+
+/// Returns: what can be asked of the picture after that event; nothing where the search decides nothing next.
+std::optional<Asked> asked_of(const Story& story, const Frame& frame) {
+  const Trace& trace = story.tellings[0].trace;
+  const std::size_t event = frame.events[0].last;
+  const Moment& now = frame.moments[0];
+  const Dimension dimension = story.tellings[0].scene.dimension;
+  if (frame.focus == Focus::crossing && now.crossing->value && *now.crossing->value != 0)
+    return Asked{"crossing", "Does P lie past the origin along d, or short of it?",
+                 *now.crossing->value > 0 ? "past" : "short"};
+  if (frame.focus == Focus::added) {
+    const gjk::RegionTested<double>* const chosen = chosen_after(trace, event, "");
+    if (!chosen) return std::nullopt;
+    if (now.simplex.size() == 2 && dimension == Dimension::plane)
+      return Asked{"segment", "On which side of the segment, going from B to A, does the origin lie?",
+                   (now.simplex.point(gjk::Role::A) - now.simplex.point(gjk::Role::B))
+                               .cross(-now.simplex.point(gjk::Role::B)).z() > 0
+                       ? "left"
+                       : "right"};
+    if (now.simplex.size() == 3) return about_triangle(*chosen, dimension);
+    if (now.simplex.size() == 4)
+      return Asked{"tetrahedron", "Which face, the first of ABC, ACD, ADB, sees the origin? Or is it inside?",
+                   chosen->feature == "ABCD" ? "inside" : chosen->feature};
+  }
+  if (frame.focus == Focus::region && now.simplex.size() == 4 && now.regions.back().face.empty() &&
+      now.regions.back().verdict == gjk::Verdict::chosen && now.regions.back().feature.size() == 3) {
+    const std::string face = now.regions.back().feature;
+    const gjk::RegionTested<double>* const chosen = chosen_after(trace, event, face);
+    return Asked{"edges of a face", "Does the origin's foot lie beyond A" + face.substr(1, 1) + ", beyond A" +
+                                        face.substr(2, 1) + ", or above the face " + face + "?",
+                 chosen ? chosen->feature : face};
+  }
+  return std::nullopt;
+}
+
+/// Kinds are told apart by what is asked and by the answer: both sides of a test are drawn as often.
+std::string kind_of(const Asked& asked, Dimension dimension) {
+  const std::string where = dimension == Dimension::plane ? "plane, " : "space, ";
+  const std::string answer = asked.about != "edges of a face" ? asked.answer : asked.answer.size() == 3 ? "face" : "edge";
+  return where + asked.about + ": " + answer;
+}
+
+constexpr const char* kinds[] = {
+    "plane, crossing: past",     "plane, crossing: short",       "plane, segment: left",        "plane, segment: right",
+    "plane, triangle: R1",       "plane, triangle: R3",          "plane, triangle: R7",         "space, crossing: past",
+    "space, crossing: short",    "space, triangle: R3",          "space, triangle: R7",         "space, triangle: R1 above",
+    "space, triangle: R1 below", "space, tetrahedron: ABC",      "space, tetrahedron: ACD",     "space, tetrahedron: ADB",
+    "space, tetrahedron: inside", "space, edges of a face: edge", "space, edges of a face: face"};
+
+}  // namespace
+
+std::vector<Question> questions(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  const std::size_t each = (count + std::size(kinds) - 1) / std::size(kinds);
+  std::map<std::string, std::size_t> missing;
+  for (const char* const kind : kinds) missing[kind] = each;
+  std::vector<Question> found;
+  while (found.size() < each * std::size(kinds)) {
+    const Dimension dimension = below(random, 4) == 0 ? Dimension::plane : Dimension::space;
+    const Walkthrough walkthrough = some_walkthrough(random, dimension);
+    const Story story = tell(walkthrough);
+    std::vector<Question> here;
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      const std::optional<Asked> asked = asked_of(story, story.frames[i]);
+      if (!asked || missing[kind_of(*asked, dimension)] == 0) continue;
+      here.push_back({walkthrough, i, kind_of(*asked, dimension), asked->text, asked->answer});
+    }
+    if (here.empty()) continue;
+    Question& one = here[below(random, here.size())];  // one of each scene
+    --missing[one.kind];
+    found.push_back(std::move(one));
+  }
+  for (std::size_t i = found.size(); i > 1; --i) std::swap(found[i - 1], found[below(random, i)]);  // std::shuffle is not the same everywhere
+  return found;
+}
+
+std::string legend() {
+  return R"(Each picture shows one moment of a search for the origin O in a convex set, just before a decision.
+Green: the simplex (segment, triangle or tetrahedron) that the search holds. A, with a ring, is its newest vertex.
+Grey: the whole set. Red: P, the point that was found last in direction d; nothing of the set lies in the orange part.
+Scenes in space are drawn twice: on the left as space is seen, on the right as the plane in which the decision is plain.
+- Plane of d and OP: d points to the right. P lies past the origin where it is to the right of O, short of it where it is left.
+- "ABC edge-on": the triangle is seen as a line, its normal (blue arrow) up. A face sees the origin where O is above the line.
+  "x8": heights are drawn eight times as high. The fourth vertex of a tetrahedron lies below.
+- "ABC, true shape": the triangle seen straight down its normal; O stands where its foot is. The small picture in a
+  corner, with "x8", is the part in the thin circle, so many times as large.
+- O is a filled disc where it lies above the triangle (where the normal points), a ring where it lies below.
+Regions of a triangle ABC: R1 inside (in space: straight above or below it; say which), R2 beyond A, R3 beyond the edge AB,
+R4 beyond B, R5 beyond BC, R6 beyond C, R7 beyond the edge AC.
+Answers: past, short | left, right | R1, R3, R7 in the plane | R3, R7, R1 above, R1 below in space | ABC, ACD, ADB, inside |
+of a face such as ADB: AD, AB, or ADB where the foot lies in the face.
+)";
+}
+
+}  // namespace quiz

@@ -1,0 +1,84 @@
+#include "walkthroughs/picture/inset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace walkthroughs {
+namespace {
+
+using render::Box;
+using render::Vec2;
+using render::View;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Page units.
+constexpr double least_distance = 18, wanted_distance = 19;
+constexpr double rounding = 1e-12;  // of that: less is rounding of the picture
+constexpr double gap = 8, circle_radius = 14, widest = 0.45;  // the last in parts of the room
+const Vec2 size_of_frame(120, 92), place_of_factor(6, 20);
+
+double distance_to_line(const Vec2& p, const Segment& line) {
+  const Vec2 along = (line.second - line.first).stableNormalized(), way = p - line.first;
+  return std::abs(along.x() * way.y() - along.y() * way.x());
+}
+
+Box best_corner(const Vec2& at, const std::vector<Segment>& shape, const Box& room, const View& view) {
+  const Vec2 size = size_of_frame.cwiseMin((room.max - room.min) * widest);
+  Box best;
+  double most = -1;
+  for (const bool right : {false, true})
+    for (const bool low : {false, true}) {
+      const Vec2 corner(right ? room.max.x() - size.x() : room.min.x(), low ? room.max.y() - size.y() : room.min.y());
+      const Vec2 middle = view.scene(corner + size / 2);
+      double clear = (middle - at).norm();
+      for (const Segment& s : shape) clear = std::min(clear, render::distance_to_segment(middle, s.first, s.second));
+      if (clear <= most) continue;
+      most = clear;
+      best = {corner, corner + size};
+    }
+  return best;
+}
+
+}  // namespace
+
+double round_factor(double factor) {
+  return factor <= 1024 ? std::exp2(std::ceil(std::log2(factor))) : std::pow(10, std::ceil(std::log10(factor)));
+}
+
+std::string words_of_factor(double factor) {
+  char text[32];
+  if (factor < 1e6)
+    std::snprintf(text, sizeof text, "×%.0f", factor);
+  else
+    std::snprintf(text, sizeof text, "×1e%.0f", std::log10(factor));
+  return text;
+}
+
+std::optional<Inset> inset_of(const Vec2& at, const std::vector<Segment>& lines, const std::vector<Segment>& shape,
+                                   const Box& room, const View& view) {
+  double distance = infinity;
+  for (const Segment& line : lines) distance = std::min(distance, distance_to_line(at, line) * view.scale());
+  if (!(distance > rounding * least_distance) || distance >= least_distance) return std::nullopt;
+  return Inset{at, best_corner(at, shape, room.grown(-gap), view), round_factor(wanted_distance / distance)};
+}
+
+void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, const Style& style,
+                   const std::function<void(render::Panel&)>& draw) {
+  const render::Stroke line{style.theme.ink, 1.2};
+  canvas.circle(view.page(inset.at), circle_radius, line);
+  canvas.rectangle(inset.frame, style.theme.paper);
+  {
+    const View fitted = View::fit(inset.at, inset.at, inset.frame, infinity);
+    render::Panel panel(canvas, inset.frame, fitted.with_scale(view.scale() * inset.factor));
+    draw(panel);
+  }
+  const Vec2 low = inset.frame.min, high = inset.frame.max;
+  const Vec2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  canvas.outline(corners, line);
+  canvas.text(low + place_of_factor, words_of_factor(inset.factor), style.small_label());
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,35 @@
+/// A small picture in a corner of a panel: the part around a point that stands very near to a line.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "render/panel.hpp"
+#include "walkthroughs/picture/style.hpp"
+
+namespace walkthroughs {
+
+using Segment = std::pair<render::Vec2, render::Vec2>;
+
+struct Inset {
+  render::Vec2 at;    ///< its middle, scene units
+  render::Box frame;  ///< where it stands on the page
+  double factor;      ///< by which it is larger than the picture
+};
+
+/// Returns: a power of two, of ten where that would be long, at least `factor`; and in words, "×8", "×1e12".
+double round_factor(double factor);
+std::string words_of_factor(double factor);
+
+/// Returns: an inset that shows `at` where its mark covers which side of one of `lines` (longer both ways) it is on; in the corner
+/// of `room` that is farthest from it and from `shape`. Nothing where it stands plainly on one side, or on the line.
+std::optional<Inset> inset_of(const render::Vec2& at, const std::vector<Segment>& lines,
+                                   const std::vector<Segment>& shape, const render::Box& room, const render::View& view);
+
+/// Draws it over what is there, and a thin circle around what it shows. `draw`: what it shows.
+void draw_inset(render::Canvas& canvas, const Inset& inset, const render::View& view, const Style& style,
+                   const std::function<void(render::Panel&)>& draw);
+
+}  // namespace walkthroughs
