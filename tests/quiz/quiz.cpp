@@ -140,19 +140,23 @@ std::vector<Question> questions(std::size_t count, std::uint64_t seed) {
 
 std::string legend() {
   return R"(Each picture shows one moment of a search for the origin O in a convex set, just before a decision.
-Green: the simplex (segment, triangle or tetrahedron) that the search holds. A, with a ring, is its newest vertex.
+Green: the simplex (segment, triangle or tetrahedron) that the search holds. A ring marks its newest vertex, A, or P.
 Grey: the whole set. Red: P, the point that was found last in direction d; nothing of the set lies in the orange part.
 Scenes in space are drawn twice: on the left as space is seen, on the right as the plane in which the decision is plain.
-- Plane of d and OP: d points to the right. P lies past the origin where it is to the right of O, short of it where it is left.
+- Plane of d and OP: d points to the right. P lies past the origin where it is to the right of O, short of it where it is
+  left. The grey bar is the way from O to P along d.
 - "ABC edge-on": the triangle is seen as a line, its normal (blue arrow) up. A face sees the origin where O is above the line.
   "x8": heights are drawn eight times as high. The fourth vertex of a tetrahedron lies below.
-- "ABC, true shape": the triangle seen straight down its normal; O stands where its foot is. The small picture in a
-  corner, with "x8", is the part in the thin circle, so many times as large.
-- O is a filled disc where it lies above the triangle (where the normal points), a ring where it lies below.
+- "ABC, true shape": the triangle seen straight down its normal; O stands where its foot is.
+- A small picture in a corner, with "x8", is the part in the thin circle, so many times as large.
+- O is a filled disc where it lies above the triangle (where the normal points), a ring where it lies below, a ring around a
+  dot where it lies in the triangle's plane, which is not above.
+- Coloured or crossed out: what was tested before this decision.
 Regions of a triangle ABC: R1 inside (in space: straight above or below it; say which), R2 beyond A, R3 beyond the edge AB,
-R4 beyond B, R5 beyond BC, R6 beyond C, R7 beyond the edge AC.
-Answers: past, short | left, right | R1, R3, R7 in the plane | R3, R7, R1 above, R1 below in space | ABC, ACD, ADB, inside |
-of a face such as ADB: AD, AB, or ADB where the foot lies in the face.
+R4 beyond B, R5 beyond BC, R6 beyond C, R7 beyond the edge AC. R2, R4, R5 and R6 are never the answer: the search has
+ruled them out before.
+Answers: past, short | left, right (seen when going from B to A) | R1, R3, R7 in the plane | R3, R7, R1 above, R1 below in
+space | ABC, ACD, ADB, inside | of a face: the edge, such as AD or AB, or the face, such as ADB, where the foot lies in it.
 )";
 }
 

@@ -132,3 +132,48 @@ TEST_CASE("a job's belongings are gone when finish returns") {
   worker.finish();
   REQUIRE(held.use_count() == 1);
 }
+
+TEST_CASE("work is done side by side, and what remains in the order in which it came") {
+  std::vector<int> order;
+  std::atomic<int> working = 0, most = 0;
+  Door both;
+  Worker worker(20, 2);
+  for (int i = 0; i < 20; ++i)
+    worker.prepare([&, i]() -> Worker::Job {
+      const int here = ++working;
+      if (here == 2) both.open();
+      if (i < 2) both.pass();  // the first two wait for each other: one thread alone would never end
+      int seen = most;
+      while (seen < here && !most.compare_exchange_weak(seen, here)) {
+      }
+      --working;
+      return [&order, i] { order.push_back(i); };
+    });
+  worker.finish();
+  std::vector<int> expected(20);
+  std::iota(expected.begin(), expected.end(), 0);
+  REQUIRE(order == expected);
+  REQUIRE(most == 2);
+}
+
+TEST_CASE("work that throws is told in its turn: what came before it is done, what came after is not") {
+  std::vector<int> order;
+  Worker worker(10, 3);
+  for (int i = 0; i < 6; ++i)
+    worker.prepare([&order, i]() -> Worker::Job {
+      if (i == 3) throw std::runtime_error("three");
+      return [&order, i] { order.push_back(i); };
+    });
+  REQUIRE(error_of([&] { worker.finish(); }) == "three");
+  REQUIRE(error_of([&] { worker.post([&order] { order.push_back(9); }); }) == "three");
+  REQUIRE(order == std::vector<int>{0, 1, 2});
+}
+
+TEST_CASE("work that waits is done before a worker of several threads is gone") {
+  std::atomic<int> done = 0;
+  {
+    Worker worker(8, 4);
+    for (int i = 0; i < 8; ++i) worker.prepare([&done]() -> Worker::Job { return [&done] { ++done; }; });
+  }
+  REQUIRE(done == 8);
+}

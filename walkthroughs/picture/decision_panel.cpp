@@ -129,15 +129,13 @@ class DecisionPicture {
     return {lens_.plane.stretch.x() * view_.height, lens_(shown_.now.found->w).y()};
   }
 
-  /// Around the foot of the origin, where it stands near an edge that is asked about.
+  /// Around the foot of the origin, where it stands near an edge.
   std::optional<Inset> inset_in(const View& view) const {
     if (view_.kind != Kind::true_shape && view_.kind != Kind::segment) return std::nullopt;
-    std::vector<Segment> asked, shape;
-    for (std::size_t i = 0; i < view_.face.size(); ++i) {
-      if (i > 0) asked.emplace_back(at('A'), at(view_.face[i]));
-      shape.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
-    }
-    return inset_of(at_origin(), asked, shape, below_title(frame_), view);
+    std::vector<Segment> edges;
+    for (std::size_t i = 0; i < view_.face.size(); ++i)
+      edges.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
+    return inset_of(at_origin(), edges, edges, below_title(frame_), view);
   }
 
   void regions(Pencil& pencil) {

@@ -338,6 +338,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   render::Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, shown);
   picture.set();
+  picture.triad(canvas, place.frame);  // behind the search, which it must not hide
   const bool separated = shown.now.result && shown.now.result->separation;
   const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
   if (focus == Focus::region) picture.regions();
@@ -347,7 +348,6 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
     picture.direction();
   if (focus == Focus::crossing) picture.crossing();
   picture.vertices();
-  picture.triad(canvas, place.frame);
   if (focus == Focus::reduction) picture.dropped();
   if (focus == Focus::repetition) picture.repetition();
   picture.origin();

@@ -74,11 +74,13 @@ render::Image Renderer::draw(const StagedStory& story, std::size_t index, const 
 }
 
 void Renderer::write(fs::path file, render::Image image, render::PngText text, FileWritten written) {
-  writer_.post(
-      [file = std::move(file), image = std::move(image), text = std::move(text), written = std::move(written)] {
-        render::write_png(file, image, text);
-        written(file);
-      });
+  writer_.prepare([file = std::move(file), image = std::move(image), text = std::move(text),
+                   written = std::move(written)]() -> render::Worker::Job {
+    return [=, png = render::encode_png(image, text)] {
+      render::write_file(file, png);
+      written(file);
+    };
+  });
 }
 
 void Renderer::frames(const StagedStory& story, const Output& output, FrameWritten written,
@@ -92,11 +94,12 @@ void Renderer::frames(const StagedStory& story, const Output& output, FrameWritt
     const render::PngText text{w.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count),
                                alternative_text(story, i)};
     const double seconds = animation_seconds.value_or(0) * (i + 1 == count ? last_frame_times : 1);
-    writer_.post([=, file = folder / file_name(i), image = draw(story, i, output)] {
-      const std::vector<std::uint8_t> png = render::encode_png(image, text);
-      render::write_file(file, png);
-      if (animation_seconds) animation->add(png, seconds);
-      written(file, i);
+    writer_.prepare([=, file = folder / file_name(i), image = draw(story, i, output)]() -> render::Worker::Job {
+      return [=, png = render::encode_png(image, text)] {
+        render::write_file(file, png);
+        if (animation_seconds) animation->add(png, seconds);
+        written(file, i);
+      };
     });
     Output turned = output;
     for (int turn = 1; turn <= turns; ++turn) {

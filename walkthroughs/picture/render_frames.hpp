@@ -1,11 +1,13 @@
 /// Walkthroughs to PNG files.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "render/font.hpp"
 #include "render/rasterizer.hpp"
@@ -37,8 +39,8 @@ struct Studio {
   render::Rasterizer rasterizer{context};
 };
 
-/// Draws on the thread that calls, encodes and writes on a second one, so that the next picture is drawn while the last
-/// one is compressed. Files are written, and told of on the second thread, in the order in which they were asked for.
+/// Draws on the thread that calls and encodes on further ones, as many as there are processors, so that the next picture is
+/// drawn while the last ones are compressed. Files are written, and told of there, in the order in which they were asked for.
 /// A few pictures are in memory at a time, however many there are.
 /// Errors of all functions: render::FileError, also of files asked for earlier; render::ContextError. Files asked for
 /// before the one that could not be written are there, later ones are not.
@@ -62,11 +64,13 @@ class Renderer {
   void finish() { writer_.finish(); }
 
  private:
+  static std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
   render::Image draw(const StagedStory& story, std::size_t index, const Output& output);
   void write(std::filesystem::path file, render::Image image, render::PngText text, FileWritten written);
 
   Studio& studio_;
-  render::Worker writer_{2};
+  render::Worker writer_{2 + processors(), processors()};
 };
 
 /// As Renderer::frames, strip and sheet, one at a time; each returns when its files are written, and the last two return
