@@ -1,5 +1,6 @@
 #include "walkthroughs/model/moment.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace walkthroughs {
@@ -16,6 +17,7 @@ struct Replay {
     now.iteration = event.iteration;
     now.found = event.vertex;
     now.added = false;
+    if (std::ranges::count(now.known, event.vertex.w) == 0) now.known.push_back(event.vertex.w);
     now.crossing.reset();
     now.regions.clear();
     now.reduction.reset();
@@ -23,6 +25,7 @@ struct Replay {
   void operator()(const gjk::CrossingTested<double>& event) { now.crossing = event; }
   void operator()(const gjk::VertexAdded<double>& event) {
     now.added = true;
+    now.before = now.processed;
     now.simplex = now.processed = event.simplex;
     const Point& newest = event.simplex.point(gjk::Role::A);
     for (int i = 0; i + 1 < event.simplex.size(); ++i) now.segments.emplace_back(event.simplex[i].w, newest);

@@ -40,6 +40,7 @@ struct Panels {
 enum class Naming {
   corners,  ///< the corners of a planar hull A, B, C, … all around, as in Figure 4
   roles,    ///< the vertices of the simplex A (newest), B, C, D, as in Algorithms 2-5, and P for the point just found
+  fixed,    ///< each point that was found one letter for the whole search, A the first, B the second, …
 };
 
 /// A sentence that only this walkthrough can say, joined to the caption of one event.

@@ -25,7 +25,8 @@ inline constexpr auto zero_test = as_core_says<gjk::ZeroTestKind, gjk::zero_test
 inline constexpr std::array<std::string_view, 2> scalar{"double", "float"};
 inline constexpr std::array<std::string_view, 4> panels{"objects", "hull", "algorithm", "decision"};
 inline constexpr std::array<std::string_view, 4> layout{"search", "close-ups", "in-step", "until-they-part"};
-inline constexpr std::array<std::string_view, 2> naming{"corners", "roles"};
+inline constexpr std::array<std::string_view, 3> naming{"corners", "roles", "fixed"};
+inline constexpr std::array<std::string_view, 2> letters{"roles", "fixed"};
 inline constexpr std::array<std::string_view, 6> remark_at{"support-found", "crossing-tested",  "region-tested",
                                                            "reduced",       "direction-chosen", "end"};
 inline constexpr std::array<std::string_view, 4> crossing{"crossed", "not-crossed", "not-applied-first-point",

@@ -165,7 +165,7 @@ class DecisionPicture {
       case Kind::segment: return "plane of " + face + " and O";
       case Kind::true_shape: return face + ", true shape";
       case Kind::edge_on:
-        return face + (frame_.width() < narrow ? stretched(" ", lens_.plane.stretch.y())
+        return face + (frame_.width() < narrow ? stretched(", high ", lens_.plane.stretch.y())
                                                : " edge-on" + stretched(", height ", lens_.plane.stretch.y()));
     }
     return "";

@@ -86,8 +86,9 @@ class DifferencePicture {
   }
 
   void name(const Point& w) {
-    panel_.label(pencil_.at(w), pencil_.at(w) - center_, shown_.names.label(w),
-                 style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
+    const std::string before = shown_.focus == Focus::added ? shown_.names.before(w) : "";
+    panel_.label(pencil_.at(w), pencil_.at(w) - center_,
+                 before.empty() ? shown_.names.label(w) : before + "→" + shown_.names.label(w), style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
   }
 
   void triad(render::Canvas& canvas, const render::Box& frame) { pencil_.triad(canvas, frame); }
@@ -156,7 +157,7 @@ class DifferencePicture {
     if (now_.found)
       ring(now_.found->w, style_.theme.ink);
     else if (now_.simplex.size() > 0)
-      ring(now_.simplex.point(gjk::Role::A), style_.theme.ink);
+      ring(now_.processed.point(gjk::Role::A), style_.theme.ink);  // also where the order has changed since
   }
 
   void dropped() {

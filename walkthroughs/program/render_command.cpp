@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <deque>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -104,7 +105,15 @@ class Rendering {
   struct Written {
     std::vector<FrameFile> frames;
     std::vector<std::shared_ptr<const Story>> stories;
+    std::deque<Walkthrough> walkthroughs;  ///< that they tell
   };
+
+  /// Corners of a planar hull have letters of their own anyway.
+  Walkthrough in_letters(Walkthrough walkthrough) const {
+    if (command_.letters && walkthrough.naming != Naming::corners)
+      walkthrough.naming = *command_.letters == "fixed" ? Naming::fixed : Naming::roles;
+    return walkthrough;
+  }
 
   Output checked_output() const {
     expect_named("--out", command_.out, "a folder to write to, for example --out pictures");
@@ -158,7 +167,7 @@ class Rendering {
   }
 
   void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
-    const Walkthrough& w = *chosen.walkthrough;
+    const Walkthrough& w = written.walkthroughs.emplace_back(in_letters(*chosen.walkthrough));
     const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
     progress(w.name + ": searching");
     Story told = chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown);
@@ -265,6 +274,8 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
           ->capture_default_str(),
       0, 72);
   command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
+  command->add_option("--letters", render.letters, "'fixed': each vertex keeps its letter; 'roles': A is always the newest")
+      ->check(CLI::IsMember({"roles", "fixed"}));
   command->add_flag("--no-values", render.no_values, "leave the numbers that decide out of the panels, for questions");
   command->add_option("--captions", render.captions,
                       "JSON file to write: caption, description and events of each frame");

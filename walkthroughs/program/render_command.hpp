@@ -16,6 +16,7 @@ struct RenderCommand {
   bool sheet = false;
   bool apng = false;
   bool no_captions = false, no_values = false;
+  std::optional<std::string> letters;
   bool rendered_by = false;
   int turns = 0;
   double frame_time = 2;

@@ -84,6 +84,15 @@ class Captions {
                        {{Mark::yes, value + " > 0: the origin was crossed"}});
   }
 
+  /// Returns: "; the letters move on: A becomes B, D becomes C"; nothing where all stay.
+  std::string renamed() const {
+    std::string text;
+    for (int i = now_.simplex.size() - 1; i >= 0; --i)
+      if (const std::string old = names_.before(now_.simplex[i].w); !old.empty())
+        text += (text.empty() ? "" : ", ") + old + " becomes " + names_.of(now_.simplex[i].w);
+    return text.empty() ? "" : "; the letters move on: " + text;
+  }
+
   /// Joins to a frame what the walkthrough has to say about its event.
   void add_remarks(Frame& frame, const gjk::Event<double>& event) const {
     for (const Remark& remark : remarks_) {
@@ -96,8 +105,11 @@ class Captions {
   /// Corners keep their names, so there is nothing to tell; roles move on.
   std::optional<Frame> operator()(const gjk::VertexAdded<double>& event) const {
     if (walkthrough_.naming == Naming::corners || event.simplex.size() == 1) return std::nullopt;
-    return frame_about(Focus::added, "P joins the simplex as its newest vertex, A",
-                       {{Mark::none, "the simplex is " + names_.list(event.simplex) + ", oldest first"}});
+    const std::string newest = names_.of(event.simplex.point(gjk::Role::A));
+    return frame_about(Focus::added,
+                       walkthrough_.naming == Naming::roles ? "P joins the simplex as its newest vertex, A"
+                                                            : newest + " joins the simplex as its newest vertex",
+                       {{Mark::none, "the simplex is " + names_.list(event.simplex) + ", oldest first" + renamed()}});
   }
 
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
@@ -160,7 +172,7 @@ class Captions {
 
   /// Remarks are written in the letters of the picture already; where these are roles, normals get their subscript.
   std::string in_letters(const std::string& text) const {
-    return walkthrough_.naming == Naming::roles ? names_.translate(text) : text;
+    return walkthrough_.naming == Naming::corners ? text : names_.translate(text);
   }
 
   std::string vec(const Point& value) const { return vector(value, scene_.dimension); }

@@ -67,19 +67,38 @@ std::string compared_with_zero(const gjk::RegionTested<double>& region, double v
 
 std::string Names::of(Role role) const {
   if (naming_ == Naming::roles) return std::string(1, gjk::letter(role));
-  return static_cast<int>(role) < now_.processed.size() ? hull_.name(now_.processed.point(role)) : "";
+  return static_cast<int>(role) < now_.processed.size() ? own_name(now_.processed.point(role)) : "";
+}
+
+std::string Names::own_name(const Point& w) const {
+  if (naming_ == Naming::corners) return hull_.name(w);
+  const auto found = std::ranges::find(now_.known, w);
+  if (found == now_.known.end()) return "";
+  const auto index = found - now_.known.begin();
+  const std::string letter(1, static_cast<char>('A' + index % 26));
+  return index < 26 ? letter : letter + std::to_string(index / 26 + 1);  // A … Z, A2 … Z2
 }
 
 std::string Names::of(const Point& w) const {
-  if (naming_ == Naming::corners) return hull_.name(w);
+  if (naming_ != Naming::roles) return own_name(w);
   if (now_.found && !now_.added && now_.found->w == w) return "P";
   for (int i = 0; i < now_.processed.size(); ++i)
     if (const Role role = static_cast<Role>(i); now_.processed.point(role) == w) return of(role);
   return "";
 }
 
+std::string Names::before(const Point& w) const {
+  if (naming_ != Naming::roles || w == now_.processed.point(Role::A)) return "";
+  for (int i = 0; i < now_.before.size(); ++i)
+    if (const Role role = static_cast<Role>(i); now_.before.point(role) == w) {
+      const std::string name = of(role);
+      return name == of(w) ? "" : name;
+    }
+  return "";
+}
+
 std::string Names::label(const Point& w) const {
-  if (naming_ == Naming::corners) return hull_.name(w);
+  if (naming_ != Naming::roles) return own_name(w);
   std::vector<std::string> names;
   if (now_.found && !now_.added && now_.found->w == w) names.emplace_back("P");
   for (int i = 0; i < now_.processed.size(); ++i)
@@ -90,7 +109,7 @@ std::string Names::label(const Point& w) const {
 std::string Names::sorted(std::string_view roles) const {
   std::vector<std::string> names;
   for (const char letter : roles) names.push_back(of(role_of(letter)));
-  if (naming_ == Naming::corners) std::ranges::sort(names);  // the report writes faces of the simplex as ACD, ADB
+  if (naming_ != Naming::roles) std::ranges::sort(names);  // the report writes faces of the simplex as ACD, ADB
   return joined(names, "");
 }
 

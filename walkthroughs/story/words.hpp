@@ -41,6 +41,9 @@ class Names {
   std::string label(const Point& w) const;
   /// Returns: the name of a vertex of the simplex that is being processed.
   std::string of(gjk::Role role) const;
+  /// Returns: where roles have just moved on, what the vertex at `w` was called before the newest one came; empty where
+  /// its name has stayed, or it is the newest.
+  std::string before(const Point& w) const;
   /// Returns: the letters of roles, "ABCD", in order of the alphabet of the picture.
   std::string sorted(std::string_view roles) const;
 
@@ -54,6 +57,8 @@ class Names {
   std::string simplex(const Simplex& simplex) const;
 
  private:
+  /// Returns: the name that a place keeps for the whole search; empty where it has none.
+  std::string own_name(const Point& w) const;
   std::vector<std::string> names_of(const Simplex& simplex) const;
 
   Naming naming_;

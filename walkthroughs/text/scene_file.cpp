@@ -68,10 +68,15 @@ std::optional<render::Size> read_size(const Value& root) {
   return render::Size{side(sides[0]), side(sides[1])};
 }
 
+Naming read_letters(const Value& root) {
+  const auto value = root.member("letters");
+  return value && choice(*value, words_of::letters) == 1 ? Naming::fixed : Naming::roles;
+}
+
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_object(root,
                 {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "zero_test", "scalar", "panels", "size"},
+                 "zero_test", "scalar", "panels", "letters", "size"},
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
@@ -97,7 +102,7 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   file.walkthrough.source = "scene file";
   file.walkthrough.layout = Layout::search;
   file.walkthrough.panels = panels;
-  file.walkthrough.naming = Naming::roles;
+  file.walkthrough.naming = read_letters(root);
   file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
   return file;
 }
@@ -161,6 +166,7 @@ std::string_view example_scene() {
 
   // What is shown beside the search. What is left out is not computed.
   "panels": ["objects", "hull", "algorithm", "decision"],
+  "letters": "roles",  // A is always the newest vertex; "fixed": each keeps its letter for the whole search
   "size": "1280x720"       // or [1280, 720]; pixels
 }
 )";

@@ -13,6 +13,7 @@
 ///     zero_test        "exact", "relative" (core/zero_test.hpp)                                        "exact"
 ///     scalar           "double", "float"; numbers are rounded to the nearest float and computed with    "double"
 ///     panels           those of "objects", "hull", "algorithm", "decision" to show beside the search   all four
+///     letters          "roles" (A is always the newest vertex), "fixed" (each keeps its own)           "roles"
 ///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
 ///
 /// Eager rules, which test the first point, too, begin in the direction from the center of a to that of b: the mean of a

@@ -145,6 +145,8 @@ TEST_CASE("Figure 3: two points of C are farthest along +x, on x = -1 and two of
   CHECK(on(figure_3_C(), -1) == 2);
   CHECK(figure_3_D().support({-1, 0, 0}).point.x() == 1);
   CHECK(on(figure_3_D(), 1) == 2);
+  for (const PointSet& set : {figure_3_C(), figure_3_D()})
+    for (const Point& p : set.points()) CHECK(p.z() == 0);
 }
 
 TEST_CASE("Figure 3: x = -2 is the farthest of the difference, whichever points are taken") {

@@ -160,6 +160,16 @@ TEST_CASE("A walkthrough named twice is rendered once") {
   CHECK(outcome.out.find(file, first + 1) == std::string::npos);
 }
 
+TEST_CASE("gjkstep render --letters fixed gives each vertex one letter, and corners keep theirs") {
+  const Folder folder;
+  const std::string out = " --size 32x18 --out " + quoted(folder.path().string());
+  const Outcome fixed = run("render regions/2-simplex-r3 --letters fixed" + out);
+  CHECK(has(fixed.out, "C joins the simplex as its newest vertex."));
+  CHECK(has(run("render regions/2-simplex-r3 --letters roles" + out).out, "P joins the simplex as its newest vertex, A."));
+  CHECK(run("render figure-4-left --letters fixed" + out).out == run("render figure-4-left" + out).out);
+  check_failure("render figure-4-left --letters greek" + out, 2, {"--letters"});
+}
+
 TEST_CASE("gjkstep render --detail step --captions writes a frame for each iteration, and all of them in words") {
   const Folder folder;
   const std::string out = quoted(folder.path().string()), json = quoted((folder.path() / "captions.json").string());

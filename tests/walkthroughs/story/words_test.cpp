@@ -1,6 +1,7 @@
 #include "walkthroughs/story/words.hpp"
 
 #include <limits>
+#include <map>
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -215,4 +216,59 @@ TEST_CASE("Plain text has no markup and keeps every other character") {
   CHECK(plain("a\\_b") == "a_b");
   CHECK(literal("a_b {c}") == "a\\_b {c}");
   CHECK(plain("") == "");
+}
+
+TEST_CASE("Letters may be fixed: the first point that is found is A, the second B, and so on, in every role") {
+  Walkthrough w = walkthrough("regions/3-simplex-face-adb-edge-ad");
+  w.naming = Naming::fixed;
+  const Story story = tell(w);
+  std::map<std::string, Point> places;
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    const Moment& now = story.frames[i].moments[0];
+    const Names names = story.names(i, 0);
+    for (std::size_t k = 0; k < now.known.size(); ++k) {
+      const std::string letter(1, static_cast<char>('A' + k));
+      CHECK(names.of(now.known[k]) == letter);
+      CHECK(names.label(now.known[k]) == letter);
+      CHECK(names.before(now.known[k]).empty());
+      CHECK(places.emplace(letter, now.known[k]).first->second == now.known[k]);  // for the whole search
+    }
+    for (int role = 0; role < now.processed.size(); ++role) {
+      const Point& w_of_role = now.processed.point(static_cast<gjk::Role>(role));
+      CHECK(names.of(static_cast<gjk::Role>(role)) == names.of(w_of_role));
+    }
+  }
+  CHECK(places.size() == 5);
+  const auto caption = [&](const std::string& end) {
+    return std::ranges::any_of(story.frames, [&](const Frame& frame) { return frame.caption.starts_with(end); });
+  };
+  CHECK(caption("Along d the farthest point of the difference is D."));
+  CHECK(caption("D joins the simplex as its newest vertex."));
+  CHECK(caption("The origin lies above face ACD."));
+  CHECK(caption("B and C are no longer needed and leave the simplex."));
+}
+
+TEST_CASE("After Z come A2, B2 and so on") {
+  Moment now;
+  for (int i = 0; i < 60; ++i) now.known.emplace_back(i, 0, 0);
+  const LabelledHull none;
+  const Names names(Naming::fixed, none, now);
+  CHECK(names.of(Point(25, 0, 0)) == "Z");
+  CHECK(names.of(Point(26, 0, 0)) == "A2");
+  CHECK(names.of(Point(53, 0, 0)) == "B3");
+  CHECK(names.of(Point(60, 0, 0)).empty());
+}
+
+TEST_CASE("Where roles move on, what a vertex was called before is told") {
+  const Story story = tell(walkthrough("regions/3-simplex-face-adb-edge-ad"));
+  std::vector<std::string> said;
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    if (story.frames[i].focus != Focus::added) continue;
+    said.push_back(story.frames[i].facts[0].text);
+    CHECK(story.names(i, 0).before(story.frames[i].moments[0].simplex.point(gjk::Role::A)).empty());
+  }
+  REQUIRE(said.size() == 3);
+  CHECK(said[0] == "the simplex is [B, A], oldest first; the letters move on: A becomes B");
+  CHECK(said[1] == "the simplex is [C, B, A], oldest first; the letters move on: A becomes B, B becomes C");
+  CHECK(said[2] == "the simplex is [D, C, B, A], oldest first; the letters move on: A becomes B, B becomes C, C becomes D");
 }

@@ -371,3 +371,10 @@ TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned 
   CHECK(turned_away >= 40);
   CHECK(bytes_of(fs::path(GJKSTEP_SCENES) / "example.json") == example_scene());
 }
+
+TEST_CASE("A scene may ask for letters that stay", "[scene-file]") {
+  const std::string point = R"({"points": [[0, 0, 0]]})";
+  CHECK(parsed(scene_text(point, ball, R"("letters": "fixed")")).walkthrough.naming == Naming::fixed);
+  CHECK(parsed(scene_text(point, ball, R"("letters": "roles")")).walkthrough.naming == Naming::roles);
+  CHECK(parsed(scene_text(point, ball)).walkthrough.naming == Naming::roles);
+}
