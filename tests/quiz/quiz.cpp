@@ -78,7 +78,8 @@ std::optional<Asked> asked_of(const Story& story, const Frame& frame) {
     if (now.simplex.size() == 2 && dimension == Dimension::plane)
       return Asked{"segment", "On which side of the segment, going from B to A, does the origin lie?",
                    (now.simplex.point(gjk::Role::A) - now.simplex.point(gjk::Role::B))
-                               .cross(-now.simplex.point(gjk::Role::B)).z() > 0
+                               .cross(-now.simplex.point(gjk::Role::B))
+                               .z() > 0
                        ? "left"
                        : "right"};
     if (now.simplex.size() == 3) return about_triangle(*chosen, dimension);
@@ -90,8 +91,9 @@ std::optional<Asked> asked_of(const Story& story, const Frame& frame) {
       now.regions.back().verdict == gjk::Verdict::chosen && now.regions.back().feature.size() == 3) {
     const std::string face = now.regions.back().feature;
     const gjk::RegionTested<double>* const chosen = chosen_after(trace, event, face);
-    return Asked{"edges of a face", "Does the origin's foot lie beyond A" + face.substr(1, 1) + ", beyond A" +
-                                        face.substr(2, 1) + ", or above the face " + face + "?",
+    return Asked{"edges of a face",
+                 "Does the origin's foot lie beyond A" + face.substr(1, 1) + ", beyond A" + face.substr(2, 1) +
+                     ", or above the face " + face + "?",
                  chosen ? chosen->feature : face};
   }
   return std::nullopt;
@@ -100,16 +102,20 @@ std::optional<Asked> asked_of(const Story& story, const Frame& frame) {
 /// Kinds are told apart by what is asked and by the answer: both sides of a test are drawn as often.
 std::string kind_of(const Asked& asked, Dimension dimension) {
   const std::string where = dimension == Dimension::plane ? "plane, " : "space, ";
-  const std::string answer = asked.about != "edges of a face" ? asked.answer : asked.answer.size() == 3 ? "face" : "edge";
+  const std::string answer = asked.about != "edges of a face" ? asked.answer
+                             : asked.answer.size() == 3       ? "face"
+                                                              : "edge";
   return where + asked.about + ": " + answer;
 }
 
 constexpr const char* kinds[] = {
-    "plane, crossing: past",     "plane, crossing: short",       "plane, segment: left",        "plane, segment: right",
-    "plane, triangle: R1",       "plane, triangle: R3",          "plane, triangle: R7",         "space, crossing: past",
-    "space, crossing: short",    "space, triangle: R3",          "space, triangle: R7",         "space, triangle: R1 above",
-    "space, triangle: R1 below", "space, tetrahedron: ABC",      "space, tetrahedron: ACD",     "space, tetrahedron: ADB",
-    "space, tetrahedron: inside", "space, edges of a face: edge", "space, edges of a face: face"};
+    "plane, crossing: past",       "plane, crossing: short",     "plane, segment: left",
+    "plane, segment: right",       "plane, triangle: R1",        "plane, triangle: R3",
+    "plane, triangle: R7",         "space, crossing: past",      "space, crossing: short",
+    "space, triangle: R3",         "space, triangle: R7",        "space, triangle: R1 above",
+    "space, triangle: R1 below",   "space, tetrahedron: ABC",    "space, tetrahedron: ACD",
+    "space, tetrahedron: ADB",     "space, tetrahedron: inside", "space, edges of a face: edge",
+    "space, edges of a face: face"};
 
 }  // namespace
 
@@ -134,7 +140,8 @@ std::vector<Question> questions(std::size_t count, std::uint64_t seed) {
     --missing[one.kind];
     found.push_back(std::move(one));
   }
-  for (std::size_t i = found.size(); i > 1; --i) std::swap(found[i - 1], found[below(random, i)]);  // std::shuffle is not the same everywhere
+  for (std::size_t i = found.size(); i > 1; --i)
+    std::swap(found[i - 1], found[below(random, i)]);  // std::shuffle is not the same everywhere
   return found;
 }
 

@@ -40,5 +40,6 @@ TEST_CASE("quiz: a picture of space in which something is asked has the plane pi
 
 TEST_CASE("quiz: the legend has a word for each answer") {
   const std::string legend = quiz::legend();
-  for (const quiz::Question& question : quiz::questions(57, 1)) CHECK(legend.find(question.answer) != std::string::npos);
+  for (const quiz::Question& question : quiz::questions(57, 1))
+    CHECK(legend.find(question.answer) != std::string::npos);
 }

@@ -139,7 +139,8 @@ TEST_CASE("The bins of pixels that are off are marked and no others") {
     for (std::size_t row = html.find("<th scope=\"row\">0</th>"); row != std::string::npos;
          row = html.find("<th scope=\"row\">", row + 1)) {
       from = std::stoi(html.substr(row + 16));
-      const bool is_off = html.substr(row - 12, 12) == " class=\"off\"" || html.substr(row - 13, 12) == " class=\"off\"";
+      const bool is_off =
+          html.substr(row - 12, 12) == " class=\"off\"" || html.substr(row - 13, 12) == " class=\"off\"";
       INFO("tolerance " << tolerance << ", from " << from);
       CHECK(is_off == (from > tolerance));
       if (html.find("</table>", row) < html.find("<th scope=\"row\">", row + 1)) break;

@@ -302,8 +302,9 @@ TEST_CASE("a picture packed as tightly as can be is not too short for its pixels
     REQUIRE(error_of_decoding({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}) == "");
     const std::string half = packed.substr(0, packed.size() * 9 / 10);
     const std::string cut = "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", half) + chunk("IEND", "");
-    REQUIRE(error_of_decoding({reinterpret_cast<const std::uint8_t*>(cut.data()), cut.size()}).find("not enough data") !=
-            std::string::npos);
+    REQUIRE(
+        error_of_decoding({reinterpret_cast<const std::uint8_t*>(cut.data()), cut.size()}).find("not enough data") !=
+        std::string::npos);
   }
 }
 

@@ -29,9 +29,9 @@ TEST_CASE("the first and the last letters of each length are read") {
 }
 
 TEST_CASE("what is no letter is told byte by byte") {
-  for (const std::string bad : {"\x80", "\xBF", "\xC0\x80", "\xC1\xBF", "\xE0\x9F\xBF", "\xED\xA0\x80", "\xED\xBF\xBF",
-                                "\xF0\x8F\xBF\xBF", "\xF4\x90\x80\x80", "\xF7\xBF\xBF\xBF", "\xF8", "\xFF", "\xC3", "\xE2\x82",
-                                "\xF0\x9F\x98"}) {
+  for (const std::string bad :
+       {"\x80", "\xBF", "\xC0\x80", "\xC1\xBF", "\xE0\x9F\xBF", "\xED\xA0\x80", "\xED\xBF\xBF", "\xF0\x8F\xBF\xBF",
+        "\xF4\x90\x80\x80", "\xF7\xBF\xBF\xBF", "\xF8", "\xFF", "\xC3", "\xE2\x82", "\xF0\x9F\x98"}) {
     CHECK(letters_of(bad) == std::u32string(bad.size(), U'\0'));
     CHECK(letters_of(bad + "a") == std::u32string(bad.size(), U'\0') + U"a");
   }

@@ -27,8 +27,8 @@ struct Moment {
   bool added = false;           ///< whether `found` has joined the simplex
   Simplex simplex;              ///< as it stands, `found` included once it was added
   Simplex processed;            ///< the one that the letters A, B, C, D speak of: as of the last VertexAdded
-  Simplex before;            ///< the one that they spoke of until that VertexAdded
-  std::vector<Point> known;  ///< of the difference, each once, in the order in which they were found
+  Simplex before;               ///< the one that they spoke of until that VertexAdded
+  std::vector<Point> known;     ///< of the difference, each once, in the order in which they were found
   std::vector<std::pair<Point, Point>> segments;         ///< edges that simplices of this search have had, oldest first
   std::optional<gjk::CrossingTested<double>> crossing;   ///< of `found`
   std::vector<gjk::RegionTested<double>> regions;        ///< of this iteration so far, the skipped ones included

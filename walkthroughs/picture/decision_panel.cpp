@@ -24,8 +24,8 @@ using render::View;
 constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, least_height = 24, wanted_height = 40;
 constexpr double origin_radius = 7, in_plane_radius = 3, right_angle_side = 9;
 constexpr double narrow = 300, narrow_text = 0.8;  // a view that has no room for words
-constexpr double share_of_true_shape = 0.58;  // of the panel, where it decides
-constexpr double deepest = 0.9;             // of the fourth vertex that is shown, in widths of the face
+constexpr double share_of_true_shape = 0.58;       // of the panel, where it decides
+constexpr double deepest = 0.9;                    // of the fourth vertex that is shown, in widths of the face
 
 Point vertex(const Shown& shown, char role) { return shown.now.simplex.point(static_cast<Role>(role - 'A')); }
 
@@ -61,12 +61,17 @@ class DecisionPicture {
     Bounds box{at_origin(), at_origin()};
     const auto add = [&](const Vec2& p) { box = {box.low.cwiseMin(p), box.high.cwiseMax(p)}; };
     for (const Vec2& p : corners()) add(p);
+    if (view_.kind == Kind::true_shape) {  // room for the regions around
+      const Vec2 around = 0.1 * (box.high - box.low);
+      box = {box.low - around, box.high + around};
+    }
     if (view_.kind == Kind::crossing) add({0, -0.15 * box.high.y()});  // room for the product
     if (view_.kind != Kind::edge_on) return box;
     add({box.low.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
     if (!is_alone_) return box;
     const double width = box.high.x() - box.low.x();
-    for (const double side : {-0.22, 0.18}) add({box.low.x(), side * width});  // so that an empty side is seen to be empty
+    for (const double side : {-0.22, 0.18})
+      add({box.low.x(), side * width});  // so that an empty side is seen to be empty
     if (has_fourth() && lens_.plane.stretch.y() == 1) {
       const Vec2 at = lens_(vertex(shown_, fourth(view_.face)));
       if (std::abs(at.y()) <= deepest * width) add(at);
@@ -82,7 +87,9 @@ class DecisionPicture {
   }
 
   int draw(render::Canvas& canvas, const View& view) {
-    draw_panel_title(canvas, frame_, title(), style_);
+    const bool hatches = view_.kind == Kind::true_shape && !shown_.now.regions.empty();
+    draw_panel_title(canvas, frame_, title(), style_,
+                     hatches ? std::vector{key_of_skipped(style_)} : std::vector<KeyEntry>{});
     render::Panel panel(canvas, below_title(frame_), view);
     Pencil pencil(panel, lens_, style_);
     switch (view_.kind) {
@@ -125,9 +132,7 @@ class DecisionPicture {
     return points;
   }
   /// Returns: where P stands, as far along d as the search has computed.
-  Vec2 at_found() const {
-    return {lens_.plane.stretch.x() * view_.height, lens_(shown_.now.found->w).y()};
-  }
+  Vec2 at_found() const { return {lens_.plane.stretch.x() * view_.height, lens_(shown_.now.found->w).y()}; }
 
   /// Around the foot of the origin, where it stands near an edge.
   std::optional<Inset> inset_in(const View& view) const {
@@ -161,7 +166,8 @@ class DecisionPicture {
     const std::string face = shown_.names.sorted(view_.face);
     switch (view_.kind) {
       case Kind::crossing:
-        return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", along d ", lens_.plane.stretch.x());
+        return "plane of d and O" + shown_.names.of(shown_.now.found->w) +
+               stretched(", along d ", lens_.plane.stretch.x());
       case Kind::segment: return "plane of " + face + " and O";
       case Kind::true_shape: return face + ", true shape";
       case Kind::edge_on:
@@ -188,7 +194,8 @@ class DecisionPicture {
     const Vec2 middle = middle_of(corners());
     const std::vector<Vec2> page = panel.corners();
     for (const char role : has_fourth() ? view_.face + fourth(view_.face) : view_.face) {
-      if (((at(role) - page[0]).array() * (at(role) - page[2]).array() > 0).any()) continue;  // stretched out of the page
+      if (((at(role) - page[0]).array() * (at(role) - page[2]).array() > 0).any())
+        continue;  // stretched out of the page
       panel.disc(at(role), style_.point_radius + 2, style_.theme.paper);
       panel.disc(at(role), style_.point_radius, style_.theme.green);
       if (role == 'A') panel.circle(at(role), style_.point_radius + 5, {style_.theme.ink, 2.5});
@@ -248,12 +255,13 @@ class DecisionPicture {
 
   /// Above and below the plane, as far as the search has come.
   void halves(render::Panel& panel) {
-    const auto found = std::ranges::find_if(
-        shown_.now.regions, [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
+    const auto found = std::ranges::find_if(shown_.now.regions,
+                                            [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
     if (found == shown_.now.regions.end()) return;
     const double* const value = std::get_if<double>(&found->value);
     const bool below = shown_.now.simplex.size() == 3 && value && *value < 0;  // either side of a triangle may be taken
-    fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, below ? -1.0 : 1.0}), state_of(&*found, shown_.now), style_);
+    fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, below ? -1.0 : 1.0}), state_of(&*found, shown_.now),
+                style_);
   }
 
   /// From the origin to the plane, with a right angle, and the product that decides.
@@ -268,8 +276,8 @@ class DecisionPicture {
       panel.line(foot + Vec2(left, up), foot + Vec2(0, up), style_.foot);
     }
     if (!shown_.values || frame_.width() < narrow) return;
-    const auto found = std::ranges::find_if(
-        shown_.now.regions, [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
+    const auto found = std::ranges::find_if(shown_.now.regions,
+                                            [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
     if (found == shown_.now.regions.end()) return;
     const char* const where = view_.height > 0 ? ", above" : view_.height < 0 ? ", below" : ", in the plane";
     const bool is_right = at.x() > middle_of(corners()).x();
@@ -282,7 +290,8 @@ class DecisionPicture {
     const auto [left, right] = std::ranges::minmax(corners(), {}, [](const Vec2& p) { return p.x(); });
     const double near = at_origin().x() < (left.x() + right.x()) / 2 ? 0.75 : 0.25;
     const double x = left.x() + near * (right.x() - left.x());
-    const Vec2 tail(x, 0), tip(x, pencil.length((is_alone_ && frame_.width() >= narrow ? 1 : 0.6) * style_.arrow_length));
+    const Vec2 tail(x, 0),
+        tip(x, pencil.length((is_alone_ && frame_.width() >= narrow ? 1 : 0.6) * style_.arrow_length));
     pencil.panel().arrow(tail, tip, style_.normal);
     pencil.panel().label(tail + (tip - tail) * 0.8, {-1, 0}, shown_.names.translate(view_.face + "n"),
                          label(style_.normal.color, render::Weight::bold));
@@ -305,7 +314,8 @@ class DecisionPicture {
     panel.line({page[0].x(), 0}, {page[2].x(), 0}, style_.thin);
     panel.line(Vec2::Zero(), foot, style_.projection);
     panel.line(at, foot, style_.foot);
-    if (!P.isZero(0)) panel.arrow(Vec2::Zero(), at - at.stableNormalized() * pencil.length(style_.point_radius + 6), style_.normal);
+    if (!P.isZero(0))
+      panel.arrow(Vec2::Zero(), at - at.stableNormalized() * pencil.length(style_.point_radius + 6), style_.normal);
     const Vec2 tip(pencil.length(style_.arrow_length), 0);
     panel.arrow(Vec2::Zero(), tip, style_.direction);
     panel.label(tip * 0.8, {0, 1}, "d", label(style_.direction.color, render::Weight::bold));
@@ -376,7 +386,8 @@ std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, cons
   return {entry("O above", origin_radius), entry("O below", 0)};
 }
 
-int draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views, const Shown& shown) {
+int draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views,
+                  const Shown& shown) {
   const std::vector<Box> places = places_of(frame, views);
   std::vector<DecisionPicture> pictures;
   std::vector<Bounds> boxes;

@@ -1,9 +1,9 @@
 /// The panel of a decision in space: its plane pictures.
 #pragma once
 
-#include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/shown.hpp"
+#include "walkthroughs/story/decision.hpp"
 
 namespace walkthroughs {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "walkthroughs/picture/inset.hpp"
 #include "walkthroughs/picture/decision_panel.hpp"
+#include "walkthroughs/picture/inset.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
@@ -88,7 +88,8 @@ class DifferencePicture {
   void name(const Point& w) {
     const std::string before = shown_.focus == Focus::added ? shown_.names.before(w) : "";
     panel_.label(pencil_.at(w), pencil_.at(w) - center_,
-                 before.empty() ? shown_.names.label(w) : before + "→" + shown_.names.label(w), style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
+                 before.empty() ? shown_.names.label(w) : before + "→" + shown_.names.label(w),
+                 style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
   }
 
   void triad(render::Canvas& canvas, const render::Box& frame) { pencil_.triad(canvas, frame); }
@@ -333,8 +334,13 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
   draw_panel_title(canvas, place.frame, place.title, style,
-                   shown.regions_beside ? key_beside(shown) : std::vector{ringed_point(style), dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
-                    looking ? far_side(style) : dashes("earlier", style.former)});
+                   shown.regions_beside
+                       ? key_beside(shown)
+                       : std::vector{ringed_point(style),
+                                     dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
+                                     looking                  ? far_side(style)
+                                     : focus == Focus::region ? key_of_skipped(style)
+                                                              : dashes("earlier", style.former)});
   if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
   render::Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, shown);
@@ -358,9 +364,8 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   if (inset) panel.keep_clear(inset->frame);
   const int crowded = panel.place_labels();
   if (inset)
-    draw_inset(canvas, *inset, place.view, style, [&shown](render::Panel& magnified) {
-      DifferencePicture(magnified, shown).inset();
-    });
+    draw_inset(canvas, *inset, place.view, style,
+               [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
   return crowded;
 }
 

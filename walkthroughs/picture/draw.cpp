@@ -190,7 +190,8 @@ int draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vect
   in_space.regions_beside = true;
   const Box &left = *boxes.objects, room = below_title(left).grown(-decision_margin);
   const View view = view_of_difference(what, room);
-  return draw_difference(canvas, {left, "a − b", view}, in_space) + draw_decision(canvas, boxes.difference, views, what);
+  return draw_difference(canvas, {left, "a − b", view}, in_space) +
+         draw_decision(canvas, boxes.difference, views, what);
 }
 
 int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {

@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Page units.
 constexpr double least_distance = 18, wanted_distance = 19;
-constexpr double rounding = 1e-12;  // of that: less is rounding of the picture
+constexpr double rounding = 1e-12;                            // of that: less is rounding of the picture
 constexpr double gap = 8, circle_radius = 14, widest = 0.45;  // the last in parts of the room
 const Vec2 size_of_frame(120, 92), place_of_factor(6, 20);
 
@@ -58,7 +58,7 @@ std::string words_of_factor(double factor) {
 }
 
 std::optional<Inset> inset_of(const Vec2& at, const std::vector<Segment>& lines, const std::vector<Segment>& shape,
-                                   const Box& room, const View& view) {
+                              const Box& room, const View& view) {
   double distance = infinity;
   for (const Segment& line : lines) distance = std::min(distance, distance_to_line(at, line) * view.scale());
   if (!(distance > rounding * least_distance) || distance >= least_distance) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<Inset> inset_of(const Vec2& at, const std::vector<Segment>& lines,
 }
 
 void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, const Style& style,
-                   const std::function<void(render::Panel&)>& draw) {
+                const std::function<void(render::Panel&)>& draw) {
   const render::Stroke line{style.theme.ink, 1.2};
   canvas.circle(view.page(inset.at), circle_radius, line);
   canvas.rectangle(inset.frame, style.theme.paper);

@@ -26,10 +26,10 @@ std::string words_of_factor(double factor);
 /// Returns: an inset that shows `at` where its mark covers which side of one of `lines` (longer both ways) it is on; in the corner
 /// of `room` that is farthest from it and from `shape`. Nothing where it stands plainly on one side, or on the line.
 std::optional<Inset> inset_of(const render::Vec2& at, const std::vector<Segment>& lines,
-                                   const std::vector<Segment>& shape, const render::Box& room, const render::View& view);
+                              const std::vector<Segment>& shape, const render::Box& room, const render::View& view);
 
 /// Draws it over what is there, and a thin circle around what it shows. `draw`: what it shows.
 void draw_inset(render::Canvas& canvas, const Inset& inset, const render::View& view, const Style& style,
-                   const std::function<void(render::Panel&)>& draw);
+                const std::function<void(render::Panel&)>& draw);
 
 }  // namespace walkthroughs

@@ -62,8 +62,7 @@ class RegionPicture {
     const Point A = vertex(Role::A), B = vertex(Role::B), C = vertex(Role::C);
     if (!spans(A, B, C)) return;
     if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, C - A);
-    const auto areas =
-        regions_of_triangle(plane_(A), plane_(B), plane_(C), drawn_part({A, B, C, Point::Zero()}));
+    const auto areas = regions_of_triangle(plane_(A), plane_(B), plane_(C), drawn_part({A, B, C, Point::Zero()}));
     for (const int number : {4, 5, 6, 2, 3, 7, 1}) {
       const std::string label = "R" + std::to_string(number);
       draw({label, areas[static_cast<std::size_t>(number - 1)], find("", label)});
@@ -103,6 +102,12 @@ class RegionPicture {
     const auto beyond = [&](char other) {
       return std::string("beyond ") + shown_.names.sorted(std::string("A") + other);
     };
+    if (!pencil_.in_space()) {  // what the search has left behind, as far as it lies in this plane
+      draw({"", areas[1], find("", "A")});
+      draw({"", areas[3], find("", face.substr(1, 1))});
+      draw({"", areas[4], find("", face.substr(1))});
+      draw({"", areas[5], find("", face.substr(2))});
+    }
     const Region* const now = last();
     const bool neither = now && now->verdict == Verdict::rejected && now->feature == std::string("A") + P;
     draw({beyond(Q), areas[6], find(face, std::string("A") + Q)});
@@ -193,7 +198,8 @@ class RegionPicture {
         text.weight = render::Weight::bold;
         break;
     }
-    const std::string inequality = candidate.region && shown_.values ? inequality_of(*candidate.region, shown_.names) : "";
+    const std::string inequality =
+        candidate.region && shown_.values ? inequality_of(*candidate.region, shown_.names) : "";
     text.size *= 0.85;
     const bool must_be_named = state != RegionState::pending && state != RegionState::skipped;
     pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality,
@@ -303,6 +309,13 @@ void fill_region(render::Panel& panel, const std::vector<Vec2>& corners, RegionS
     case RegionState::just_rejected: panel.polygon(corners, style.tested_fill); break;
     case RegionState::chosen: panel.polygon(corners, style.chosen_fill); break;
   }
+}
+
+KeyEntry key_of_skipped(const Style& style) {
+  return {"skipped", [&style](render::Canvas& canvas, const Vec2& at) {
+            for (const double x : {-12.0, -4.0, 4.0, 12.0})
+              canvas.line(at + Vec2(x - 7, 7), at + Vec2(x + 7, -7), style.hatching);
+          }};
 }
 
 std::string inequality_of(const Region& region, const Names& names) {

@@ -31,7 +31,7 @@ struct Shown {
   Focus focus;
   const Lens& lens;
   const Style& style;
-  bool values = true;        ///< whether numbers that decide are written into the picture
+  bool values = true;           ///< whether numbers that decide are written into the picture
   bool regions_beside = false;  ///< whether pictures of planes beside this one show the regions
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <deque>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -274,7 +273,9 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
           ->capture_default_str(),
       0, 72);
   command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
-  command->add_option("--letters", render.letters, "'fixed': each vertex keeps its letter; 'roles': A is always the newest")
+  command
+      ->add_option("--letters", render.letters,
+                   "'fixed': each vertex keeps its letter; 'roles': A is always the newest")
       ->check(CLI::IsMember({"roles", "fixed"}));
   command->add_flag("--no-values", render.no_values, "leave the numbers that decide out of the panels, for questions");
   command->add_option("--captions", render.captions,

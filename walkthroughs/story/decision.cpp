@@ -58,7 +58,8 @@ struct Triangle {
 
 /// Returns: what was said of the face itself; nothing before it is tested.
 const Region* test_of(const Moment& now, const std::string& face) {
-  const auto found = std::ranges::find_if(now.regions, [&](const Region& r) { return r.face.empty() && r.feature == face; });
+  const auto found =
+      std::ranges::find_if(now.regions, [&](const Region& r) { return r.face.empty() && r.feature == face; });
   return found == now.regions.end() ? nullptr : &*found;
 }
 
@@ -89,7 +90,8 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
     return {edge_on(now, last->feature), true_shape(now, last->feature, false)};  // whose edges are asked about next
   std::vector<DecisionView> views;
   for (const char* const face : {"ABC", "ACD", "ADB"})
-    if (!is_flat(now, face) && (!last || last->feature.size() != 3 || last->feature == face)) views.push_back(edge_on(now, face));
+    if (!is_flat(now, face) && (!last || last->feature.size() != 3 || last->feature == face))
+      views.push_back(edge_on(now, face));
   return views;
 }
 
@@ -111,7 +113,7 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
     case Kind::crossing: {
       const std::string P = names.of(now.found->w);
       return "In the plane of d and O" + P + ", " + P +
-             (view.height < 0 ? " stops short of the origin along d."
+             (view.height < 0   ? " stops short of the origin along d."
               : view.height > 0 ? " lies past the origin along d."
                                 : " lies beside the origin, no farther along d.");
     }
@@ -121,9 +123,11 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
       return "In the plane of " + feature + " and the origin, the origin lies " +
              (O.y() > 0 ? "to one side of it." : "on it.");
     case Kind::edge_on:
-      return "Seen edge-on, the origin lies " + std::string(view.height > 0   ? "above "
-                                                            : view.height < 0 ? "below "
-                                                                              : "in the plane of ") + feature + ".";
+      return "Seen edge-on, the origin lies " +
+             std::string(view.height > 0   ? "above "
+                         : view.height < 0 ? "below "
+                                           : "in the plane of ") +
+             feature + ".";
     case Kind::true_shape: {
       std::string beyond;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -144,7 +148,8 @@ std::string face_in_question(const Moment& now, Focus focus) {
   const Region* const last = now.regions.empty() ? nullptr : &now.regions.back();
   std::string face;
   if (now.simplex.size() == 3) face = "ABC";
-  if (now.simplex.size() == 4 && last) face = last->face.empty() && last->feature.size() == 3 ? last->feature : last->face;
+  if (now.simplex.size() == 4 && last)
+    face = last->face.empty() && last->feature.size() == 3 ? last->feature : last->face;
   return face.empty() || is_flat(now, face) ? "" : face;
 }
 

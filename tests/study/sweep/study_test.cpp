@@ -204,7 +204,8 @@ TEST_CASE("A shard that makes no sense is refused though its checksum is right",
     CHECK_THAT(refusal(resealed(sound, change.from, change.to)),
                StartsWith("a.json is damaged: ") && Contains(change.said));
   }
-  const std::string slow = std::regex_replace(sound, std::regex("\"nanoseconds\":[0-9]+"), "\"nanoseconds\":999999999999999");
+  const std::string slow =
+      std::regex_replace(sound, std::regex("\"nanoseconds\":[0-9]+"), "\"nanoseconds\":999999999999999");
   CHECK_THAT(refusal(resealed(slow, "", "")), Contains("a query took more than an hour"));
 }
 

@@ -45,7 +45,8 @@ TEST_CASE("The farthest points of a cylinder are a cap, a line on its side or a 
   CHECK(point.hull.size() == 1);
 }
 
-TEST_CASE("The slack of a round face is what its polygon cuts off, and what a rounded direction may move a point of a rim") {
+TEST_CASE(
+    "The slack of a round face is what its polygon cuts off, and what a rounded direction may move a point of a rim") {
   CHECK(farthest_face(can(), Frame({0, 0, 1}), fine).slack == Approx(2 * (1 - std::cos(std::acos(-1) / 72))));
   CHECK(farthest_face(can(), Frame({3, 0, 4}), {1e-9, 0.003}).slack == Approx(2 * 0.003 / 0.6));
   CHECK(farthest_face(ball(), Frame({3, 0, 4}), fine).slack == 0);

@@ -401,14 +401,15 @@ struct ReadmePicture {
 }  // namespace
 
 TEST_CASE("The pictures in the README are those that the program draws") {
-  const StagedStory plane(tell(walkthrough("figure-4-left"))), space(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
+  const StagedStory plane(tell(walkthrough("figure-4-left"))),
+      space(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
   const auto strip = [](render::Canvas& canvas, const StagedStory& story) { draw_strip(canvas, story); };
   const auto step_23 = [](render::Canvas& canvas, const StagedStory& story) { draw_frame(canvas, story, 22); };
   const bool is_plane = GENERATE(true, false);
   const StagedStory& story = is_plane ? plane : space;
-  const ReadmePicture picture =
-      is_plane ? ReadmePicture{"figure-4-left.png", strip_page(story), strip_page(story), strip}
-               : ReadmePicture{"3-simplex-face-adb-edge-ad.png", {960, 540}, frame_page, step_23};
+  const ReadmePicture picture = is_plane
+                                    ? ReadmePicture{"figure-4-left.png", strip_page(story), strip_page(story), strip}
+                                    : ReadmePicture{"3-simplex-face-adb-edge-ad.png", {960, 540}, frame_page, step_23};
   INFO(picture.name);
   const Image committed = render::read_png(fs::path(GJKSTEP_README_PICTURES) / picture.name);
   Studio studio;

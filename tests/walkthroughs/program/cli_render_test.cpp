@@ -165,7 +165,8 @@ TEST_CASE("gjkstep render --letters fixed gives each vertex one letter, and corn
   const std::string out = " --size 32x18 --out " + quoted(folder.path().string());
   const Outcome fixed = run("render regions/2-simplex-r3 --letters fixed" + out);
   CHECK(has(fixed.out, "C joins the simplex as its newest vertex."));
-  CHECK(has(run("render regions/2-simplex-r3 --letters roles" + out).out, "P joins the simplex as its newest vertex, A."));
+  CHECK(has(run("render regions/2-simplex-r3 --letters roles" + out).out,
+            "P joins the simplex as its newest vertex, A."));
   CHECK(run("render figure-4-left --letters fixed" + out).out == run("render figure-4-left" + out).out);
   check_failure("render figure-4-left --letters greek" + out, 2, {"--letters"});
 }

@@ -77,7 +77,8 @@ TEST_CASE("A plane that is looked at straight on shows lengths and right angles 
   CHECK(views_seen > 500);
 }
 
-TEST_CASE("Seen edge-on a triangle is a level line, its normal up, the fourth vertex below, and the origin on its side") {
+TEST_CASE(
+    "Seen edge-on a triangle is a level line, its normal up, the fourth vertex below, and the origin on its side") {
   int above = 0, below = 0, in_plane = 0;
   for_all_views([&](const DecisionView& view, const auto&, const Moment& now, const Frame&) {
     if (view.kind != Kind::edge_on) return;
@@ -168,7 +169,8 @@ TEST_CASE("In the plane of d and OP, P lies as far to the right as the crossing 
   CHECK(not_crossed > 5);
 }
 
-TEST_CASE("What is asked about is looked at: each face before the first test, then the one in question, or its true shape") {
+TEST_CASE(
+    "What is asked about is looked at: each face before the first test, then the one in question, or its true shape") {
   const auto views = [](const Story& story, const std::string& caption) {
     std::string found;
     for (const Frame& frame : story.frames)
@@ -185,7 +187,8 @@ TEST_CASE("What is asked about is looked at: each face before the first test, th
   CHECK(views(story, "The origin does not lie above face ABC") == "ABC edge-on; ABC");
   CHECK(views(story, "The origin does not lie above face ACD") == "ACD edge-on; ACD");
   CHECK(views(story, "The origin lies above face ADB") == "ADB edge-on, ADB true shape beside; ADB");
-  CHECK(views(story, "The origin does not lie beyond edge AB of face ADB") == "ADB edge-on beside, ADB true shape; ADB");
+  CHECK(views(story, "The origin does not lie beyond edge AB of face ADB") ==
+        "ADB edge-on beside, ADB true shape; ADB");
   CHECK(views(story, "The origin lies beyond edge AD of face ADB") == "ADB edge-on beside, ADB true shape; ADB");
   CHECK(views(tell(walkthrough("regions/3-simplex-inside")), "No face sees the origin") ==
         "ABC edge-on, ACD edge-on, ADB edge-on; ");
@@ -223,12 +226,13 @@ TEST_CASE("What is seen there is told in words") {
   CHECK(words("regions/2-simplex-r1-above", "The origin lies above triangle ABC") ==
         "Seen edge-on, the origin lies above triangle ABC. Seen down its normal, the foot of the origin lies within "
         "triangle ABC.");
-  CHECK(words("regions/2-simplex-r1-below", "The origin lies below triangle ABC").starts_with(
-      "Seen edge-on, the origin lies below triangle ABC."));
+  CHECK(words("regions/2-simplex-r1-below", "The origin lies below triangle ABC")
+            .starts_with("Seen edge-on, the origin lies below triangle ABC."));
   CHECK(words("regions/3-simplex-on-face", "The origin does not lie above face ACD") ==
         "Seen edge-on, the origin lies in the plane of triangle ACD.");
   CHECK(words("regions/3-simplex-face-adb-edge-ad", "The origin lies beyond edge AD") ==
-        "Seen edge-on, the origin lies above triangle ADB. Seen down its normal, the foot of the origin lies beyond AD of "
+        "Seen edge-on, the origin lies above triangle ADB. Seen down its normal, the foot of the origin lies beyond AD "
+        "of "
         "triangle ADB.");
   CHECK(words("regions/3-simplex-inside", "The move to P crossed") ==
         "In the plane of d and OP, P lies past the origin along d.");

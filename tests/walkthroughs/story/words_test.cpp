@@ -270,5 +270,6 @@ TEST_CASE("Where roles move on, what a vertex was called before is told") {
   REQUIRE(said.size() == 3);
   CHECK(said[0] == "the simplex is [B, A], oldest first; the letters move on: A becomes B");
   CHECK(said[1] == "the simplex is [C, B, A], oldest first; the letters move on: A becomes B, B becomes C");
-  CHECK(said[2] == "the simplex is [D, C, B, A], oldest first; the letters move on: A becomes B, B becomes C, C becomes D");
+  CHECK(said[2] ==
+        "the simplex is [D, C, B, A], oldest first; the letters move on: A becomes B, B becomes C, C becomes D");
 }
