@@ -65,10 +65,11 @@ class Picture {
       for (int x = 0; x < image_.size().width; ++x) n += image_.pixel(x, y) == color ? 1 : 0;
     return n;
   }
-  /// Calls `visit(where in the picture)` for each pixel in which the pictures differ. Requires: the same view.
+  /// Calls `visit(where in the picture)` for each pixel below the title in which the pictures differ. Requires: the same
+  /// view.
   template <class Visit>
   void compare(const Picture& other, Visit visit) const {
-    for (int y = 0; y < image_.size().height; ++y)
+    for (int y = static_cast<int>(below_title({{0, 0}, {800, 800}}).min.y()) + 2; y < image_.size().height; ++y)
       for (int x = 0; x < image_.size().width; ++x)
         if (image_.pixel(x, y) != other.image_.pixel(x, y)) visit(view_.scene({x + 0.5, y + 0.5}));
   }
