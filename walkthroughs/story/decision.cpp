@@ -86,8 +86,11 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
     if (is_flat(now, last->face)) return {};
     return {edge_on(now, last->face, false), true_shape(now, last->face)};
   }
-  if (last && last->feature.size() == 3 && last->verdict == gjk::Verdict::chosen && !is_flat(now, last->feature))
-    return {edge_on(now, last->feature), true_shape(now, last->feature, false)};  // whose edges are asked about next
+  if (last && last->feature.size() == 3 && !is_flat(now, last->feature)) {
+    const DecisionView face = edge_on(now, last->feature);
+    const bool edges_are_next = last->verdict == gjk::Verdict::chosen, is_in_plane = face.height == 0;
+    if (edges_are_next || is_in_plane) return {face, true_shape(now, last->feature, false)};
+  }
   std::vector<DecisionView> views;
   for (const char* const face : {"ABC", "ACD", "ADB"})
     if (!is_flat(now, face) && (!last || last->feature.size() != 3 || last->feature == face))

@@ -229,7 +229,8 @@ TEST_CASE("What is seen there is told in words") {
   CHECK(words("regions/2-simplex-r1-below", "The origin lies below triangle ABC")
             .starts_with("Seen edge-on, the origin lies below triangle ABC."));
   CHECK(words("regions/3-simplex-on-face", "The origin does not lie above face ACD") ==
-        "Seen edge-on, the origin lies in the plane of triangle ACD.");
+        "Seen edge-on, the origin lies in the plane of triangle ACD. Seen down its normal, the foot of the origin lies "
+        "within triangle ACD.");
   CHECK(words("regions/3-simplex-face-adb-edge-ad", "The origin lies beyond edge AD") ==
         "Seen edge-on, the origin lies above triangle ADB. Seen down its normal, the foot of the origin lies beyond AD "
         "of "
