@@ -255,12 +255,11 @@ class DecisionPicture {
 
   /// Above and below the plane, as far as the search has come.
   void halves(render::Panel& panel) {
-    const auto found = std::ranges::find_if(shown_.now.regions,
-                                            [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
-    if (found == shown_.now.regions.end()) return;
+    const Region* const found = test_of(shown_.now, view_.face);
+    if (!found) return;
     const double* const value = std::get_if<double>(&found->value);
     const bool below = shown_.now.simplex.size() == 3 && value && *value < 0;  // either side of a triangle may be taken
-    fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, below ? -1.0 : 1.0}), state_of(&*found, shown_.now),
+    fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, below ? -1.0 : 1.0}), state_of(found, shown_.now),
                 style_);
   }
 
@@ -276,9 +275,8 @@ class DecisionPicture {
       panel.line(foot + Vec2(left, up), foot + Vec2(0, up), style_.foot);
     }
     if (!shown_.values || frame_.width() < narrow) return;
-    const auto found = std::ranges::find_if(shown_.now.regions,
-                                            [&](const Region& r) { return r.face.empty() && r.feature == view_.face; });
-    if (found == shown_.now.regions.end()) return;
+    const Region* const found = test_of(shown_.now, view_.face);
+    if (!found) return;
     const char* const where = view_.height > 0 ? ", above" : view_.height < 0 ? ", below" : ", in the plane";
     const bool is_right = at.x() > middle_of(corners()).x();
     panel.label((at + foot) / 2, {is_right ? -1.0 : 1.0, 0}, inequality_of(*found, shown_.names) + where,

@@ -56,13 +56,6 @@ struct Triangle {
   Plane edge_on() const { return Plane::spanned(corners[0], true_shape().right, normal); }
 };
 
-/// Returns: what was said of the face itself; nothing before it is tested.
-const Region* test_of(const Moment& now, const std::string& face) {
-  const auto found =
-      std::ranges::find_if(now.regions, [&](const Region& r) { return r.face.empty() && r.feature == face; });
-  return found == now.regions.end() ? nullptr : &*found;
-}
-
 DecisionView edge_on(const Moment& now, const std::string& face, bool decides = true) {
   return {Kind::edge_on, face, Triangle(now, face).edge_on(), height_of_origin(now, face), decides};
 }
@@ -99,6 +92,12 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
 }
 
 }  // namespace
+
+const Region* test_of(const Moment& now, const std::string& face) {
+  const auto found =
+      std::ranges::find_if(now.regions, [&](const Region& r) { return r.face.empty() && r.feature == face; });
+  return found == now.regions.end() ? nullptr : &*found;
+}
 
 double height_of_origin(const Moment& now, const std::string& face) {
   const Region* const region = test_of(now, face);

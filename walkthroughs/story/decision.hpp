@@ -38,6 +38,9 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
 /// Returns: the roles of the triangle whose plane is asked about, "ABC", "ADB"; empty where none is.
 std::string face_in_question(const Moment& now, Focus focus);
 
+/// Returns: what was said of the face itself, above which the origin lies or not; nothing before it is tested.
+const gjk::RegionTested<double>* test_of(const Moment& now, const std::string& face);
+
 /// Returns: the height of the origin above the plane of a triangle APQ, by the product that decides where it is known: what
 /// the search has computed is shown, not what it should have found. Requires: a triangle that is not flat.
 double height_of_origin(const Moment& now, const std::string& face);
