@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace walkthroughs {
 namespace {
@@ -24,9 +25,10 @@ std::vector<DecisionView> view_of_crossing(const Moment& now) {
   const Point &d = now.direction->value, &P = now.found->w;
   const gjk::Crossing verdict = now.crossing->verdict;
   const bool is_tested = verdict == gjk::Crossing::crossed || verdict == gjk::Crossing::not_crossed;
-  if (!is_tested || !is_direction(d) || !is_direction(P)) return {};
+  if (!is_tested || !std::isfinite(*now.crossing->value) || !is_direction(d) || !is_direction(P)) return {};
   const Point along = d.stableNormalized();
-  return {{Kind::crossing, "", Plane::spanned(Point::Zero(), along, across(P, along)), along.dot(P)}};
+  return {{Kind::crossing, "", Plane::spanned(Point::Zero(), along, across(P, along)),
+           *now.crossing->value / d.stableNorm()}};
 }
 
 std::vector<DecisionView> view_of_segment(const Moment& now) {
