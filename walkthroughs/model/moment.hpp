@@ -34,6 +34,7 @@ struct Moment {
   std::vector<gjk::RegionTested<double>> regions;        ///< of this iteration so far, the skipped ones included
   std::optional<gjk::SimplexReduced<double>> reduction;  ///< of this iteration
   std::optional<gjk::Result<double>> result;
+  double scale = 1;  ///< of its points, where they are drawn in a unit of their own; its numbers stay the trace's
 };
 
 /// Returns: the moment after the first `count` events. Requires: count <= trace.events.size().

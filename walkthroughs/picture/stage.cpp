@@ -44,7 +44,9 @@ StagedStory::StagedStory(Story story) : Story(std::move(story)) {
 
 Moment StagedStory::drawn(std::size_t frame, std::size_t scene) const {
   if (!stages[scene].placing.moves()) return frames[frame].moments[scene];
-  return replay(stages[scene].telling->trace, frames[frame].events[scene].last + 1);
+  Moment moment = replay(stages[scene].telling->trace, frames[frame].events[scene].last + 1);
+  moment.scale = stages[scene].placing.scale;
+  return moment;
 }
 
 std::vector<std::string> StagedStory::left_out() const {

@@ -28,7 +28,7 @@ std::vector<DecisionView> view_of_crossing(const Moment& now) {
   if (!is_tested || !std::isfinite(*now.crossing->value) || !is_direction(d) || !is_direction(P)) return {};
   const Point along = d.stableNormalized();
   return {{Kind::crossing, "", Plane::spanned(Point::Zero(), along, across(P, along)),
-           *now.crossing->value / d.stableNorm()}};
+           *now.crossing->value / d.stableNorm() * now.scale}};
 }
 
 std::vector<DecisionView> view_of_segment(const Moment& now) {
@@ -104,7 +104,8 @@ const Region* test_of(const Moment& now, const std::string& face) {
 double height_of_origin(const Moment& now, const std::string& face) {
   const Region* const region = test_of(now, face);
   const double* const value = region ? std::get_if<double>(&region->value) : nullptr;
-  if (value && region->normal && is_direction(*region->normal)) return *value / region->normal->stableNorm();
+  if (value && std::isfinite(*value) && region->normal && is_direction(*region->normal))
+    return *value / region->normal->stableNorm() * now.scale;
   const Triangle triangle(now, face);
   return triangle.normal.dot(-triangle.corners[0]) / triangle.normal.stableNorm();  // as the test to come computes it
 }

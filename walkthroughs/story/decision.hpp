@@ -20,7 +20,7 @@ struct DecisionView {
   Kind kind;
   std::string face;     ///< the triangle's roles, "ABC"; those of the others: "AB", ""
   Plane plane;          ///< that is the page
-  double height = 0;    ///< of the origin above the triangle's plane, as the trace has it where it has; of OP along d
+  double height = 0;    ///< of the origin above the triangle's plane, as the trace has it where it has; of P along d
   bool decides = true;  ///< whether this is the picture of what is asked now; others only help
 };
 
