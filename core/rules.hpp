@@ -56,7 +56,7 @@ struct Intended {
   }
 
   /// Algorithm 4. Not a test for the far side of BC or for the corners, because
-  ///  1. the last search started at BC and went toward the origin: it is not in R4, R5, R6;
+  ///  1. the last search started at BC, whose ends had been ruled out, and went toward the origin: it is not in R4, R5, R6;
   ///  2. the move to A crossed the origin (Eq. 9): it is not in R2.
   ///
   ///              R2
@@ -75,10 +75,10 @@ struct Intended {
     const auto ABCn = Rules::ABCn_of_triangle(AB, AC).named("ABCn");  // Eq. 10
     const auto ABn = Rules::ABn_of_triangle(AB, ABCn).named("ABn");   // Eq. 11
     const auto ACn = Rules::ACn_of_triangle(AC, ABCn).named("ACn");
-    constexpr const char* away_from_BC = "the search has just moved away from BC, toward the origin";
-    step.skip({.feature = "B", .label = "R4"}, away_from_BC);
-    step.skip({.feature = "BC", .label = "R5"}, away_from_BC);
-    step.skip({.feature = "C", .label = "R6"}, away_from_BC);
+    constexpr const char* ruled_out_before = "ruled out when the search kept BC";
+    step.skip({.feature = "B", .label = "R4"}, ruled_out_before);
+    step.skip({.feature = "BC", .label = "R5"}, "the search has just moved away from BC, toward the origin");
+    step.skip({.feature = "C", .label = "R6"}, ruled_out_before);
     step.skip_beyond_A("R2");
     if (step.is_beyond_edge({.feature = "AB", .label = "R3"}, ABn.dot(AO)))
       return Rules::keep_edge(step, Role::B, AB, ABn);
@@ -109,8 +109,9 @@ struct Intended {
   static Next<S> process_3simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
     const auto AB = step.AB(), AC = step.AC(), AD = step.AD();
-    for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB", "BCD"})
-      step.skip({.feature = feature}, "the search has just moved away from BCD, toward the origin");
+    for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB"})
+      step.skip({.feature = feature}, "ruled out when the search kept BCD");
+    step.skip({.feature = "BCD"}, "the search has just moved away from BCD, toward the origin");
     step.skip_beyond_A();
     const auto ABCn = Rules::ABCn(AB, AC).named("ABCn");  // Eq. 14, as are ACDn and ADBn
     if (step.is_above_face({.feature = "ABC"}, ABCn.dot(AO)))
@@ -179,12 +180,13 @@ struct Intended {
 
   static constexpr Kept kept_below_triangle() {
     return {{Role::C, Role::A, Role::B},
-            "A and B change places, so that the triangle's normal will point to the next vertex"};
+            "A and B change places: the triangle's normal turns to the origin's side, where the next vertex will be"};
   }
   /// [Q, P, A]: in the next simplex Q, P, A have become D, C, B, and BC×BD is APQn again.
   static constexpr Kept kept_above(Face face) {
     const detail::FaceRoles roles = detail::roles_of(face);
-    return {{roles.Q, roles.P, Role::A}, "in this order the face's normal will point to the next vertex"};
+    return {{roles.Q, roles.P, Role::A},
+            "listed in this order the face keeps its normal, which points to the origin and so to the next vertex"};
   }
 
   // -- Parts of Algorithms 4 and 5 --------------------------------------------------------------------------------------

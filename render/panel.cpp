@@ -232,11 +232,8 @@ void Panel::label(const Vec2& anchor, const Vec2& toward, std::string text, cons
   labels_.push_back({view_.page(anchor), wanted.isZero() ? up_right : wanted, std::move(text), centered(style), gap});
 }
 
-void Panel::name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style) {
-  area_names_.push_back({to_page(corners), text, text, centered(style)});
-}
-
-void Panel::name_area(std::span<const Vec2> corners, std::string text, std::string shorter, const TextStyle& style) {
+void Panel::name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style,
+                      std::vector<std::string> shorter) {
   area_names_.push_back({to_page(corners), std::move(text), std::move(shorter), centered(style)});
 }
 
@@ -256,14 +253,12 @@ int Panel::place_labels() {
   };
   place_all(labels_);
   for (AreaName& area : area_names_) {
-    const bool has_choice = area.text != area.shorter;
-    if (has_choice && !best_place(area, taken).clear) area.text = area.shorter;
+    const bool fits = shorten(area, taken);
     if (area.text.empty()) continue;
-    if (has_choice && !best_place(area, taken).clear) area.style.size *= small_area_name;
-    if (has_choice && !best_place(area, taken).clear)
-      place_all(std::vector{Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap}});
-    else
+    if (fits)
       place_all(std::span(&area, 1));
+    else
+      place_all(std::vector{Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap}});
   }
   labels_.clear();
   area_names_.clear();
@@ -282,6 +277,21 @@ void Panel::draw_leader(const Label& label, const Box& box) {
   if (!line) return;
   canvas_.line(line->first, line->second, {label.style.color, leader_width});
   obstacles_.push_back({line->first, line->second, leader_width / 2});
+}
+
+bool Panel::shorten(AreaName& area, std::span<const Box> taken) const {
+  if (area.shorter.empty() || best_place(area, taken).clear) return true;
+  const double usual = area.style.size;
+  for (const std::string& text : area.shorter) {
+    area.text = text;
+    if (text.empty()) return true;
+    for (const double size : {usual, usual * small_area_name}) {
+      area.style.size = size;
+      if (best_place(area, taken).clear) return true;
+    }
+  }
+  area.text = area.shorter.front();
+  return false;
 }
 
 Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken) const {

@@ -68,10 +68,10 @@ class Panel {
   /// only a place farther away is free, a thin line leads from there to the anchor.
   void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap = 18);
   /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
-  void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style);
-  /// The same, with `shorter` where `text` does not fit in, beside the middle of the area where that does not fit either.
-  /// An empty `shorter` leaves the name out.
-  void name_area(std::span<const Vec2> corners, std::string text, std::string shorter, const TextStyle& style);
+  /// `shorter`: what to write instead where it does not fit, the first that does; nothing where an empty one is reached. Where
+  /// none fits the first of them stands beside the area, with a thin line to its middle.
+  void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style,
+                 std::vector<std::string> shorter = {});
   /// No label is to stand there. `box`: page units.
   void keep_clear(const Box& box) { kept_clear_.push_back(box); }
   /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
@@ -97,7 +97,8 @@ class Panel {
   };
   struct AreaName {
     std::vector<Vec2> corners;  ///< page units
-    std::string text, shorter;
+    std::string text;
+    std::vector<std::string> shorter;
     TextStyle style;
   };
   struct Place {
@@ -115,6 +116,8 @@ class Panel {
   void draw_leader(const Label& label, const Box& box);
   void draw_leader(const AreaName&, const Box&) {}  // that stands in its area
   Place best_place(const AreaName& area, std::span<const Box> taken) const;
+  /// Makes the name fit. Returns: whether it does.
+  bool shorten(AreaName& area, std::span<const Box> taken) const;
   double cost_of(const Box& box, std::span<const Box> taken) const;
   int obstacles_near(const Box& box, double clearance) const;
   int fine_lines_near(const Box& box) const;

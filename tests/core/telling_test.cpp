@@ -23,8 +23,9 @@ std::string skipped_because(const RegionTested<double>& region, bool tests_cross
   if (region.feature == "A")
     return tests_crossing ? "the move to A reached the origin or crossed it, so the origin is not beyond A"
                           : "only the crossing test rules this out, and this run does without it";
-  return "the search has just moved away from " + std::string("BCD").substr(0, std::size_t(region.simplex_size) - 1) +
-         ", toward the origin";
+  const std::string left = std::string("BCD").substr(0, std::size_t(region.simplex_size) - 1);
+  return region.feature == left ? "the search has just moved away from " + left + ", toward the origin"
+                                : "ruled out when the search kept " + left;
 }
 
 std::string found_because(const RegionTested<double>& region, bool tests_crossing) {
@@ -64,7 +65,7 @@ TEST_CASE("Each verdict is told with the reason that fits it", "[telling]") {
     CHECK(times >= 3);
   }
   CHECK(told.size() ==
-        2 + 3 + 2 + 3 + 4 + 1 + 2 * 6);  // skipped; Algorithms 2-5; whether each of six normals points there
+        2 + 5 + 2 + 3 + 4 + 1 + 2 * 6);  // skipped; Algorithms 2-5; whether each of six normals points there
 }
 
 TEST_CASE("Why vertices are kept, and in this order, is told with them", "[telling]") {
@@ -81,8 +82,9 @@ TEST_CASE("Why vertices are kept, and in this order, is told with them", "[telli
         std::map<std::string, std::set<std::string>>{
             {"the origin lies beyond this edge; A stays the newest",
              {"3: BA without C", "3: CA without B", "4: BA without DC", "4: CA without DB", "4: DA without CB"}},
-            {"A and B change places, so that the triangle's normal will point to the next vertex", {"3: CAB without "}},
-            {"in this order the face's normal will point to the next vertex",
+            {"A and B change places: the triangle's normal turns to the origin's side, where the next vertex will be",
+             {"3: CAB without "}},
+            {"listed in this order the face keeps its normal, which points to the origin and so to the next vertex",
              {"4: BDA without C", "4: CBA without D", "4: DCA without B"}}});
 }
 

@@ -153,7 +153,8 @@ Scenes in space are drawn twice: on the left as space is seen, on the right as t
 - Plane of d and OP: d points to the right. P lies past the origin where it is to the right of O, short of it where it is
   left. The grey bar is the way from O to P along d.
 - "ABC edge-on": the triangle is seen as a line, its normal (blue arrow) up. A face sees the origin where O is above the line.
-  "x8": heights are drawn eight times as high. The fourth vertex of a tetrahedron lies below.
+  "↕x8": heights are drawn eight times as high. The fourth vertex of a tetrahedron lies below. "BCD edge-on" only shows
+  where the search comes from: the origin is not in the hatched part.
 - "ABC, true shape": the triangle seen straight down its normal; O stands where its foot is.
 - A small picture in a corner, with "x8", is the part in the thin circle, so many times as large.
 - O is a filled disc where it lies above the triangle (where the normal points), a ring where it lies below, a ring around a

@@ -4,6 +4,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -110,7 +111,7 @@ int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::
 
 std::vector<Diagram> figure_7_diagrams() {
   const Sketch sketch;
-  std::vector<std::string> facts = reasons_for_skipping(sketch.inside);
+  std::vector<std::string> facts = reasons_for_skipping(sketch.inside.regions, std::identity());
   facts.push_back("faint, below the hatching: what it would answer there; it relies on its history");
   const std::string where =
       "A triangle, A on top, B lower left, C lower right, and the lines at right angles to its sides through their "

@@ -209,22 +209,6 @@ std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGri
   return areas;
 }
 
-std::vector<std::string> reasons_for_skipping(const Answer& answer) {
-  std::vector<std::pair<std::string, std::string>> names_by_reason;
-  for (const gjk::RegionTested<double>& region : answer.regions) {
-    if (region.verdict != gjk::Verdict::skipped) continue;
-    const std::string& name = region.label.empty() ? region.feature : region.label;
-    const auto known = std::ranges::find(names_by_reason, region.reason, &std::pair<std::string, std::string>::second);
-    if (known == names_by_reason.end())
-      names_by_reason.emplace_back(name, region.reason);
-    else
-      known->first += ", " + name;
-  }
-  std::vector<std::string> texts;
-  for (const auto& [names, reason] : names_by_reason) texts.push_back(names + ": " + reason);
-  return texts;
-}
-
 // -- Drawing ----------------------------------------------------------------------------------------------------------
 
 void draw_blocks(render::Panel& panel, const std::vector<RegionGrid::Block>& blocks,

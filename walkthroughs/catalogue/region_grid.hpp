@@ -116,9 +116,6 @@ struct AnsweredArea {
 /// Returns: one for each answer in the grid, in the order of first appearance.
 std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGrid& grid);
 
-/// Returns: the report's reasons for not testing regions, such as "R4, R5, R6: the search has …", in the order told.
-std::vector<std::string> reasons_for_skipping(const Answer& answer);
-
 // -- Drawing ----------------------------------------------------------------------------------------------------------
 
 /// Fills the blocks with opaque colours: what `fill` looks like on `paper`.

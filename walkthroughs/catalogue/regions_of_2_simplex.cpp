@@ -95,7 +95,7 @@ std::vector<RegionRow> impossible() {
       {.name = "r4-cannot-happen",
        .title = "the origin cannot lie in R4",
        .summary = "R4 lies beyond B, next to R3: only the move that left BC tells them apart",
-       .text = "R4: beyond B; skipped, because the search left BC toward the origin",
+       .text = "R4: beyond B; skipped, because the search had ruled it out when it kept BC",
        .scene = in_the_plane(polygon("quadrilateral", {{-1, -2}, {1, 0}, {-1, 2}, {-2, -1}}),
                              polygon("triangle", {{-1, -3}, {-4, -1}, {-3, -5}})),
        .remarks = {{At::direction_chosen, 2, "it leaves behind what will be R4, R5 and R6"},
@@ -115,7 +115,7 @@ std::vector<RegionRow> impossible() {
       {.name = "r6-cannot-happen",
        .title = "the origin cannot lie in R6",
        .summary = "R6 lies beyond C, next to R7: only the move that left BC tells them apart",
-       .text = "R6: beyond C; skipped, because the search left BC toward the origin",
+       .text = "R6: beyond C; skipped, because the search had ruled it out when it kept BC",
        .scene = in_the_plane(polygon("quadrilateral", {{1, -3}, {2, -1}, {-3, 1}, {-3, -2}}),
                              polygon("triangle", {{4, -3}, {3, -1}, {1, -4}})),
        .remarks = {

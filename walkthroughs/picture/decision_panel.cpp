@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "walkthroughs/picture/inset.hpp"
+#include "walkthroughs/picture/key.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
@@ -22,12 +23,14 @@ using render::View;
 
 // Page units.
 constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, least_height = 24, wanted_height = 40;
-constexpr double origin_radius = 7, in_plane_radius = 3, right_angle_side = 9;
+constexpr double right_angle_side = 9;
 constexpr double narrow = 300, narrow_text = 0.8;  // a view that has no room for words
 constexpr double share_of_true_shape = 0.58;       // of the panel, where it decides
+constexpr double share_of_base = 0.34;             // of what is left behind, below the faces of a tetrahedron
+constexpr double dropped_arm = 9;                  // of the cross through a vertex that leaves the simplex
 constexpr double deepest = 0.9;                    // of the fourth vertex that is shown, in widths of the face
 
-Point vertex(const Shown& shown, char role) { return shown.now.simplex.point(static_cast<Role>(role - 'A')); }
+Point vertex(const Shown& shown, char role) { return shown.now.processed.point(static_cast<Role>(role - 'A')); }
 
 /// Returns: the role of the vertex of a tetrahedron that is not on that face.
 char fourth(const std::string& face) {
@@ -87,9 +90,7 @@ class DecisionPicture {
   }
 
   int draw(render::Canvas& canvas, const View& view) {
-    const bool hatches = view_.kind == Kind::true_shape && !shown_.now.regions.empty();
-    draw_panel_title(canvas, frame_, title(), style_,
-                     hatches ? std::vector{key_of_skipped(style_)} : std::vector<KeyEntry>{});
+    draw_panel_title(canvas, frame_, title(), style_, key());
     render::Panel panel(canvas, below_title(frame_), view);
     Pencil pencil(panel, lens_, style_);
     switch (view_.kind) {
@@ -147,7 +148,7 @@ class DecisionPicture {
     const Shown shown = with_lens();
     if (view_.kind == Kind::segment)
       draw_regions_of_segment(pencil, shown);
-    else if (shown_.now.simplex.size() == 3)
+    else if (shown_.now.processed.size() == 3)
       draw_regions_of_triangle(pencil, shown);
     else
       draw_regions_of_face(pencil, shown, view_.face);
@@ -160,19 +161,30 @@ class DecisionPicture {
       draw_origin_beside(panel, at_origin(), view_.height, style_);
   }
 
-  bool has_fourth() const { return view_.kind == Kind::edge_on && shown_.now.simplex.size() == 4; }
+  std::vector<KeyEntry> key() const {
+    if (is_left_behind()) return {key_of_skipped(style_)};
+    if (view_.kind == Kind::crossing)
+      return {key_of_line(shown_.names.of(shown_.now.found->w) + " along d", style_.projection),
+              key_of_out_of_reach("out of reach", style_)};
+    const bool hatches = view_.kind == Kind::true_shape && !shown_.now.regions.empty();
+    return hatches ? std::vector{key_of_skipped(style_)} : std::vector<KeyEntry>{};
+  }
+
+  /// The face of a tetrahedron that the search comes from.
+  bool is_left_behind() const { return view_.face == "BCD"; }
+  bool has_fourth() const { return view_.kind == Kind::edge_on && shown_.now.processed.size() == 4; }
 
   std::string title() const {
     const std::string face = shown_.names.sorted(view_.face);
     switch (view_.kind) {
       case Kind::crossing:
-        return "plane of d and O" + shown_.names.of(shown_.now.found->w) +
-               stretched(", along d ", lens_.plane.stretch.x());
+        return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", d ↔", lens_.plane.stretch.x());
       case Kind::segment: return "plane of " + face + " and O";
       case Kind::true_shape: return face + ", true shape";
       case Kind::edge_on:
-        return face + (frame_.width() < narrow ? stretched(", high ", lens_.plane.stretch.y())
-                                               : " edge-on" + stretched(", height ", lens_.plane.stretch.y()));
+        if (is_left_behind()) return face + " edge-on: left behind" + stretched(", heights ↕", lens_.plane.stretch.y());
+        return face + (frame_.width() < narrow ? stretched(", ↕", lens_.plane.stretch.y())
+                                               : " edge-on" + stretched(", heights ↕", lens_.plane.stretch.y()));
     }
     return "";
   }
@@ -192,23 +204,38 @@ class DecisionPicture {
   void vertices(Pencil& pencil) {
     render::Panel& panel = pencil.panel();
     const Vec2 middle = middle_of(corners());
-    const std::vector<Vec2> page = panel.corners();
+    const Box page = below_title(frame_).grown(-style_.point_radius - 7);
     for (const char role : has_fourth() ? view_.face + fourth(view_.face) : view_.face) {
-      if (((at(role) - page[0]).array() * (at(role) - page[2]).array() > 0).any())
-        continue;  // stretched out of the page
+      const Vec2 place = panel.view().page(at(role));
+      if ((place.array() < page.min.array() || place.array() > page.max.array()).any()) continue;  // stretched too far
       panel.disc(at(role), style_.point_radius + 2, style_.theme.paper);
-      panel.disc(at(role), style_.point_radius, style_.theme.green);
+      if (is_dropped(role))
+        pencil.cross(at(role), dropped_arm);
+      else
+        panel.disc(at(role), style_.point_radius, style_.theme.green);
       if (role == 'A') panel.circle(at(role), style_.point_radius + 5, {style_.theme.ink, 2.5});
       const bool is_on_line = view_.kind == Kind::edge_on && at(role).y() == 0;
       panel.label(at(role), is_on_line ? Vec2(0, view_.height < 0 ? 1 : -1) : Vec2(at(role) - middle),
-                  shown_.names.of(static_cast<Role>(role - 'A')), label(style_.theme.ink, render::Weight::bold));
+                  shown_.names.of(static_cast<Role>(role - 'A')),
+                  is_dropped(role) ? label(style_.theme.grey) : label(style_.theme.ink, render::Weight::bold));
     }
+  }
+
+  bool is_dropped(char role) const {
+    return shown_.focus == Focus::reduction && shown_.now.reduction->dropped.find(role) != std::string::npos;
+  }
+  /// Whether the triangle stays and only its order changes, so that its normal turns over.
+  bool is_turned_over() const {
+    return shown_.focus == Focus::reduction && shown_.now.processed.size() == 3 &&
+           shown_.now.reduction->dropped.empty();
   }
 
   void edges(render::Panel& panel) {
     const Stroke stroke{style_.simplex.color, style_.simplex.width};
-    for (std::size_t i = 0; i < view_.face.size(); ++i)
-      panel.line(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]), stroke);
+    for (std::size_t i = 0; i < view_.face.size(); ++i) {
+      const char from = view_.face[i], to = view_.face[(i + 1) % view_.face.size()];
+      panel.line(at(from), at(to), is_dropped(from) || is_dropped(to) ? style_.former : stroke);
+    }
   }
 
   void name_origin(render::Panel& panel, const Vec2& toward) {
@@ -244,7 +271,9 @@ class DecisionPicture {
     panel.line({page[0].x(), 0}, {page[2].x(), 0}, style_.thin);
     if (has_fourth()) {
       for (const char role : view_.face)
-        panel.line(at(role), at(fourth(view_.face)), {style_.simplex.color, 1.6 * style_.theme.line});
+        panel.line(
+            at(role), at(fourth(view_.face)),
+            shown_.focus == Focus::reduction ? style_.former : Stroke{style_.simplex.color, 1.6 * style_.theme.line});
     }
     edges(pencil.panel());
     drop(pencil);
@@ -256,9 +285,12 @@ class DecisionPicture {
   /// Above and below the plane, as far as the search has come.
   void halves(render::Panel& panel) {
     const Region* const found = test_of(shown_.now, view_.face);
+    if (is_left_behind())
+      fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, -1.0}), RegionState::skipped, style_);
     if (!found) return;
     const double* const value = std::get_if<double>(&found->value);
-    const bool below = shown_.now.simplex.size() == 3 && value && *value < 0;  // either side of a triangle may be taken
+    const bool below =
+        shown_.now.processed.size() == 3 && value && *value < 0;  // either side of a triangle may be taken
     fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, below ? -1.0 : 1.0}), state_of(found, shown_.now),
                 style_);
   }
@@ -289,10 +321,14 @@ class DecisionPicture {
     const double near = at_origin().x() < (left.x() + right.x()) / 2 ? 0.75 : 0.25;
     const double x = left.x() + near * (right.x() - left.x());
     const Vec2 tail(x, 0),
-        tip(x, pencil.length((is_alone_ && frame_.width() >= narrow ? 1 : 0.6) * style_.arrow_length));
-    pencil.panel().arrow(tail, tip, style_.normal);
-    pencil.panel().label(tail + (tip - tail) * 0.8, {-1, 0}, shown_.names.translate(view_.face + "n"),
-                         label(style_.normal.color, render::Weight::bold));
+        up(0, pencil.length((is_alone_ && frame_.width() >= narrow ? 1 : 0.6) * style_.arrow_length));
+    const auto arrow = [&](const Vec2& along, const std::string& name, const Stroke& stroke) {
+      pencil.panel().arrow(tail, tail + along, stroke);
+      pencil.panel().label(tail + along * 0.8, {-1, 0}, shown_.names.translate(name),
+                           label(stroke.color, render::Weight::bold));
+    };
+    if (is_turned_over()) arrow(-up, "−" + view_.face + "n", style_.normal);
+    arrow(up, view_.face + "n", is_turned_over() ? Stroke{style_.theme.grey, style_.normal.width} : style_.normal);
   }
 
   /// "P·d = 148 > 0, past O".
@@ -308,6 +344,7 @@ class DecisionPicture {
     const Point P = shown_.now.found->w, d = shown_.now.direction->value;
     const Vec2 at = at_found(), foot(at.x(), 0);
     const std::vector<Vec2> page = panel.corners();
+    if (shown_.telling.panels.hull) difference(panel);
     pencil.out_of_reach(lens_.plane.out(at), d);
     panel.line({page[0].x(), 0}, {page[2].x(), 0}, style_.thin);
     panel.line(Vec2::Zero(), foot, style_.projection);
@@ -317,13 +354,21 @@ class DecisionPicture {
     const Vec2 tip(pencil.length(style_.arrow_length), 0);
     panel.arrow(Vec2::Zero(), tip, style_.direction);
     panel.label(tip * 0.8, {0, 1}, "d", label(style_.direction.color, render::Weight::bold));
-    if (shown_.values) panel.label(foot, {0, -1}, product_with_d(), style_.small_label(), 12);
+    if (shown_.values)  // beside the supporting line, on the origin's side
+      panel.label(foot / 2, {-0.3 * at.x(), -std::abs(at.x())}, product_with_d(), style_.small_label(), 12);
     panel.disc(at, style_.point_radius + 2, style_.theme.paper);
     panel.disc(at, style_.point_radius, shown_.now.added ? style_.theme.green : style_.theme.vermillion);
     panel.circle(at, style_.point_radius + 5, {style_.theme.ink, 2.5});
     panel.label(at, at, shown_.names.of(P), label(style_.theme.ink, render::Weight::bold));
     panel.plus(Vec2::Zero(), 8, style_.origin);
     panel.label(Vec2::Zero(), {at.x() > 0 ? -1.0 : 1.0, -0.5}, "O", label(style_.theme.ink));
+  }
+
+  /// Its shadow on this plane: it ends where P is.
+  void difference(render::Panel& panel) {
+    const std::vector<Vec2> shadow = outline_of_difference(shown_.telling.scene, shown_.stage.difference, lens_);
+    panel.polygon(shadow, style_.hull_fill);
+    panel.name_area(shadow, "a − b", style_.label(style_.theme.grey), {""});
   }
 
   const Box frame_;
@@ -339,6 +384,9 @@ bool are_below_each_other(const std::vector<DecisionView>& views) {
   return views.size() == 2 && views[0].face == views[1].face;
 }
 
+/// Whether the last view stands below the others, as wide as they are together.
+bool has_base(const std::vector<DecisionView>& views) { return views.size() == 4; }
+
 void share_width(Bounds& one, Bounds& other) {
   one.low.x() = other.low.x() = std::min(one.low.x(), other.low.x());
   one.high.x() = other.high.x() = std::max(one.high.x(), other.high.x());
@@ -352,6 +400,12 @@ std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& vi
     if (!below_each_other || views[1].kind != Kind::true_shape || !views[1].decides) return 0.5;
     return &view == &views[1] ? share_of_true_shape : 1 - share_of_true_shape;
   };
+  if (has_base(views)) {
+    const double top = frame.min.y() + (1 - share_of_base) * (frame.height() - gap);
+    places = places_of({frame.min, {frame.max.x(), top}}, {views.begin(), views.end() - 1});
+    places.push_back({{frame.min.x(), top + gap}, frame.max});
+    return places;
+  }
   Vec2 corner = frame.min;
   const double count = static_cast<double>(views.size());
   for (const DecisionView& view : views) {
@@ -365,32 +419,13 @@ std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& vi
 
 }  // namespace
 
-void draw_origin_beside(render::Panel& panel, const Vec2& at, double height, const Style& style) {
-  panel.disc(at, origin_radius + 2, style.theme.paper);
-  if (height > 0) panel.disc(at, origin_radius, style.theme.ink);
-  if (height == 0) panel.disc(at, in_plane_radius, style.theme.ink);
-  panel.circle(at, origin_radius - 1, {style.theme.ink, 2});
-}
-
-std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, const Style& style) {
-  const auto entry = [&style](const char* words, double inner) {
-    return KeyEntry{words, [&style, inner](render::Canvas& canvas, const Vec2& at) {
-                      if (inner > 0) canvas.disc(at, inner, style.theme.ink);
-                      canvas.circle(at, origin_radius - 1, {style.theme.ink, 2});
-                    }};
-  };
-  if (std::ranges::any_of(views, [](const DecisionView& view) { return view.height == 0; }))
-    return {entry("above", origin_radius), entry("in it", in_plane_radius), entry("below", 0)};
-  return {entry("O above", origin_radius), entry("O below", 0)};
-}
-
 int draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views,
                   const Shown& shown) {
   const std::vector<Box> places = places_of(frame, views);
   std::vector<DecisionPicture> pictures;
   std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    pictures.emplace_back(places[i], views[i], shown, !are_below_each_other(views));
+    pictures.emplace_back(places[i], views[i], shown, !are_below_each_other(views) && views[i].face != "BCD");
     pictures[i].stretch();
     boxes.push_back(pictures[i].bounds());
   }

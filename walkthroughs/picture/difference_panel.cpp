@@ -4,6 +4,7 @@
 
 #include "walkthroughs/picture/decision_panel.hpp"
 #include "walkthroughs/picture/inset.hpp"
+#include "walkthroughs/picture/key.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
@@ -19,30 +20,15 @@ constexpr double origin_arm = 8;  // page units: so small that it does not hide 
 
 // -- The key ----------------------------------------------------------------------------------------------------------
 
-KeyEntry dashes(const std::string& text, const Stroke& stroke) {
-  return {text,
-          [=](render::Canvas& canvas, const Vec2& at) { canvas.line(at - Vec2(15, 0), at + Vec2(15, 0), stroke); }};
-}
-
-KeyEntry ringed_point(const Style& style) {
-  return {"newest", [&style](render::Canvas& canvas, const Vec2& at) {
-            canvas.disc(at, style.point_radius - 1, style.theme.green);
-            canvas.circle(at, style.point_radius + 3, {style.theme.ink, 2});
-          }};
+/// What the search direction tells of the far side: in space only its border is drawn.
+KeyEntry key_beyond(const Shown& shown) {
+  return key_of_out_of_reach(shown.lens.camera ? "supporting plane" : "out of reach", shown.style);
 }
 
 /// Of the view in space beside the plane pictures of a decision.
 std::vector<KeyEntry> key_beside(const Shown& shown) {
-  if (shown.focus == Focus::crossing || shown.now.simplex.size() < 3) return {ringed_point(shown.style)};
+  if (shown.focus == Focus::crossing || shown.now.processed.size() < 3) return {key_of_newest(shown.style)};
   return key_of_origin(decision_views(shown.now, shown.focus), shown.style);
-}
-
-/// An area with the supporting line as its border.
-KeyEntry far_side(const Style& style) {
-  return {"out of reach", [&style](render::Canvas& canvas, const Vec2& at) {
-            canvas.rectangle({at - Vec2(15, 8), at + Vec2(15, 8)}, style.out_of_reach);
-            canvas.line(at + Vec2(-15, -8), at + Vec2(15, -8), style.support_line);
-          }};
 }
 
 Stroke solid(Stroke stroke) {
@@ -165,7 +151,7 @@ class DifferencePicture {
     for (const char letter : now_.reduction->dropped) {
       const auto role = static_cast<gjk::Role>(letter - 'A');
       const Vec2 at = pencil_.at(now_.reduction->before.point(role));
-      pencil_.cross(now_.reduction->before.point(role), 11);
+      pencil_.cross(at, 11);
       if (shown_.telling.hull.corners.empty())
         panel_.label(at, at - center_, shown_.names.of(role), style_.label(style_.theme.grey));
     }
@@ -193,7 +179,7 @@ class DifferencePicture {
   /// The origin above or below the plane of a triangle: its way there, hidden where the plane is in front of it.
   void drop(const std::string& face) {
     Point corners[3];
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = now_.simplex.point(static_cast<gjk::Role>(face[i] - 'A'));
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = now_.processed.point(static_cast<gjk::Role>(face[i] - 'A'));
     const Point up = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
     const double height = height_of_origin(now_, face);
     const Point foot = -up * height, middle = (corners[0] + corners[1] + corners[2]) / 3;
@@ -336,11 +322,11 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   draw_panel_title(canvas, place.frame, place.title, style,
                    shown.regions_beside
                        ? key_beside(shown)
-                       : std::vector{ringed_point(style),
-                                     dashes("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
-                                     looking                  ? far_side(style)
+                       : std::vector{key_of_newest(style),
+                                     key_of_line("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
+                                     looking                  ? key_beyond(shown)
                                      : focus == Focus::region ? key_of_skipped(style)
-                                                              : dashes("earlier", style.former)});
+                                                              : key_of_line("earlier", style.former)});
   if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
   render::Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, shown);
@@ -370,7 +356,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
 }
 
 int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
-  draw_panel_title(canvas, place.frame, place.title, shown.style, {ringed_point(shown.style), far_side(shown.style)});
+  draw_panel_title(canvas, place.frame, place.title, shown.style, {key_of_newest(shown.style), key_beyond(shown)});
   render::Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, shown);
   picture.set();

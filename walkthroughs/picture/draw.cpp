@@ -171,9 +171,11 @@ View fit(const Bounds& bounds, const Box& room, double max_scale = unlimited) {
   return View::fit(bounds.low, bounds.high, room, std::min(max_scale, sharp));
 }
 
-/// Where a simplex would be small in the whole set, its regions are shown close up.
+/// Where a simplex would be small in the whole set, its regions are shown close up; beside the plane pictures of a decision
+/// from the vertex that joins it to those that leave it, so that nothing jumps.
 bool is_close_up(const Shown& what, const Box& room) {
-  if (what.focus != Focus::region || what.now.processed.size() < 2) return false;
+  const bool is_beside = what.regions_beside && what.focus != Focus::crossing;
+  if ((what.focus != Focus::region && !is_beside) || what.now.processed.size() < 2) return false;
   const double whole = fit(bounds_of_difference(what.telling, what.stage, what.lens), room).scale();
   return fit(bounds_of_decision(what.now, what.lens), room).scale() > least_magnification * whole;
 }
@@ -183,9 +185,16 @@ View view_of_difference(const Shown& what, const Box& room) {
                                  : fit(bounds_of_difference(what.telling, what.stage, what.lens), room);
 }
 
-/// The view in space beside the plane pictures of its decision, which are what to look at first.
+/// The view in space beside the plane pictures of its decision, which are what to look at first. At the end the objects
+/// stand there: the gap that is seen in the plane is a gap between them.
 int draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vector<DecisionView>& views,
                            const Shown& what) {
+  if (what.focus == Focus::end && what.telling.panels.objects) {
+    const View objects =
+        fit(bounds_of_objects(what.telling, what.stage, what.lens), below_title(*boxes.objects).grown(-objects_margin));
+    return draw_objects(canvas, {*boxes.objects, "", objects}, what) +
+           draw_decision(canvas, boxes.difference, views, what);
+  }
   Shown in_space = what;
   in_space.regions_beside = true;
   const Box &left = *boxes.objects, room = below_title(left).grown(-decision_margin);

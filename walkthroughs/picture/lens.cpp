@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace walkthroughs {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double azimuth_step = 15;
 constexpr double elevations[] = {12, 20, 28, 40, 55};
-constexpr double low_elevations[] = {2, 5, 8};  // for planes that are nearly level
 constexpr double wanted_cosine = 0.7;  // between a normal that decides and the line of sight: neither hidden nor end-on
 
 /// A decision in space: what it was about, and the plane that must be seen for it.
@@ -33,8 +30,8 @@ Decision decision_of(const gjk::Simplex<double>& simplex, const Point& face_norm
   return decision;
 }
 
-/// Returns: one decision for each simplex that was processed; only that of iteration `decisive`, where it is given.
-std::vector<Decision> decisions_of(const Trace& trace, std::optional<int> decisive) {
+/// Returns: one decision for each simplex that was processed.
+std::vector<Decision> decisions_of(const Trace& trace) {
   std::vector<Decision> found;
   gjk::Simplex<double> simplex;
   Point face_normal = Point::Zero();
@@ -45,7 +42,6 @@ std::vector<Decision> decisions_of(const Trace& trace, std::optional<int> decisi
     }
     const auto* tested = std::get_if<gjk::RegionTested<double>>(&event);
     if (!tested || tested->verdict == gjk::Verdict::skipped || tested->simplex_size < 2) continue;
-    if (decisive && tested->iteration != *decisive) continue;
     if (tested->normal && tested->face.empty()) face_normal = *tested->normal;
     const double* value = std::get_if<double>(&tested->value);
     const bool in_plane_of_face = tested->simplex_size == 4 && value && *value == 0;  // to be seen, though rejected
@@ -80,13 +76,12 @@ double frontality(const Decision& decision, const render::Camera& camera) {
   return cosine <= 0 ? cosine : 1 - std::abs(cosine - wanted_cosine) / wanted_cosine;
 }
 
-/// Returns: the directions of the moves that the crossing test judges, of length 1; from iteration `decisive` on, where it
-/// is given.
-std::vector<Point> moves_of(const Trace& trace, std::optional<int> decisive) {
+/// Returns: the directions of the moves that the crossing test judges, of length 1.
+std::vector<Point> moves_of(const Trace& trace) {
   std::vector<Point> moves;
   for (const auto& event : trace.events)
     if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event))
-      if (found->iteration > 1 && (!decisive || found->iteration >= *decisive) && found->direction.allFinite())
+      if (found->iteration > 1 && found->direction.allFinite())
         moves.push_back(found->direction.stableNormalized());
   return moves;
 }
@@ -117,45 +112,17 @@ std::vector<render::Camera> cameras() {
   return all;
 }
 
-/// Returns: the cameras that look along the planes across `d`, so that a gap in that direction is seen: at each elevation
-/// that has one, on both sides. None where `d` is vertical.
-std::vector<render::Camera> cameras_across(const Point& d) {
-  std::vector<render::Camera> all;
-  const double level = std::hypot(d.x(), d.y());
-  const auto add = [&](double elevation) {
-    // toward_viewer·d = cos(elevation) level cos(azimuth - azimuth of d) + sin(elevation) d.z = 0
-    const double cosine = -std::tan(elevation * degree) * d.z() / level;
-    if (!(std::abs(cosine) <= 1)) return;
-    for (const double side : {-1.0, 1.0})
-      all.emplace_back((std::atan2(d.y(), d.x()) + side * std::acos(cosine)) / degree, elevation);
-  };
-  for (const double elevation : elevations) add(elevation);
-  if (all.empty())
-    for (const double elevation : low_elevations) add(elevation);
-  return all;
-}
-
-/// Returns: the direction in which the search has found a gap.
-std::optional<Point> direction_of_gap(const Trace& trace) {
-  const auto* finished = std::get_if<gjk::Finished<double>>(&trace.events.back());
-  if (!finished || !finished->result.separation) return std::nullopt;
-  return finished->result.separation->direction.stableNormalized();
-}
-
 }  // namespace
 
-render::Camera choose_camera(const Trace& trace, std::optional<int> decisive) {
+render::Camera choose_camera(const Trace& trace) {
   render::Camera best(-60, 20);
-  std::vector<Decision> decisions = decisions_of(trace, decisive);
+  std::vector<Decision> decisions = decisions_of(trace);
   std::erase_if(decisions,
                 [](const Decision& each) { return !std::isfinite(extent(each.points)) || extent(each.points) == 0; });
   if (decisions.empty()) return best;
-  std::vector<render::Camera> candidates;
-  if (const auto gap = direction_of_gap(trace); gap && !decisive) candidates = cameras_across(*gap);
-  if (candidates.empty()) candidates = cameras();
-  const std::vector<Point> moves = moves_of(trace, decisive);
+  const std::vector<Point> moves = moves_of(trace);
   double most = -std::numeric_limits<double>::infinity();
-  for (const render::Camera& camera : candidates) {
+  for (const render::Camera& camera : cameras()) {
     const double reached = score(decisions, camera) + shortest(moves, camera);
     if (reached <= most) continue;
     most = reached;

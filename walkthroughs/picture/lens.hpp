@@ -15,17 +15,17 @@ struct Lens {
 
   render::Vec2 operator()(const Point& p) const { return camera ? (*camera)(p) : plane(p); }
 
-  /// Returns: the unit vector of the scene that points to `angle` (radians, counter-clockwise from the right) in the picture.
+  /// Returns: the unit vector of the scene along which those points are farthest that are farthest at `angle` (radians,
+  /// counter-clockwise from the right) in the picture.
   Point direction(double angle) const {
     const double c = std::cos(angle), s = std::sin(angle);
-    return camera ? Point(camera->right() * c + camera->up() * s) : Point(plane.right * c + plane.up * s);
+    if (camera) return camera->right() * c + camera->up() * s;
+    return (plane.right * c * plane.stretch.x() + plane.up * s * plane.stretch.y()).normalized();
   }
 };
 
 /// Returns: a camera for the whole search, from a fixed choice of places around it: the vertices of the simplex and the
-/// origin apart from each other, and the face that decides in front, its normal not pointing straight at the viewer. Where
-/// the search finds a gap and no iteration is `decisive`, the camera looks along the plane between the objects.
-/// `decisive`: the iteration that the walkthrough is about, if there is one.
-render::Camera choose_camera(const Trace& trace, std::optional<int> decisive);
+/// origin apart from each other, and no face that decides edge-on or straight on.
+render::Camera choose_camera(const Trace& trace);
 
 }  // namespace walkthroughs

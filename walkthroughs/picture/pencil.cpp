@@ -92,8 +92,8 @@ void Pencil::out_of_reach(const Point& on, const Point& d) {
   supporting_line(on, d, style_.support_line);
 }
 
-void Pencil::cross(const Point& on, double arm) {
-  const Vec2 middle = at(on), up(length(arm), length(arm)), down(length(arm), -length(arm));
+void Pencil::cross(const Vec2& middle, double arm) {
+  const Vec2 up(length(arm), length(arm)), down(length(arm), -length(arm));
   panel_.line(middle - up, middle + up, style_.cross);
   panel_.line(middle - down, middle + down, style_.cross);
 }

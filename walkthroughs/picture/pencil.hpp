@@ -35,8 +35,8 @@ class Pencil {
   void out_of_reach(const Point& on, const Point& d);
   /// The border of that alone.
   void supporting_line(const Point& on, const Point& d, const render::Stroke& stroke);
-  /// A cross of `arm` page units.
-  void cross(const Point& on, double arm);
+  /// A cross of `arm` page units through a place of the picture.
+  void cross(const render::Vec2& middle, double arm);
 
   /// The filled outline of a body and, in space, its faces from back to front with the edges behind thin and dashed.
   void body(const std::vector<render::Vec2>& outline, const std::vector<render::Face>& faces, render::Color fill,

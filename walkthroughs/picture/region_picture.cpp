@@ -54,7 +54,7 @@ class RegionPicture {
     const bool left = areas[2].empty() || turn(plane_(B), plane_(A), origin) > 0;
     draw({"R1", areas[0], find("", "R1")});
     draw({"R2", areas[1], find("", "R2")});
-    draw({scene_in_space ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], nullptr});
+    draw({scene_in_space ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], scene_in_space ? sides : nullptr});
     draw({scene_in_space ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides});
   }
 
@@ -129,7 +129,7 @@ class RegionPicture {
   }
 
  private:
-  Point vertex(Role role) const { return shown_.now.simplex.point(role); }
+  Point vertex(Role role) const { return shown_.now.processed.point(role); }
   Point vertex(char letter) const { return vertex(static_cast<Role>(letter - 'A')); }
 
   static double turn(const Vec2& from, const Vec2& to, const Vec2& p) {
@@ -186,24 +186,25 @@ class RegionPicture {
 
   void name(const std::vector<Vec2>& corners, const Candidate& candidate, RegionState state) {
     render::TextStyle text = style_.small_label();
-    std::string with_mark = candidate.name;
+    std::string mark;
     switch (state) {
       case RegionState::pending: text.color = style_.theme.grey; break;
       case RegionState::skipped: text.color = style_.theme.grey; break;
       case RegionState::rejected:
-      case RegionState::just_rejected: with_mark += " ✗"; break;
+      case RegionState::just_rejected: mark = "✗"; break;
       case RegionState::chosen:
         // Without the crossing test the ends of a segment are not ruled out: nothing is certain yet.
-        with_mark += uncertain(*candidate.region) ? ", if not R2" : " ✓";
+        mark = uncertain(*candidate.region) ? "if not R2" : "✓";
         text.weight = render::Weight::bold;
         break;
     }
     const std::string inequality =
         candidate.region && shown_.values ? inequality_of(*candidate.region, shown_.names) : "";
     text.size *= 0.85;
-    const bool must_be_named = state != RegionState::pending && state != RegionState::skipped;
-    pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality,
-                              must_be_named ? with_mark : "", text);
+    if (mark.empty()) return pencil_.panel().name_area(corners, candidate.name, text, {""});
+    const std::string with_mark = candidate.name + (mark == "if not R2" ? ", " : " ") + mark;
+    pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality, text,
+                              {with_mark, mark});
   }
 
   bool uncertain(const Region& region) const {
@@ -261,7 +262,8 @@ class RegionPicture {
         if (!edges_shown()) panel.polygon(corners, style_.chosen_fill);
         break;
     }
-    if (rejected) pencil_.cross(middle_of(face.corners), 11);
+    // Not the cross that stands at a vertex which leaves the simplex.
+    if (rejected) panel.name_area(corners, "✗", style_.label(style_.theme.ink), {"✗"});
   }
 
   /// Whether the viewer looks at the inside of BCD, through the other faces. Its outward normal is BD×BC: A lies in the
@@ -298,7 +300,8 @@ RegionState state_of(const Region* region, const Moment& now) {
   if (!region) return RegionState::pending;
   if (region->verdict == Verdict::skipped) return RegionState::skipped;
   if (region->verdict == Verdict::chosen) return RegionState::chosen;
-  return region == &now.regions.back() ? RegionState::just_rejected : RegionState::rejected;
+  const bool is_last = region == &now.regions.back() && !now.reduction;
+  return is_last ? RegionState::just_rejected : RegionState::rejected;
 }
 
 void fill_region(render::Panel& panel, const std::vector<Vec2>& corners, RegionState state, const Style& style) {
@@ -309,13 +312,6 @@ void fill_region(render::Panel& panel, const std::vector<Vec2>& corners, RegionS
     case RegionState::just_rejected: panel.polygon(corners, style.tested_fill); break;
     case RegionState::chosen: panel.polygon(corners, style.chosen_fill); break;
   }
-}
-
-KeyEntry key_of_skipped(const Style& style) {
-  return {"skipped", [&style](render::Canvas& canvas, const Vec2& at) {
-            for (const double x : {-12.0, -4.0, 4.0, 12.0})
-              canvas.line(at + Vec2(x - 7, 7), at + Vec2(x + 7, -7), style.hatching);
-          }};
 }
 
 std::string inequality_of(const Region& region, const Names& names) {

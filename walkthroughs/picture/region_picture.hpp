@@ -1,7 +1,6 @@
 /// All regions of a simplex at once, each drawn as what the algorithm has made of it so far.
 #pragma once
 
-#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/shown.hpp"
 
@@ -16,9 +15,6 @@ RegionState state_of(const gjk::RegionTested<double>* region, const Moment& now)
 
 /// Fills or hatches an area as its state wants it; nothing while it is pending.
 void fill_region(render::Panel& panel, const std::vector<render::Vec2>& corners, RegionState state, const Style& style);
-
-/// The sign of what the algorithm skips, for the key of a panel.
-KeyEntry key_of_skipped(const Style& style);
 
 /// Returns: "AB_n·AO = −0.42 ≤ 0"; nothing where the value is no number.
 std::string inequality_of(const gjk::RegionTested<double>& region, const Names& names);

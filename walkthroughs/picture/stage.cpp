@@ -1,19 +1,11 @@
 #include "walkthroughs/picture/stage.hpp"
 
-#include <optional>
 #include <utility>
 
 namespace walkthroughs {
 namespace {
 
-/// Returns: the first iteration that the walkthrough has something to say about.
-std::optional<int> decisive_iteration(const std::vector<Remark>& remarks) {
-  for (const Remark& remark : remarks)
-    if (remark.at == Remark::At::region_tested || remark.at == Remark::At::reduced) return remark.iteration;
-  return std::nullopt;
-}
-
-Stage stage_of(const Telling& telling, const Placing& placing, const std::vector<Remark>& remarks) {
+Stage stage_of(const Telling& telling, const Placing& placing) {
   const Scene& scene = telling.scene;
   const Panels& panels = telling.panels;
   Stage stage{&telling, placing, {}, {}, {}, {}};
@@ -23,7 +15,7 @@ Stage stage_of(const Telling& telling, const Placing& placing, const std::vector
   }
   if (panels.hull) stage.difference = body_of_difference(scene, stage.a, stage.b);
   if (scene.dimension == Dimension::space)
-    stage.lens.camera = choose_camera(telling.trace, decisive_iteration(remarks));
+    stage.lens.camera = choose_camera(telling.trace);
   return stage;
 }
 
@@ -38,7 +30,7 @@ StagedStory::StagedStory(Story story) : Story(std::move(story)) {
       drawn = &placed_tellings_.emplace_back(
           Telling{scene, placing.placed(telling.trace), placing.placed(telling.hull), telling.panels});
     }
-    stages.push_back(stage_of(*drawn, placing, remarks));
+    stages.push_back(stage_of(*drawn, placing));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -84,6 +85,15 @@ class Captions {
                        {{Mark::yes, value + " > 0: the origin was crossed"}});
   }
 
+  /// Returns: "ACD and ADB": the faces that Algorithm 5 has not come to, because one before them has decided.
+  std::string faces_not_asked() const {
+    std::string faces;
+    if (now_.processed.size() == 4)
+      for (const char* const face : {"ACD", "ADB"})
+        if (!test_of(now_, face)) faces += (faces.empty() ? "" : " and ") + names_.sorted(face);
+    return faces;
+  }
+
   /// Returns: "; the letters move on: A becomes B, D becomes C"; nothing where all stay.
   std::string renamed() const {
     std::string text;
@@ -128,6 +138,9 @@ class Captions {
                                                                       : dropped_caption(event.dropped));
     frame.facts = {{Mark::none, names_.list(event.before) + " becomes " + names_.list(event.after) + " (oldest first)"},
                    {Mark::none, names_.translate(event.why)}};
+    if (const std::string faces = faces_not_asked(); !faces.empty())
+      frame.facts.push_back({Mark::none, "the first face that sees the origin decides, so " + faces +
+                                             " need not be asked; a vertex that is dropped may be found again"});
     return frame;
   }
 
@@ -246,20 +259,25 @@ class Captions {
     }
   }
 
-  static std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) {
-    const std::string lies = event.verdict == Verdict::chosen ? "The origin lies " : "The origin does not lie ";
-    if (event.label != "R1") return lies + "beyond edge " + feature;
+  /// Of an edge in space: in the plane of its triangle stands the foot of the origin.
+  std::string beyond_edge(const gjk::RegionTested<double>& event, const std::string& feature) const {
+    const std::string who = scene_.dimension == Dimension::space ? "The foot of the origin " : "The origin ";
+    return who + (event.verdict == Verdict::chosen ? "lies" : "does not lie") + " beyond edge " + feature;
+  }
+
+  std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) const {
+    if (event.label != "R1") return beyond_edge(event, feature);
     const char* const where = event.relation == Relation::zero       ? "in"
                               : event.relation == Relation::positive ? "above"
                                                                      : "below";
-    return lies + where + " triangle " + feature;
+    return std::string("The origin lies ") + where + " triangle " + feature;
   }
 
   std::string caption_of_tetrahedron(const gjk::RegionTested<double>& event, const std::string& feature) const {
     const std::string lies = event.verdict == Verdict::chosen ? "The origin lies " : "The origin does not lie ";
     if (event.feature.size() == 4) return "No face sees the origin: it lies in tetrahedron " + feature;
     if (event.face.empty()) return lies + "above face " + feature;
-    return lies + "beyond edge " + feature + " of face " + names_.sorted(event.face);
+    return beyond_edge(event, feature) + " of face " + names_.sorted(event.face);
   }
 
   /// The inequality that decides, with the region's name: "R3: GE_n·GO = 5.2 > 0".
@@ -279,18 +297,9 @@ class Captions {
 
   /// One line for each reason: "skipped R4, R5, R6: …".
   void append_skipped(std::vector<Fact>& facts) const {
-    std::string reason;
-    for (const auto& region : now_.regions) {
-      if (region.verdict != Verdict::skipped) continue;
-      const std::string name = region.label.empty() ? names_.sorted(region.feature) : region.label;
-      if (region.reason != reason) {
-        facts.push_back({Mark::skipped, name + ": " + names_.translate(region.reason)});
-      } else {
-        std::string& line = facts.back().text;
-        line.insert(line.find(':'), ", " + name);
-      }
-      reason = region.reason;
-    }
+    for (const std::string& line :
+         reasons_for_skipping(now_.regions, [&](const std::string& roles) { return names_.sorted(roles); }))
+      facts.push_back({Mark::skipped, names_.translate(line)});
   }
 
   const Walkthrough& walkthrough_;

@@ -19,7 +19,7 @@ Point across(const Point& v, const Point& along) {
   return part.stableNorm() > 1e-12 * v.stableNorm() ? part : Point(along.unitOrthogonal());
 }
 
-Point vertex(const Moment& now, char role) { return now.simplex.point(static_cast<Role>(role - 'A')); }
+Point vertex(const Moment& now, char role) { return now.processed.point(static_cast<Role>(role - 'A')); }
 
 std::vector<DecisionView> view_of_crossing(const Moment& now) {
   const Point &d = now.direction->value, &P = now.found->w;
@@ -66,6 +66,11 @@ DecisionView true_shape(const Moment& now, const std::string& face, bool decides
   return {Kind::true_shape, face, Triangle(now, face).true_shape(), height_of_origin(now, face), decides};
 }
 
+/// Whether a frame speaks of the simplex that is processed, as it was before anything was dropped.
+bool is_about_processed(Focus focus) {
+  return focus == Focus::added || focus == Focus::region || focus == Focus::reduction;
+}
+
 bool is_flat(const Moment& now, const std::string& face) { return !is_direction(Triangle(now, face).normal); }
 
 std::vector<DecisionView> views_of_triangle(const Moment& now) {
@@ -90,6 +95,7 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
   for (const char* const face : {"ABC", "ACD", "ADB"})
     if (!is_flat(now, face) && (!last || last->feature.size() != 3 || last->feature == face))
       views.push_back(edge_on(now, face));
+  if (!last && views.size() == 3 && !is_flat(now, "BCD")) views.push_back(edge_on(now, "BCD", false));
   return views;
 }
 
@@ -128,6 +134,7 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
       return "In the plane of " + feature + " and the origin, the origin lies " +
              (O.y() > 0 ? "to one side of it." : "on it.");
     case Kind::edge_on:
+      if (view.face == "BCD") return "The half space beyond " + feature + ", away from A, is left behind.";
       return "Seen edge-on, the origin lies " +
              std::string(view.height > 0   ? "above "
                          : view.height < 0 ? "below "
@@ -149,11 +156,11 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
 }
 
 std::string face_in_question(const Moment& now, Focus focus) {
-  if (focus != Focus::added && focus != Focus::region) return "";
+  if (!is_about_processed(focus)) return "";
   const Region* const last = now.regions.empty() ? nullptr : &now.regions.back();
   std::string face;
-  if (now.simplex.size() == 3) face = "ABC";
-  if (now.simplex.size() == 4 && last)
+  if (now.processed.size() == 3) face = "ABC";
+  if (now.processed.size() == 4 && last)
     face = last->face.empty() && last->feature.size() == 3 ? last->feature : last->face;
   return face.empty() || is_flat(now, face) ? "" : face;
 }
@@ -164,9 +171,10 @@ bool shows_decision(const Story& story) {
 }
 
 std::vector<DecisionView> decision_views(const Moment& now, Focus focus) {
-  if (focus == Focus::crossing) return view_of_crossing(now);
-  if (focus != Focus::added && focus != Focus::region) return {};
-  switch (now.simplex.size()) {
+  const bool is_gap = focus == Focus::end && now.result->separation && now.found && now.crossing;
+  if (focus == Focus::crossing || is_gap) return view_of_crossing(now);
+  if (!is_about_processed(focus)) return {};
+  switch (now.processed.size()) {
     case 2: return view_of_segment(now);
     case 3: return views_of_triangle(now);
     case 4: return views_of_tetrahedron(now);

@@ -27,9 +27,10 @@ struct DecisionView {
 /// Whether the frames of a story have such views: those of one search in space that has not switched them off.
 bool shows_decision(const Story& story);
 
-/// Returns: the views of a moment of a search in space, in the order in which they stand, below each other where they show
-/// one triangle (then they have one direction to the right), else side by side. None where nothing is decided, and where
-/// the vertices span no such plane.
+/// Returns: the views of a moment of a search in space, also of the one in which vertices are dropped, and of the gap with
+/// which it ends. Two of one triangle have one direction to the right and stand below each other. Before a tetrahedron is
+/// tested its three new faces stand side by side and last, below them, BCD, which the search has left behind. None where
+/// nothing is decided, and where the vertices span no such plane.
 std::vector<DecisionView> decision_views(const Moment& now, Focus focus);
 
 /// Returns: what is seen there, a sentence: "Seen edge-on, the origin lies above triangle ABC."

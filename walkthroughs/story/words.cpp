@@ -65,6 +65,23 @@ std::string compared_with_zero(const gjk::RegionTested<double>& region, double v
   return "";
 }
 
+std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTested<double>>& regions,
+                                              const std::function<std::string(const std::string&)>& feature) {
+  std::vector<std::pair<std::string, std::string>> reasons;  // and the regions that each is for
+  for (const gjk::RegionTested<double>& region : regions) {
+    if (region.verdict != gjk::Verdict::skipped) continue;
+    const std::string name = region.label.empty() ? feature(region.feature) : region.label;
+    const auto known = std::ranges::find(reasons, region.reason, &std::pair<std::string, std::string>::first);
+    if (known == reasons.end())
+      reasons.emplace_back(region.reason, name);
+    else
+      known->second += ", " + name;
+  }
+  std::vector<std::string> lines;
+  for (const auto& [reason, names] : reasons) lines.push_back(names + ": " + reason);
+  return lines;
+}
+
 std::string Names::of(Role role) const {
   if (naming_ == Naming::roles) return std::string(1, gjk::letter(role));
   return static_cast<int>(role) < now_.processed.size() ? own_name(now_.processed.point(role)) : "";

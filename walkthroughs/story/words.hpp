@@ -4,8 +4,10 @@
 /// (Naming). `Letters` translates: in a triangle of E, A and the newest vertex G, the event's "ABn·AO" becomes "GE_n·GO".
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/moment.hpp"
@@ -28,6 +30,11 @@ std::string vector(const Point& value, Dimension dimension = Dimension::plane);
 std::string compared_with_zero(const gjk::RegionTested<double>& region, double value);
 /// Returns: the last of these, or nothing, for a value that counts as zero.
 std::string as_zero(double value);
+
+/// Returns: a line for each reason for which regions were skipped, in the order told: "R4, R6: ruled out when the search kept
+/// BC". `feature`: what to call one that has no label.
+std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTested<double>>& regions,
+                                              const std::function<std::string(const std::string&)>& feature);
 
 /// What the vertices are called at one moment.
 class Names {

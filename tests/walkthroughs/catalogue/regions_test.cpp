@@ -164,6 +164,8 @@ bool never_looks_at_R2(const Run& run) {
 constexpr const char* left_B = "the search has just moved away from B, toward the origin";
 constexpr const char* left_BC = "the search has just moved away from BC, toward the origin";
 constexpr const char* left_BCD = "the search has just moved away from BCD, toward the origin";
+constexpr const char* kept_BC = "ruled out when the search kept BC";
+constexpr const char* kept_BCD = "ruled out when the search kept BCD";
 constexpr const char* crossed = "the move to A reached the origin or crossed it, so the origin is not beyond A";
 
 bool side_of_1_simplex(const Run& run, const std::string& side) {
@@ -195,7 +197,7 @@ bool inside_2_simplex(const Run& run, Relation side) {
 bool left_behind_2_simplex(const Run& run, const std::string& feature, const std::string& label,
                            const std::string& neighbour) {
   const Iteration& at = run.at(3);
-  return skipped(at, 3, feature, label, left_BC) && coordinate(corners(at, "ABC"), 0) > 0 &&
+  return skipped(at, 3, feature, label, feature == "BC" ? left_BC : kept_BC) && coordinate(corners(at, "ABC"), 0) > 0 &&
          region_of_figure_7(corners(at, "ABC")) == neighbour;
 }
 
@@ -233,9 +235,9 @@ bool no_face_sees(const Iteration& at) {
 }
 
 bool all_eight_skipped(const Iteration& at) {
-  for (const char* feature : {"B", "C", "D", "BC", "CD", "DB", "BCD"})
-    if (!skipped(at, 4, feature, "", left_BCD)) return false;
-  return skipped(at, 4, "A", "", crossed);
+  for (const char* feature : {"B", "C", "D", "BC", "CD", "DB"})
+    if (!skipped(at, 4, feature, "", kept_BCD)) return false;
+  return skipped(at, 4, "BCD", "", left_BCD) && skipped(at, 4, "A", "", crossed);
 }
 
 /// What the name of a walkthrough promises.

@@ -62,16 +62,23 @@ TEST_CASE("A scene of the plane has no camera and one in space has the same at e
     }
 }
 
-TEST_CASE("The camera looks along the gap between objects that are separated") {
+TEST_CASE("No triangle that decides is seen edge-on") {
   int seen = 0;
-  for (const Walkthrough* w : find_walkthroughs("vehicle-and-threat")) {
-    const StagedStory story(tell(*w));
-    const auto& finished = std::get<gjk::Finished<double>>(story.tellings.at(0).trace.events.back());
-    if (!finished.result.separation) continue;
-    INFO(w->name);
-    const Point across = finished.result.separation->direction.normalized();
-    CHECK(std::abs(story.stages.at(0).lens.camera->toward_viewer().dot(across)) < 1e-12);
-    ++seen;
+  for (const Walkthrough& w : catalogue()) {
+    if (w.layout != Layout::search || w.scenes[0].dimension != Dimension::space) continue;
+    const StagedStory story(tell(w));
+    const Point viewer = story.stages.at(0).lens.camera->toward_viewer();
+    for (const Frame& frame : story.frames) {
+      const Moment& now = frame.moments.at(0);
+      if (frame.focus != Focus::region || now.processed.size() != 3) continue;
+      const Point A = now.processed.point(gjk::Role::A), B = now.processed.point(gjk::Role::B),
+                  C = now.processed.point(gjk::Role::C);
+      const Point normal = (B - A).cross(C - A);
+      if (normal.isZero(0)) continue;
+      INFO(w.name << ", iteration " << now.iteration);
+      CHECK(std::abs(normal.normalized().dot(viewer)) > 0.1);
+      ++seen;
+    }
   }
-  CHECK(seen == 2);
+  CHECK(seen > 50);
 }

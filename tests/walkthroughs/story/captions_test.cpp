@@ -1,5 +1,7 @@
 // What is said under the pictures, in the letters of the picture.
 
+#include "walkthroughs/story/captions.hpp"
+
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -8,7 +10,6 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
@@ -234,7 +235,8 @@ TEST_CASE("Figure 4, left, in the letters of the picture") {
               "skipped R2: the move to E reached the origin or crossed it, so the origin is not beyond E"});
   CHECK(facts(frame(story, "The origin lies beyond edge EG.")) ==
         Facts{"✓ R3: GE_n·GO = 71.5 > 0", "GE_n = GE×GEA_n = (−38.5, −126.5, 0)",
-              "skipped R4, R5, R6: the search has just moved away from EA, toward the origin",
+              "skipped R4, R6: ruled out when the search kept EA",
+              "skipped R5: the search has just moved away from EA, toward the origin",
               "skipped R2: the move to G reached the origin or crossed it, so the origin is not beyond G"});
   CHECK(facts(frame(story, "A is no longer needed and leaves the simplex.")) ==
         Facts{"[A, E, G] becomes [E, G] (oldest first)", "the origin lies beyond this edge; G stays the newest"});
@@ -242,11 +244,12 @@ TEST_CASE("Figure 4, left, in the letters of the picture") {
         Facts{"d = GE×GO×GE = (−5.6875, −18.6875)"});
   CHECK(facts(frame(story, "The origin does not lie beyond edge EF.")) ==
         Facts{"✗ R7: FE_n·FO = −20.25 ≤ 0", "FE_n = FGE_n×FE = (−20.25, −20.25, 0)",
-              "skipped R4, R5, R6: the search has just moved away from GE, toward the origin",
+              "skipped R4, R6: ruled out when the search kept GE",
+              "skipped R5: the search has just moved away from GE, toward the origin",
               "skipped R2: the move to F reached the origin or crossed it, so the origin is not beyond F"});
   CHECK(facts(frame(story, "The origin lies in triangle EFG.")) ==
-        Facts{"✓ R1: FGE_n·FO = 0", "FGE_n = FG×FE = (0, 0, 9)",
-              "skipped R4, R5, R6: the search has just moved away from GE, toward the origin",
+        Facts{"✓ R1: FGE_n·FO = 0", "FGE_n = FG×FE = (0, 0, 9)", "skipped R4, R6: ruled out when the search kept GE",
+              "skipped R5: the search has just moved away from GE, toward the origin",
               "skipped R2: the move to F reached the origin or crossed it, so the origin is not beyond F"});
   CHECK(facts(frame(story, "The origin lies in triangle EFG, so the objects intersect.")) ==
         Facts{"answer: intersecting after 4 iterations", "R3: FG_n·FO = −31.5 ≤ 0", "R7: FE_n·FO = −20.25 ≤ 0",
@@ -289,7 +292,8 @@ TEST_CASE("Behind a number stands what it was taken for, also where only the zer
     return facts(caption(event, story, telling, replay(telling.trace, place + 1)).value()).at(0);
   };
   for (std::size_t i = 0; i < telling.trace.events.size(); ++i) {
-    if (const auto* region = std::get_if<gjk::RegionTested<double>>(&telling.trace.events[i]); region && region->normal) {
+    if (const auto* region = std::get_if<gjk::RegionTested<double>>(&telling.trace.events[i]);
+        region && region->normal) {
       const auto told = [&](Verdict verdict, Relation relation, double value) {
         auto changed = *region;
         changed.verdict = verdict, changed.relation = relation, changed.value = value;
@@ -331,7 +335,8 @@ TEST_CASE("The origin beyond the other edge of a triangle is told as R7, and the
   const Story story = tell(across);  // A, C, B are found, C is dropped
   CHECK(facts(frame(story, "The origin lies beyond edge AB.")) ==
         Facts{"✓ R7: BA_n·BO = 19 > 0", "BA_n = BCA_n×BA = (95, 19, 0)",
-              "skipped R4, R5, R6: the search has just moved away from CA, toward the origin",
+              "skipped R4, R6: ruled out when the search kept CA",
+              "skipped R5: the search has just moved away from CA, toward the origin",
               "skipped R2: the move to B reached the origin or crossed it, so the origin is not beyond B"});
   CHECK(frame(story, "C is no longer needed and leaves the simplex.").facts.at(0).text ==
         "[A, C, B] becomes [A, B] (oldest first)");
