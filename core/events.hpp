@@ -71,7 +71,7 @@ struct RegionTested {
   std::variant<std::monostate, S, Vec3<S>> value = {};  ///< the value of `expression`
   Relation relation = Relation::positive;
   Verdict verdict = Verdict::skipped;
-  std::string reason;  ///< skipped: the report's reason; else what the verdict means
+  std::string reason;  ///< skipped: why it need not be asked; else what the verdict means
   friend bool operator==(const RegionTested&, const RegionTested&) = default;
 };
 

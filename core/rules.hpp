@@ -180,13 +180,15 @@ struct Intended {
 
   static constexpr Kept kept_below_triangle() {
     return {{Role::C, Role::A, Role::B},
-            "A and B change places: the triangle's normal turns to the origin's side, where the next vertex will be"};
+            "A and B change places: the normal turns to the origin's side, so that those of the next faces will point "
+            "outward"};
   }
   /// [Q, P, A]: in the next simplex Q, P, A have become D, C, B, and BC×BD is APQn again.
   static constexpr Kept kept_above(Face face) {
     const detail::FaceRoles roles = detail::roles_of(face);
     return {{roles.Q, roles.P, Role::A},
-            "listed in this order the face keeps its normal, which points to the origin and so to the next vertex"};
+            "in this order the face keeps its normal, toward the origin, so that those of the next faces will point "
+            "outward"};
   }
 
   // -- Parts of Algorithms 4 and 5 --------------------------------------------------------------------------------------

@@ -100,7 +100,7 @@ class Step {
   /// The region beyond A, which the report skips because of the crossing test, and only because of it.
   void skip_beyond_A(std::string_view label = {}) const {
     skip({.feature = "A", .label = label},
-         by_crossing_test("the move to A reached the origin or crossed it, so the origin is not beyond A",
+         by_crossing_test("were the origin beyond A, the move to A would not have reached it",
                           "only the crossing test rules this out, and this run does without it"));
   }
 

@@ -237,6 +237,11 @@ void Panel::name_area(std::span<const Vec2> corners, std::string text, const Tex
   area_names_.push_back({to_page(corners), std::move(text), std::move(shorter), centered(style)});
 }
 
+void Panel::drop_labels() {
+  labels_.clear();
+  area_names_.clear();
+}
+
 // Points first: their names have the least choice.
 int Panel::place_labels() {
   std::vector<Box> taken = kept_clear_;
@@ -260,8 +265,7 @@ int Panel::place_labels() {
     else
       place_all(std::vector{Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap}});
   }
-  labels_.clear();
-  area_names_.clear();
+  drop_labels();
   return crowded;
 }
 
@@ -369,6 +373,12 @@ double Panel::cost_of_leader(const Label& label, const Box& box, std::span<const
 
 void Panel::avoid(const Obstacle& obstacle) {
   (2 * obstacle.radius < least_obstacle ? fine_lines_ : obstacles_).push_back(obstacle);
+}
+
+bool Panel::holds(const Vec2& point, double margin) const {
+  const Box within = frame_.grown(-margin);
+  const Vec2 at = view_.page(point);
+  return (at.array() >= within.min.array() && at.array() <= within.max.array()).all();
 }
 
 bool Panel::Obstacle::is_near(const Box& box, double clearance) const {

@@ -72,6 +72,8 @@ class Panel {
   /// none fits the first of them stands beside the area, with a thin line to its middle.
   void name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style,
                  std::vector<std::string> shorter = {});
+  /// Leaves out the names that were asked for so far.
+  void drop_labels();
   /// No label is to stand there. `box`: page units.
   void keep_clear(const Box& box) { kept_clear_.push_back(box); }
   /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
@@ -80,6 +82,8 @@ class Panel {
   int place_labels();
 
   const View& view() const { return view_; }
+  /// Returns: whether a point is in the frame, at least `margin` page units from its border.
+  bool holds(const Vec2& point, double margin) const;
   /// Returns: the four corners of the frame in scene units.
   std::vector<Vec2> corners() const;
 

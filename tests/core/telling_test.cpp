@@ -21,7 +21,7 @@ Simplex<double> random_simplex(Dice& dice, int size) {
 
 std::string skipped_because(const RegionTested<double>& region, bool tests_crossing) {
   if (region.feature == "A")
-    return tests_crossing ? "the move to A reached the origin or crossed it, so the origin is not beyond A"
+    return tests_crossing ? "were the origin beyond A, the move to A would not have reached it"
                           : "only the crossing test rules this out, and this run does without it";
   const std::string left = std::string("BCD").substr(0, std::size_t(region.simplex_size) - 1);
   return region.feature == left ? "the search has just moved away from " + left + ", toward the origin"
@@ -82,9 +82,11 @@ TEST_CASE("Why vertices are kept, and in this order, is told with them", "[telli
         std::map<std::string, std::set<std::string>>{
             {"the origin lies beyond this edge; A stays the newest",
              {"3: BA without C", "3: CA without B", "4: BA without DC", "4: CA without DB", "4: DA without CB"}},
-            {"A and B change places: the triangle's normal turns to the origin's side, where the next vertex will be",
+            {"A and B change places: the normal turns to the origin's side, so that those of the next faces will point "
+             "outward",
              {"3: CAB without "}},
-            {"listed in this order the face keeps its normal, which points to the origin and so to the next vertex",
+            {"in this order the face keeps its normal, toward the origin, so that those of the next faces will point "
+             "outward",
              {"4: BDA without C", "4: CBA without D", "4: DCA without B"}}});
 }
 

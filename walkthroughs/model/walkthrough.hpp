@@ -34,6 +34,7 @@ struct Panels {
   bool hull = true;       ///< the outline of the whole difference, behind the search
   bool algorithm = true;  ///< the pseudo-code that is running
   bool decision = true;   ///< in space: the plane in which a decision is plain
+  bool close_up = false;  ///< a magnified part around the origin; without it only where marks would cover each other
 };
 
 /// What the vertices of the difference are called.

@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 2> crossing_test{"on", "off"};
 inline constexpr auto rules = as_core_says<gjk::RuleSet, gjk::rule_sets.size()>();
 inline constexpr auto zero_test = as_core_says<gjk::ZeroTestKind, gjk::zero_tests.size()>();
 inline constexpr std::array<std::string_view, 2> scalar{"double", "float"};
-inline constexpr std::array<std::string_view, 4> panels{"objects", "hull", "algorithm", "decision"};
+inline constexpr std::array<std::string_view, 5> panels{"objects", "hull", "algorithm", "decision", "close-up"};
 inline constexpr std::array<std::string_view, 4> layout{"search", "close-ups", "in-step", "until-they-part"};
 inline constexpr std::array<std::string_view, 3> naming{"corners", "roles", "fixed"};
 inline constexpr std::array<std::string_view, 2> letters{"roles", "fixed"};

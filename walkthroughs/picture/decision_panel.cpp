@@ -22,8 +22,9 @@ using render::Vec2;
 using render::View;
 
 // Page units.
-constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, least_height = 24, wanted_height = 40;
-constexpr double right_angle_side = 9;
+constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, flat_margin = 46, least_height = 24,
+                 wanted_height = 40;
+constexpr double right_angle_side = 9, normal_length = 40;
 constexpr double narrow = 300, narrow_text = 0.8;  // a view that has no room for words
 constexpr double share_of_true_shape = 0.58;       // of the panel, where it decides
 constexpr double share_of_base = 0.34;             // of what is left behind, below the faces of a tetrahedron
@@ -47,8 +48,11 @@ class DecisionPicture {
         view_(view),
         shown_(shown),
         style_(shown.style),
+        in_plane_(shown.style),
         is_alone_(is_alone),
-        lens_{std::nullopt, view.plane} {}
+        lens_{std::nullopt, view.plane} {
+    in_plane_.arrow_length = normal_length;
+  }
 
   /// Chooses how much what decides is stretched: an origin that stands nearer to its plane than its mark is wide is told
   /// from one in the plane.
@@ -84,7 +88,10 @@ class DecisionPicture {
 
   View fit(const Bounds& box) const {
     const Box room = below_title(frame_);
-    const double across = frame_.width() < narrow ? narrow_margin : margin, upright = is_alone_ ? margin : low_margin;
+    const double across = frame_.width() < narrow ? narrow_margin : margin, upright = is_alone_ ? margin
+                                                                                      : view_.kind == Kind::true_shape
+                                                                                          ? flat_margin
+                                                                                          : low_margin;
     return View::fit(box.low, box.high, {room.min + Vec2(across, upright), room.max - Vec2(across, upright)},
                      std::numeric_limits<double>::infinity());
   }
@@ -92,7 +99,7 @@ class DecisionPicture {
   int draw(render::Canvas& canvas, const View& view) {
     draw_panel_title(canvas, frame_, title(), style_, key());
     render::Panel panel(canvas, below_title(frame_), view);
-    Pencil pencil(panel, lens_, style_);
+    Pencil pencil(panel, lens_, in_plane_);
     switch (view_.kind) {
       case Kind::crossing: crossing(pencil); break;
       case Kind::segment: segment(pencil); break;
@@ -104,9 +111,11 @@ class DecisionPicture {
     const int crowded = panel.place_labels();
     if (inset)
       draw_inset(canvas, *inset, view, style_, [this](render::Panel& magnified) {
-        Pencil fine(magnified, lens_, style_);
+        Pencil fine(magnified, lens_, in_plane_);
         regions(fine);
         edges(magnified);
+        magnified.drop_labels();
+        vertices(fine);
         mark_origin(magnified);
       });
     return crowded;
@@ -141,7 +150,7 @@ class DecisionPicture {
     std::vector<Segment> edges;
     for (std::size_t i = 0; i < view_.face.size(); ++i)
       edges.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
-    return inset_of(at_origin(), edges, edges, below_title(frame_), view);
+    return inset_of(at_origin(), edges, edges, below_title(frame_), view, shown_.telling.panels.close_up);
   }
 
   void regions(Pencil& pencil) {
@@ -180,7 +189,7 @@ class DecisionPicture {
       case Kind::crossing:
         return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", d ↔", lens_.plane.stretch.x());
       case Kind::segment: return "plane of " + face + " and O";
-      case Kind::true_shape: return face + ", true shape";
+      case Kind::true_shape: return face + ", true shape, down " + shown_.names.translate(view_.face + "n");
       case Kind::edge_on:
         if (is_left_behind()) return face + " edge-on: left behind" + stretched(", heights ↕", lens_.plane.stretch.y());
         return face + (frame_.width() < narrow ? stretched(", ↕", lens_.plane.stretch.y())
@@ -204,10 +213,8 @@ class DecisionPicture {
   void vertices(Pencil& pencil) {
     render::Panel& panel = pencil.panel();
     const Vec2 middle = middle_of(corners());
-    const Box page = below_title(frame_).grown(-style_.point_radius - 7);
     for (const char role : has_fourth() ? view_.face + fourth(view_.face) : view_.face) {
-      const Vec2 place = panel.view().page(at(role));
-      if ((place.array() < page.min.array() || place.array() > page.max.array()).any()) continue;  // stretched too far
+      if (!panel.holds(at(role), style_.point_radius + 7)) continue;  // stretched too far
       panel.disc(at(role), style_.point_radius + 2, style_.theme.paper);
       if (is_dropped(role))
         pencil.cross(at(role), dropped_arm);
@@ -261,7 +268,8 @@ class DecisionPicture {
 
   /// What is looked at, through this view's plane.
   Shown with_lens() const {
-    return {shown_.telling, shown_.stage, shown_.now, shown_.names, shown_.focus, lens_, style_, shown_.values, false};
+    return {shown_.telling, shown_.stage, shown_.now,    shown_.names, shown_.focus,
+            lens_,          in_plane_,    shown_.values, false};
   }
 
   void edge_on(Pencil& pencil) {
@@ -310,9 +318,9 @@ class DecisionPicture {
     const Region* const found = test_of(shown_.now, view_.face);
     if (!found) return;
     const char* const where = view_.height > 0 ? ", above" : view_.height < 0 ? ", below" : ", in the plane";
-    const bool is_right = at.x() > middle_of(corners()).x();
-    panel.label((at + foot) / 2, {is_right ? -1.0 : 1.0, 0}, inequality_of(*found, shown_.names) + where,
-                style_.small_label(), 12);
+    const std::string product = inequality_of(*found, shown_.names);
+    panel.name_area(half(panel.corners(), Vec2::Zero(), {0, view_.height < 0 ? -1.0 : 1.0}), product + where,
+                    style_.small_label(), {product});
   }
 
   /// On the line, away from the drop.
@@ -368,13 +376,14 @@ class DecisionPicture {
   void difference(render::Panel& panel) {
     const std::vector<Vec2> shadow = outline_of_difference(shown_.telling.scene, shown_.stage.difference, lens_);
     panel.polygon(shadow, style_.hull_fill);
-    panel.name_area(shadow, "a − b", style_.label(style_.theme.grey), {""});
+    panel.name_area(shadow, "shadow of a − b", style_.small_label(), {""});
   }
 
   const Box frame_;
   const DecisionView& view_;
   const Shown& shown_;
   const Style& style_;
+  Style in_plane_;       ///< of edges and their normals, for which there is little room
   const bool is_alone_;  ///< no other view stands above or below
   Lens lens_;
 };

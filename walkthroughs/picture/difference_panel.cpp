@@ -91,6 +91,9 @@ class DifferencePicture {
     segments();
     vertices();
     panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+    panel_.drop_labels();
+    for (const Point& corner : points_of(now_.simplex))
+      if (panel_.holds(pencil_.at(corner), style_.point_radius)) name(corner);
   }
 
   void origin() {
@@ -310,7 +313,7 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
     asked = {{P, P + Vec2(-d.y(), d.x())}};
     shape.emplace_back(P, O);
   }
-  return inset_of(O, asked, shape, below_title(frame), view);
+  return inset_of(O, asked, shape, below_title(frame), view, shown.telling.panels.close_up);
 }
 
 }  // namespace
@@ -319,14 +322,15 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   const Style& style = shown.style;
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
+  const bool is_skipping = focus == Focus::region && shown.now.processed.size() > 1;
   draw_panel_title(canvas, place.frame, place.title, style,
                    shown.regions_beside
                        ? key_beside(shown)
                        : std::vector{key_of_newest(style),
                                      key_of_line("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
-                                     looking                  ? key_beyond(shown)
-                                     : focus == Focus::region ? key_of_skipped(style)
-                                                              : key_of_line("earlier", style.former)});
+                                     looking       ? key_beyond(shown)
+                                     : is_skipping ? key_of_skipped(style)
+                                                   : key_of_line("earlier", style.former)});
   if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
   render::Panel panel(canvas, below_title(place.frame), place.view);
   DifferencePicture picture(panel, shown);

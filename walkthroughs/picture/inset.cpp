@@ -17,6 +17,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Page units.
 constexpr double least_distance = 18, wanted_distance = 19;
 constexpr double rounding = 1e-12;                            // of that: less is rounding of the picture
+constexpr double least_apart = 14, wanted_apart = 30;         // of two vertices
+constexpr double in_sight = 36, least_factor = 2;             // of the nearest line, where an inset is wanted
 constexpr double gap = 8, circle_radius = 14, widest = 0.45;  // the last in parts of the room
 const Vec2 size_of_frame(120, 92), place_of_factor(6, 20);
 
@@ -58,11 +60,21 @@ std::string words_of_factor(double factor) {
 }
 
 std::optional<Inset> inset_of(const Vec2& at, const std::vector<Segment>& lines, const std::vector<Segment>& shape,
-                              const Box& room, const View& view) {
+                              const Box& room, const View& view, bool is_wanted) {
+  const auto around = [&](const Vec2& middle, double factor) {
+    return Inset{middle, best_corner(middle, shape, room.grown(-gap), view), factor};
+  };
   double distance = infinity;
   for (const Segment& line : lines) distance = std::min(distance, distance_to_line(at, line) * view.scale());
-  if (!(distance > rounding * least_distance) || distance >= least_distance) return std::nullopt;
-  return Inset{at, best_corner(at, shape, room.grown(-gap), view), round_factor(wanted_distance / distance)};
+  if (distance > rounding * least_distance && distance < least_distance)
+    return around(at, round_factor(wanted_distance / distance));
+  for (const Segment& line : lines) {
+    const double apart = (line.second - line.first).norm() * view.scale();
+    if (apart > rounding * least_apart && apart < least_apart)
+      return around((line.first + line.second) / 2, round_factor(wanted_apart / apart));
+  }
+  if (!is_wanted || !(distance > rounding * least_distance) || distance == infinity) return std::nullopt;
+  return around(at, std::max(least_factor, std::exp2(std::floor(std::log2(in_sight / distance)))));
 }
 
 void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, const Style& style,
@@ -74,11 +86,14 @@ void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, co
     const View fitted = View::fit(inset.at, inset.at, inset.frame, infinity);
     render::Panel panel(canvas, inset.frame, fitted.with_scale(view.scale() * inset.factor));
     draw(panel);
+    panel.place_labels();
   }
   const Vec2 low = inset.frame.min, high = inset.frame.max;
   const Vec2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
   canvas.outline(corners, line);
-  canvas.text(low + place_of_factor, words_of_factor(inset.factor), style.small_label());
+  const std::string factor = words_of_factor(inset.factor);
+  canvas.rectangle(canvas.ink_box(low + place_of_factor, factor, style.small_label()).grown(2), style.theme.paper);
+  canvas.text(low + place_of_factor, factor, style.small_label());
 }
 
 }  // namespace walkthroughs

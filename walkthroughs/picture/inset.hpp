@@ -23,10 +23,13 @@ struct Inset {
 double round_factor(double factor);
 std::string words_of_factor(double factor);
 
-/// Returns: an inset that shows `at` where its mark covers which side of one of `lines` (longer both ways) it is on; in the corner
-/// of `room` that is farthest from it and from `shape`. Nothing where it stands plainly on one side, or on the line.
+/// Returns: an inset that shows `at` where its mark covers which side of one of `lines` (longer both ways) it is on; else
+/// two ends of `lines` whose marks cover each other; else, where it `is_wanted`, `at` as large as the nearest line allows.
+/// Nothing where all stand plainly apart, or in one place. It stands in the corner of `room` that is farthest from what it
+/// shows and from `shape`.
 std::optional<Inset> inset_of(const render::Vec2& at, const std::vector<Segment>& lines,
-                              const std::vector<Segment>& shape, const render::Box& room, const render::View& view);
+                              const std::vector<Segment>& shape, const render::Box& room, const render::View& view,
+                              bool is_wanted);
 
 /// Draws it over what is there, and a thin circle around what it shows. `draw`: what it shows.
 void draw_inset(render::Canvas& canvas, const Inset& inset, const render::View& view, const Style& style,

@@ -46,6 +46,7 @@ class Captions {
       : walkthrough_(story.walkthrough),
         remarks_(story.remarks),
         scene_(telling.scene),
+        trace_(telling.trace),
         hull_(telling.hull),
         now_(now),
         names_(walkthrough_.naming, hull_, now) {}
@@ -58,7 +59,9 @@ class Captions {
     Frame frame = frame_about(Focus::support, along + " the farthest point of the difference is " + name +
                                                   (event.is_new ? "" : " again, so there is no new point"));
     if (walkthrough_.naming == Naming::roles && !event.is_new)
-      frame = frame_about(Focus::support, along + " the farthest point, P, is one that was found before");
+      frame =
+          frame_about(Focus::support, along + " the farthest point, P, is one that was found before, in iteration " +
+                                          std::to_string(iteration_that_found(event.vertex.w)));
     const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
     frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
                    {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
@@ -85,22 +88,53 @@ class Captions {
                        {{Mark::yes, value + " > 0: the origin was crossed"}});
   }
 
-  /// Returns: "ACD and ADB": the faces that Algorithm 5 has not come to, because one before them has decided.
-  std::string faces_not_asked() const {
-    std::string faces;
-    if (now_.processed.size() == 4)
-      for (const char* const face : {"ACD", "ADB"})
-        if (!test_of(now_, face)) faces += (faces.empty() ? "" : " and ") + names_.sorted(face);
-    return faces;
+  /// Whether what is left stands in the order in which it stood.
+  static bool is_by_age(const gjk::SimplexReduced<double>& event) {
+    int at = 0;
+    for (int i = 0; i < event.after.size(); ++i, ++at) {
+      while (at < event.before.size() && event.before[at].w != event.after[i].w) ++at;
+      if (at == event.before.size()) return false;
+    }
+    return true;
   }
 
-  /// Returns: "; the letters move on: A becomes B, D becomes C"; nothing where all stay.
-  std::string renamed() const {
-    std::string text;
-    for (int i = now_.simplex.size() - 1; i >= 0; --i)
-      if (const std::string old = names_.before(now_.simplex[i].w); !old.empty())
-        text += (text.empty() ? "" : ", ") + old + " becomes " + names_.of(now_.simplex[i].w);
-    return text.empty() ? "" : "; the letters move on: " + text;
+  /// Returns: what Algorithms 4 and 5 have not come to, because what stands before it has decided, and why it need not be.
+  std::string not_asked() const {
+    const gjk::RegionTested<double>& last = now_.regions.back();
+    if (last.label == "R3") return "not asked: R7: one edge beyond which the origin lies is enough to go on from";
+    if (now_.processed.size() != 4) return "";
+    std::string edges, faces;
+    for (const std::string edge : {"AB", "AC", "AD"})
+      if (std::ranges::count(now_.regions, edge, &gjk::RegionTested<double>::feature) == 0)
+        edges += (edges.empty() ? "" : ", ") + names_.sorted(edge);
+    for (const std::string face : {"ACD", "ADB"}) {
+      if (test_of(now_, face)) continue;
+      faces += (faces.empty() ? "" : ", ") + names_.sorted(face) +
+               (height_of_origin(now_, face) > 0 ? " (which sees the origin, too)" : "");
+    }
+    if (edges.empty() && faces.empty()) return "";
+    const std::string text = "not asked: " + edges + (edges.empty() || faces.empty() ? "" : ", ") + faces;
+    if (faces.empty()) return text + ": an edge is asked with a face that sees the origin, and the first is enough";
+    return text + ": the first is enough to go on from, and a vertex that is dropped is found again where it is needed";
+  }
+
+  /// Returns: "[D, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C"; where no letter moves only the list.
+  std::string lettered_anew() const {
+    std::string list, moves;
+    for (int i = 0; i + 1 < now_.simplex.size(); ++i) {
+      const std::string now = names_.of(now_.simplex[i].w), before = names_.before(now_.simplex[i].w);
+      list += (list.empty() ? "" : ", ") + (before.empty() ? now : before);
+      if (!before.empty()) moves = before + " becomes " + now + (moves.empty() ? "" : ", ") + moves;
+    }
+    const std::string simplex = names_.list(now_.simplex);
+    return moves.empty() ? "the simplex is " + simplex : "[" + list + "] and P are now " + simplex + ": " + moves;
+  }
+
+  int iteration_that_found(const Point& w) const {
+    for (const auto& event : trace_.events)
+      if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event); found && found->vertex.w == w)
+        return found->iteration;
+    return now_.iteration;
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
@@ -119,7 +153,7 @@ class Captions {
     return frame_about(Focus::added,
                        walkthrough_.naming == Naming::roles ? "P joins the simplex as its newest vertex, A"
                                                             : newest + " joins the simplex as its newest vertex",
-                       {{Mark::none, "the simplex is " + names_.list(event.simplex) + ", oldest first" + renamed()}});
+                       {{Mark::none, lettered_anew()}});
   }
 
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
@@ -129,6 +163,11 @@ class Captions {
       frame.facts.push_back({Mark::none, names_.translate(event.expression.substr(0, event.expression.find("·")) +
                                                           " = " + event.formula) +
                                              " = " + vector(*event.normal, Dimension::space)});
+    if (event.simplex_size == 1 && walkthrough_.naming == Naming::roles)
+      frame.facts.push_back({Mark::none, "P is the first vertex of the simplex, and called A there"});
+    if (event.label == "R3 or R4")
+      frame.facts.push_back({Mark::none, names_.translate(event.expression) +
+                                             " points toward the origin in both, so they need not be told apart"});
     append_skipped(frame.facts);
     return frame;
   }
@@ -136,11 +175,12 @@ class Captions {
   std::optional<Frame> operator()(const gjk::SimplexReduced<double>& event) const {
     Frame frame = frame_about(Focus::reduction, event.dropped.empty() ? "The simplex stays, but its order changes"
                                                                       : dropped_caption(event.dropped));
-    frame.facts = {{Mark::none, names_.list(event.before) + " becomes " + names_.list(event.after) + " (oldest first)"},
+    frame.facts = {{Mark::none,
+                    names_.list(event.before) + " becomes " + names_.list(event.after) +
+                        (is_by_age(event) ? ", oldest first"
+                                          : ", no longer by age: " + names_.of(gjk::Role::A) + " is still the newest")},
                    {Mark::none, names_.translate(event.why)}};
-    if (const std::string faces = faces_not_asked(); !faces.empty())
-      frame.facts.push_back({Mark::none, "the first face that sees the origin decides, so " + faces +
-                                             " need not be asked; a vertex that is dropped may be found again"});
+    if (const std::string rest = not_asked(); !rest.empty()) frame.facts.push_back({Mark::none, rest});
     return frame;
   }
 
@@ -194,7 +234,7 @@ class Captions {
     if (scene_.options.crossing_test == gjk::CrossingTest::off) return "this run does without the crossing test";
     return gjk::first_point(scene_.rules) == gjk::FirstPoint::tested
                ? "these rules apply the crossing test to the first point, too"
-               : "the crossing test does not apply to the first point";
+               : "the crossing test is of moves, and none has led to the first point; the rules 'eager' test it, too";
   }
 
   bool without_crossing_test() const { return now_.crossing && now_.crossing->verdict == Crossing::switched_off; }
@@ -305,6 +345,7 @@ class Captions {
   const Walkthrough& walkthrough_;
   const std::vector<Remark>& remarks_;
   const Scene& scene_;
+  const Trace& trace_;
   const LabelledHull& hull_;
   const Moment& now_;
   const Names names_;

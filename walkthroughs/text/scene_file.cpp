@@ -164,7 +164,8 @@ std::string_view example_scene() {
   "zero_test": "exact",    // "relative": products that rounding may have made count as zero
   "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
 
-  // What is shown beside the search. What is left out is not computed.
+  // What is shown beside the search. What is left out is not computed. "close-up" magnifies what is around the origin
+  // in all pictures of tests; without it only where marks would cover each other.
   "panels": ["objects", "hull", "algorithm", "decision"],
   "letters": "roles",  // A is always the newest vertex; "fixed": each keeps its letter for the whole search
   "size": "1280x720"       // or [1280, 720]; pixels
@@ -181,6 +182,7 @@ std::string summary(const SceneFile& file) {
   if (walkthrough.panels.hull) panels += ", hull";
   if (walkthrough.panels.algorithm) panels += ", algorithm";
   if (walkthrough.panels.decision && scene.dimension == Dimension::space) panels += ", decision";
+  if (walkthrough.panels.close_up) panels += ", close-up";
   return "'" + walkthrough.title + "', " + (scene.dimension == Dimension::plane ? "plane" : "space") + ", " +
          object(scene.a) + " and " + object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
          (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") + ", panels: search" + panels;

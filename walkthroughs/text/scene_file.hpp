@@ -12,7 +12,8 @@
 ///     rules            "as-intended", "as-printed", "eager" (core/rule_sets.hpp)                       "as-intended"
 ///     zero_test        "exact", "relative" (core/zero_test.hpp)                                        "exact"
 ///     scalar           "double", "float"; numbers are rounded to the nearest float and computed with    "double"
-///     panels           those of "objects", "hull", "algorithm", "decision" to show beside the search   all four
+///     panels           those of "objects", "hull", "algorithm", "decision" to show beside the search,   these four
+///                      and "close-up", which magnifies what is around the origin
 ///     letters          "roles" (A is always the newest vertex), "fixed" (each keeps its own)           "roles"
 ///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
 ///

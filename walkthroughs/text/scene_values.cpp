@@ -100,10 +100,10 @@ void expect_positive_float(const Value& value, double x) {
 }  // namespace
 
 Panels panels_in(const Value& list) {
-  expect(list, Kind::list, "a list out of 'objects', 'hull', 'algorithm' and 'decision'");
+  expect(list, Kind::list, "a list out of 'objects', 'hull', 'algorithm', 'decision' and 'close-up'");
   Panels panels{.objects = false, .hull = false, .algorithm = false, .decision = false};
   for (const Value& each : list.children()) {
-    bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm, &panels.decision};
+    bool* const all[] = {&panels.objects, &panels.hull, &panels.algorithm, &panels.decision, &panels.close_up};
     bool& panel = *all[choice(each, words_of::panels)];
     if (panel) each.fail("'" + each.text() + "' appears twice; name it once");
     panel = true;

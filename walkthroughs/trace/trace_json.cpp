@@ -73,7 +73,7 @@ Json json(const Scene& scene) {
 // -- What the pictures need -------------------------------------------------------------------------------------------
 
 Json json(const Panels& panels) {
-  const bool shown[] = {panels.objects, panels.hull, panels.algorithm, panels.decision};
+  const bool shown[] = {panels.objects, panels.hull, panels.algorithm, panels.decision, panels.close_up};
   Json list = Json::array();
   for (std::size_t i = 0; i < words_of::panels.size(); ++i)
     if (shown[i]) list.push_back(words_of::panels[i]);

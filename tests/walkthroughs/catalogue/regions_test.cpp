@@ -166,7 +166,7 @@ constexpr const char* left_BC = "the search has just moved away from BC, toward 
 constexpr const char* left_BCD = "the search has just moved away from BCD, toward the origin";
 constexpr const char* kept_BC = "ruled out when the search kept BC";
 constexpr const char* kept_BCD = "ruled out when the search kept BCD";
-constexpr const char* crossed = "the move to A reached the origin or crossed it, so the origin is not beyond A";
+constexpr const char* crossed = "were the origin beyond A, the move to A would not have reached it";
 
 bool side_of_1_simplex(const Run& run, const std::string& side) {
   const Iteration& at = run.at(2);

@@ -10,6 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
@@ -88,7 +89,8 @@ std::string corners_held(const Story& story, const Frame& frame) {
 /// Returns: the roles in the simplex that is being processed, and P from when a point is found until it has been added.
 std::string roles_held(const Frame& frame) {
   const Moment& now = frame.moments[0];
-  const bool has_P = (now.found && !now.added) || frame.focus == Focus::added;
+  const bool becomes_A = frame.focus == Focus::added || (frame.focus == Focus::region && now.processed.size() == 1);
+  const bool has_P = (now.found && !now.added) || becomes_A;
   return std::string("ABCD").substr(0, static_cast<std::size_t>(now.processed.size())) + (has_P ? "P" : "");
 }
 
@@ -224,36 +226,84 @@ TEST_CASE("Every region that is skipped is told with its reason, in each frame o
 
 TEST_CASE("Figure 4, left, in the letters of the picture") {
   const Story story = tell(walkthrough("figure-4-left"));
-  CHECK(facts(story.frames.at(0)) == Facts{"d = (1, 0); A·d = 3.75, then G·d = 3.5",
-                                           "A = a − b = (2.25, 1.75) − (−1.5, −1.5) = (3.75, 3.25)",
-                                           "the crossing test does not apply to the first point"});
+  CHECK(facts(story.frames.at(0)) ==
+        Facts{"d = (1, 0); A·d = 3.75, then G·d = 3.5", "A = a − b = (2.25, 1.75) − (−1.5, −1.5) = (3.75, 3.25)",
+              "the crossing test is of moves, and none has led to the first point; the rules 'eager' test it, too"});
   CHECK(facts(frame(story, "The move to E crossed the origin, so the search goes on.")) ==
         Facts{"✓ E·d = 4.375 > 0: the origin was crossed"});
   CHECK(facts(frame(story, "The origin lies to one side of segment AE.")) ==
         Facts{"✓ R3 or R4: EA×EO×EA = (24, −72) ≠ 0",
+              "EA×EO×EA points toward the origin in both, so they need not be told apart",
               "skipped R1: the search has just moved away from A, toward the origin",
-              "skipped R2: the move to E reached the origin or crossed it, so the origin is not beyond E"});
+              "skipped R2: were the origin beyond E, the move to E would not have reached it"});
   CHECK(facts(frame(story, "The origin lies beyond edge EG.")) ==
         Facts{"✓ R3: GE_n·GO = 71.5 > 0", "GE_n = GE×GEA_n = (−38.5, −126.5, 0)",
               "skipped R4, R6: ruled out when the search kept EA",
               "skipped R5: the search has just moved away from EA, toward the origin",
-              "skipped R2: the move to G reached the origin or crossed it, so the origin is not beyond G"});
+              "skipped R2: were the origin beyond G, the move to G would not have reached it"});
   CHECK(facts(frame(story, "A is no longer needed and leaves the simplex.")) ==
-        Facts{"[A, E, G] becomes [E, G] (oldest first)", "the origin lies beyond this edge; G stays the newest"});
+        Facts{"[A, E, G] becomes [E, G], oldest first", "the origin lies beyond this edge; G stays the newest",
+              "not asked: R7: one edge beyond which the origin lies is enough to go on from"});
   CHECK(facts(frame(story, "The next search goes from segment EG toward the origin.")) ==
         Facts{"d = GE×GO×GE = (−5.6875, −18.6875)"});
   CHECK(facts(frame(story, "The origin does not lie beyond edge EF.")) ==
         Facts{"✗ R7: FE_n·FO = −20.25 ≤ 0", "FE_n = FGE_n×FE = (−20.25, −20.25, 0)",
               "skipped R4, R6: ruled out when the search kept GE",
               "skipped R5: the search has just moved away from GE, toward the origin",
-              "skipped R2: the move to F reached the origin or crossed it, so the origin is not beyond F"});
+              "skipped R2: were the origin beyond F, the move to F would not have reached it"});
   CHECK(facts(frame(story, "The origin lies in triangle EFG.")) ==
         Facts{"✓ R1: FGE_n·FO = 0", "FGE_n = FG×FE = (0, 0, 9)", "skipped R4, R6: ruled out when the search kept GE",
               "skipped R5: the search has just moved away from GE, toward the origin",
-              "skipped R2: the move to F reached the origin or crossed it, so the origin is not beyond F"});
+              "skipped R2: were the origin beyond F, the move to F would not have reached it"});
   CHECK(facts(frame(story, "The origin lies in triangle EFG, so the objects intersect.")) ==
         Facts{"answer: intersecting after 4 iterations", "R3: FG_n·FO = −31.5 ≤ 0", "R7: FE_n·FO = −20.25 ≤ 0",
               "R1: FGE_n·FO = 0"});
+}
+
+TEST_CASE("What has not been asked is told with what is dropped, and why it need not be") {
+  const auto last_fact = [](const std::string& name) {
+    const Story story = tell(walkthrough("regions/3-simplex-" + name));
+    std::string said;
+    for (const Frame& each : story.frames)
+      if (each.focus == Focus::reduction && each.moments[0].processed.size() == 4 && said.empty())
+        said = each.facts.back().text;
+    return said.substr(0, said.find(':', 11));
+  };
+  CHECK(last_fact("face-abc") == "not asked: AD, ACD, ADB");
+  CHECK(last_fact("face-abc-edge-ab") == "not asked: AD, ACD, ADB (which sees the origin, too)");
+  CHECK(last_fact("face-abc-edge-ac") == "not asked: AB, AD, ACD (which sees the origin, too), ADB");
+  CHECK(last_fact("face-acd") == "not asked: AB, ADB");
+  CHECK(last_fact("face-acd-edge-ad") == "not asked: AB, AC, ADB (which sees the origin, too)");
+  CHECK(last_fact("face-adb") == "not asked: AC");
+  CHECK(last_fact("face-adb-edge-ab") == "not asked: AC, AD");
+}
+
+TEST_CASE("A face that would have seen the origin, too, is told so") {
+  int too = 0, alone = 0;
+  for (const Walkthrough& w : catalogue()) {
+    if (w.layout != Layout::search || w.naming != Naming::roles) continue;
+    const Story story = tell(w);
+    for (const Frame& each : story.frames) {
+      const Moment& now = each.moments[0];
+      if (each.focus != Focus::reduction || now.processed.size() != 4 || now.regions.empty()) continue;
+      bool sees_too = false;
+      for (const std::string face : {"ACD", "ADB"})
+        if (!test_of(now, face)) sees_too = sees_too || height_of_origin(now, face) > 0;
+      INFO(w.name);
+      const bool is_told = each.facts.back().text.find("(which sees the origin, too)") != std::string::npos;
+      CHECK(is_told == sees_too);
+      ++(sees_too ? too : alone);
+    }
+  }
+  CHECK(too > 0);
+  CHECK(alone > 5);
+}
+
+TEST_CASE("A list that is not by age any more is not called so") {
+  const Story story = tell(walkthrough("regions/2-simplex-r1-below"));
+  for (const Frame& each : story.frames)
+    if (each.caption.starts_with("The simplex stays"))
+      CHECK(each.facts[0].text == "[C, B, A] becomes [C, A, B], no longer by age: A is still the newest");
 }
 
 TEST_CASE("Figure 4, right, says where the two tellings part") {
@@ -337,9 +387,9 @@ TEST_CASE("The origin beyond the other edge of a triangle is told as R7, and the
         Facts{"✓ R7: BA_n·BO = 19 > 0", "BA_n = BCA_n×BA = (95, 19, 0)",
               "skipped R4, R6: ruled out when the search kept CA",
               "skipped R5: the search has just moved away from CA, toward the origin",
-              "skipped R2: the move to B reached the origin or crossed it, so the origin is not beyond B"});
+              "skipped R2: were the origin beyond B, the move to B would not have reached it"});
   CHECK(frame(story, "C is no longer needed and leaves the simplex.").facts.at(0).text ==
-        "[A, C, B] becomes [A, B] (oldest first)");
+        "[A, C, B] becomes [A, B], oldest first");
   CHECK(facts(frame(story, "The next search goes from segment AB toward the origin.")) ==
         Facts{"d = BA×BO×BA = (5, 1)"});
 }

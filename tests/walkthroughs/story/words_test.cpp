@@ -268,8 +268,7 @@ TEST_CASE("Where roles move on, what a vertex was called before is told") {
     CHECK(story.names(i, 0).before(story.frames[i].moments[0].simplex.point(gjk::Role::A)).empty());
   }
   REQUIRE(said.size() == 3);
-  CHECK(said[0] == "the simplex is [B, A], oldest first; the letters move on: A becomes B");
-  CHECK(said[1] == "the simplex is [C, B, A], oldest first; the letters move on: A becomes B, B becomes C");
-  CHECK(said[2] ==
-        "the simplex is [D, C, B, A], oldest first; the letters move on: A becomes B, B becomes C, C becomes D");
+  CHECK(said[0] == "[A] and P are now [B, A]: A becomes B");
+  CHECK(said[1] == "[B, A] and P are now [C, B, A]: A becomes B, B becomes C");
+  CHECK(said[2] == "[C, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C, C becomes D");
 }
