@@ -8,6 +8,7 @@
 #include "walkthroughs/picture/algorithm_panel.hpp"
 #include "walkthroughs/picture/decision_panel.hpp"
 #include "walkthroughs/picture/difference_panel.hpp"
+#include "walkthroughs/picture/footer.hpp"
 #include "walkthroughs/picture/objects_panel.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/storyboard.hpp"
@@ -27,8 +28,7 @@ constexpr double left_margin = 40, right_margin = 1240, panel_gap = 14;
 constexpr double panels_top = 72, panels_height = 448, margin_without_text = 20;
 constexpr double objects_width = 300, algorithm_width = 372;
 constexpr double share_of_space = 0.4, decision_margin = 34;
-constexpr double text_left = 250, mark_width = 34;
-constexpr double first_line = 556, line_pitch = 30, small_pitch = 26, last_line = 714;
+constexpr double line_pitch = 30;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double most_page_units =
     1e12;  // from the zero of a scene to its points, so that these are placed to a thousandth
@@ -74,69 +74,6 @@ void draw_header(Canvas& canvas, const Walkthrough& walkthrough, const Style& st
   source.align = render::Align::right;
   if (canvas.text_box({right_margin, 48}, walkthrough.source, source).min.x() > left_margin + width + panel_gap)
     canvas.text({right_margin, 48}, walkthrough.source, source);
-}
-
-void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark, const Style& style) {
-  TextStyle text{.size = 24, .weight = render::Weight::bold};
-  text.color = mark == Fact::Mark::yes ? style.theme.green : style.theme.vermillion;
-  if (mark == Fact::Mark::yes) canvas.text(at, "✓", text);
-  if (mark == Fact::Mark::no) canvas.text(at, "✗", text);
-  if (mark == Fact::Mark::truth) canvas.text(at, "≠", text);
-}
-
-/// Lines below each other, as far as the page goes.
-class Column {
- public:
-  Column(Canvas& canvas, double left, double right) : canvas_(canvas), left_(left), right_(right) {}
-
-  void write(const std::string& text, const TextStyle& style, double indent, double pitch) {
-    for (const std::string& line : render::wrap(canvas_, text, style, right_ - left_ - indent)) {
-      if (baseline_ > last_line) return;
-      canvas_.text({left_ + indent, baseline_}, line, style);
-      baseline_ += pitch;
-    }
-  }
-  Vec2 next() const { return {left_, baseline_}; }
-  bool is_full() const { return baseline_ > last_line; }
-
- private:
-  Canvas& canvas_;
-  double left_, right_, baseline_ = first_line;
-};
-
-void draw_facts(Canvas& canvas, Column& column, const Frame& frame, const Style& style) {
-  for (const Fact& fact : frame.facts) {
-    if (column.is_full()) return;
-    draw_mark(canvas, column.next(), fact.mark, style);
-    TextStyle text = style.fact;
-    if (fact.mark == Fact::Mark::answer || fact.mark == Fact::Mark::truth) text.weight = render::Weight::bold;
-    if (fact.mark == Fact::Mark::skipped)
-      column.write("skipped " + fact.text, style.skipped, mark_width, small_pitch);
-    else
-      column.write(fact.text, text, mark_width, line_pitch);
-  }
-}
-
-/// "step n of N", the caption, and the numbers that decide.
-void draw_footer(Canvas& canvas, const StagedStory& story, std::size_t index, const Style& style) {
-  const Frame& frame = story.frames[index];
-  Column progress(canvas, left_margin, text_left - panel_gap);
-  TextStyle bold{.size = 24, .weight = render::Weight::bold, .color = style.theme.ink};
-  progress.write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold, 0,
-                 line_pitch);
-  if (!frame.moments.empty()) {
-    const bool in_float = story.tellings[0].scene.scalar == Scalar::binary32;
-    progress.write("iteration " + std::to_string(frame.moments[0].iteration) + (in_float ? ", in float" : ""),
-                   style.small, 0, line_pitch);
-    if (frame.moments.size() == 1) {
-      const Simplex& simplex = frame.moments[0].simplex;
-      progress.write(simplex.size() == 0 ? "no simplex yet" : "simplex " + story.names(index, 0).list(simplex),
-                     style.small, 0, line_pitch);
-    }
-  }
-  Column text(canvas, text_left, right_margin);
-  text.write(frame.caption, style.caption, 0, line_pitch);
-  draw_facts(canvas, text, frame, style);
 }
 
 // -- One scene --------------------------------------------------------------------------------------------------------
@@ -349,18 +286,25 @@ render::Size page_of_frame(Text text) {
   return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
 }
 
-int draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
-  const double top = look.text == Text::around ? panels_top : margin_without_text;
-  if (look.text == Text::around) {
-    draw_header(canvas, story.walkthrough, look.style);
-    draw_footer(canvas, story, index, look.style);
-  }
+namespace {
+
+int draw_panels(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
   switch (story.walkthrough.layout) {
     case Layout::search: return draw_search(canvas, story, index, top, look);
     case Layout::diagrams:
       return story.diagrams[index].draw(canvas, panel_box(left_margin, right_margin, top), look.style);
     default: return draw_pair(canvas, story, index, top, look);
   }
+}
+
+}  // namespace
+
+int draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
+  if (look.text != Text::around) return draw_panels(canvas, story, index, margin_without_text, look);
+  draw_header(canvas, story.walkthrough, look.style);
+  const Box below{{left_margin, panels_top + panels_height}, {right_margin, frame_page.height}};
+  const int left_out = draw_footer(canvas, below, story, index, look.style);
+  return draw_panels(canvas, story, index, panels_top, look) + left_out;
 }
 
 render::Size strip_page(const StagedStory& story) {

@@ -31,7 +31,9 @@ inline constexpr render::Size frame_page{1280, 720};
 /// Returns: the page of a frame; without text it is as wide and less high.
 render::Size page_of_frame(Text text);
 
-/// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper; index < story.frames.size().
+/// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper;
+/// index < story.frames.size().
+/// Returns: how many labels could not be kept clear of others, and how many lines of text there was no room for.
 int draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
 
 /// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
