@@ -88,55 +88,6 @@ class Captions {
                        {{Mark::yes, value + " > 0: the origin was crossed"}});
   }
 
-  /// Whether what is left stands in the order in which it stood.
-  static bool is_by_age(const gjk::SimplexReduced<double>& event) {
-    int at = 0;
-    for (int i = 0; i < event.after.size(); ++i, ++at) {
-      while (at < event.before.size() && event.before[at].w != event.after[i].w) ++at;
-      if (at == event.before.size()) return false;
-    }
-    return true;
-  }
-
-  /// Returns: what Algorithms 4 and 5 have not come to, because what stands before it has decided, and why it need not be.
-  std::string not_asked() const {
-    const gjk::RegionTested<double>& last = now_.regions.back();
-    if (last.label == "R3") return "not asked: R7: one edge beyond which the origin lies is enough to go on from";
-    if (now_.processed.size() != 4) return "";
-    std::string edges, faces;
-    for (const std::string edge : {"AB", "AC", "AD"})
-      if (std::ranges::count(now_.regions, edge, &gjk::RegionTested<double>::feature) == 0)
-        edges += (edges.empty() ? "" : ", ") + names_.sorted(edge);
-    for (const std::string face : {"ACD", "ADB"}) {
-      if (test_of(now_, face)) continue;
-      faces += (faces.empty() ? "" : ", ") + names_.sorted(face) +
-               (height_of_origin(now_, face) > 0 ? " (which sees the origin, too)" : "");
-    }
-    if (edges.empty() && faces.empty()) return "";
-    const std::string text = "not asked: " + edges + (edges.empty() || faces.empty() ? "" : ", ") + faces;
-    if (faces.empty()) return text + ": an edge is asked with a face that sees the origin, and the first is enough";
-    return text + ": the first is enough to go on from, and a vertex that is dropped is found again where it is needed";
-  }
-
-  /// Returns: "[D, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C"; where no letter moves only the list.
-  std::string lettered_anew() const {
-    std::string list, moves;
-    for (int i = 0; i + 1 < now_.simplex.size(); ++i) {
-      const std::string now = names_.of(now_.simplex[i].w), before = names_.before(now_.simplex[i].w);
-      list += (list.empty() ? "" : ", ") + (before.empty() ? now : before);
-      if (!before.empty()) moves = before + " becomes " + now + (moves.empty() ? "" : ", ") + moves;
-    }
-    const std::string simplex = names_.list(now_.simplex);
-    return moves.empty() ? "the simplex is " + simplex : "[" + list + "] and P are now " + simplex + ": " + moves;
-  }
-
-  int iteration_that_found(const Point& w) const {
-    for (const auto& event : trace_.events)
-      if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event); found && found->vertex.w == w)
-        return found->iteration;
-    return now_.iteration;
-  }
-
   /// Joins to a frame what the walkthrough has to say about its event.
   void add_remarks(Frame& frame, const gjk::Event<double>& event) const {
     for (const Remark& remark : remarks_) {
@@ -216,6 +167,56 @@ class Captions {
     return frame_about(Focus::crossing,
                        "The first point, " + name + ", lies beyond the origin's level, so the search goes on",
                        {{Mark::yes, value + " > 0: this proves nothing"}});
+  }
+
+  /// Whether what is left stands in the order in which it stood.
+  static bool is_by_age(const gjk::SimplexReduced<double>& event) {
+    int at = 0;
+    for (int i = 0; i < event.after.size(); ++i, ++at) {
+      while (at < event.before.size() && event.before[at].w != event.after[i].w) ++at;
+      if (at == event.before.size()) return false;
+    }
+    return true;
+  }
+
+  /// Returns: what Algorithms 4 and 5 have not come to, because what stands before it has decided, and why it need not be.
+  std::string not_asked() const {
+    if (now_.regions.empty()) return "";
+    if (now_.regions.back().label == "R3")
+      return "not asked: R7: one edge beyond which the origin lies is enough to go on from";
+    if (now_.processed.size() != 4) return "";
+    std::string edges, faces;
+    for (const std::string edge : {"AB", "AC", "AD"})
+      if (std::ranges::count(now_.regions, edge, &gjk::RegionTested<double>::feature) == 0)
+        edges += (edges.empty() ? "" : ", ") + names_.sorted(edge);
+    for (const std::string face : {"ACD", "ADB"}) {
+      if (test_of(now_, face)) continue;
+      faces += (faces.empty() ? "" : ", ") + names_.sorted(face) +
+               (height_of_origin(now_, face) > 0 ? " (which sees the origin, too)" : "");
+    }
+    if (edges.empty() && faces.empty()) return "";
+    const std::string text = "not asked: " + edges + (edges.empty() || faces.empty() ? "" : ", ") + faces;
+    if (faces.empty()) return text + ": an edge is asked with a face that sees the origin, and the first is enough";
+    return text + ": the first is enough to go on from, and a vertex that is dropped is found again where it is needed";
+  }
+
+  /// Returns: "[D, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C"; where no letter moves only the list.
+  std::string lettered_anew() const {
+    std::string list, moves;
+    for (int i = 0; i + 1 < now_.simplex.size(); ++i) {
+      const std::string now = names_.of(now_.simplex[i].w), before = names_.before(now_.simplex[i].w);
+      list += (list.empty() ? "" : ", ") + (before.empty() ? now : before);
+      if (!before.empty()) moves = before + " becomes " + now + (moves.empty() ? "" : ", ") + moves;
+    }
+    const std::string simplex = names_.list(now_.simplex);
+    return moves.empty() ? "the simplex is " + simplex : "[" + list + "] and P are now " + simplex + ": " + moves;
+  }
+
+  int iteration_that_found(const Point& w) const {
+    for (const auto& event : trace_.events)
+      if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event); found && found->vertex.w == w)
+        return found->iteration;
+    return now_.iteration;
   }
 
   /// `caption`: without the full stop.
