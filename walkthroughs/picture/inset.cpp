@@ -20,15 +20,16 @@ constexpr double rounding = 1e-12;                            // of that: less i
 constexpr double least_apart = 14, wanted_apart = 30;         // of two vertices
 constexpr double in_sight = 36, least_factor = 2;             // of the nearest line, where an inset is wanted
 constexpr double gap = 8, circle_radius = 14, widest = 0.45;  // the last in parts of the room
-const Vec2 size_of_frame(120, 92), place_of_factor(6, 20);
+const Vec2 size_of_frame(120, 92), size_of_label(44, 20), label_margin(5, 5);
 
 double distance_to_line(const Vec2& p, const Segment& line) {
   const Vec2 along = (line.second - line.first).stableNormalized(), way = p - line.first;
   return std::abs(along.x() * way.y() - along.y() * way.x());
 }
 
-Box best_corner(const Vec2& at, const std::vector<Segment>& shape, const Box& room, const View& view) {
-  const Vec2 size = size_of_frame.cwiseMin((room.max - room.min) * widest);
+/// Returns: a box in the corner of `room` where it is farthest from `at` and from `shape`.
+Box best_corner(const Vec2& at, const std::vector<Segment>& shape, const Box& room, const Vec2& size,
+                const View& view) {
   Box best;
   double most = -1;
   for (const bool right : {false, true})
@@ -42,6 +43,10 @@ Box best_corner(const Vec2& at, const std::vector<Segment>& shape, const Box& ro
       best = {corner, corner + size};
     }
   return best;
+}
+
+View magnified(const Vec2& at, const Box& frame, const View& view, double factor) {
+  return View::fit(at, at, frame, infinity).with_scale(view.scale() * factor);
 }
 
 }  // namespace
@@ -62,7 +67,11 @@ std::string words_of_factor(double factor) {
 std::optional<Inset> inset_of(const Vec2& at, const std::vector<Segment>& lines, const std::vector<Segment>& shape,
                               const Box& room, const View& view, bool is_wanted) {
   const auto around = [&](const Vec2& middle, double factor) {
-    return Inset{middle, best_corner(middle, shape, room.grown(-gap), view), factor};
+    const Vec2 size = size_of_frame.cwiseMin((room.max - room.min) * widest);
+    const Box frame = best_corner(middle, shape, room.grown(-gap), size, view);
+    const Box inside{frame.min + label_margin, frame.max - label_margin};
+    return Inset{middle, frame, factor,
+                 best_corner(middle, lines, inside, size_of_label, magnified(middle, frame, view, factor))};
   };
   double distance = infinity;
   for (const Segment& line : lines) distance = std::min(distance, distance_to_line(at, line) * view.scale());
@@ -83,8 +92,8 @@ void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, co
   canvas.circle(view.page(inset.at), circle_radius, line);
   canvas.rectangle(inset.frame, style.theme.paper);
   {
-    const View fitted = View::fit(inset.at, inset.at, inset.frame, infinity);
-    render::Panel panel(canvas, inset.frame, fitted.with_scale(view.scale() * inset.factor));
+    render::Panel panel(canvas, inset.frame, magnified(inset.at, inset.frame, view, inset.factor));
+    panel.keep_clear(inset.label);
     draw(panel);
     panel.place_labels();
   }
@@ -92,8 +101,9 @@ void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, co
   const Vec2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
   canvas.outline(corners, line);
   const std::string factor = words_of_factor(inset.factor);
-  canvas.rectangle(canvas.ink_box(low + place_of_factor, factor, style.small_label()).grown(2), style.theme.paper);
-  canvas.text(low + place_of_factor, factor, style.small_label());
+  render::TextStyle text = style.small_label();
+  text.align = render::Align::center;
+  canvas.text(inset.label.center() + Vec2(0, canvas.cap_height(text) / 2), factor, text);
 }
 
 }  // namespace walkthroughs

@@ -17,6 +17,7 @@ struct Inset {
   render::Vec2 at;    ///< its middle, scene units
   render::Box frame;  ///< where it stands on the page
   double factor;      ///< by which it is larger than the picture
+  render::Box label;  ///< where on the page that is written, away from the lines
 };
 
 /// Returns: a power of two, of ten where that would be long, at least `factor`; and in words, "×8", "×1e12".

@@ -11,7 +11,7 @@ using render::Vec2;
 constexpr double title_height = 36, margin = 14;
 constexpr double least_key_size = 11, shortened_key_size = 15;
 constexpr const char* ellipsis = "…";
-constexpr double key_pitch = 42;  // a sign with the space around it
+constexpr double key_pitch = 48;  // a sign with the space around it
 
 /// Returns: `text` without its last character, "…" in its place: "cube" becomes "cub…", and that "cu…".
 std::string shorter(std::string text) {
