@@ -180,15 +180,17 @@ struct Intended {
 
   static constexpr Kept kept_below_triangle() {
     return {{Role::C, Role::A, Role::B},
-            "A and B change places: the normal turns to the origin's side, so that those of the next faces will point "
+            "in the list A and B change places: the normal, read from it, turns to the origin, and the next faces get "
+            "theirs "
             "outward"};
   }
   /// [Q, P, A]: in the next simplex Q, P, A have become D, C, B, and BC×BD is APQn again.
   static constexpr Kept kept_above(Face face) {
     const detail::FaceRoles roles = detail::roles_of(face);
-    return {{roles.Q, roles.P, Role::A},
-            "in this order the face keeps its normal, toward the origin, so that those of the next faces will point "
-            "outward"};
+    return {
+        {roles.Q, roles.P, Role::A},
+        "read from the list in this order, the face keeps its normal, toward the origin, and the next faces get theirs "
+        "outward"};
   }
 
   // -- Parts of Algorithms 4 and 5 --------------------------------------------------------------------------------------

@@ -38,6 +38,7 @@ constexpr double cost_obstacle = 1e2;
 constexpr double cost_near_label = 30;  // within its comfort: rather that than across a line
 constexpr double cost_near = 10;        // for the name of an area: less than any overlap
 constexpr double cost_fine_line = 4, most_fine_lines = 5;
+constexpr double cost_elsewhere = 20;  // nearer to what another label names
 constexpr double cost_gap = 1.5;
 constexpr double cost_turn = 0.5;
 
@@ -342,7 +343,8 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
       const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
       const Vec2 baseline = middle + Vec2(0, rise);
       Place place{baseline, moved(ink, baseline)};
-      const double cost = cost_of(place.box, taken) + cost_of_leader(label, place.box, taken) + astray;
+      const double cost = cost_of(place.box, taken) + cost_of_leader(label, place.box, taken) + astray +
+                          (is_nearer_elsewhere(label, place.box) ? cost_elsewhere : 0);
       if (cost >= least) continue;
       least = cost;
       place.clear = cost < cost_obstacle;
@@ -350,6 +352,13 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
     }
   }
   return best;
+}
+
+bool Panel::is_nearer_elsewhere(const Label& label, const Box& box) const {
+  const double own = (box.center() - label.anchor).norm();
+  return std::ranges::any_of(labels_, [&](const Label& other) {
+    return (other.anchor - label.anchor).norm() > anchor_radius && (box.center() - other.anchor).norm() < own;
+  });
 }
 
 double Panel::cost_of(const Box& box, std::span<const Box> taken) const {

@@ -116,6 +116,7 @@ class Panel {
   Place best_place(const Label& label, std::span<const Box> taken) const;
   /// Returns: the thin line that ties a label to its anchor where it stands far from it.
   std::optional<std::pair<Vec2, Vec2>> leader(const Label& label, const Box& box) const;
+  bool is_nearer_elsewhere(const Label& label, const Box& box) const;
   double cost_of_leader(const Label& label, const Box& box, std::span<const Box> taken) const;
   void draw_leader(const Label& label, const Box& box);
   void draw_leader(const AreaName&, const Box&) {}  // that stands in its area

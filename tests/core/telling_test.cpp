@@ -82,10 +82,12 @@ TEST_CASE("Why vertices are kept, and in this order, is told with them", "[telli
         std::map<std::string, std::set<std::string>>{
             {"the origin lies beyond this edge; A stays the newest",
              {"3: BA without C", "3: CA without B", "4: BA without DC", "4: CA without DB", "4: DA without CB"}},
-            {"A and B change places: the normal turns to the origin's side, so that those of the next faces will point "
+            {"in the list A and B change places: the normal, read from it, turns to the origin, and the next faces get "
+             "theirs "
              "outward",
              {"3: CAB without "}},
-            {"in this order the face keeps its normal, toward the origin, so that those of the next faces will point "
+            {"read from the list in this order, the face keeps its normal, toward the origin, and the next faces get "
+             "theirs "
              "outward",
              {"4: BDA without C", "4: CBA without D", "4: DCA without B"}}});
 }

@@ -320,7 +320,7 @@ class DecisionPicture {
     const char* const where = view_.height > 0 ? ", above" : view_.height < 0 ? ", below" : ", in the plane";
     const std::string product = inequality_of(*found, shown_.names);
     panel.name_area(half(panel.corners(), Vec2::Zero(), {0, view_.height < 0 ? -1.0 : 1.0}), product + where,
-                    style_.small_label(), {product});
+                    style_.small_label(), {product, ""});
   }
 
   /// On the line, away from the drop.

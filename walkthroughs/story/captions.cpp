@@ -1,6 +1,8 @@
 #include "walkthroughs/story/captions.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <variant>
 
 #include "walkthroughs/story/decision.hpp"
@@ -61,7 +63,8 @@ class Captions {
     if (walkthrough_.naming == Naming::roles && !event.is_new)
       frame =
           frame_about(Focus::support, along + " the farthest point, P, is one that was found before, in iteration " +
-                                          std::to_string(iteration_that_found(event.vertex.w)));
+                                          std::to_string(iteration_that_found(event.vertex.w)) +
+                                          (is_vertex(event.vertex.w) ? "" : ", and dropped since"));
     const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
     frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
                    {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
@@ -131,7 +134,7 @@ class Captions {
                         (is_by_age(event) ? ", oldest first"
                                           : ", no longer by age: " + names_.of(gjk::Role::A) + " is still the newest")},
                    {Mark::none, names_.translate(event.why)}};
-    if (const std::string rest = not_asked(); !rest.empty()) frame.facts.push_back({Mark::none, rest});
+    append_not_asked(frame.facts);
     return frame;
   }
 
@@ -179,25 +182,35 @@ class Captions {
     return true;
   }
 
-  /// Returns: what Algorithms 4 and 5 have not come to, because what stands before it has decided, and why it need not be.
-  std::string not_asked() const {
-    if (now_.regions.empty()) return "";
-    if (now_.regions.back().label == "R3")
-      return "not asked: R7: one edge beyond which the origin lies is enough to go on from";
-    if (now_.processed.size() != 4) return "";
-    std::string edges, faces;
-    for (const std::string edge : {"AB", "AC", "AD"})
-      if (std::ranges::count(now_.regions, edge, &gjk::RegionTested<double>::feature) == 0)
-        edges += (edges.empty() ? "" : ", ") + names_.sorted(edge);
-    for (const std::string face : {"ACD", "ADB"}) {
-      if (test_of(now_, face)) continue;
-      faces += (faces.empty() ? "" : ", ") + names_.sorted(face) +
-               (height_of_origin(now_, face) > 0 ? " (which sees the origin, too)" : "");
+  /// What Algorithm 4 or 5 has not come to, because what stands before it has decided, and why that does no harm.
+  void append_not_asked(std::vector<Fact>& facts) const {
+    if (now_.regions.empty() || now_.regions.back().feature.size() > 3) return;
+    const gjk::RegionTested<double>& last = now_.regions.back();
+    const bool is_edge = last.feature.size() == 2 && last.verdict == Verdict::chosen;
+    const auto append = [&](const std::string& names, const std::string& why) {
+      if (!names.empty()) facts.push_back({Mark::none, "not asked: " + names + ": " + why});
+    };
+    const std::string one_edge = "one edge beyond which the origin lies is enough";
+    if (now_.processed.size() == 3) return append(!is_edge ? "" : last.label == "R3" ? "R7, R1" : "R1", one_edge);
+    const std::string deciding = last.face.empty() ? last.feature : last.face;
+    std::string own, behind, to_come;  // edges of the face that decides, of faces below which the origin lies, the rest
+    const auto add = [](std::string& names, const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
+    for (const std::string face : {"ACD", "ADB"})
+      if (!test_of(now_, face))
+        add(to_come,
+            names_.sorted(face) + (height_of_origin(now_, face) > 0 ? " (above which the origin lies, too)" : ""));
+    using Faces = std::array<std::string, 2>;
+    for (const auto& [edge, faces] :
+         {std::pair<std::string, Faces>{"AB", {"ABC", "ADB"}}, {"AC", {"ABC", "ACD"}}, {"AD", {"ACD", "ADB"}}}) {
+      if (std::ranges::count(now_.regions, edge, &gjk::RegionTested<double>::feature) > 0) continue;
+      const bool is_behind = test_of(now_, faces[0]) && test_of(now_, faces[1]);
+      add(std::ranges::count(faces, deciding) > 0 ? own : is_behind ? behind : to_come, names_.sorted(edge));
     }
-    if (edges.empty() && faces.empty()) return "";
-    const std::string text = "not asked: " + edges + (edges.empty() || faces.empty() ? "" : ", ") + faces;
-    if (faces.empty()) return text + ": an edge is asked with a face that sees the origin, and the first is enough";
-    return text + ": the first is enough to go on from, and a vertex that is dropped is found again where it is needed";
+    if (is_edge) add(own, "the inside of " + names_.sorted(deciding));
+    append(own, one_edge);
+    append(behind, "the origin lies above neither of its faces");
+    append(to_come,
+           "one face above which the origin lies is enough; a vertex that is dropped is found again if needed");
   }
 
   /// Returns: "[D, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C"; where no letter moves only the list.
@@ -210,6 +223,12 @@ class Captions {
     }
     const std::string simplex = names_.list(now_.simplex);
     return moves.empty() ? "the simplex is " + simplex : "[" + list + "] and P are now " + simplex + ": " + moves;
+  }
+
+  bool is_vertex(const Point& w) const {
+    for (int i = 0; i < now_.simplex.size(); ++i)
+      if (now_.simplex[i].w == w) return true;
+    return false;
   }
 
   int iteration_that_found(const Point& w) const {
@@ -235,7 +254,7 @@ class Captions {
     if (scene_.options.crossing_test == gjk::CrossingTest::off) return "this run does without the crossing test";
     return gjk::first_point(scene_.rules) == gjk::FirstPoint::tested
                ? "these rules apply the crossing test to the first point, too"
-               : "the crossing test is of moves, and none has led to the first point; the rules 'eager' test it, too";
+               : "the crossing test is of moves, and none has led to the first point";
   }
 
   bool without_crossing_test() const { return now_.crossing && now_.crossing->verdict == Crossing::switched_off; }
