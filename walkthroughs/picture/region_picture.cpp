@@ -263,7 +263,11 @@ class RegionPicture {
         break;
     }
     // Not the cross that stands at a vertex which leaves the simplex.
-    if (rejected) panel.name_area(corners, "✗", style_.label(style_.theme.ink), {"✗"});
+    if (!rejected) return;
+    const bool is_in_front = pencil_.lens().camera->sees(face.outward());
+    const std::string mark =
+        is_in_front ? "✗" : shown_.names.sorted(feature) + " ✗";  // which it is, seen through others
+    panel.name_area(corners, mark, is_in_front ? style_.label(style_.theme.ink) : style_.small_label(), {mark});
   }
 
   /// Whether the viewer looks at the inside of BCD, through the other faces. Its outward normal is BD×BC: A lies in the

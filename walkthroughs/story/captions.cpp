@@ -122,6 +122,9 @@ class Captions {
     if (event.label == "R3 or R4")
       frame.facts.push_back({Mark::none, names_.translate(event.expression) +
                                              " points toward the origin in both, so they need not be told apart"});
+    if (event.feature.size() == 4)
+      frame.facts.push_back({Mark::none, "not asked: " + names_.sorted("AB") + ", " + names_.sorted("AC") + ", " +
+                                             names_.sorted("AD") + ": the origin lies above none of their faces"});
     append_skipped(frame.facts);
     return frame;
   }
@@ -139,9 +142,13 @@ class Captions {
   }
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
-    return frame_about(Focus::direction,
-                       "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
-                       {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
+    Frame frame = frame_about(
+        Focus::direction, "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
+        {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
+    if (now_.simplex.size() == 3 && !now_.reduction)
+      frame.facts.push_back({Mark::none, "the simplex stays " + names_.list(now_.simplex) +
+                                             ": read from the list, its normal points to the origin already"});
+    return frame;
   }
 
   std::optional<Frame> operator()(const gjk::Finished<double>& event) const {

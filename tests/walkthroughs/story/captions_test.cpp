@@ -285,6 +285,26 @@ TEST_CASE("What has not been asked is told with what is dropped, and why it need
   CHECK(not_asked("face-adb-edge-ab") == Facts{"AD, the inside of ADB" + edge, "AC" + neither});
 }
 
+TEST_CASE("That no edge of a tetrahedron around the origin was asked is told, and that a triangle stays as it is") {
+  const Story inside = tell(walkthrough("regions/3-simplex-inside"));
+  std::ptrdiff_t told = 0;
+  for (const Frame& each : inside.frames)
+    if (each.caption.starts_with("No face sees"))
+      told += std::ranges::count(facts(each), "not asked: AB, AC, AD: the origin lies above none of their faces");
+  CHECK(told == 1);
+  const auto stays = [](const std::string& name) {
+    const Story story = tell(walkthrough(name));
+    int count = 0;
+    for (const Frame& each : story.frames)
+      if (each.focus == Focus::direction && each.facts.size() > 1)
+        count += each.facts[1].text ==
+                 "the simplex stays [C, B, A]: read from the list, its normal points to the origin already";
+    return count;
+  };
+  CHECK(stays("regions/2-simplex-r1-above") == 1);
+  CHECK(stays("regions/2-simplex-r3") == 0);
+}
+
 TEST_CASE("A list that is not by age any more is not called so") {
   const Story story = tell(walkthrough("regions/2-simplex-r1-below"));
   for (const Frame& each : story.frames)
