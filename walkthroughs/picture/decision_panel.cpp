@@ -88,10 +88,7 @@ class DecisionPicture {
 
   View fit(const Bounds& box) const {
     const Box room = below_title(frame_);
-    const double across = frame_.width() < narrow ? narrow_margin : margin, upright = is_alone_ ? margin
-                                                                                      : view_.kind == Kind::true_shape
-                                                                                          ? flat_margin
-                                                                                          : low_margin;
+    const double across = frame_.width() < narrow ? narrow_margin : margin, upright = margin_below();
     return View::fit(box.low, box.high, {room.min + Vec2(across, upright), room.max - Vec2(across, upright)},
                      std::numeric_limits<double>::infinity());
   }
@@ -122,6 +119,11 @@ class DecisionPicture {
   }
 
  private:
+  double margin_below() const {
+    if (is_alone_) return margin;
+    return view_.kind == Kind::true_shape ? flat_margin : low_margin;
+  }
+
   /// Returns: where the origin stands in the picture; in an edge-on view as high as the search has computed.
   Vec2 at_origin() const {
     const Vec2 at = lens_(Point::Zero());
@@ -171,7 +173,7 @@ class DecisionPicture {
   }
 
   std::vector<KeyEntry> key() const {
-    if (is_left_behind()) return {key_of_skipped(style_)};
+    if (view_.is_left_behind()) return {key_of_skipped(style_)};
     if (view_.kind == Kind::crossing)
       return {key_of_line(shown_.names.of(shown_.now.found->w) + " along d", style_.projection),
               key_of_out_of_reach("out of reach", style_)};
@@ -179,8 +181,6 @@ class DecisionPicture {
     return hatches ? std::vector{key_of_skipped(style_)} : std::vector<KeyEntry>{};
   }
 
-  /// The face of a tetrahedron that the search comes from.
-  bool is_left_behind() const { return view_.face == "BCD"; }
   bool has_fourth() const { return view_.kind == Kind::edge_on && shown_.now.processed.size() == 4; }
 
   std::string title() const {
@@ -191,7 +191,8 @@ class DecisionPicture {
       case Kind::segment: return "plane of " + face + " and O";
       case Kind::true_shape: return face + ", true shape, down " + shown_.names.translate(view_.face + "n");
       case Kind::edge_on:
-        if (is_left_behind()) return face + " edge-on: left behind" + stretched(", heights ↕", lens_.plane.stretch.y());
+        if (view_.is_left_behind())
+          return face + " edge-on: left behind" + stretched(", heights ↕", lens_.plane.stretch.y());
         return face + (frame_.width() < narrow ? stretched(", ↕", lens_.plane.stretch.y())
                                                : " edge-on" + stretched(", heights ↕", lens_.plane.stretch.y()));
     }
@@ -293,7 +294,7 @@ class DecisionPicture {
   /// Above and below the plane, as far as the search has come.
   void halves(render::Panel& panel) {
     const Region* const found = test_of(shown_.now, view_.face);
-    if (is_left_behind())
+    if (view_.is_left_behind())
       fill_region(panel, half(panel.corners(), Vec2::Zero(), {0, -1.0}), RegionState::skipped, style_);
     if (!found) return;
     const double* const value = std::get_if<double>(&found->value);
@@ -434,7 +435,7 @@ int draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<De
   std::vector<DecisionPicture> pictures;
   std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    pictures.emplace_back(places[i], views[i], shown, !are_below_each_other(views) && views[i].face != "BCD");
+    pictures.emplace_back(places[i], views[i], shown, !are_below_each_other(views) && !views[i].is_left_behind());
     pictures[i].stretch();
     boxes.push_back(pictures[i].bounds());
   }

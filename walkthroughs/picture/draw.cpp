@@ -279,14 +279,7 @@ int draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, double
   return crowded;
 }
 
-}  // namespace
-
-render::Size page_of_frame(Text text) {
-  if (text == Text::around) return frame_page;
-  return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
-}
-
-namespace {
+// -- The frame --------------------------------------------------------------------------------------------------------
 
 int draw_panels(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
   switch (story.walkthrough.layout) {
@@ -298,6 +291,11 @@ int draw_panels(Canvas& canvas, const StagedStory& story, std::size_t index, dou
 }
 
 }  // namespace
+
+render::Size page_of_frame(Text text) {
+  if (text == Text::around) return frame_page;
+  return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
+}
 
 int draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   if (look.text != Text::around) return draw_panels(canvas, story, index, margin_without_text, look);

@@ -134,7 +134,7 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
       return "In the plane of " + feature + " and the origin, the origin lies " +
              (O.y() > 0 ? "to one side of it." : "on it.");
     case Kind::edge_on:
-      if (view.face == "BCD") return "The half space beyond " + feature + ", away from A, is left behind.";
+      if (view.is_left_behind()) return "The half space beyond " + feature + ", away from A, is left behind.";
       return "Seen edge-on, the origin lies " +
              std::string(view.height > 0   ? "above "
                          : view.height < 0 ? "below "

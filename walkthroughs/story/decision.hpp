@@ -22,6 +22,9 @@ struct DecisionView {
   Plane plane;          ///< that is the page
   double height = 0;    ///< of the origin above the triangle's plane, as the trace has it where it has; of P along d
   bool decides = true;  ///< whether this is the picture of what is asked now; others only help
+
+  /// Whether it shows the face of a tetrahedron that the search comes from.
+  bool is_left_behind() const { return face == "BCD"; }
 };
 
 /// Whether the frames of a story have such views: those of one search in space that has not switched them off.
