@@ -180,9 +180,8 @@ struct Intended {
 
   static constexpr Kept kept_below_triangle() {
     return {{Role::C, Role::A, Role::B},
-            "in the list A and B change places: the normal, read from it, turns to the origin, and the next faces get "
-            "theirs "
-            "outward"};
+            "in the list A and B change places: the normal, read from it, turns to the origin, and the next faces "
+            "get theirs outward"};
   }
   /// [Q, P, A]: in the next simplex Q, P, A have become D, C, B, and BC×BD is APQn again.
   static constexpr Kept kept_above(Face face) {
