@@ -101,6 +101,7 @@ class PointSet {
   /// Errors: std::invalid_argument where `points` is empty.
   explicit PointSet(std::vector<Vec3<S>> points) : points_(std::move(points)), blocks_(points_) {
     if (points_.empty()) throw std::invalid_argument("a point set needs at least one point");
+    for (const Vec3<S>& p : points_) extent_ = extent_.cwiseMax(p.cwiseAbs());
   }
 
   /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
@@ -110,6 +111,10 @@ class PointSet {
   }
 
   const std::vector<Vec3<S>>& points() const { return points_; }
+
+  /// Returns: the largest |x|, |y| and |z| of its points. What bounds on rounding need to know of a set; computed with each
+  /// query it would cost as much as the query.
+  const Vec3<S>& extent() const { return extent_; }
 
  private:
   std::size_t one_by_one(const Vec3<S>& d) const {
@@ -129,6 +134,7 @@ class PointSet {
   static S reach(const Vec3<S>& p, const Vec3<S>& d) { return p.x() * d.x() + (p.y() * d.y() + p.z() * d.z()); }
 
   std::vector<Vec3<S>> points_;
+  Vec3<S> extent_ = Vec3<S>::Zero();
   detail::PointBlocks<S> blocks_;
 };
 

@@ -1,0 +1,57 @@
+/// A double that knows its error, and vectors of it or of any other number: enough to take the sign of a polynomial.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace gjk::detail {
+
+/// u, half the distance from 1 to the next double: rounding to nearest moves a number by at most u times its size.
+inline constexpr double roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+/// The number that is meant lies within `error` of `value`. An operation rounds its value by u|value| and its error by less
+/// than 16u of it (five operations at most); what underflow loses is far below 1e-300 (each product at most 2^-1075, and no
+/// sum). Where something overflows the error is infinite or not a number, and no sign is certain.
+struct Bounded {
+  double value = 0, error = 0;
+
+  /// Returns: whether the number that is meant has the sign of `value`. Without an error it has: zero is a sign, too.
+  bool has_certain_sign() const { return std::abs(value) > error || error == 0; }
+
+  friend Bounded operator-(const Bounded& x) { return {-x.value, x.error}; }
+  friend Bounded operator+(const Bounded& x, const Bounded& y) {
+    const double value = x.value + y.value;
+    return {value, (x.error + y.error + roundoff * std::abs(value)) * (1 + 16 * roundoff)};
+  }
+  friend Bounded operator-(const Bounded& x, const Bounded& y) { return x + -y; }
+  /// xy − v₁v₂ = v₁ε₂ + v₂ε₁ + ε₁ε₂, where x = v₁ + ε₁ and y = v₂ + ε₂.
+  friend Bounded operator*(const Bounded& x, const Bounded& y) {
+    const double value = x.value * y.value;
+    const double carried = std::abs(x.value) * y.error + (std::abs(y.value) + y.error) * x.error;
+    return {value, (carried + roundoff * std::abs(value)) * (1 + 16 * roundoff) + 1e-300};
+  }
+};
+
+/// −1, 0 or 1. Requires: a certain sign.
+inline int sign_of(const Bounded& x) { return x.value > 0 ? 1 : x.value < 0 ? -1 : 0; }
+
+/// A vector of any numbers that can be added and multiplied: Eigen would want to know more of them.
+template <class N>
+struct Triple {
+  N x, y, z;
+
+  friend Triple operator-(const Triple& p) { return {-p.x, -p.y, -p.z}; }
+  friend Triple operator-(const Triple& p, const Triple& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+  friend Triple operator*(const N& s, const Triple& p) { return {s * p.x, s * p.y, s * p.z}; }
+};
+
+template <class N>
+N dot(const Triple<N>& p, const Triple<N>& q) {
+  return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+template <class N>
+Triple<N> cross(const Triple<N>& p, const Triple<N>& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+
+}  // namespace gjk::detail

@@ -1,0 +1,62 @@
+/// What proves an answer about two sets of points to everyone who can multiply.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <variant>
+
+#include "result.hpp"
+
+namespace gjk {
+
+/// The point a − b of the difference, by the indices of a and b in their sets.
+struct IndexPair {
+  int a = 0, b = 0;
+  friend bool operator==(const IndexPair&, const IndexPair&) = default;
+};
+
+/// One to four points of the difference, affinely independent.
+class IndexPairs {
+ public:
+  int size() const { return size_; }
+  const IndexPair* begin() const { return pairs_.data(); }
+  const IndexPair* end() const { return begin() + size_; }
+  const IndexPair& operator[](int i) const { return pairs_[static_cast<std::size_t>(i)]; }
+  /// Requires: size() < 4.
+  void add(IndexPair pair) { pairs_[static_cast<std::size_t>(size_++)] = pair; }
+  friend bool operator==(const IndexPairs& x, const IndexPairs& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end());
+  }
+
+ private:
+  std::array<IndexPair, 4> pairs_{};
+  int size_ = 0;
+};
+
+/// Apart: a·d < b·d for every a of A and b of B.
+struct SeparatingDirection {
+  Vec3<double> d;
+  friend bool operator==(const SeparatingDirection&, const SeparatingDirection&) = default;
+};
+
+/// Apart, by a direction that need not be a vector of doubles: of the convex hull of these one to three points of the
+/// difference some point v is nearest to the origin, and −v separates the sets as a SeparatingDirection does.
+struct SeparatingFeature {
+  IndexPairs of;
+  friend bool operator==(const SeparatingFeature&, const SeparatingFeature&) = default;
+};
+
+/// Together: the convex hull of these points of the difference contains the origin.
+struct CommonSimplex {
+  IndexPairs of;
+  friend bool operator==(const CommonSimplex&, const CommonSimplex&) = default;
+};
+
+using Certificate = std::variant<SeparatingDirection, SeparatingFeature, CommonSimplex>;
+
+/// Returns: what the certificate says, if it holds.
+inline Status claim_of(const Certificate& certificate) {
+  return std::holds_alternative<CommonSimplex>(certificate) ? Status::intersecting : Status::separated;
+}
+
+}  // namespace gjk

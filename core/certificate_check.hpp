@@ -1,0 +1,127 @@
+/// Does a certificate hold? Multiplied out in fractions, without any code of what made it. Needs Eigen and Boost.Multiprecision.
+#pragma once
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "certificate.hpp"
+
+namespace gjk {
+namespace detail {
+
+/// Exact. Every finite double is one.
+using Fraction =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+using Fractions = std::vector<Fraction>;
+
+inline Fraction dot(const Fractions& u, const Fractions& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+template <class S>
+Fractions fractions(const Vec3<S>& v) {
+  return {Fraction(v[0]), Fraction(v[1]), Fraction(v[2])};
+}
+
+inline Fractions minus(const Fractions& u, const Fractions& v) { return {u[0] - v[0], u[1] - v[1], u[2] - v[2]}; }
+
+/// Gauss's elimination; each row has its right side as its last number. Returns: the solution, if there is exactly one.
+inline std::optional<Fractions> solution_of(std::vector<Fractions> rows, std::size_t unknowns) {
+  for (std::size_t i = 0; i < unknowns; ++i) {
+    const auto pivot = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(std::min(i, rows.size())), rows.end(),
+                                    [i](const Fractions& row) { return row[i] != 0; });
+    if (pivot == rows.end()) return std::nullopt;
+    std::swap(rows[i], *pivot);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (k == i || rows[k][i] == 0) continue;
+      const Fraction times = rows[k][i] / rows[i][i];
+      for (std::size_t j = i; j <= unknowns; ++j) rows[k][j] -= times * rows[i][j];
+    }
+  }
+  for (std::size_t k = unknowns; k < rows.size(); ++k)
+    if (rows[k][unknowns] != 0) return std::nullopt;
+  Fractions x;
+  for (std::size_t i = 0; i < unknowns; ++i) x.push_back(rows[i][unknowns] / rows[i][i]);
+  return x;
+}
+
+/// Returns: these points of the difference; none where they are not 1 to `most`, or an index is none.
+template <class S>
+std::optional<std::vector<Fractions>> points_of(const IndexPairs& pairs, int most, const PointSet<S>& a,
+                                                const PointSet<S>& b) {
+  if (pairs.size() < 1 || pairs.size() > most) return std::nullopt;
+  std::vector<Fractions> points;
+  for (const auto& [i, j] : pairs) {
+    const auto has = [](const PointSet<S>& set, int index) {
+      return index >= 0 && static_cast<std::size_t>(index) < set.points().size();
+    };
+    if (!has(a, i) || !has(b, j)) return std::nullopt;
+    points.push_back(
+        minus(fractions(a.points()[static_cast<std::size_t>(i)]), fractions(b.points()[static_cast<std::size_t>(j)])));
+  }
+  return points;
+}
+
+/// Returns: whether a·d < b·d for all points.
+template <class S>
+bool separates(const Fractions& d, const PointSet<S>& a, const PointSet<S>& b) {
+  const auto along = [&](const Vec3<S>& p) { return dot(fractions(p), d); };
+  Fraction farthest_of_a = along(a.points()[0]), nearest_of_b = along(b.points()[0]);
+  for (const Vec3<S>& p : a.points()) farthest_of_a = std::max(farthest_of_a, along(p));
+  for (const Vec3<S>& p : b.points()) nearest_of_b = std::min(nearest_of_b, along(p));
+  return farthest_of_a < nearest_of_b;
+}
+
+}  // namespace detail
+
+/// Requires: finite sets. Returns: whether it proves of these two sets what it says.
+template <class S>
+bool holds(const SeparatingDirection& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+  return certificate.d.allFinite() && detail::separates(detail::fractions(certificate.d), a, b);
+}
+
+/// v = w₀ + Σ tₖ(wₖ − w₀), where every (wᵢ − w₀)·v is 0.
+template <class S>
+bool holds(const SeparatingFeature& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+  const auto points = detail::points_of(certificate.of, 3, a, b);
+  if (!points) return false;
+  const detail::Fractions& w = points->front();
+  std::vector<detail::Fractions> edges, rows;
+  for (std::size_t i = 1; i < points->size(); ++i) edges.push_back(detail::minus((*points)[i], w));
+  for (const auto& edge : edges) {
+    rows.emplace_back();
+    for (const auto& other : edges) rows.back().push_back(detail::dot(edge, other));
+    rows.back().push_back(-detail::dot(edge, w));
+  }
+  const auto t = detail::solution_of(std::move(rows), edges.size());
+  if (!t) return false;
+  detail::Fractions d{-w[0], -w[1], -w[2]};
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) d[i] -= (*t)[k] * edges[k][i];
+  return detail::separates(d, a, b);
+}
+
+/// Σ λₖwₖ = 0, where Σ λₖ = 1 and no λₖ < 0.
+template <class S>
+bool holds(const CommonSimplex& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+  const auto points = detail::points_of(certificate.of, 4, a, b);
+  if (!points) return false;
+  std::vector<detail::Fractions> rows(4);
+  for (const detail::Fractions& w : *points) {
+    for (std::size_t i = 0; i < 3; ++i) rows[i].push_back(w[i]);
+    rows[3].push_back(1);
+  }
+  for (std::size_t i = 0; i < 4; ++i) rows[i].push_back(i < 3 ? 0 : 1);
+  const auto weights = detail::solution_of(std::move(rows), points->size());
+  return weights && std::all_of(weights->begin(), weights->end(), [](const detail::Fraction& x) { return x >= 0; });
+}
+
+template <class S>
+bool holds(const Certificate& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+  return std::visit([&](const auto& each) { return holds(each, a, b); }, certificate);
+}
+
+}  // namespace gjk

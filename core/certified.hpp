@@ -1,0 +1,522 @@
+/// Collision tests of sets of points whose answer is proven: never wrong, never undecided. Needs Eigen and, for whole numbers
+/// of any length, Boost.Multiprecision (headers, kept by others; nothing else of the core needs it).
+///
+///     const gjk::CertifiedResult result = gjk::certified_collision(set_a, set_b);
+///     result.status;        // intersecting or separated
+///     result.certificate;   // why: see certificate.hpp; holds() of certificate_check.hpp multiplies it out
+///
+/// What is proven, under which assumptions, as numbered properties; the tests quote them. The assumptions: IEEE arithmetic,
+/// rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no harm.)
+///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see proves().
+///  C2. Four points are a proof where four determinants are larger than 64u times their factors: see enclose_origin().
+///  C3. Each sign that the second search goes by is that of the exact number: see ExactSimplex::sign() and AlongDirection.
+///  C4. The second search ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
+///      feature that is kept, and there are finitely many of them.
+///  C5. Whatever the first search does, wrong rules included, costs time and never truth: of it only indices and one
+///      direction are taken, and what they prove is looked at anew.
+#pragma once
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error \
+    "gjk::certified_collision proves what it says by the rules of IEEE arithmetic: compile without -ffast-math and its parts"
+#endif
+
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cfloat>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "bounded.hpp"
+#include "certificate.hpp"
+#include "gjk.hpp"
+#include "nearest.hpp"
+
+namespace gjk {
+
+/// What an answer was proven by.
+enum class Proof {
+  direction,      ///< that of the first search separates the sets by more than all that was rounded (C1)
+  tetrahedron,    ///< that of the first search holds the origin, by more than all that was rounded (C2)
+  second_search,  ///< the signs that the second search took (C3)
+};
+
+struct CertifiedResult {
+  Status status = Status::undecided;  ///< never that, once it is returned
+  Certificate certificate;
+  Proof proof = Proof::second_search;
+  int iterations = 0;         ///< of the first search
+  int second_iterations = 0;  ///< of the second; 0 where there was none
+};
+
+namespace detail {
+
+static_assert(FLT_EVAL_METHOD == 0, "bounds on rounding need doubles that are rounded to double at once");
+static_assert(std::numeric_limits<double>::is_iec559);
+
+// -- Proofs of what the first search has found ------------------------------------------------------------------------
+
+/// Of a floating-point number: half its epsilon, and between which powers of two the proofs stay, so that what over- and
+/// underflows does not count.
+template <class S>
+struct Rounding;
+template <>
+struct Rounding<double> {
+  static constexpr double u = 0x1p-53, least_reach = 0x1p-900, largest_reach = 0x1p1022, least_norm = 0x1p-330,
+                          largest_norm = 0x1p330;
+};
+template <>
+struct Rounding<float> {
+  static constexpr double u = 0x1p-24, least_reach = 0x1p-100, largest_reach = 0x1p126, least_norm = 0x1p-40,
+                          largest_norm = 0x1p40;
+};
+
+/// Whether arithmetic is what the proofs assume; no compiler may know beforehand. One comparison finds denormal results that
+/// are flushed to zero as well as denormal operands that count as zero; the other two find rounding that is not to nearest.
+inline bool arithmetic_is_usual() {
+  volatile double least_normal = std::numeric_limits<double>::min(), one = 1;
+  const double x = one, quarter = 0x1p-54, three_quarters = 0x1.8p-53;
+  return least_normal / 2 != 0 && x + quarter == 1 && -x - quarter == -1 && x + three_quarters > 1;
+}
+
+/// C1. Returns: whether d separates the sets, w·d having been found as `support_value` by their support functions.
+///
+/// s = Σ (r_A + r_B)|d| is as far as points can be along d (r: PointSet::extent()). The scan computes a·d to 3u of its part of
+/// s, so no point lies farther than the one found by more than 6u·s; w = a − b and w·d are off by 4u·s. Together 10u·s;
+/// 16u·s is asked for, since s and this very product are rounded, too. Nine operations may underflow, each by half the least
+/// denormal number; where s is not tiny they are far below the 6u·s left over; and where s is not huge, nothing overflows.
+template <class S>
+bool proves(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, const Vec3<S>& extent_b) {
+  const Vec3<double> size = d.template cast<double>().cwiseAbs();
+  const double s = (extent_a.template cast<double>() + extent_b.template cast<double>()).dot(size);
+  return -static_cast<double>(support_value) > 16 * Rounding<S>::u * s && s > Rounding<S>::least_reach &&
+         s < Rounding<S>::largest_reach;
+}
+
+/// C2. Returns: whether the origin lies strictly inside the tetrahedron.
+///
+/// With v(x, y, z) = (x×y)·z, a·v(b,c,d) − b·v(a,c,d) + c·v(a,b,d) − d·v(a,b,c) = 0 for any four vectors: where the four
+/// coefficients have one strict sign, the origin is a convex combination of all four points.
+///
+/// Each of the six products of three components in v meets 8 roundings (three differences a − b, product, difference,
+/// product, two sums) and is at most |x||y||z| in the maximum norm: 48u|x||y||z| is the error, and 64u is asked for.
+template <class S>
+bool enclose_origin(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
+  const auto norm = [](const Vec3<S>& x) { return static_cast<double>(x.cwiseAbs().maxCoeff()); };
+  const double A = norm(a), B = norm(b), C = norm(c), D = norm(d);
+  const double least = std::min(std::min(A, B), std::min(C, D)), largest = std::max(std::max(A, B), std::max(C, D));
+  if (!(least > Rounding<S>::least_norm && largest < Rounding<S>::largest_norm)) return false;
+  const Vec3<S> cd = c.cross(d), ab = a.cross(b);
+  const double bcd = static_cast<double>(b.dot(cd)), acd = static_cast<double>(a.dot(cd));
+  const double abd = static_cast<double>(ab.dot(d)), abc = static_cast<double>(ab.dot(c));
+  constexpr double bound = 64 * Rounding<S>::u;
+  const double e_bcd = bound * B * C * D, e_acd = bound * A * C * D, e_abd = bound * A * B * D,
+               e_abc = bound * A * B * C;
+  return (bcd > e_bcd && acd < -e_acd && abd > e_abd && abc < -e_abc) ||
+         (bcd < -e_bcd && acd > e_acd && abd < -e_abd && abc > e_abc);
+}
+
+// -- The second search ------------------------------------------------------------------------------------------------
+
+/// Whole numbers of any length; those of ordinary coordinates fit 512 bits and need no heap.
+using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
+
+inline int sign_of(const Whole& x) { return x.sign(); }
+
+/// A double as m·2^e, m odd; of zero m is 0.
+struct BinaryFraction {
+  std::int64_t m = 0;
+  int e = 0;
+
+  explicit BinaryFraction(double x) {
+    if (x == 0) return;
+    m = static_cast<std::int64_t>(std::scalbn(std::frexp(x, &e), 53));
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));
+    m >>= zeros;
+    e += zeros - 53;
+  }
+};
+
+/// Two sets of points and the points of their difference, in either number: in whole numbers times one power of two, in
+/// doubles times another that brings the largest coordinate near 1, so that no polynomial overflows. Floats are widened.
+template <class S>
+class ExactDifference {
+ public:
+  ExactDifference(const PointSet<S>& a, const PointSet<S>& b) : a_(a), b_(b) {
+    const double largest = static_cast<double>(std::max(a.extent().maxCoeff(), b.extent().maxCoeff()));
+    if (largest != 0) exponent_ = -std::ilogb(largest);
+  }
+
+  const PointSet<S>& a() const { return a_; }
+  const PointSet<S>& b() const { return b_; }
+  /// Of the power of two with which bounded numbers are multiplied.
+  int exponent() const { return exponent_; }
+
+  template <class N>
+  Triple<N> w(IndexPair pair) const {
+    return point<N>(a_, pair.a) - point<N>(b_, pair.b);
+  }
+  template <class N>
+  Triple<N> point(const PointSet<S>& set, int i) const {
+    const Vec3<S>& p = set.points()[static_cast<std::size_t>(i)];
+    return {number<N>(p.x()), number<N>(p.y()), number<N>(p.z())};
+  }
+
+ private:
+  template <class N>
+  N number(S coordinate) const {
+    const double x = static_cast<double>(coordinate);
+    if constexpr (std::same_as<N, Bounded>) {
+      const double value = std::scalbn(x, exponent_);
+      return {value, std::abs(value) < 0x1p-960 && x != 0 ? 1e-300 : 0.0};  // it may have lost digits
+    } else {
+      const BinaryFraction fraction(x);
+      return fraction.m == 0 ? Whole(0) : Whole(fraction.m) << static_cast<unsigned>(fraction.e - least_exponent());
+    }
+  }
+
+  int least_exponent() const {
+    if (!least_exponent_) {
+      int least = std::numeric_limits<int>::max();
+      for (const PointSet<S>* set : {&a_, &b_})
+        for (const Vec3<S>& p : set->points())
+          for (const S x : p)
+            if (x != 0) least = std::min(least, BinaryFraction(static_cast<double>(x)).e);
+      least_exponent_ = least;
+    }
+    return *least_exponent_;
+  }
+
+  const PointSet<S>&a_, &b_;
+  int exponent_ = 0;
+  mutable std::optional<int> least_exponent_;
+};
+
+/// The vectors from A, the newest vertex of a simplex, to the origin and to the others.
+template <class N>
+struct FromA {
+  Triple<N> AO{};
+  std::array<Triple<N>, 4> to{};  ///< by role; of A nothing
+
+  const Triple<N>& operator[](Role X) const { return to[static_cast<std::size_t>(X)]; }
+};
+
+/// −v times a positive factor, v being the point nearest to the origin of the hull of at most three vertices, in its
+/// interior. `side`: of the triangle, on which the origin lies.
+template <class N>
+Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
+  const auto &AO = A.AO, &AB = A[Role::B];
+  if (size == 1) return AO;
+  if (size == 2) return dot(AB, AB) * AO - dot(AB, AO) * AB;  // AB×AO×AB
+  const Triple<N> ABCn = cross(AB, A[Role::C]);
+  return side > 0 ? ABCn : -ABCn;
+}
+
+/// A simplex, by the indices of its vertices, that tells where the origin is. The whole numbers are made where the first
+/// sign is in doubt.
+template <class S>
+class ExactSimplex {
+ public:
+  explicit ExactSimplex(const ExactDifference<S>& difference) : difference_(difference) {}
+
+  const IndexPairs& vertices() const { return vertices_; }
+  int size() const { return vertices_.size(); }
+
+  /// Makes it the newest.
+  void add(IndexPair vertex) {
+    vertices_.add(vertex);
+    bounded_ = from_A<Bounded>();
+    whole_.reset();
+  }
+  /// Requires: A is kept, and last.
+  void keep(const Order& order) {
+    IndexPairs kept;
+    for (const Role role : order) kept.add(vertices_[size() - 1 - static_cast<int>(role)]);
+    vertices_ = kept;
+    bounded_ = only(bounded_, order, size());
+    if (whole_) whole_ = only(*whole_, order, size());
+  }
+
+  /// C3. `polynomial`: of the vectors from A, in either number. Returns: −1, 0 or 1, taken of doubles that know their error
+  /// where that leaves no doubt, and of whole numbers where it does.
+  template <class Polynomial>
+  int sign(const Polynomial& polynomial) const {
+    const Bounded quick = polynomial(bounded_);
+    return quick.has_certain_sign() ? sign_of(quick) : sign_of(polynomial(whole()));
+  }
+
+  // -- As nearest_with_A() asks
+
+  bool is_toward(Role X) const {
+    return sign([=](const auto& A) { return dot(A[X], A.AO); }) > 0;
+  }
+  bool is_beyond(Role X, Role Y) const {
+    const auto AXn_AO = [=](const auto& A) {
+      return dot(A[X], A.AO) * dot(A[X], A[Y]) - dot(A[Y], A.AO) * dot(A[X], A[X]);
+    };
+    return sign(AXn_AO) >= 0;
+  }
+  bool is_above(Role X, Role Y, Role Z) const {
+    return side_of_origin(X, Y) * sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); }) < 0;
+  }
+
+  /// Returns: the sign of AXYn·AO.
+  int side_of_origin(Role X, Role Y) const {
+    return sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); });
+  }
+
+  /// Requires: the point nearest to the origin in the interior of the simplex. Returns: whether that is the origin.
+  bool contains_origin() const {
+    switch (size()) {
+      case 1: return is_zero([](const auto& A) { return A.AO; });
+      case 2: return is_zero([](const auto& A) { return cross(A[Role::B], A.AO); });
+      case 3: return side_of_origin(Role::B, Role::C) == 0;
+      default: return true;
+    }
+  }
+
+  template <class N>
+  Triple<N> toward_origin() const {
+    const int side = size() == 3 ? side_of_origin(Role::B, Role::C) : 0;
+    if constexpr (std::same_as<N, Bounded>)
+      return detail::toward_origin(bounded_, size(), side);
+    else
+      return detail::toward_origin(whole(), size(), side);
+  }
+
+ private:
+  template <class VectorOf>
+  bool is_zero(const VectorOf& vector_of) const {
+    return sign([&](const auto& A) { return vector_of(A).x; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).y; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).z; }) == 0;
+  }
+
+  const FromA<Whole>& whole() const {
+    if (!whole_) whole_ = from_A<Whole>();
+    return *whole_;
+  }
+
+  template <class N>
+  FromA<N> from_A() const {
+    const Triple<N> A = difference_.template w<N>(vertices_[size() - 1]);
+    FromA<N> vectors;
+    vectors.AO = -A;
+    for (int i = 1; i < size(); ++i)
+      vectors.to[static_cast<std::size_t>(i)] = difference_.template w<N>(vertices_[size() - 1 - i]) - A;
+    return vectors;
+  }
+  template <class N>
+  static FromA<N> only(const FromA<N>& all, const Order& order, int size) {
+    FromA<N> kept;
+    kept.AO = all.AO;
+    int i = size;
+    for (const Role role : order) kept.to[static_cast<std::size_t>(--i)] = all[role];
+    return kept;
+  }
+
+  const ExactDifference<S>& difference_;
+  IndexPairs vertices_;
+  FromA<Bounded> bounded_;
+  mutable std::optional<FromA<Whole>> whole_;
+};
+
+/// Looks for points of the difference along a direction that is known exactly: that from a simplex toward the origin.
+template <class S>
+class AlongDirection {
+ public:
+  AlongDirection(const ExactDifference<S>& difference, const ExactSimplex<S>& from)
+      : difference_(difference), from_(from), bounded_(from.template toward_origin<Bounded>()) {
+    if (!is_precise(bounded_)) bounded_ = rounded(whole());
+    aim();
+  }
+
+  /// C3. Returns: the sign of w·d.
+  int sign(IndexPair vertex) const {
+    const Bounded w_d = reach(vertex);
+    return w_d.has_certain_sign() ? sign_of(w_d) : sign_of(dot(difference_.template w<Whole>(vertex), whole()));
+  }
+
+  /// Returns: w·d, and its error.
+  Bounded reach(IndexPair vertex) const { return dot(difference_.template w<Bounded>(vertex), bounded_); }
+
+  /// Returns: a point of the difference with w·d >= 0, not always the farthest; none where there is none.
+  std::optional<IndexPair> vertex_across() const {
+    const PointSet<S>&a = difference_.a(), &b = difference_.b();
+    const IndexPair near_farthest{*a.support(rough_).index, *b.support(-rough_).index};
+    const Bounded w_d = reach(near_farthest);
+    if (w_d.has_certain_sign() && w_d.value >= 0) return near_farthest;
+    if (std::scalbn(w_d.value + w_d.error, -exponent_ - difference_.exponent()) < -(slack(a) + slack(b)))
+      return std::nullopt;
+    const IndexPair farthest{farthest_of(a, near_farthest.a, +1), farthest_of(b, near_farthest.b, -1)};
+    return sign(farthest) >= 0 ? std::optional(farthest) : std::nullopt;
+  }
+
+ private:
+  static std::array<Bounded, 3> components(const Triple<Bounded>& d) { return {d.x, d.y, d.z}; }
+
+  static bool is_precise(const Triple<Bounded>& d) {
+    double largest = 0, error = 0;
+    for (const Bounded& c : components(d)) {
+      largest = std::max(largest, std::abs(c.value));
+      error = std::max(error, c.error);
+    }
+    return error < 0x1p-20 * largest;
+  }
+
+  /// The highest 60 bits of the largest component, and of the others what is as high: d, times some power of two.
+  static Triple<Bounded> rounded(const Triple<Whole>& d) {
+    const auto bits = [](const Whole& x) { return x == 0 ? 0U : static_cast<unsigned>(msb(abs(x))) + 1; };
+    const unsigned most = std::max({bits(d.x), bits(d.y), bits(d.z)}), cut = most > 60 ? most - 60 : 0;
+    const auto number = [cut](const Whole& x) {
+      const double size = static_cast<double>(static_cast<std::int64_t>(Whole(abs(x)) >> cut));
+      return Bounded{x < 0 ? -size : size, 1 + 2 * roundoff * size};
+    };
+    return {number(d.x), number(d.y), number(d.z)};
+  }
+
+  /// Makes the direction that the support functions are asked in, so small that none of their products overflows, and how
+  /// far they may be off.
+  ///
+  /// For a point p and the one that was found, p*: p·d − p*·d is at most 2Σ r|d − rough|, plus two roundings of p·rough in the
+  /// scan, 6uΣ r|rough|, and where candidates are compared in doubles as much again: 12u, 16u with what is rounded here. What
+  /// underflows in a scan is at most three times half the least denormal number, twice.
+  void aim() {
+    double largest = 0;
+    for (const Bounded& c : components(bounded_)) largest = std::max(largest, std::abs(c.value));
+    exponent_ = std::ilogb(largest) + 3;
+    int i = 0;
+    for (const Bounded& c : components(bounded_)) {
+      rough_[i] = static_cast<S>(std::scalbn(c.value, -exponent_));
+      const double lost = std::abs(c.value - std::scalbn(static_cast<double>(rough_[i]), exponent_));
+      doubt_[i] =
+          2 * std::scalbn(lost + c.error, -exponent_) + 16 * Rounding<S>::u * std::abs(static_cast<double>(rough_[i]));
+      ++i;
+    }
+  }
+
+  /// Returns: by how much some point of the set may lie farther along d than the one that its support function finds.
+  double slack(const PointSet<S>& set) const {
+    return doubt_.dot(set.extent().template cast<double>()) +
+           8 * static_cast<double>(std::numeric_limits<S>::denorm_min());
+  }
+
+  /// Returns: the point of the set farthest along d (where `toward` is −1, along −d), exactly. `near_farthest`: the one found
+  /// by its support function.
+  int farthest_of(const PointSet<S>& set, int near_farthest, int toward) const {
+    const Vec3<double> along = toward * rough_.template cast<double>();
+    const auto roughly = [&](int i) {
+      return set.points()[static_cast<std::size_t>(i)].template cast<double>().dot(along);
+    };
+    const auto exactly = [&](int i) {
+      const Whole reach = dot(difference_.template point<Whole>(set, i), whole());
+      return toward > 0 ? reach : Whole(-reach);
+    };
+    const double enough = roughly(near_farthest) - slack(set);
+    int farthest = near_farthest;
+    Whole most = exactly(farthest);
+    for (int i = 0; i < static_cast<int>(set.points().size()); ++i) {
+      if (i == near_farthest || roughly(i) < enough) continue;  // what is not a number is looked at
+      const Whole here = exactly(i);
+      if (here > most) {
+        most = here;
+        farthest = i;
+      }
+    }
+    return farthest;
+  }
+
+  const Triple<Whole>& whole() const {
+    if (!whole_) whole_ = from_.template toward_origin<Whole>();
+    return *whole_;
+  }
+
+  const ExactDifference<S>& difference_;
+  const ExactSimplex<S>& from_;
+  Triple<Bounded> bounded_;
+  mutable std::optional<Triple<Whole>> whole_;
+  Vec3<S> rough_;       // d, times 2^-exponent_
+  Vec3<double> doubt_;  // how far the components of rough_ may mislead, for coordinates of 1
+  int exponent_ = 0;
+};
+
+/// Walks to the feature of the difference that is nearest to the origin, or into the origin. Each vertex that it adds brings
+/// it nearer (C4), each decision is exact (C3). `offered`: at least one vertex, to begin with; good ones save scans.
+template <class S>
+void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered, CertifiedResult& result) {
+  const ExactDifference<S> difference(a, b);
+  ExactSimplex<S> simplex(difference);
+  IndexPair next = offered[0];
+  while (true) {
+    ++result.second_iterations;
+    simplex.add(next);
+    simplex.keep(nearest_with_A(simplex, simplex.size()));
+    if (simplex.contains_origin()) {
+      result.status = Status::intersecting;
+      result.certificate = CommonSimplex{simplex.vertices()};
+      return;
+    }
+    const AlongDirection<S> along(difference, simplex);
+    const auto is_nearer = [&](IndexPair p, IndexPair q) { return along.reach(p).value < along.reach(q).value; };
+    next = *std::max_element(offered.begin(), offered.end(), is_nearer);
+    if (along.sign(next) >= 0) continue;
+    const std::optional<IndexPair> found = along.vertex_across();
+    if (!found) {
+      result.status = Status::separated;
+      result.certificate = SeparatingFeature{simplex.vertices()};
+      return;
+    }
+    next = *found;
+  }
+}
+
+template <class S>
+IndexPair indices_of(const Vertex<S>& vertex) {
+  return {*vertex.a.index, *vertex.b.index};
+}
+
+}  // namespace detail
+
+/// Do the convex hulls of two sets of points have a point in common? Asked by collision() with any rules; what it finds is
+/// proven in S, and where that fails decided anew, exactly. No iteration limit, no tolerance; touching is intersecting.
+///
+/// Requires: finite coordinates; any S but float and double would need its own bounds.
+/// Returns: the answer with its certificate. Never undecided.
+/// Errors: std::runtime_error where denormal numbers are flushed to zero or rounding is not to nearest.
+template <class S, class Rules = AsIntended>
+requires(std::same_as<S, float> || std::same_as<S, double>) CertifiedResult
+    certified_collision(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options = {}) {
+  if (!detail::arithmetic_is_usual())
+    throw std::runtime_error(
+        "nothing can be proven: this processor is set to flush denormal numbers to zero, or not to round to "
+        "nearest; compile and link without -ffast-math, and leave the floating-point environment as it was");
+  CertifiedResult result;
+  const Result<S> guess = collision<S, Rules>(a, b, options);
+  result.iterations = guess.iterations;
+  if (guess.separation &&
+      detail::proves(guess.separation->direction, guess.separation->support_value, a.extent(), b.extent())) {
+    result.status = Status::separated;
+    result.proof = Proof::direction;
+    result.certificate = SeparatingDirection{guess.separation->direction.template cast<double>()};
+    return result;
+  }
+  IndexPairs found;
+  for (int i = 0; i < guess.simplex.size(); ++i) found.add(detail::indices_of(guess.simplex[i]));
+  if (found.size() == 4 &&
+      detail::enclose_origin(guess.simplex[0].w, guess.simplex[1].w, guess.simplex[2].w, guess.simplex[3].w)) {
+    result.status = Status::intersecting;
+    result.proof = Proof::tetrahedron;
+    result.certificate = CommonSimplex{found};
+    return result;
+  }
+  if (found.size() == 0) found.add({});
+  detail::search_again(a, b, found, result);
+  return result;
+}
+
+}  // namespace gjk

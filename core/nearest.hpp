@@ -1,0 +1,54 @@
+/// Which feature of a simplex is nearest to the origin, found without any history but one step: the distance has just fallen.
+#pragma once
+
+#include "simplex.hpp"
+
+namespace gjk::detail {
+
+/// Returns: the vertices of the feature of the simplex on which its point nearest to the origin lies (in its interior),
+/// oldest first, A last; all of four vertices where the origin lies inside. A flat feature that holds the origin is kept, too.
+///
+/// Requires: affinely independent vertices, and A in that feature: so it is where A was found along the way to the origin,
+/// w·d >= 0 > v·d with v the nearest point before, d being −v or a positive multiple. For then points of the segment from v
+/// to A are nearer than v, which was nearest in all features without A. So these need no test, and of the others exactly
+/// one passes (the point nearest to the origin of a convex set is one, and lies in the interior of one feature):
+///  * vertex A: AX·AO <= 0 for every other X;
+///  * edge AX: AX·AO > 0, and the origin not on the inner side of it in the plane of AX and another Y;
+///  * face AXY: the origin is not on the side of it on which the fourth vertex is, and lies strictly inside both its edges at A;
+///  * tetrahedron: the origin is beyond no face at A. BCD needs no test: A and the origin lie on one side of it.
+///
+/// `sides` answers, for roles X, Y, Z other than A:
+///     sides.is_toward(X)          AX·AO > 0
+///     sides.is_beyond(X, Y)       (AX·AO)(AX·AY) − (AY·AO)(AX·AX) >= 0, which is ABn·AO where X, Y are B, C
+///     sides.is_above(X, Y, Z)     (AX×AY)·AO and (AX×AY)·AZ have opposite signs
+template <class Sides>
+Order nearest_with_A(const Sides& sides, int size) {
+  using enum Role;
+  switch (size) {
+    case 1: return {A};
+    case 2: return sides.is_toward(B) ? Order{B, A} : Order{A};
+    case 3: {
+      const bool toward_B = sides.is_toward(B), toward_C = sides.is_toward(C);
+      if (!toward_B && !toward_C) return {A};
+      if (toward_B && sides.is_beyond(B, C)) return {B, A};
+      if (toward_C && sides.is_beyond(C, B)) return {C, A};
+      return {C, B, A};
+    }
+    default: break;
+  }
+  struct {
+    Role X, Y, Z;
+  } constexpr around[] = {{B, C, D}, {C, D, B}, {D, B, C}};
+  bool is_toward_any = false;
+  for (const auto& [X, Y, Z] : around) {
+    if (!sides.is_toward(X)) continue;
+    is_toward_any = true;
+    if (sides.is_beyond(X, Y) && sides.is_beyond(X, Z)) return {X, A};
+  }
+  if (!is_toward_any) return {A};
+  for (const auto& [X, Y, Z] : around)
+    if (sides.is_above(X, Y, Z) && !sides.is_beyond(X, Y) && !sides.is_beyond(Y, X)) return {Y, X, A};
+  return {D, C, B, A};
+}
+
+}  // namespace gjk::detail
