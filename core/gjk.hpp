@@ -17,6 +17,8 @@
 /// Sets are closed: touching is intersecting.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <concepts>
 #include <optional>
 #include <type_traits>
@@ -107,6 +109,7 @@ class Search {
     tell_([&] { return SearchStarted<S>{.direction = direction_, .why = why_first_direction()}; });
     while (result_.iterations < options_.iteration_limit) {
       if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
+      if (result_.iterations >= first_to_compare && comes_back()) return finish(Status::undecided, Reason::cycle);
       tell_.enter_iteration(++result_.iterations);
       const Vertex<S> vertex = difference_.vertex(direction_);
       const Reach w_d = reach<ZeroTest>(vertex, direction_);
@@ -126,6 +129,9 @@ class Search {
     }
     return finish(Status::undecided, Reason::iteration_limit);
   }
+
+  /// Where nobody listens, most searches have ended before anything is compared.
+  static constexpr int first_to_compare = Teller<Obs>::somebody_listens ? 0 : 8;
 
   static constexpr bool goes_on_after(Reason reason) {
     return reason == Reason::origin_not_crossed && Rules::not_crossed() == NotCrossed::process_the_simplex;
@@ -173,6 +179,44 @@ class Search {
     tell_([&] { return Finished<S>{.result = result_}; });
   }
 
+  /// What an iteration begins with, and what all later ones follow from. Of the vertices seen only the run without the
+  /// crossing test asks.
+  struct State {
+    int iteration;
+    Vec3<S> direction;
+    Simplex<S> simplex;
+    std::size_t vertices_seen;
+  };
+
+  bool is_now(const State& earlier) const {
+    if (earlier.direction != direction_ || earlier.simplex.size() != result_.simplex.size()) return false;
+    for (int i = 0; i < earlier.simplex.size(); ++i)
+      if (earlier.simplex[i].w != result_.simplex[i].w) return false;
+    return options_.crossing_test == CrossingTest::on || earlier.vertices_seen == seen_.size();
+  }
+
+  /// Returns: whether the next iteration would begin as an earlier one did; writes which. Where somebody listens all earlier
+  /// ones are known. Else one is, which is replaced whenever it is as old as it was far from the start (Brent 1980): so the search
+  /// ends after at most three times as many iterations as the way into the circle, or once around it, takes.
+  [[gnu::noinline]] bool comes_back() {
+    const auto now = [&] { return State{result_.iterations + 1, direction_, result_.simplex, seen_.size()}; };
+    const State* same = nullptr;
+    if constexpr (Teller<Obs>::somebody_listens) {
+      const auto found = std::find_if(states_.begin(), states_.end(), [&](const State& each) { return is_now(each); });
+      if (found != states_.end())
+        same = &*found;
+      else
+        states_.push_back(now());
+    } else {
+      if (states_ && is_now(*states_))
+        same = &*states_;
+      else if (std::has_single_bit(static_cast<unsigned>(result_.iterations)))
+        states_ = now();
+    }
+    if (same) result_.cycle_start = same->iteration;
+    return same != nullptr;
+  }
+
   /// Earlier vertices are kept only where somebody needs to know of them.
   bool remembers() const { return Teller<Obs>::somebody_listens || options_.crossing_test == CrossingTest::off; }
 
@@ -200,6 +244,7 @@ class Search {
   Teller<Obs> tell_;
   Vec3<S> direction_;
   std::vector<Vec3<S>> seen_;
+  std::conditional_t<Teller<Obs>::somebody_listens, std::vector<State>, std::optional<State>> states_;
   Result<S>& result_;
 };
 
@@ -220,9 +265,10 @@ requires Observer<Obs, S> Next<S> process(Simplex<S>& simplex, CrossingTest cros
 /// Algorithm 1: do the convex sets `a` and `b` have a point in common?
 ///
 /// Requires: finite shapes. S is float, double, long double or an exact number type.
-/// Returns: the answer with its evidence; undecided at the iteration limit (at once, where it is below 1) and where a
-/// search direction is zero, infinite or not a number. With the crossing test on and nobody listening it allocates nothing.
-/// Observer: called with every event, see events.hpp; the run is the same with and without one.
+/// Returns: the answer with its evidence; undecided at the iteration limit (at once, where it is below 1), where a search
+/// direction is zero, infinite or not a number, and where the search goes round in a circle. With the crossing test on and nobody listening it allocates nothing.
+/// Observer: called with every event, see events.hpp; the run is the same with and without one, but that a circle is noticed at
+/// once where somebody listens, later else.
 /// Errors: none of its own; what a support function or the observer throws passes through.
 ///
 /// An exact S answers rightly whenever it decides. In floating point the rules compare rounded products with zero, as the

@@ -16,6 +16,7 @@ enum class Reason {
   origin_not_crossed,       ///< separated: w·d < 0 (Eq. 9)
   no_new_vertex,            ///< crossing test off: the support function returned a vertex that the simplex had before
   iteration_limit,          ///< undecided
+  cycle,                    ///< undecided: the search has come back to where it was, and would go round for ever
   unusable_direction,  ///< undecided: the search direction, or how far it reached, is zero, infinite or not a number
 };
 
@@ -65,6 +66,7 @@ struct Result {
   int iterations = 0;                       ///< how many times each of the two support functions was called
   Simplex<S> simplex;                       ///< the last one; the claim is that it contains the origin, if intersecting
   std::optional<Separation<S>> separation;  ///< present exactly when separated
+  std::optional<int> cycle_start;           ///< present exactly at a cycle: the next iteration would begin as this one did
   friend bool operator==(const Result&, const Result&) = default;
 };
 
@@ -83,6 +85,7 @@ constexpr std::string_view to_string(Reason reason) {
     case Reason::origin_not_crossed: return "origin-not-crossed";
     case Reason::no_new_vertex: return "no-new-vertex";
     case Reason::iteration_limit: return "iteration-limit";
+    case Reason::cycle: return "cycle";
     case Reason::unusable_direction: return "unusable-direction";
   }
   return "";
