@@ -146,21 +146,63 @@ const Points cycling_apart_b{{-1, 3, 2}, {0, 10, 4}, {8, 9, 0}};
 const Points cycling_meeting_a{{274, -351, 0}, {95, -20, 0}, {104, 344, 0}, {346, 81, -2}};
 const Points cycling_meeting_b{{70, 207, -1}, {-168, -26, 0}, {144, -198, -1}, {112, 1, 0}};
 
-TEMPLATE_TEST_CASE("A search that cycles is undecided at the iteration limit, never \"no collision\"", "[gjk]",
-                   double, Rational) {
-  Options<TestType> patient;
-  patient.iteration_limit = 200;
-  for (const auto& options : {Options<TestType>{}, patient}) {
-    const auto require_undecided = [&](const Points& a, const Points& b) {
-      const auto result = of<TestType>(a, b, options);
-      REQUIRE(result.status == Status::undecided);
-      REQUIRE(result.reason == Reason::iteration_limit);
-      REQUIRE(result.iterations == options.iteration_limit);
-      REQUIRE_FALSE(result.separation.has_value());
-    };
-    require_undecided(cycling_apart_a, cycling_apart_b);
-    require_undecided(cycling_meeting_a, cycling_meeting_b);
+/// Returns: the simplex and the direction with which each iteration of a run began, as its events tell.
+template <class S>
+std::vector<std::pair<std::vector<Vec3<S>>, Vec3<S>>> states_of(const Trace<S>& trace) {
+  std::vector<std::pair<std::vector<Vec3<S>>, Vec3<S>>> states;
+  std::vector<Vec3<S>> simplex;
+  for (const Event<S>& event : trace.events) {
+    if (const auto* found = std::get_if<SupportFound<S>>(&event)) states.emplace_back(simplex, found->direction);
+    if (const auto* added = std::get_if<VertexAdded<S>>(&event)) simplex = places(added->simplex);
+    if (const auto* reduced = std::get_if<SimplexReduced<S>>(&event)) simplex = places(reduced->after);
   }
+  return states;
+}
+
+TEMPLATE_TEST_CASE("A search that goes round says so, undecided, and from which iteration on", "[gjk]", double,
+                   Rational) {
+  using S = TestType;
+  const auto require_cycle = [](const Points& a, const Points& b, const Options<S>& options, int period) {
+    const auto plain = of<S>(a, b, options);
+    Trace<S> trace;
+    const auto told = collision<S>(point_set<S>(a), point_set<S>(b), options, trace);
+    for (const auto& result : {plain, told}) {
+      REQUIRE(result.status == Status::undecided);
+      REQUIRE(result.reason == Reason::cycle);
+      REQUIRE_FALSE(result.separation.has_value());
+      REQUIRE(result.iterations + 1 - *result.cycle_start == period);
+      REQUIRE(result.iterations < options.iteration_limit);
+    }
+    REQUIRE(told.iterations <= plain.iterations);
+    REQUIRE(plain.iterations <= 3 * std::max(told.iterations, 8));
+    Options<S> before_it = options;
+    before_it.iteration_limit = *plain.cycle_start - 1;
+    REQUIRE(places(of<S>(a, b, before_it).simplex) == places(plain.simplex));
+    // Nothing before came back: it is told at once. (Without the crossing test the vertices seen count, too.)
+    if (options.crossing_test == CrossingTest::off) return;
+    const auto states = states_of(trace);
+    for (std::size_t later = 0; later < states.size(); ++later)
+      for (std::size_t earlier = 0; earlier < later; ++earlier) REQUIRE(states[later] != states[earlier]);
+  };
+  for (const int limit : {20, 200})
+    for (const CrossingTest test : {CrossingTest::on, CrossingTest::off}) {
+      Options<S> options;
+      options.iteration_limit = limit;
+      options.crossing_test = test;
+      require_cycle(cycling_apart_a, cycling_apart_b, options, 4);
+      if (std::floating_point<S> || test == CrossingTest::on)
+        require_cycle(cycling_meeting_a, cycling_meeting_b, options, 6);
+    }
+}
+
+TEST_CASE("A search that is stopped before it comes back has reached the limit", "[gjk]") {
+  Options<double> options;
+  const int back = of<double>(cycling_apart_a, cycling_apart_b, options).iterations;
+  options.iteration_limit = back;
+  const auto result = of<double>(cycling_apart_a, cycling_apart_b, options);
+  REQUIRE(result.reason == Reason::iteration_limit);
+  REQUIRE(result.iterations == back);
+  REQUIRE_FALSE(result.cycle_start.has_value());
 }
 
 TEST_CASE("The iteration limit bounds the calls of the support functions", "[gjk]") {
@@ -226,8 +268,7 @@ TEST_CASE("w·d = −∞ proves nothing: only a finite product separates", "[gjk
   require_undecided(collision<double, Eager<>>(beyond({{-1, 0, 0}}), origin, far_along_x), 1);
 }
 
-TEST_CASE("In floating point, touching askew and products beyond the range of the scalar give wrong answers",
-          "[gjk]") {
+TEST_CASE("In floating point, touching askew and products beyond the range of the scalar give wrong answers", "[gjk]") {
   const Points tetrahedron{{0, 0, 0}, {4, 1, 0}, {1, 4, 1}, {1, 0, 5}};
   int wrong_at_1e100 = 0, wrong_in_range = 0;
   Dice dice(7);
@@ -367,6 +408,7 @@ TEST_CASE("Statuses and reasons have names of their own", "[gjk]") {
   REQUIRE(to_string(Reason::origin_not_crossed) == "origin-not-crossed");
   REQUIRE(to_string(Reason::no_new_vertex) == "no-new-vertex");
   REQUIRE(to_string(Reason::iteration_limit) == "iteration-limit");
+  REQUIRE(to_string(Reason::cycle) == "cycle");
   REQUIRE(to_string(Reason::unusable_direction) == "unusable-direction");
 }
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/core/support.hpp"
 
@@ -62,6 +64,7 @@ class Replay {
 
   void operator()(const SupportFound<S>& e) {
     ++iteration_;
+    states_.emplace_back(direction_, simplex_);
     follows(e, "SD", 'V');
     must(e.direction == direction_, "the support function is asked in the direction chosen");
     must(e.vertex.w == Vec3<S>(e.vertex.a.point - e.vertex.b.point), "w = a - b");
@@ -137,6 +140,12 @@ class Replay {
          "intersecting exactly where the origin was found");
     must((e.result.reason == Reason::origin_not_crossed) == not_crossed, "Eq. 9 is the reason exactly where it failed");
     must(e.result.separation.has_value() == (e.result.status == Status::separated), "separated with proof");
+    must(e.result.cycle_start.has_value() == (e.result.reason == Reason::cycle), "a cycle begins somewhere");
+    if (e.result.cycle_start) {
+      const auto& [direction, simplex] = states_.at(static_cast<std::size_t>(*e.result.cycle_start) - 1);
+      must(direction == direction_ && same_simplex(simplex, simplex_),
+           "the next iteration would begin as the one told did");
+    }
     must(!e.result.separation || (e.result.separation->direction == direction_ &&
                                   e.result.separation->support_value == vertex_.w.dot(direction_)),
          "the proof is the last direction and its w·d");
@@ -164,6 +173,7 @@ class Replay {
   Vertex<S> vertex_;
   Simplex<S> simplex_, kept_from_;
   std::vector<Vec3<S>> seen_;
+  std::vector<std::pair<Vec3<S>, Simplex<S>>> states_;  // with which each iteration began
   Crossing verdict_ = Crossing::crossed;
   bool contains_origin_ = false;
 };

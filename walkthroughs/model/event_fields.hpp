@@ -89,9 +89,11 @@ struct FieldsOf<gjk::Separation<S>> {
 template <class S>
 struct FieldsOf<gjk::Result<S>> {
   using R = gjk::Result<S>;
-  static constexpr std::tuple list{Field("status", &R::status), Field("reason", &R::reason),
+  static constexpr std::tuple list{Field("status", &R::status),
+                                   Field("reason", &R::reason),
                                    Field("iterations", &R::iterations, Meaning::iterations),
                                    Field("simplex", &R::simplex),
+                                   Field("cycle_start", &R::cycle_start, Meaning::iterations).where_not_empty(),
                                    Field("separation", &R::separation).where_not_empty()};
 };
 

@@ -34,7 +34,7 @@ inline constexpr std::array<std::string_view, 4> crossing{"crossed", "not-crosse
 inline constexpr std::array<std::string_view, 4> relation{"> 0", "< 0", "= 0", "!= 0"};
 inline constexpr std::array<std::string_view, 3> verdict{"chosen", "rejected", "skipped"};
 inline constexpr auto status = as_core_says<gjk::Status, 3>();
-inline constexpr auto reason = as_core_says<gjk::Reason, 5>();
+inline constexpr auto reason = as_core_says<gjk::Reason, 6>();
 
 // All words of a type, for readers and writers of fields of any type.
 constexpr const auto& all(gjk::Crossing) { return crossing; }

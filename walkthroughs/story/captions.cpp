@@ -300,6 +300,9 @@ class Captions {
     if (result.reason == gjk::Reason::no_new_vertex)
       facts.push_back({Mark::none, "the search has run out of points: " + names_.of(now_.found->w) + " is not new"});
     if (result.reason == gjk::Reason::iteration_limit) facts.push_back({Mark::none, "the iteration limit is reached"});
+    if (result.cycle_start)
+      facts.push_back({Mark::none, "it would go round for ever: iteration " + std::to_string(result.iterations + 1) +
+                                       " would begin as iteration " + std::to_string(*result.cycle_start) + " did"});
     if (result.reason == gjk::Reason::unusable_direction)
       facts.push_back({Mark::none, "the search direction is zero or not finite"});
     if (result.separation)
@@ -394,7 +397,7 @@ Frame repetition(Frame frame, int earlier) {
   frame.headline = "The simplex and the direction are those of " + before + ".";
   frame.caption =
       "The simplex and the direction are those of " + before + ": from here on everything repeats, for ever.";
-  frame.facts.push_back({Mark::no, "the search goes round in a circle; the iterations up to the limit are left out"});
+  frame.facts.push_back({Mark::no, "the search goes round in a circle"});
   return frame;
 }
 

@@ -1,7 +1,6 @@
 #include "walkthroughs/story/storyboard.hpp"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -19,36 +18,18 @@ Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene, Trace tra
   return telling;
 }
 
-/// Where a search stands when it has chosen a direction: the simplex in its order, and the direction; without the crossing
-/// test also how many points it knows, by which it may end. The rest of an exact repetition is the repetition.
-std::vector<double> state_of(const Moment& now, std::size_t known_points) {
-  std::vector<double> state;
-  const auto append = [&](const Point& p) { state.insert(state.end(), {p.x(), p.y(), p.z()}); };
-  for (int i = 0; i < now.simplex.size(); ++i) append(now.simplex[i].w);
-  append(now.direction->value);
-  if (now.crossing->verdict == gjk::Crossing::switched_off) state.push_back(static_cast<double>(known_points));
-  return state;
-}
-
-/// One scene, told from the first event to the last. When the search comes back to where it was before, one frame says
-/// so, and the rounds that follow are left out.
+/// One scene, told from the first event to the last. Where the search has come back to where it was before, the frame about its
+/// last direction says so.
 void tell_whole_search(Story& story) {
   const Telling& telling = story.tellings[0];
   const std::vector<gjk::Event<double>>& events = telling.trace.events;
-  std::map<std::vector<double>, int> states;  // to the iteration that reached them first
-  std::size_t known_points = 0;
-  bool repeats = false;
+  const auto* const end = std::get_if<gjk::Finished<double>>(&events.back());
   for (std::size_t i = 0; i < events.size(); ++i) {
-    if (repeats && i + 1 < events.size()) continue;
-    if (const auto* found = std::get_if<gjk::SupportFound<double>>(&events[i]); found && found->is_new) ++known_points;
     Moment now = replay(telling.trace, i + 1);
     std::optional<Frame> frame = caption(events[i], story, telling, now);
     if (!frame) continue;
-    if (frame->focus == Focus::direction) {
-      const auto [state, is_new] = states.emplace(state_of(now, known_points), now.iteration);
-      repeats = !is_new;
-      if (repeats) frame = repetition(std::move(*frame), state->second);
-    }
+    const bool is_back = end && end->result.cycle_start && i + 2 == events.size();
+    if (is_back) frame = repetition(std::move(*frame), *end->result.cycle_start - 1);
     frame->moments = {std::move(now)};
     frame->events = {{0, i}};
     story.frames.push_back(std::move(*frame));

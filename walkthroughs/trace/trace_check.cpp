@@ -87,19 +87,37 @@ void TraceCheck::check(const gjk::SearchStarted<double>& event) {
   begin_search();
 }
 
-/// Algorithm 1 is at the top of its loop.
+/// Algorithm 1 is at the top of its loop. A search that has come back to where it was may also go round: those that were
+/// written before that was noticed did.
 void TraceCheck::begin_search() {
   expected_ = {event_index<gjk::Finished>};
-  if (iteration_ >= scene_.options.iteration_limit)
+  if (iteration_ >= scene_.options.iteration_limit) {
     endings_ = {{Status::undecided, Reason::iteration_limit}};
-  else if (!gjk::is_usable_direction(direction_))
+  } else if (!gjk::is_usable_direction(direction_)) {
     endings_ = {{Status::undecided, Reason::unusable_direction}};
-  else
+  } else if (iteration_that_began_so() != 0) {
+    endings_ = {{Status::undecided, Reason::cycle}};
+    expected_.push_back(event_index<gjk::SupportFound>);
+  } else {
     expected_ = {event_index<gjk::SupportFound>};
+  }
+}
+
+/// Returns: the first iteration that began with the simplex and the direction of now; 0 where none did.
+int TraceCheck::iteration_that_began_so() const {
+  const auto is_now = [this](const State& earlier) {
+    if (earlier.direction != direction_ || earlier.simplex.size() != simplex_.size()) return false;
+    for (int i = 0; i < simplex_.size(); ++i)
+      if (earlier.simplex[i].w != simplex_[i].w) return false;
+    return scene_.options.crossing_test == CrossingTest::on || earlier.vertices_known == known_.size();
+  };
+  const auto found = std::ranges::find_if(states_, is_now);
+  return found == states_.end() ? 0 : static_cast<int>(found - states_.begin()) + 1;
 }
 
 void TraceCheck::check(const gjk::SupportFound<double>& event) {
   ++iteration_;
+  states_.push_back({direction_, simplex_, known_.size()});
   require_identical(event.direction, direction_, "direction", "the direction chosen last");
   const gjk::Vertex<double>& v = event.vertex;
   require_identical(v.w, difference(v.a.point, v.b.point, scene_.scalar), "w", "a - b");
@@ -263,7 +281,18 @@ void TraceCheck::check(const gjk::Finished<double>& event) {
   require(result.separation.has_value() == (result.status == Status::separated),
           "'separation' is there exactly where the status is 'separated'");
   if (result.separation) check_separation(result);
+  check_cycle(result);
   expected_.clear();
+}
+
+void TraceCheck::check_cycle(const gjk::Result<double>& result) const {
+  require(result.cycle_start.has_value() == (result.reason == Reason::cycle),
+          "'cycle_start' is there exactly where the reason is 'cycle'");
+  if (!result.cycle_start) return;
+  const int start = iteration_that_began_so();
+  require(*result.cycle_start == start, "'cycle_start' is " + std::to_string(*result.cycle_start) +
+                                            ", but it was iteration " + std::to_string(start) +
+                                            " that began as the next would");
 }
 
 void TraceCheck::check_separation(const gjk::Result<double>& result) const {

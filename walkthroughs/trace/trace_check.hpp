@@ -46,6 +46,12 @@ class TraceCheck {
     gjk::Status status;
     gjk::Reason reason;
   };
+  /// What an iteration began with.
+  struct State {
+    Point direction;
+    gjk::Simplex<double> simplex;
+    std::size_t vertices_known;
+  };
   using Vertex = gjk::Vertex<double>;
   using Simplex = gjk::Simplex<double>;
 
@@ -64,8 +70,10 @@ class TraceCheck {
   bool reach_may_be_crossed() const;
   void go_on(const RuleStep& step);
   void begin_search();
+  int iteration_that_began_so() const;
   void end_outside(gjk::Reason reason);
   void check_separation(const gjk::Result<double>& result) const;
+  void check_cycle(const gjk::Result<double>& result) const;
   bool is_known(const Point& w) const;
   bool has(const Point& w) const;
 
@@ -77,8 +85,9 @@ class TraceCheck {
   Vertex vertex_;       ///< found last
   bool is_new_ = true;  ///< whether it was
   gjk::Crossing crossing_ = gjk::Crossing::crossed;
-  RoundedScalar reach_{0};    ///< vertex_.w·direction_: exact where the trace tells it
-  std::vector<Point> known_;  ///< each place found so far, once
+  RoundedScalar reach_{0};     ///< vertex_.w·direction_: exact where the trace tells it
+  std::vector<Point> known_;   ///< each place found so far, once
+  std::vector<State> states_;  ///< with which each iteration began
   Simplex simplex_;
   RuleStep step_;  ///< how far the rule for simplex_ has come, or how it ended
 };

@@ -16,7 +16,8 @@
 
 namespace study {
 
-/// How a query ended. Undecided queries are told apart by what stopped them.
+/// How a query ended. Undecided queries are told apart by what stopped them; those that went round count as stopped at the
+/// limit, where they would have ended.
 enum class Answer { intersecting, separated, unusable, at_limit };
 inline constexpr std::size_t answers = 4;
 
@@ -93,26 +94,8 @@ template <class S>
 Answer answer_of(const gjk::Result<S>& result) {
   if (result.status == gjk::Status::intersecting) return Answer::intersecting;
   if (result.status == gjk::Status::separated) return Answer::separated;
-  return result.reason == gjk::Reason::iteration_limit ? Answer::at_limit : Answer::unusable;
-}
-
-/// A shape that notes in which directions it is asked.
-template <class S>
-struct NotingShape {
-  const AnyForm<S>& shape;
-  std::vector<gjk::Vec3<S>>& directions;
-  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
-    directions.push_back(d);
-    return shape.support(d);
-  }
-};
-
-template <class S>
-bool is_same_simplex(const gjk::Simplex<S>& x, const gjk::Simplex<S>& y) {
-  if (x.size() != y.size()) return false;
-  for (int i = 0; i < x.size(); ++i)
-    if (x[i].w != y[i].w) return false;
-  return true;
+  const bool is_stopped = result.reason == gjk::Reason::iteration_limit || result.cycle_start;
+  return is_stopped ? Answer::at_limit : Answer::unusable;
 }
 
 /// The functions behind one method.
@@ -120,20 +103,17 @@ template <class S, class Rules>
 struct Asking {
   static Outcome ask(const Question& question, int limit) {
     const gjk::Result<S> result = result_to<S, Rules>(question, limit);
-    return {answer_of(result), result.iterations};
+    return {answer_of(result), result.cycle_start ? limit : result.iterations};
   }
 
-  /// A run that is stopped before iteration k tells the simplex with which k begins.
+  /// Where somebody listens a search ends as soon as it comes back.
   static int first_return(const Question& question, int limit) {
-    const std::vector<gjk::Vec3<S>> directions = directions_of(question, limit);
-    const auto simplex_before = [&](std::size_t k) {
-      return result_to<S, Rules>(question, static_cast<int>(k)).simplex;
-    };
-    for (std::size_t later = 1; later < directions.size(); ++later)
-      for (std::size_t earlier = 0; earlier < later; ++earlier)
-        if (directions[later] == directions[earlier] && is_same_simplex(simplex_before(later), simplex_before(earlier)))
-          return static_cast<int>(later) + 1;
-    return 0;
+    gjk::Options<S> options = limited_to<S>(limit);
+    const auto& q = static_cast<const QuestionOf<S>&>(question);
+    set_first_direction<S, Rules>(options, q);
+    const auto listener = [](const auto&) {};
+    const auto result = gjk::collision<S, Rules>(AnyForm<S>{q.a}, AnyForm<S>{q.b}, options, listener);
+    return result.cycle_start ? result.iterations + 1 : 0;
   }
 
   static std::chrono::nanoseconds time(std::span<const Question* const> questions, int limit) {
@@ -145,18 +125,6 @@ struct Asking {
     volatile int used = iterations;  // so that no query is left out as useless
     static_cast<void>(used);
     return end - start;
-  }
-
- private:
-  /// Returns: the direction in which each iteration searches.
-  static std::vector<gjk::Vec3<S>> directions_of(const Question& question, int limit) {
-    const auto& q = static_cast<const QuestionOf<S>&>(question);
-    std::vector<gjk::Vec3<S>> directions;
-    const AnyForm<S> a{q.a}, b{q.b};
-    gjk::Options<S> options = limited_to<S>(limit);
-    set_first_direction<S, Rules>(options, q);
-    gjk::collision<S, Rules>(NotingShape<S>{a, directions}, b, options);
-    return directions;
   }
 };
 

@@ -203,7 +203,7 @@ TEST_CASE("Every region that is skipped is told with its reason, in each frame o
   std::size_t skipped = 0;
   for (const Story& story : whole_searches()) {
     INFO(story.walkthrough.name);
-    for (const gjk::RegionTested<double>& region : all<gjk::RegionTested>(Trace{told_events(story)})) {
+    for (const gjk::RegionTested<double>& region : all<gjk::RegionTested>(story.tellings[0].trace)) {
       if (region.verdict != gjk::Verdict::skipped) continue;
       ++skipped;
       const std::string name = region.label.empty() ? region.feature : region.label;

@@ -74,18 +74,10 @@ inline std::optional<Return> first_return(const Trace& trace) {
   return std::nullopt;
 }
 
-/// Returns: the events that a story of one search tells: all, but for what lies between a return and the end.
-inline std::vector<gjk::Event<double>> told_events(const Story& story) {
-  std::vector<gjk::Event<double>> events = story.tellings.at(0).trace.events;
-  if (const auto back = first_return(story.tellings[0].trace))
-    events.erase(events.begin() + static_cast<std::ptrdiff_t>(back->event) + 1, events.end() - 1);
-  return events;
-}
-
-/// Returns: those of them that have a frame, in order.
+/// Returns: the events of a story of one search that have a frame, in order.
 inline std::vector<gjk::Event<double>> shown(const Story& story) {
   std::vector<gjk::Event<double>> events;
-  for (const auto& event : told_events(story))
+  for (const auto& event : story.tellings.at(0).trace.events)
     if (focus_of(event, story.walkthrough.naming)) events.push_back(event);
   return events;
 }
