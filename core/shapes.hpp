@@ -101,7 +101,7 @@ class PointSet {
   /// Errors: std::invalid_argument where `points` is empty.
   explicit PointSet(std::vector<Vec3<S>> points) : points_(std::move(points)), blocks_(points_) {
     if (points_.empty()) throw std::invalid_argument("a point set needs at least one point");
-    for (const Vec3<S>& p : points_) extent_ = extent_.cwiseMax(p.cwiseAbs());
+    for (const Vec3<S>& p : points_) extent_ = extent_.cwiseMax(p).cwiseMax(-p);  // of scalars without abs(), too
   }
 
   /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
