@@ -78,10 +78,12 @@ struct Rounding<float> {
 
 /// Whether arithmetic is what the proofs assume; no compiler may know beforehand. One comparison finds denormal results that
 /// are flushed to zero as well as denormal operands that count as zero; the other two find rounding that is not to nearest.
+/// A difference, since a product that becomes denormal takes many processors a tenth of a query.
 inline bool arithmetic_is_usual() {
-  volatile double least_normal = std::numeric_limits<double>::min(), one = 1;
+  volatile double normal = 0x1.8p-1022, one = 1;
+  volatile double denormal = normal - 0x1p-1022;
   const double x = one, quarter = 0x1p-54, three_quarters = 0x1.8p-53;
-  return least_normal / 2 != 0 && x + quarter == 1 && -x - quarter == -1 && x + three_quarters > 1;
+  return denormal != 0 && x + quarter == 1 && x + three_quarters > 1;
 }
 
 /// C1. Returns: whether d separates the sets, w·d having been found as `support_value` by their support functions.
