@@ -8,7 +8,8 @@
 /// What is proven, under which assumptions, as numbered properties; the tests quote them. The assumptions: IEEE arithmetic,
 /// rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no harm.)
 ///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see proves().
-///  C2. Four points are a proof where four determinants are larger than 64u times their factors: see enclose_origin().
+///  C2. Four points are a proof where four determinants are larger than 64uM³, M being the largest coordinate of the points:
+///      see enclose_origin().
 ///  C3. Each sign that the second search goes by is that of the exact number: see ExactSimplex::sign() and AlongDirection.
 ///  C4. The second search ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
 ///      feature that is kept, and there are finitely many of them.
@@ -106,21 +107,18 @@ bool proves(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, c
 /// coefficients have one strict sign, the origin is a convex combination of all four points.
 ///
 /// Each of the six products of three components in v meets 8 roundings (three differences a − b, product, difference,
-/// product, two sums) and is at most |x||y||z| in the maximum norm: 48u|x||y||z| is the error, and 64u is asked for.
+/// product, two sums) and is at most M³, M being the largest component of all: 48uM³ is the error, and 64uM³ is asked for.
 template <class S>
 bool enclose_origin(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
-  const auto norm = [](const Vec3<S>& x) { return static_cast<double>(x.cwiseAbs().maxCoeff()); };
-  const double A = norm(a), B = norm(b), C = norm(c), D = norm(d);
-  const double least = std::min(std::min(A, B), std::min(C, D)), largest = std::max(std::max(A, B), std::max(C, D));
-  if (!(least > Rounding<S>::least_norm && largest < Rounding<S>::largest_norm)) return false;
+  const auto size_ab = a.cwiseAbs().cwiseMax(b.cwiseAbs()), size_cd = c.cwiseAbs().cwiseMax(d.cwiseAbs());
+  const double M = static_cast<double>(size_ab.cwiseMax(size_cd).maxCoeff());
+  if (!(M > Rounding<S>::least_norm && M < Rounding<S>::largest_norm)) return false;
+  const double error = 64 * Rounding<S>::u * (M * M * M);
   const Vec3<S> cd = c.cross(d), ab = a.cross(b);
   const double bcd = static_cast<double>(b.dot(cd)), acd = static_cast<double>(a.dot(cd));
   const double abd = static_cast<double>(ab.dot(d)), abc = static_cast<double>(ab.dot(c));
-  constexpr double bound = 64 * Rounding<S>::u;
-  const double e_bcd = bound * B * C * D, e_acd = bound * A * C * D, e_abd = bound * A * B * D,
-               e_abc = bound * A * B * C;
-  return (bcd > e_bcd && acd < -e_acd && abd > e_abd && abc < -e_abc) ||
-         (bcd < -e_bcd && acd > e_acd && abd < -e_abd && abc > e_abc);
+  return (bcd > error && acd < -error && abd > error && abc < -error) ||
+         (bcd < -error && acd > error && abd < -error && abc > error);
 }
 
 // -- The second search ------------------------------------------------------------------------------------------------
@@ -478,8 +476,8 @@ void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& 
 }
 
 template <class S>
-IndexPair indices_of(const Vertex<S>& vertex) {
-  return {*vertex.a.index, *vertex.b.index};
+void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
+  for (int i = 0; i < simplex.size(); ++i) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
 }
 
 }  // namespace detail
@@ -507,15 +505,15 @@ requires(std::same_as<S, float> || std::same_as<S, double>) CertifiedResult
     result.certificate = SeparatingDirection{guess.separation->direction.template cast<double>()};
     return result;
   }
-  IndexPairs found;
-  for (int i = 0; i < guess.simplex.size(); ++i) found.add(detail::indices_of(guess.simplex[i]));
-  if (found.size() == 4 &&
-      detail::enclose_origin(guess.simplex[0].w, guess.simplex[1].w, guess.simplex[2].w, guess.simplex[3].w)) {
+  const Simplex<S>& simplex = guess.simplex;
+  if (simplex.size() == 4 && detail::enclose_origin(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w)) {
     result.status = Status::intersecting;
     result.proof = Proof::tetrahedron;
-    result.certificate = CommonSimplex{found};
+    detail::add_vertices(result.certificate.template emplace<CommonSimplex>().of, simplex);
     return result;
   }
+  IndexPairs found;
+  detail::add_vertices(found, simplex);
   if (found.size() == 0) found.add({});
   detail::search_again(a, b, found, result);
   return result;
