@@ -23,6 +23,7 @@
     "gjk::certified_collision proves what it says by the rules of IEEE arithmetic: compile without -ffast-math and its parts"
 #endif
 
+#include <array>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cfloat>
@@ -135,7 +136,7 @@ struct BinaryFraction {
 
   explicit BinaryFraction(double x) {
     if (x == 0) return;
-    m = static_cast<std::int64_t>(std::scalbn(std::frexp(x, &e), 53));
+    m = static_cast<std::int64_t>(std::frexp(x, &e) * 0x1p53);
     const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));
     m >>= zeros;
     e += zeros - 53;
@@ -150,6 +151,7 @@ class ExactDifference {
   ExactDifference(const PointSet<S>& a, const PointSet<S>& b) : a_(a), b_(b) {
     const double largest = static_cast<double>(std::max(a.extent().maxCoeff(), b.extent().maxCoeff()));
     if (largest != 0) exponent_ = -std::ilogb(largest);
+    factors_ = {std::scalbn(1.0, exponent_ / 2), std::scalbn(1.0, exponent_ - exponent_ / 2)};
   }
 
   const PointSet<S>& a() const { return a_; }
@@ -172,7 +174,7 @@ class ExactDifference {
   N number(S coordinate) const {
     const double x = static_cast<double>(coordinate);
     if constexpr (std::same_as<N, Bounded>) {
-      const double value = std::scalbn(x, exponent_);
+      const double value = x * factors_[0] * factors_[1];
       return {value, std::abs(value) < 0x1p-960 && x != 0 ? 1e-300 : 0.0};  // it may have lost digits
     } else {
       const BinaryFraction fraction(x);
@@ -194,6 +196,7 @@ class ExactDifference {
 
   const PointSet<S>&a_, &b_;
   int exponent_ = 0;
+  std::array<double, 2> factors_{1, 1};  // 2^exponent_: one number may not hold it, and std::scalbn() is slow
   mutable std::optional<int> least_exponent_;
 };
 
