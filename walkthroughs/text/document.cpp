@@ -103,7 +103,8 @@ std::string reason_of_syntax_error(const Progress& progress, const nlohmann::det
   if (error.id == number_overflow) {
     const bool at_end = progress.next == progress.end && std::isdigit(static_cast<unsigned char>(progress.next[-1]));
     const std::string word = word_around(progress.next - (at_end ? 0 : 1), progress);
-    return "the number " + in_quotes(word) + " is too large for floating point; numbers may go up to 1e150";
+    return "the number " + in_quotes(word) +
+           " is too large for floating point, which ends at 1.8e308; choose a larger unit of length";
   }
   const std::string word = word_around(progress.next, progress), said = what_the_parser_says(error.what());
   const std::string at_column = "is not JSON at column " + std::to_string(progress.column()) + ": ";
