@@ -83,11 +83,12 @@ bool holds(const SeparatingDirection& certificate, const PointSet<S>& a, const P
   return certificate.d.allFinite() && detail::separates(detail::fractions(certificate.d), a, b);
 }
 
-/// v = w₀ + Σ tₖ(wₖ − w₀), where every (wᵢ − w₀)·v is 0.
+/// Returns: −v, exactly: v = w₀ + Σ tₖ(wₖ − w₀), where every (wᵢ − w₀)·v is 0; none where these are no such points.
 template <class S>
-bool holds(const SeparatingFeature& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+std::optional<detail::Fractions> direction_of(const SeparatingFeature& certificate, const PointSet<S>& a,
+                                              const PointSet<S>& b) {
   const auto points = detail::points_of(certificate.of, 3, a, b);
-  if (!points) return false;
+  if (!points) return std::nullopt;
   const detail::Fractions& w = points->front();
   std::vector<detail::Fractions> edges, rows;
   for (std::size_t i = 1; i < points->size(); ++i) edges.push_back(detail::minus((*points)[i], w));
@@ -97,25 +98,38 @@ bool holds(const SeparatingFeature& certificate, const PointSet<S>& a, const Poi
     rows.back().push_back(-detail::dot(edge, w));
   }
   const auto t = detail::solution_of(std::move(rows), edges.size());
-  if (!t) return false;
+  if (!t) return std::nullopt;
   detail::Fractions d{-w[0], -w[1], -w[2]};
   for (std::size_t k = 0; k < edges.size(); ++k)
     for (std::size_t i = 0; i < 3; ++i) d[i] -= (*t)[k] * edges[k][i];
-  return detail::separates(d, a, b);
+  return d;
 }
 
-/// Σ λₖwₖ = 0, where Σ λₖ = 1 and no λₖ < 0.
 template <class S>
-bool holds(const CommonSimplex& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+bool holds(const SeparatingFeature& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+  const auto d = direction_of(certificate, a, b);
+  return d && detail::separates(*d, a, b);
+}
+
+/// Returns: λ, exactly: Σ λₖwₖ = 0, where Σ λₖ = 1; none where these are no points with exactly one such λ.
+template <class S>
+std::optional<detail::Fractions> weights_of(const CommonSimplex& certificate, const PointSet<S>& a,
+                                            const PointSet<S>& b) {
   const auto points = detail::points_of(certificate.of, 4, a, b);
-  if (!points) return false;
+  if (!points) return std::nullopt;
   std::vector<detail::Fractions> rows(4);
   for (const detail::Fractions& w : *points) {
     for (std::size_t i = 0; i < 3; ++i) rows[i].push_back(w[i]);
     rows[3].push_back(1);
   }
   for (std::size_t i = 0; i < 4; ++i) rows[i].push_back(i < 3 ? 0 : 1);
-  const auto weights = detail::solution_of(std::move(rows), points->size());
+  return detail::solution_of(std::move(rows), points->size());
+}
+
+/// No λₖ < 0.
+template <class S>
+bool holds(const CommonSimplex& certificate, const PointSet<S>& a, const PointSet<S>& b) {
+  const auto weights = weights_of(certificate, a, b);
   return weights && std::all_of(weights->begin(), weights->end(), [](const detail::Fraction& x) { return x >= 0; });
 }
 

@@ -33,6 +33,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "bounded.hpp"
 #include "certificate.hpp"
@@ -47,6 +48,15 @@ enum class Proof {
   tetrahedron,    ///< that of the first search holds the origin, by more than all that was rounded (C2)
   second_search,  ///< the signs that the second search took (C3)
 };
+
+constexpr std::string_view to_string(Proof proof) {
+  switch (proof) {
+    case Proof::direction: return "direction";
+    case Proof::tetrahedron: return "tetrahedron";
+    case Proof::second_search: return "second-search";
+  }
+  return "";
+}
 
 struct CertifiedResult {
   Status status = Status::undecided;  ///< never that, once it is returned
