@@ -13,8 +13,8 @@
 
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/places.hpp"
 #include "walkthroughs/program/number_option.hpp"
+#include "walkthroughs/program/places.hpp"
 #include "walkthroughs/program/standard_output.hpp"
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/text/nearest.hpp"
@@ -32,9 +32,9 @@ constexpr const char* footer =
   {"sphere": {"center": [x, y, z], "radius": r}}
   {"cylinder": {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}}
   {"sum": [SHAPE, SHAPE]}, two of these four: all points x + y
-with a "pose" and a "name" if you like; exact takes points and their sums only. Eager rules search first from the center
-of a, for points their mean, to that of b; the others along +x. A number is read as the nearest double and then
-converted. A line may have 16 MiB, and end in CR LF.
+with a "pose" and a "name" if you like; exact takes points and their sums only. Eager rules and --start between search
+first from the center of a, for points their mean, to that of b; the others along +x. A number is read as the nearest
+double and then converted. A line may have 16 MiB, and end in CR LF.
 Standard output: one line for each, in the same order,
   {"status": "intersecting", "separated" or "undecided", "iterations": n, "reason": "...", "evidence": {...}}
 Evidence: where separated, a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0; else the
@@ -80,13 +80,30 @@ std::string words_and_meanings(const std::array<gjk::Named<E>, count>& table) {
   return text;
 }
 
+/// Errors: UsageError.
+Point first_direction_in(const std::string& text, QueryScalar scalar) {
+  const Point direction = *direction_in(text);
+  if (scalar == QueryScalar::binary32 && !gjk::is_usable_direction(Cast<float>{}.point(direction)))
+    throw UsageError("--first-direction " + in_quotes(text) +
+                     " is infinite or 0 in floats; only the ratios of its numbers count: bring them nearer to 1");
+  return direction;
+}
+
+/// Errors: UsageError.
+QueryOptions options_of(const QueryCommand& query) {
+  QueryOptions options{.scalar = choice<QueryScalar>("--scalar", query.scalar, query_scalars),
+                       .rules = choice<RuleSet>("--rules", query.rules, words_of::rules),
+                       .zero_test = choice<ZeroTest>("--zero-test", query.zero_test, words_of::zero_test),
+                       .iteration_limit = query.max_iterations};
+  if (query.start) options.start = choice<QueryStart>("--start", *query.start, query_starts);
+  if (query.first_direction) options.first_direction = first_direction_in(*query.first_direction, options.scalar);
+  return options;
+}
+
 }  // namespace
 
 int QueryCommand::run() const {
-  QueryOptions options{.scalar = choice<QueryScalar>("--scalar", scalar, query_scalars),
-                       .rules = choice<RuleSet>("--rules", rules, words_of::rules),
-                       .zero_test = choice<ZeroTest>("--zero-test", zero_test, words_of::zero_test)};
-  options.iteration_limit = max_iterations;
+  const QueryOptions options = options_of(*this);
   Places places;
   places.read_standard_input();
   places.write_standard_output();
@@ -109,6 +126,11 @@ CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
       command->add_option("--max-iterations", query.max_iterations, "so many at most; then the answer is undecided")
           ->capture_default_str(),
       1, scene_limits::iterations);
+  CLI::Option* const start = command->add_option(
+      "--start", query.start, "search first between: from the center of a to that of b, as eager rules do anyway");
+  CLI::Option* const first_direction =
+      command->add_option("--first-direction", query.first_direction, "search first along x,y,z")->excludes(start);
+  expect_direction(first_direction);
   command->footer(footer);
   return command;
 }

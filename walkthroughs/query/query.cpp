@@ -5,60 +5,16 @@
 
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
-#include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_object.hpp"
-#include "walkthroughs/text/scene_object.hpp"
+#include "walkthroughs/query/query_pair.hpp"
 
 namespace walkthroughs {
 namespace {
 
-using namespace reading;
-
-struct PairAsWritten {
-  ObjectAsWritten a, b;
-};
-
-Numbers numbers_of(QueryScalar scalar) {
-  switch (scalar) {
-    case QueryScalar::binary32: return Numbers::floats;
-    case QueryScalar::exact: return Numbers::fractions;
-    case QueryScalar::binary64:
-    case QueryScalar::long_double: break;
-  }
-  return Numbers::doubles;
-}
-
-/// Errors: DocumentError.
-PairAsWritten read_pair(std::string_view line, QueryScalar scalar) {
-  if (line.find_first_not_of(" \t\r") == std::string_view::npos)
-    throw DocumentError(1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out");
-  const Document document = Document::of_line(line);
-  const Value root = document.root();
-  expect_object(root, {"a", "b", "dimension"}, "an object { ... } with 'a' and 'b'");
-  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(scalar)};
-  ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);
-  return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
-}
-
-Point center_of(const ObjectAsWritten& object) {
-  const Point own = middle<double>(object.form);
-  return object.pose ? (*object.pose)(own) : own;
-}
-
-/// Rules that test the first point, too, begin between the centers, as in scenes.
-template <class S>
-gjk::Options<S> options_of(const PairAsWritten& pair, const QueryOptions& query) {
-  gjk::Options<S> options;
-  options.iteration_limit = query.iteration_limit;
-  if (gjk::first_point(query.rules) == gjk::FirstPoint::tested)
-    options.first_direction = direction_between_centers<S>(center_of(pair.a), center_of(pair.b));
-  return options;
-}
-
 template <class S>
 void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
-  const gjk::Options<S> options = options_of<S>(pair, query);
+  const gjk::Options<S> options = search_options<S>(pair, query);
   const QueryObject<S> a = query_object<S>(std::move(pair.a)), b = query_object<S>(std::move(pair.b));
   const auto answer_by = [&]<class Rules>() { write_answer(gjk::collision<S, Rules>(a, b, options), out); };
   if constexpr (std::floating_point<S>)
@@ -91,7 +47,7 @@ void write_too_long(std::size_t line_number, std::string& out) {
 
 bool answer_line(std::string_view line, std::size_t line_number, const QueryOptions& options, std::string& out) {
   try {
-    answer(read_pair(line, options.scalar), options, out);
+    answer(read_pair(line, options), options, out);
     return true;
   } catch (const DocumentError& error) {
     write_error((error.key.empty() ? "" : error.key + ": ") + error.what(), line_number, out);

@@ -11,28 +11,16 @@
 /// "p/q" in lowest terms or "p". What is not finite is "inf", "-inf" or "nan", and a long double beyond all doubles a string.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
 
-#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/query/query_lines.hpp"
+#include "walkthroughs/query/query_options.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
 namespace walkthroughs {
-
-/// In which numbers a query is computed; the position of its word in query_scalars.
-enum class QueryScalar { binary32, binary64, long_double, exact };
-inline constexpr std::array<std::string_view, 4> query_scalars{"float", "double", "long-double", "exact"};
-
-struct QueryOptions {
-  QueryScalar scalar = QueryScalar::binary64;
-  RuleSet rules = RuleSet::as_intended;
-  ZeroTest zero_test = ZeroTest::exact;
-  int iteration_limit = 20;  ///< 1 to scene_limits::iterations
-};
 
 namespace query_limits {
 inline constexpr std::size_t line = scene_limits::bytes;  ///< as long as a scene file may be

@@ -64,6 +64,24 @@ TEST_CASE("gjkstep query does as its options say") {
   CHECK(has(query(tenth, "--scalar exact").out, "\"a\":[\"3602879701896397/36028797018963968\",\"0\",\"0\"]"));
 }
 
+TEST_CASE("gjkstep query begins a search where it is told") {
+  const std::string line = pair_of(R"({"points":[[0,0,0],[0,0,1]]})", R"({"points":[[1,9,0],[2,5,0]]})") + "\n";
+  const auto direction = [&](const std::string& options) {
+    const std::string out = query(line, "--rules eager " + options).out;
+    const std::size_t at = out.find("\"direction\":");
+    return at == std::string::npos ? out : out.substr(at + 12, out.find(']', at) - at - 11);
+  };
+  CHECK(direction("") == "[1.5,7,-0.5]");
+  CHECK(direction("--start between") == "[1.5,7,-0.5]");
+  CHECK(has(query(line, "--max-iterations 1").out, "\"b\":[1,9,0]"));
+  CHECK(has(query(line, "--max-iterations 1 --start between").out, "\"b\":[2,5,0]"));
+  for (const char* given : {"--first-direction 0,1.5,0", "--first-direction=0,15e-1,-0"})
+    CHECK(has(direction(given), "[0,1.5,"));
+  CHECK(has(query(line, "--rules eager --scalar exact --first-direction 0.5,1,0").out, R"(["1/2","1","0"])"));
+  CHECK(has(query(line, "--rules eager --scalar float --first-direction 0.1,1,0").out, "[0.1,1,0]"));
+  CHECK(query(line, "--first-direction -1,-2,-3").exit_code == 0);
+}
+
 TEST_CASE("A bad line of gjkstep query is exit code 3 and the others are answered") {
   const Outcome outcome = query("x\n" + pair_of(dot, dot) + "\n\n");
   CHECK(outcome.exit_code == 3);
@@ -209,13 +227,32 @@ TEST_CASE("gjkstep query waits where its pipes do not, for who reads its answers
 TEST_CASE("What gjkstep query does not know is exit code 2 with the word that was probably meant") {
   check_failure("query --scalar duoble", 2, {"--scalar 'duoble' is not known", "did you mean 'double'"});
   check_failure("query --rules as-print", 2, {"did you mean 'as-printed'"});
+  check_failure("query --start inbetween", 2, {"--start 'inbetween' is not known", "did you mean 'between'"});
   check_failure("query pairs.jsonl", 2, {"pairs.jsonl"});
+}
+
+TEST_CASE("Options of gjkstep query that do not go together are exit code 2") {
+  check_failure("query --start between --first-direction 1,0,0", 2, {"--start excludes --first-direction"});
+}
+
+TEST_CASE("A first direction is three finite numbers in decimal, not all 0") {
+  for (const char* const given : {"",         " ",      "1",          "1,0",     "1,0,0,",  "1,0,0,0",   ",,",
+                                  "1,,0",     "0,0,0",  "-0,0.0,0e5", "nan,0,0", "1,inf,0", "1e400,0,0", "1,0,1e-400",
+                                  "0x10,0,0", "+1,0,0", "1, 0, 0",    "1;0;0",   "[1,0,0]", "x,y,z"})
+    check_failure("query --first-direction " + quoted(given), 2,
+                  {"--first-direction: expected three finite numbers x,y,z, not all 0, found " + quoted(given)});
+  for (const char* const given : {"1e39,0,0", "0,1e-60,0"}) {
+    check_failure("query --scalar float --first-direction " + quoted(given), 2,
+                  {"--first-direction " + quoted(given) + " is infinite or 0 in floats"});
+    CHECK(query(pair_of(dot, dot), "--first-direction " + quoted(given)).exit_code == 0);
+  }
 }
 
 TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
   const std::string help = shell("$program query --help").out;
-  for (const char* part : {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"",
-                           "\"sum\"", "\"evidence\"", "\"error\"", "16 MiB", "1e±75", "Exit codes"})
+  for (const char* part :
+       {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"", "\"sum\"",
+        "\"evidence\"", "\"error\"", "16 MiB", "1e±75", "Exit codes", "--start", "--first-direction"})
     CHECK(has(help, part));
 }
 

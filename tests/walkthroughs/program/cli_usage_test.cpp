@@ -136,6 +136,8 @@ TEST_CASE("Whatever a word of the command line holds is told in one line that a 
                                                            "render figure-5 --gl '$'",
                                                            "query --rules '$'",
                                                            "query --max-iterations '$'",
+                                                           "query --start '$'",
+                                                           "query --first-direction '$'",
                                                            "query '$'",
                                                            "scene --check '$'",
                                                            "scene --check " + bad_scene,

@@ -292,6 +292,35 @@ TEST_CASE("Eager rules search from where the poses put the centers, and need one
   CHECK(beyond["iterations"] == 1);  // their distance is no float, so the search begins along +x
 }
 
+namespace {
+
+template <class S>
+void check_beginning(QueryScalar scalar) {
+  Dice dice(5);
+  for (int i = 0; i < 200; ++i) {
+    const Corners a = random_corners(dice), b = random_corners(dice);
+    const Point direction = random_point(dice);
+    const std::string line = pair_of(json(a), json(b));
+    INFO(line << " along " << json(direction));
+    const auto set_a = in_scalar<S>(a), set_b = in_scalar<S>(b);
+    gjk::Options<S> options{.first_direction = in_scalar<S>(direction)};
+    check_says(answer_text(line, {.scalar = scalar, .first_direction = direction}),
+               gjk::collision<S>(set_a, set_b, options));
+    options.first_direction = in_scalar<S>(gjk::first_direction_between(mean(a), mean(b)));
+    check_says(answer_text(line, {.scalar = scalar, .start = QueryStart::between}),
+               gjk::collision<S>(set_a, set_b, options));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("A search begins along the direction given, or between the centers, in every scalar") {
+  check_beginning<float>(QueryScalar::binary32);
+  check_beginning<double>(QueryScalar::binary64);
+  check_beginning<long double>(QueryScalar::long_double);
+  check_beginning<Exact>(QueryScalar::exact);
+}
+
 TEST_CASE(
     "Points of the plane have two numbers, or a third that is 0, a pair may say that it is planar, as scenes do") {
   const std::string flat = R"({"points":[[0,0],[2,0],[0,2]]})", also_flat = R"({"points":[[0,0,0],[2,0,0],[0,2,0]]})";

@@ -1,0 +1,30 @@
+/// How pairs are asked.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "walkthroughs/model/scene.hpp"
+
+namespace walkthroughs {
+
+/// In which numbers a query is computed; the position of its word in query_scalars.
+enum class QueryScalar { binary32, binary64, long_double, exact };
+inline constexpr std::array<std::string_view, 4> query_scalars{"float", "double", "long-double", "exact"};
+
+/// Where a search begins; the position of its word in query_starts.
+enum class QueryStart { between };  ///< along the direction from the center of a to that of b
+inline constexpr std::array<std::string_view, 1> query_starts{"between"};
+
+struct QueryOptions {
+  QueryScalar scalar = QueryScalar::binary64;
+  RuleSet rules = RuleSet::as_intended;
+  ZeroTest zero_test = ZeroTest::exact;
+  int iteration_limit = 20;  ///< 1 to scene_limits::iterations
+  /// Where neither is given, eager rules begin between the centers, others along +x.
+  std::optional<QueryStart> start = {};
+  std::optional<Point> first_direction = {};  ///< goes before `start`; finite and not zero, in the scalar, too
+};
+
+}  // namespace walkthroughs

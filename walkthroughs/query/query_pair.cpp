@@ -1,0 +1,38 @@
+#include "walkthroughs/query/query_pair.hpp"
+
+#include <utility>
+
+namespace walkthroughs {
+namespace {
+
+using namespace reading;
+
+Numbers numbers_of(QueryScalar scalar) {
+  switch (scalar) {
+    case QueryScalar::binary32: return Numbers::floats;
+    case QueryScalar::exact: return Numbers::fractions;
+    case QueryScalar::binary64:
+    case QueryScalar::long_double: break;
+  }
+  return Numbers::doubles;
+}
+
+}  // namespace
+
+PairAsWritten read_pair(std::string_view line, const QueryOptions& query) {
+  if (line.find_first_not_of(" \t\r") == std::string_view::npos)
+    throw DocumentError(1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out");
+  const Document document = Document::of_line(line);
+  const Value root = document.root();
+  expect_object(root, {"a", "b", "dimension"}, "an object { ... } with 'a' and 'b'");
+  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(query.scalar)};
+  ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);
+  return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
+}
+
+Point center_of(const ObjectAsWritten& object) {
+  const Point own = middle<double>(object.form);
+  return object.pose ? (*object.pose)(own) : own;
+}
+
+}  // namespace walkthroughs
