@@ -43,6 +43,17 @@ shortest that read back the same in the scalar. Strings are: the fractions of ex
 doubles, "inf", "-inf" and "nan".
 Where differences of points are beyond about 1e±75 (double) or 1e±8 (float), products of them overflow or vanish, and
 the answer is arbitrary; long-double and exact have room for all numbers that a line may hold.
+With --certified every answer is true, whatever rounds or overflows, and none is "undecided": of points only, without a
+pose that moves them, each coordinate any finite number that --scalar float or double has. Rules, zero test, start and
+iterations steer the first search only.
+  {"status": "...", "iterations": n, "second_iterations": m, "proof": "...", "certificate": {...}}
+Proof: "direction" or "tetrahedron", where what the first search found is proof enough; else "second-search", m iterations
+that no rounding misleads. A certificate is about the numbers as read and converted, multiplied without rounding:
+  {"direction": [x, y, z]}     separated: this d has a·d < b·d for all points a and b
+  {"nearest": [[i, j], ...]}   separated: so has d = -v, v being the point nearest to 0 of the hull of these a[i] - b[j]
+  {"simplex": [[i, j], ...]}   intersecting: 0 is in the hull of these a[i] - b[j]
+With --fractions each number is "p/q", and there are those to check with: "direction" beside "nearest"; beside "simplex"
+"weights" w[k] >= 0, whose sum is 1, and the common "point", the sum of all w[k] a[i] and also that of all w[k] b[j].
 A bad line, also a blank one, gives {"error": "...", "line": n}, and the others are answered.
 Answers are written before more is read, so a program may ask one pair and wait.
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
@@ -81,6 +92,16 @@ std::string words_and_meanings(const std::array<gjk::Named<E>, count>& table) {
 }
 
 /// Errors: UsageError.
+void expect_scalar_with_proofs(QueryScalar scalar) {
+  if (scalar == QueryScalar::exact)
+    throw UsageError(
+        "--certified is for --scalar float and double; exact does not round, so what it decides is true anyway: leave "
+        "out --certified");
+  if (scalar == QueryScalar::long_double)
+    throw UsageError("--certified is for --scalar float and double, whose rounding it bounds; leave out --scalar");
+}
+
+/// Errors: UsageError.
 Point first_direction_in(const std::string& text, QueryScalar scalar) {
   const Point direction = *direction_in(text);
   if (scalar == QueryScalar::binary32 && !gjk::is_usable_direction(Cast<float>{}.point(direction)))
@@ -97,6 +118,10 @@ QueryOptions options_of(const QueryCommand& query) {
                        .iteration_limit = query.max_iterations};
   if (query.start) options.start = choice<QueryStart>("--start", *query.start, query_starts);
   if (query.first_direction) options.first_direction = first_direction_in(*query.first_direction, options.scalar);
+  if (query.certified) {
+    expect_scalar_with_proofs(options.scalar);
+    options.evidence = query.fractions ? QueryEvidence::fractions : QueryEvidence::certificate;
+  }
   return options;
 }
 
@@ -131,6 +156,12 @@ CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
   CLI::Option* const first_direction =
       command->add_option("--first-direction", query.first_direction, "search first along x,y,z")->excludes(start);
   expect_direction(first_direction);
+  CLI::Option* const certified =
+      command->add_flag("--certified", query.certified, "prove each answer about sets of points, with its certificate");
+  command
+      ->add_flag("--fractions", query.fractions,
+                 "write certificates in exact fractions, with what it takes to check them")
+      ->needs(certified);
   command->footer(footer);
   return command;
 }

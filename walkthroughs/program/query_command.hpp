@@ -11,6 +11,7 @@ struct QueryCommand {
   std::string scalar = "double", rules = "as-intended", zero_test = "exact";
   int max_iterations = 20;
   std::optional<std::string> start, first_direction;
+  bool certified = false, fractions = false;
 
   /// Returns: the exit code: 0, or 3 where a line was bad (told on standard error; the others are answered).
   /// Errors: UsageError; InputError where standard input cannot be read; render::FileError where standard output cannot be

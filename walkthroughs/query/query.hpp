@@ -7,6 +7,8 @@
 /// and the two points that reach so far, with their indices in "points"; else the simplex, oldest vertex first, newest
 /// (A) last: the one that contains the origin where intersecting, the last one where undecided.
 ///
+/// Asked for certificates, each answer is proven, and "certificate" takes the place of "reason" and "evidence".
+///
 /// Numbers are the shortest that read back the same in the scalar; -0.0 keeps its sign. In exact numbers they are strings,
 /// "p/q" in lowest terms or "p". What is not finite is "inf", "-inf" or "nan", and a long double beyond all doubles a string.
 #pragma once

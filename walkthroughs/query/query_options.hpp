@@ -1,4 +1,4 @@
-/// How pairs are asked.
+/// How pairs are asked, and what an answer is told with.
 #pragma once
 
 #include <array>
@@ -17,14 +17,21 @@ inline constexpr std::array<std::string_view, 4> query_scalars{"float", "double"
 enum class QueryStart { between };  ///< along the direction from the center of a to that of b
 inline constexpr std::array<std::string_view, 1> query_starts{"between"};
 
+enum class QueryEvidence {
+  of_the_search,  ///< what collision() returns
+  certificate,    ///< what certified_collision() returns: a proof
+  fractions,      ///< the same, with exact numbers to check it by
+};
+
 struct QueryOptions {
-  QueryScalar scalar = QueryScalar::binary64;
+  QueryScalar scalar = QueryScalar::binary64;  ///< where there are to be certificates, float or double
   RuleSet rules = RuleSet::as_intended;
   ZeroTest zero_test = ZeroTest::exact;
   int iteration_limit = 20;  ///< 1 to scene_limits::iterations
   /// Where neither is given, eager rules begin between the centers, others along +x.
   std::optional<QueryStart> start = {};
   std::optional<Point> first_direction = {};  ///< goes before `start`; finite and not zero, in the scalar, too
+  QueryEvidence evidence = QueryEvidence::of_the_search;
 };
 
 }  // namespace walkthroughs

@@ -17,6 +17,11 @@ Numbers numbers_of(QueryScalar scalar) {
   return Numbers::doubles;
 }
 
+/// What is proven needs no room for squares.
+Magnitudes magnitudes_of(QueryEvidence evidence) {
+  return evidence == QueryEvidence::of_the_search ? Magnitudes::with_finite_squares : Magnitudes::all;
+}
+
 }  // namespace
 
 PairAsWritten read_pair(std::string_view line, const QueryOptions& query) {
@@ -25,7 +30,8 @@ PairAsWritten read_pair(std::string_view line, const QueryOptions& query) {
   const Document document = Document::of_line(line);
   const Value root = document.root();
   expect_object(root, {"a", "b", "dimension"}, "an object { ... } with 'a' and 'b'");
-  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(query.scalar)};
+  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(query.scalar),
+                    magnitudes_of(query.evidence)};
   ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);
   return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
 }

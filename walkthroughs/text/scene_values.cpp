@@ -49,12 +49,21 @@ Value required(const Value& object, std::string_view key, std::string_view what_
   object.fail_without(key, "is missing; " + std::string(what_to_do));
 }
 
-double number(const Value& value) {
+namespace {
+
+double number_of_any_size(const Value& value) {
   expect(value, Kind::number, "a number");
-  if (!(std::abs(value.number()) <= scene_limits::magnitude))
-    value.fail(number_text(value.number()) +
-               " is beyond 1e150 in magnitude, where squares of lengths overflow; choose a larger unit of length");
   return value.number();
+}
+
+}  // namespace
+
+double number(const Value& value) {
+  const double found = number_of_any_size(value);
+  if (!(std::abs(found) <= scene_limits::magnitude))
+    value.fail(number_text(found) +
+               " is beyond 1e150 in magnitude, where squares of lengths overflow; choose a larger unit of length");
+  return found;
 }
 
 int whole_number(const Value& value, int low, int high) {
@@ -151,7 +160,7 @@ double Space::length(const Value& object, std::string_view key) const {
 }
 
 double Space::coordinate(const Value& value) const {
-  const double found = number(value);
+  const double found = magnitudes == Magnitudes::all ? number_of_any_size(value) : number(value);
   if (numbers == Numbers::floats && !std::isfinite(static_cast<float>(found)))
     value.fail(number_text(found) + " is beyond the largest float, 3.4e38; " + other_unit_or_double);
   return found;

@@ -46,11 +46,15 @@ enum class Numbers { doubles, floats, fractions };
 
 inline Numbers numbers_of(Scalar scalar) { return scalar == Scalar::binary32 ? Numbers::floats : Numbers::doubles; }
 
+/// How large coordinates may be. `all`: as large as the numbers that are asked.
+enum class Magnitudes { with_finite_squares, all };
+
 /// Where a scene lies decides what a point looks like, and what it is asked in, what its coordinates may be.
 struct Space {
   Dimension dimension;
   TwoNumbers two_numbers = TwoNumbers::refused;
   Numbers numbers = Numbers::doubles;
+  Magnitudes magnitudes = Magnitudes::with_finite_squares;
 
   bool is_plane() const { return dimension == Dimension::plane; }
   std::string_view point_words() const { return is_plane() ? "a point [x, y]" : "a point [x, y, z]"; }

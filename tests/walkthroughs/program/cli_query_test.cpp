@@ -82,6 +82,21 @@ TEST_CASE("gjkstep query begins a search where it is told") {
   CHECK(query(line, "--first-direction -1,-2,-3").exit_code == 0);
 }
 
+TEST_CASE("gjkstep query --certified proves its answers, and those that it cannot prove are bad lines") {
+  const std::string far = pair_of(dot, R"({"points":[[1.7976931348623157e308,0,0]]})");
+  const Outcome outcome = query(far + "\n" + pair_of(ball, dot) + "\n" + pair_of(dot, dot), "--certified");
+  CHECK(outcome.exit_code == 3);
+  REQUIRE(lines(outcome.out).size() == 3);
+  CHECK(has(lines(outcome.out)[0], R"("certificate":{"nearest":[[0,0]]}})"));
+  CHECK(has(lines(outcome.out)[1], R"({"error":"a.sphere: a sphere cannot be certified)"));
+  CHECK(has(lines(outcome.out)[2], R"("certificate":{"simplex":[[0,0]]}})"));
+  CHECK(has(query(pair_of(dot, dot), "--certified --fractions").out, R"("weights":["1"],"point":["0","0","0"])"));
+  for (const char* options : {"--scalar float", "--rules eager", "--rules as-printed --zero-test relative",
+                              "--start between", "--first-direction 1,2,3", "--max-iterations 1"})
+    CHECK(has(query(far, std::string("--certified ") + options).out, "\"separated\"") ==
+          !has(options, "float"));  // which has no such number
+}
+
 TEST_CASE("A bad line of gjkstep query is exit code 3 and the others are answered") {
   const Outcome outcome = query("x\n" + pair_of(dot, dot) + "\n\n");
   CHECK(outcome.exit_code == 3);
@@ -232,6 +247,10 @@ TEST_CASE("What gjkstep query does not know is exit code 2 with the word that wa
 }
 
 TEST_CASE("Options of gjkstep query that do not go together are exit code 2") {
+  check_failure("query --certified --scalar exact", 2,
+                {"--certified is for --scalar float and double; exact does not"});
+  check_failure("query --scalar long-double --certified", 2, {"--certified is for --scalar float and double, whose"});
+  check_failure("query --fractions", 2, {"--fractions requires --certified"});
   check_failure("query --start between --first-direction 1,0,0", 2, {"--start excludes --first-direction"});
 }
 
@@ -252,7 +271,8 @@ TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
   const std::string help = shell("$program query --help").out;
   for (const char* part :
        {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"", "\"sum\"",
-        "\"evidence\"", "\"error\"", "16 MiB", "1e±75", "Exit codes", "--start", "--first-direction"})
+        "\"evidence\"", "\"error\"", "16 MiB", "1e±75", "Exit codes", "--start", "--first-direction", "--certified",
+        "\"certificate\"", "\"nearest\"", "\"weights\"", "a·d < b·d"})
     CHECK(has(help, part));
 }
 

@@ -1,0 +1,96 @@
+/// Certificates as JSON, and the exact numbers that follow from them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/certificate_check.hpp"
+#include "core/certified.hpp"
+#include "walkthroughs/query/query_evidence.hpp"
+#include "walkthroughs/query/query_options.hpp"
+
+namespace walkthroughs {
+
+/// Appends "[…,…]", each as `write_one` appends it.
+template <class List, class WriteOne>
+void write_list(const List& list, std::string& out, WriteOne&& write_one) {
+  const char* before = "[";
+  for (const auto& one : list) {
+    out += before;
+    write_one(one);
+    before = ",";
+  }
+  out += ']';
+}
+
+/// Writes a certificate about two sets of points; in fractions, if the evidence is: then with the numbers that would have to be
+/// solved for to check it.
+template <class S>
+struct CertificateWriter {
+  const gjk::PointSet<S>&a, &b;
+  QueryEvidence evidence;
+  std::string& out;
+
+  void operator()(const gjk::SeparatingDirection& certificate) const {
+    out += "\"direction\":";
+    if (is_in_fractions())
+      write_numbers(gjk::detail::fractions(certificate.d));
+    else
+      write(certificate.d, out);
+  }
+  void operator()(const gjk::SeparatingFeature& certificate) const {
+    out += "\"nearest\":";
+    write_indices(certificate.of);
+    if (!is_in_fractions()) return;
+    out += ",\"direction\":";
+    write_numbers(*gjk::direction_of(certificate, a, b));
+  }
+  void operator()(const gjk::CommonSimplex& certificate) const {
+    out += "\"simplex\":";
+    write_indices(certificate.of);
+    if (!is_in_fractions()) return;
+    const Fractions weights = *gjk::weights_of(certificate, a, b);
+    out += ",\"weights\":";
+    write_numbers(weights);
+    out += ",\"point\":";
+    write_numbers(weighted(certificate.of, weights));
+  }
+
+ private:
+  using Fractions = gjk::detail::Fractions;
+
+  bool is_in_fractions() const { return evidence == QueryEvidence::fractions; }
+
+  void write_numbers(const Fractions& list) const {
+    write_list(list, out, [this](const auto& number) { write(number, out); });
+  }
+  void write_indices(const gjk::IndexPairs& pairs) const {
+    write_list(pairs, out, [this](gjk::IndexPair pair) {
+      out.append("[").append(std::to_string(pair.a)).append(",").append(std::to_string(pair.b)).append("]");
+    });
+  }
+
+  /// Returns: the point of A that the weights make; that of B is the same.
+  Fractions weighted(const gjk::IndexPairs& pairs, const Fractions& weights) const {
+    Fractions sum(3);
+    for (int k = 0; k < pairs.size(); ++k) {
+      const Fractions p = gjk::detail::fractions(a.points()[static_cast<std::size_t>(pairs[k].a)]);
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += weights[static_cast<std::size_t>(k)] * p[i];
+    }
+    return sum;
+  }
+};
+
+template <class S>
+void write_answer(const gjk::CertifiedResult& result, const CertificateWriter<S>& writer) {
+  std::string& out = writer.out;
+  out.append("{\"status\":\"").append(words_of::of(words_of::status, result.status));
+  out.append("\",\"iterations\":").append(std::to_string(result.iterations));
+  out.append(",\"second_iterations\":").append(std::to_string(result.second_iterations));
+  out.append(",\"proof\":\"").append(to_string(result.proof)).append("\",\"certificate\":{");
+  std::visit(writer, result.certificate);
+  out += "}}\n";
+}
+
+}  // namespace walkthroughs
