@@ -1,6 +1,7 @@
 /// What proves an answer about two sets of points to everyone who can multiply.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <variant>

@@ -93,8 +93,8 @@ struct FieldsOf<gjk::Result<S>> {
                                    Field("reason", &R::reason),
                                    Field("iterations", &R::iterations, Meaning::iterations),
                                    Field("simplex", &R::simplex),
-                                   Field("cycle_start", &R::cycle_start, Meaning::iterations).where_not_empty(),
-                                   Field("separation", &R::separation).where_not_empty()};
+                                   Field("separation", &R::separation).where_not_empty(),
+                                   Field("cycle_start", &R::cycle_start, Meaning::iterations).where_not_empty()};
 };
 
 template <class S>
