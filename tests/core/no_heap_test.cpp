@@ -1,4 +1,7 @@
-/// The plain call allocates nothing.
+/// The plain call allocates nothing, nor does the certified one for ordinary numbers.
+#include <map>
+
+#include "core/certified.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/counting_new.hpp"
 #include "tests/core/support.hpp"
@@ -58,6 +61,25 @@ TEST_CASE("The plain call allocates nothing over thousands of random pairs, deci
     INFO("pair " << i);
     REQUIRE(plain.allocations == 0);
   }
+}
+
+TEST_CASE("The certified call allocates nothing for ordinary numbers, whatever proves its answer", "[heap]") {
+  const std::uint64_t seed = 13;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  std::map<Proof, int> proofs;
+  for (int i = 0; i < 2000; ++i) {
+    const PairOfHulls t = random_pair(dice);
+    const Frame<double> frame = i % 2 == 0 ? axis_aligned("1", 1.0) : skew("1/7", 1.0 / 7);
+    const PointSet<double> a(seen(t.a, frame)), b(seen(t.b, frame));
+    const std::size_t before = allocations();
+    const CertifiedResult result = certified_collision(a, b);
+    const std::size_t made = allocations() - before;
+    INFO("pair " << i);
+    REQUIRE(made == 0);
+    ++proofs[result.proof];
+  }
+  for (const Proof proof : {Proof::direction, Proof::tetrahedron, Proof::second_search}) REQUIRE(proofs[proof] > 50);
 }
 
 }  // namespace
