@@ -7,7 +7,8 @@
 
 namespace study {
 
-/// Returns: every method, in the order of the tables: float, double, long double, exact; and for each scalar the rules.
+/// Returns: every method, in the order of the tables: float, double, long double, exact, and for each scalar the rules; then
+/// those whose answers are proven.
 const std::vector<Method>& all_methods();
 
 /// The iteration limits of the tables, ascending. Algorithm 1 says 20.

@@ -24,6 +24,7 @@ inline constexpr std::size_t answers = 4;
 struct Outcome {
   Answer answer;
   int iterations;
+  int second_iterations = 0;  ///< of the second search of a certified query
 };
 
 /// What a method asks with. It is erased here, so that everything downstream is written once.
@@ -44,6 +45,12 @@ struct Method {
   int (*first_return)(const Question& question, int limit);
   /// Returns: the thread's time to ask all of them once; reading its clock once is part of it.
   std::chrono::nanoseconds (*time)(std::span<const Question* const> questions, int limit);
+
+  /// Returns: whether it can be asked about such shapes. Nothing else may be asked where it cannot.
+  bool (*can_ask)(const Question& question) = [](const Question&) { return true; };
+  /// Returns: whether the certificate of its answer says the same and holds, multiplied out in fractions. Null where answers
+  /// have none.
+  bool (*certificate_holds)(const Question& question) = nullptr;
 
   std::string name() const { return rules + " " + scalar.name + " " + zero_test; }
 };

@@ -34,5 +34,6 @@ std::vector<Method> float_methods();
 std::vector<Method> double_methods();
 std::vector<Method> long_double_methods();
 std::vector<Method> exact_methods();
+std::vector<Method> certified_methods();  ///< in float and in double
 
 }  // namespace study

@@ -27,7 +27,7 @@ void list() {
   std::cout << "rules, scalar and zero test (--rules, --scalar, --zero-test)\n";
   for (const Method& method : all_methods())
     std::cout << "  " << method.rules << ", " << method.scalar.name << ", " << method.zero_test << '\n';
-  std::cout << "iteration limits (--limit)\n ";
+  std::cout << "iteration limits (--limit; certified answers have none)\n ";
   for (const int limit : limits) std::cout << ' ' << limit;
   std::cout << '\n';
 }

@@ -33,7 +33,7 @@ TEST_CASE("study: a run says its seed and leaves tables", "[program]") {
   const Outcome outcome = run("run --seed 5 " + small + "--out " + in(folder, "one"));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
-  CHECK(has(outcome.err, "seed 5, 2 families, 12 methods"));
+  CHECK(has(outcome.err, "seed 5, 2 families, 16 methods"));
   for (const char* const name :
        {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md"}) {
     CHECK(has(outcome.out, name));
@@ -162,6 +162,17 @@ TEST_CASE("study: exact numbers that are wrong end with 1 after everything is wr
   CHECK(has(outcome.out, "timings.md"));
 }
 
+TEST_CASE("study: a run of certified answers says on what they are not asked and finds nothing wrong", "[program]") {
+  const Folder folder;
+  const Outcome outcome =
+      run("run --pairs 40 --families touching-face-askew,spheres --rules certified --save-failures " + in(folder, "f") +
+          " --out " + in(folder, "o"));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(outcome.out, "f: 0 scene files"));
+  CHECK(has(bytes_of(folder.path() / "o" / "tables.md"), "about balls and cylinders they are not asked"));
+}
+
 TEST_CASE("study: wrong usage ends with 2", "[program]") {
   check_failure("", 2, {"what to do?"});
   check_failure("run --families tringles", 2, {"did you mean 'triangles'?"});
@@ -262,7 +273,8 @@ TEST_CASE("study: failures are saved as scenes", "[program]") {
 TEST_CASE("study: families and settings are listed", "[program]") {
   const Outcome outcome = run("list");
   CHECK(outcome.exit_code == 0);
-  for (const char* const part : {"  triangles: ", "  as-printed, long-double, relative", "  5 8 10 20 50"})
+  for (const char* const part :
+       {"  triangles: ", "  as-printed, long-double, relative", "  certified, double, exact", "  5 8 10 20 50"})
     CHECK(has(outcome.out, part));
 }
 

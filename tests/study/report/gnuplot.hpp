@@ -36,5 +36,6 @@ inline std::string small_print(const Settings& settings) {
 inline constexpr const char* blue = "'#0072B2'";
 inline constexpr const char* vermilion = "'#D55E00'";
 inline constexpr const char* green = "'#009E73'";
+inline constexpr const char* purple = "'#CC79A7'";
 
 }  // namespace study

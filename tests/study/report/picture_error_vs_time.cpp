@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -23,7 +24,7 @@ bool is_lost_in_rounding(const Settings& settings, const std::string& family) {
 }
 
 /// Returns: the families that every method was asked about, so that all points speak of the same families. Those that
-/// consist of pairs known to cycle are left out: no setting helps there.
+/// consist of pairs known to cycle are left out: no rules help there.
 std::vector<std::string> shared_families(const Settings& settings) {
   std::vector<std::string> shared;
   for (const FamilyNote& family : settings.study().families) {
@@ -107,9 +108,19 @@ class Labels {
   std::vector<Box> taken_;
 };
 
+/// Returns: "certified: 0 of 123456 wrong or undecided", in all families and scalars.
+std::string certified_title(const Settings& settings, const std::string& rules) {
+  Counts sum;
+  for (const Row& row : settings.study().rows)
+    if (row.rules == rules) sum += counts_at(row.tally, no_limit);
+  return rules + ": " + std::to_string(failure_rate(sum).count) + " of " + std::to_string(sum.pairs) +
+         " wrong or undecided";
+}
+
 // -- Panels -----------------------------------------------------------------------------------------------------------
 
-/// A panel of the picture: all methods of one scalar, with a time axis of its own.
+/// A panel of the picture: all methods of one scalar, with a time axis of its own, which is logarithmic: a mean over families
+/// may be that of a few which take ten times as long.
 class Panel {
  public:
   Panel(const Settings& settings, const std::vector<std::string>& families, std::string scalar)
@@ -125,12 +136,13 @@ class Panel {
   /// Returns: the commands that draw it, with rates up to `top`, the same in all panels.
   std::string text(double top) const {
     const bool is_slow = slowest_ > 20000;
-    const double per = is_slow ? 1000 : 1, end = 1.12 * slowest_;
+    const double per = is_slow ? 1000 : 1;
     std::ostringstream script;
     script << "set title " << in_quotes(scalar_) << " font ',13'\nset xlabel '"
-           << (is_slow ? "microseconds" : "nanoseconds") << " per query'\nset xrange [0:" << end / per
-           << "]\nset yrange [" << bottom * top << ":" << top << "]\nset xtics " << step(slowest_ / per) << '\n'
-           << labels(end, top);
+           << (is_slow ? "microseconds" : "nanoseconds") << " per query'\nset xrange [" << begin() / per << ":"
+           << end() / per << "]\nset yrange [" << bottom * top << ":" << top << "]\nset xtics ("
+           << round_numbers(begin() / per, end() / per) << ")\n"
+           << labels(top);
     std::string lines;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       script << "$curve" << i << " << EOD\n";
@@ -147,13 +159,15 @@ class Panel {
   struct Curve {
     std::vector<Point> points;  ///< by limit
     std::string style;
+    bool is_certified;
   };
 
   void add_curve(const std::vector<std::string>& families, const std::string& rules, const std::string& zero_test) {
-    Curve curve{{}, style_of(rules, zero_test)};
-    for (const int limit : settings_.limits()) {
+    Curve curve{{}, style_of(rules, zero_test), is_certified(rules)};
+    for (const int limit : limits_for(rules, settings_.limits())) {
       const Point p = point_of(settings_, families, {rules, scalar_, zero_test, limit});
       slowest_ = std::max(slowest_, p.nanoseconds);
+      fastest_ = std::min(fastest_, p.nanoseconds);
       worst_ = std::max(worst_, p.rate);
       curve.points.push_back(p);
     }
@@ -161,8 +175,8 @@ class Panel {
   }
 
   /// The first limit of each curve has its number, and those that follow one number for all, as they lie near to each other.
-  std::string labels(double end, double top) const {
-    const auto x = [&](const Point& p) { return p.nanoseconds / end; };
+  std::string labels(double top) const {
+    const auto x = [&](const Point& p) { return std::log(p.nanoseconds / begin()) / std::log(end() / begin()); };
     const auto y = [&](const Point& p) { return (p.rate / top - bottom) / (1 - bottom); };
     std::vector<Box> marks;
     for (const Curve& curve : curves_)
@@ -179,7 +193,10 @@ class Panel {
     const auto place = [&](const std::string& words, const Point& p, const std::vector<Side>& sides) {
       commands += labels.place(words, x(p), y(p), sides);
     };
+    for (const Curve& curve : curves_)  // first, as they have no other number
+      if (curve.is_certified) place(in_short(curve.points.front().rate) + " wrong", curve.points.front(), at_first);
     for (const Curve& curve : curves_) {
+      if (curve.is_certified) continue;
       place(std::to_string(limits.front()), curve.points.front(), at_first);
       if (!others.empty()) place(others, curve.points.back(), at_last);
     }
@@ -188,6 +205,9 @@ class Panel {
 
   /// Squares for the usual rules, triangles and diamonds for others; filled for the first zero test.
   std::string style_of(const std::string& rules, const std::string& zero_test) const {
+    if (is_certified(rules))
+      return std::string("lc rgb ") + purple + " ps 1.4 pt " + (rules == certified_rules[0].name ? "7" : "6") +
+             " title " + in_quotes(certified_title(settings_, rules));
     const bool is_filled = zero_test == settings_.zero_tests().front();
     const std::string title = " title " + in_quotes("rules " + rules + ", zero test " + zero_test);
     if (rules == settings_.usual().rules)
@@ -199,24 +219,31 @@ class Panel {
     throw std::logic_error("rules '" + rules + "' have no line style");
   }
 
-  /// Returns: a round distance of marks on an axis from 0 to `end`, at most five of them.
-  static double step(double end) {
-    const double power = std::pow(10, std::floor(std::log10(end / 4)));
-    const double first = end / 4 / power;
-    return power * (first <= 1 ? 1 : first <= 2 ? 2 : first <= 5 ? 5 : 10);
+  // Where the time axis begins and ends. A clock may have seen no time pass.
+  double begin() const { return std::max(fastest_, 1.0) / 1.4; }
+  double end() const { return std::max(slowest_, 1.0) * 1.4; }
+
+  /// Returns: "100, 200, 500", those between the two.
+  static std::string round_numbers(double low, double high) {
+    std::ostringstream list;
+    for (double power = std::pow(10, std::floor(std::log10(low))); power < high; power *= 10)
+      for (const int first : {1, 2, 5})
+        if (first * power >= low && first * power <= high) list << (list.tellp() > 0 ? ", " : "") << first * power;
+    return list.str();
   }
 
   const Settings& settings_;
   std::string scalar_;
   std::vector<Curve> curves_;
-  double slowest_ = 0, worst_ = 0;
+  double fastest_ = std::numeric_limits<double>::infinity(), slowest_ = 0, worst_ = 0;
 };
 
 std::string heading(const Settings& settings, std::size_t families) {
   std::string limits;
   for (const int limit : settings.limits()) limits += (limits.empty() ? "" : ", ") + std::to_string(limit);
   return "Wrong or undecided against time, means of the " + std::to_string(families) + " of " +
-         std::to_string(settings.study().families.size()) + " families that float can hold; iteration limits " + limits;
+         std::to_string(settings.study().families.size()) +
+         " families that float can hold and every setting is asked about; iteration limits " + limits;
 }
 
 }  // namespace
@@ -224,7 +251,7 @@ std::string heading(const Settings& settings, std::size_t families) {
 Picture error_vs_time(const Settings& settings) {
   const std::vector<std::string> families = shared_families(settings);
   std::ostringstream script;
-  script << canvas(1060, 540);
+  script << canvas(1060, 570);
   if (families.empty())
     return {"error-vs-time.png",
             script.str() + "set title 'no family was asked in every setting'\nplot [0:1] [0:1] NaN notitle\n"};
@@ -236,11 +263,12 @@ Picture error_vs_time(const Settings& settings) {
   }
   if (top == 0) top = 1;  // nothing went wrong
   const std::string made = small_print(settings) + "; CPU time on " + processors_of(settings.study());
-  script << "set multiplot layout 1," << panels.size() << " margins 0.06,0.985,0.14,0.75 spacing 0.045,0.1 title "
-         << in_quotes(heading(settings, families.size())) << " font ',10'\nset label " << in_quotes(made)
-         << " at screen 0.985,0.025 right font ',9'\nset grid\n"
+  script << "set logscale x\nset multiplot layout 1," << panels.size()
+         << " margins 0.06,0.985,0.135,0.735 spacing 0.045,0.1 title " << in_quotes(heading(settings, families.size()))
+         << " font ',10'\nset label " << in_quotes(made)
+         << " at screen 0.985,0.025 right font ',9'\nset grid\nset xzeroaxis lt 1 lc rgb 'black'\n"
          << "set ylabel 'share wrong or undecided, mean of families'\n"
-         << "set key at screen 0.5,0.935 center top vertical maxrows 3 samplen 4\n";
+         << "set key at screen 0.5,0.935 center top vertical maxrows 4 samplen 4\n";
   for (const Panel& panel : panels) script << panel.text(top) << "unset ylabel\nunset key\nunset label\n";
   script << "unset multiplot\n";
   return {"error-vs-time.png", script.str()};

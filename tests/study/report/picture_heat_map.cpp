@@ -52,13 +52,13 @@ std::string last_edge(std::size_t cells) { return std::to_string(cells) + " - 0.
 }  // namespace
 
 Picture heat_map(const Settings& settings) {
-  std::vector<std::string> families;
+  const auto columns = settings.scalars_and_certified();
+  std::vector<std::string> families, titles;
+  for (const auto& [title, setting] : columns) titles.push_back(title);
   std::ostringstream cells, labels;
   for (const FamilyNote& family : settings.study().families) {
-    for (std::size_t s = 0; s < settings.scalars().size(); ++s) {
-      Setting setting = settings.usual();
-      setting.scalar = settings.scalars()[s];
-      const auto counts = settings.counts(family.name, setting);
+    for (std::size_t s = 0; s < columns.size(); ++s) {
+      const auto counts = settings.counts(family.name, columns[s].second);
       labels << cell_label(s, families.size(), counts);
       const double rate = counts ? failure_rate(*counts).share() : 0;
       if (rate > 0) cells << s << ' ' << families.size() << ' ' << std::log10(std::max(rate, least_shade)) << '\n';
@@ -67,13 +67,14 @@ Picture heat_map(const Settings& settings) {
   }
   if (cells.str().empty()) cells << "0 0 NaN\n";
   std::ostringstream script;
+  const int width = std::max(1000, 360 + 160 * static_cast<int>(columns.size()));
   const int height = 220 + 24 * static_cast<int>(families.size());
   script
-      << flat_canvas(1000, height) << "$cells << EOD\n"
+      << flat_canvas(width, height) << "$cells << EOD\n"
       << cells.str() << "EOD\n"
       << labels.str() << "set title "
       << in_quotes("Wrong or undecided, share of pairs: " + all_but_scalar(settings.usual())) << "\n"
-      << tics("x", settings.scalars()) << tics("y", families)
+      << tics("x", titles) << tics("y", families)
       << note(
              "A number after <: none seen; if there are any they are fewer than this (upper end of the 95 % interval).",
              54, height)
@@ -81,8 +82,7 @@ Picture heat_map(const Settings& settings) {
              "0: none of all the pairs that there are. Float is judged by the truth about the pair as float writes it.",
              36, height)
       << note(small_print(settings), 14, height) << "set bmargin at screen " << 100.0 / height
-      << "\nset xrange [-0.5:" << last_edge(settings.scalars().size()) << "]\nset yrange ["
-      << last_edge(families.size())
+      << "\nset xrange [-0.5:" << last_edge(columns.size()) << "]\nset yrange [" << last_edge(families.size())
       << ":-0.5]\nset palette defined (0 '#FFF3B0', 1 '#F6C667', 2 '#E58F4B', 3 '#B8504A', 4 '#6F2C5B', 5 "
          "'#2A1145')\n"
       << "set cbrange [-6:0]\nset cbtics ('1' 0, '0.1' -1, '0.01' -2, '1e-3' -3, '1e-4' -4, '1e-5' -5, '1e-6' -6)\n"

@@ -23,6 +23,13 @@ std::vector<double> shares(const std::vector<Counts>& families, Histogram Counts
   return mean;
 }
 
+int most_iterations(const std::vector<Counts>& families) {
+  std::size_t most = 1;
+  for (const Counts& counts : families)
+    most = std::max({most, counts.hit_iterations.size(), counts.miss_iterations.size()});
+  return static_cast<int>(most);
+}
+
 std::string histogram_data(const std::string& block, const std::vector<Counts>& families) {
   const std::vector<double> hits = shares(families, &Counts::hit_iterations),
                             misses = shares(families, &Counts::miss_iterations);
@@ -54,7 +61,8 @@ Picture iterations(const Settings& settings) {
          << "set multiplot layout 2,1 title " << in_quotes("Iterations: " + usual.scalar + ", " + all_but_scalar(usual))
          << "\nset logscale y\nset yrange [1e-6:1]\nset ytics ('1' 1, '0.1' 0.1, '0.01' 0.01, '1e-3' 1e-3, '1e-4' "
             "1e-4, '1e-5' 1e-5, '1e-6' 1e-6)\nset ylabel 'share of hits, of misses'\n"
-         << "set xrange [0:" << usual.limit + 1 << "]\nset xtics 1\nset boxwidth 0.4\nset grid y\nset key top right\n"
+         << "set xrange [0:" << (is_certified(usual.rules) ? most_iterations(all) : usual.limit) + 1
+         << "]\nset xtics 1\nset boxwidth 0.4\nset grid y\nset key top right\n"
          << histogram_plot("$first", "family " + first)
          << "set xlabel 'iterations; undecided queries count with those that they took'\n"
          << histogram_plot("$all", "all families, each counting alike") << "unset multiplot\n";

@@ -9,6 +9,7 @@
 #include "render/file.hpp"
 #include "render/image.hpp"
 #include "tests/catch.hpp"
+#include "tests/study/methods/certified.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 namespace study::test {
@@ -43,6 +44,68 @@ TEST_CASE("The heat map tells where nothing was seen how much that says", "[pict
 TEST_CASE("The heat map says that float is judged on the rounded pair", "[pictures]") {
   const Study study = ten_pairs(0, {"as-intended"});
   CHECK(has(heat_map(Settings(study)).script, "the pair as float writes it"));
+}
+
+TEST_CASE("The heat map has columns of certified answers and says of what they are not asked", "[pictures]") {
+  Study study = ten_pairs(0, {"as-intended", "certified"});
+  CHECK(has(heat_map(Settings(study)).script, "'float' 0, 'certified float' 1"));
+  CHECK(has(heat_map(Settings(study)).script, "set label '<0.3' at 1,0"));
+  study.rows.back().tally = {};
+  study.rows.back().tally.not_askable = 10;
+  CHECK(has(heat_map(Settings(study)).script, "set label 'not asked' at 1,0"));
+}
+
+/// As the study makes it: certified rows are timed once, and tell of their second searches.
+Study with_certified(int undecided) {
+  Study study = ten_pairs(undecided, {"as-intended", "certified"});
+  study.rows.back().timings = {{no_limit, {10, 3000}}};
+  return study;
+}
+
+TEST_CASE("Certified answers are one point, on the line of zero where none was wrong, with its number", "[pictures]") {
+  const Study study = with_certified(0);
+  const std::string script = error_vs_time(Settings(study)).script;
+  INFO(script);
+  CHECK(has(script, "$curve1 << EOD\n300 0\nEOD\n"));
+  CHECK(has(script, "set xzeroaxis"));
+  CHECK(has(script, "set label '0 wrong' at graph "));
+  CHECK(has(script, "title 'certified: 0 of 10 wrong or undecided'"));
+}
+
+TEST_CASE("Certified answers that were wrong are drawn and counted where they are", "[pictures]") {
+  const Study study = with_certified(2);
+  const std::string script = error_vs_time(Settings(study)).script;
+  INFO(script);
+  CHECK(has(script, "$curve1 << EOD\n300 0.2\nEOD\n"));
+  CHECK(has(script, "set label '0.2 wrong' at graph "));
+  CHECK(has(script, "title 'certified: 2 of 10 wrong or undecided'"));
+}
+
+TEST_CASE("A family that some setting cannot be asked about counts for none of the means", "[pictures]") {
+  Study study = with_certified(0);
+  const auto rows = study.rows;
+  study.families.push_back({"round", "made up", 10, 0});
+  for (Row row : rows) {
+    row.family = "round";
+    if (is_certified(row.rules)) {
+      row.tally = {};
+      row.tally.not_askable = 10;
+      row.timings.clear();
+    } else {
+      row.timings = {{5, {10, 9000}}, {20, {10, 9000}}};
+    }
+    study.rows.push_back(row);
+  }
+  const std::string script = error_vs_time(Settings(study)).script;
+  INFO(script);
+  CHECK(has(script, "means of the 1 of 2 families"));
+  CHECK(has(script, "$curve0 << EOD\n100 0.5\n100 0\nEOD\n"));
+  CHECK(has(script, "title 'certified: 0 of 10 wrong or undecided'"));
+}
+
+TEST_CASE("The picture of iterations is as wide as the longest search where there is no limit", "[pictures]") {
+  const Study study = ten_pairs(0, {"certified"});
+  CHECK(has(iterations(Settings(study)).script, "set xrange [0:8]"));  // of 6 at most
 }
 
 struct Label {

@@ -134,18 +134,6 @@ std::string families_table(const Settings& settings) {
                 {"beyond float's range", rounding(&Tally::out_of_range)}});
 }
 
-/// A column for each of the names: the usual setting with that name in place of its own.
-std::string varied_table(const Settings& settings, std::string Setting::*varied, const std::vector<std::string>& names,
-                         const std::function<std::string(const Counts&)>& words) {
-  std::vector<Column> columns;
-  for (const std::string& name : names) {
-    Setting setting = settings.usual();
-    setting.*varied = name;
-    columns.push_back(column(settings, name, setting, words));
-  }
-  return rate_table(settings, columns);
-}
-
 /// The two ways to be wrong, each of the pairs with which it can happen, and to be undecided.
 std::string errors_table(const Settings& settings, const std::string& scalar) {
   Setting setting = settings.usual();
@@ -160,11 +148,21 @@ std::string errors_table(const Settings& settings, const std::string& scalar) {
 }
 
 std::string scalars_table(const Settings& settings, const std::function<std::string(const Counts&)>& words) {
-  return varied_table(settings, &Setting::scalar, settings.scalars(), words);
+  std::vector<Column> columns;
+  for (const auto& [title, setting] : settings.scalars_and_certified())
+    columns.push_back(column(settings, title, setting, words));
+  return rate_table(settings, columns);
 }
 
+/// A column for each set of rules, in the usual scalar, else as usual.
 std::string rules_table(const Settings& settings) {
-  return varied_table(settings, &Setting::rules, settings.rules(), words_of_failures);
+  std::vector<Column> columns;
+  for (const std::string& rules : settings.rules()) {
+    Setting setting = settings.usual();
+    setting.rules = rules;
+    columns.push_back(column(settings, rules, setting, words_of_failures));
+  }
+  return rate_table(settings, columns);
 }
 
 /// Returns: the usual setting with every scalar and zero test, and a title for each. What does not round has only the usual
@@ -190,6 +188,7 @@ std::string zero_tests_table(const Settings& settings) {
 }
 
 std::string limits_table(const Settings& settings) {
+  if (is_certified(settings.usual().rules)) return "Certified answers have no limit.\n";
   std::vector<Column> columns;
   for (const int limit : settings.limits()) {
     Setting setting = settings.usual();
@@ -224,27 +223,72 @@ std::string head(const Settings& settings, const std::string& title) {
          ", gjkstep-study " + header.version + ", compiled by " + header.compiler + ".\n\n";
 }
 
+constexpr const char* of_points_only =
+    "Certified answers are about sets of points: about balls and cylinders they are not asked, and their cells are "
+    "empty. ";
+
 std::string how_to_read(const Settings& settings) {
   return "Rates are shares of the pairs asked where a table names no others, with the ends of their 95 % score "
          "intervals (Wilson 1927); where "
          "nothing was seen, only the upper end. Families that were listed to the last pair are a census, \"of all\", "
          "and have none. Unless a table says otherwise: " +
-         described(settings.usual()) + ". Every combination is in study.csv, which the command writes.\n\n";
+         described(settings.usual()) + ". " + (settings.certified().empty() ? "" : of_points_only) +
+         "Every combination is in study.csv, which the command writes.\n\n";
+}
+
+/// How often a certified query needed its second search, and how long that was.
+std::string second_searches(const Settings& settings, const std::string& family, const Setting& setting) {
+  const Row* const row = settings.find(family, setting);
+  if (row == nullptr || total(row->tally.second_iterations) == 0) return "";
+  const Histogram &all = row->tally.second_iterations, some = without_none(all);
+  const double share = static_cast<double>(total(some)) / static_cast<double>(total(all));
+  if (total(some) == 0) return "0";
+  char text[64];
+  std::snprintf(text, sizeof text, ": %.2f, %d", spread_of(some).mean, spread_of(some).max);
+  return in_short(share) + text;
+}
+
+/// Returns: "1234 certificates were multiplied out in fractions: all hold."
+std::string words_of_certificates(const Study& study) {
+  std::uint64_t checked = 0, false_ones = 0;
+  for (const Row& row : study.rows) {
+    checked += row.tally.certificates;
+    false_ones += row.tally.false_certificates;
+  }
+  return std::to_string(checked) + " certificates, those of the first pairs of each family, were multiplied out in " +
+         "fractions: " + (false_ones == 0 ? "all hold" : std::to_string(false_ones) + " do not hold") + ".\n";
+}
+
+std::string certified_section(const Settings& settings) {
+  std::vector<Column> columns;
+  for (const auto& [title, setting] : settings.certified())
+    columns.push_back({title + ": share, mean, max", [&settings, setting = setting](const FamilyNote& family) {
+                         return second_searches(settings, family.name, setting);
+                       }});
+  if (columns.empty()) return "";
+  return "\n## Certified answers: second searches\n\nThe share of pairs about which the first search proved nothing, "
+         "and "
+         "the iterations that the second one took with these. " +
+         words_of_certificates(settings.study()) + "\n" + table(settings, columns);
 }
 
 // -- Timings ----------------------------------------------------------------------------------------------------------
 
 std::string time_of(const Settings& settings, const std::string& family, const Setting& setting) {
   const Row* const row = settings.find(family, setting);
-  if (row == nullptr || !row->timings.contains(setting.limit)) return "";
+  const int limit = limit_for(setting.rules, setting.limit);
+  if (row == nullptr || !row->timings.contains(limit)) return "";
   char text[32];
-  std::snprintf(text, sizeof text, "%.0f", row->timings.at(setting.limit).per_query());
+  std::snprintf(text, sizeof text, "%.0f", row->timings.at(limit).per_query());
   return text;
 }
 
 std::string times_table(const Settings& settings) {
+  std::vector<std::pair<std::string, Setting>> all;
+  if (!is_certified(settings.usual().rules)) all = scalars_and_zero_tests(settings);
+  for (const auto& each : settings.certified()) all.push_back(each);
   std::vector<Column> columns;
-  for (const auto& [title, setting] : scalars_and_zero_tests(settings))
+  for (const auto& [title, setting] : all)
     columns.push_back({title, [&settings, setting = setting](const FamilyNote& family) {
                          return time_of(settings, family.name, setting);
                        }});
@@ -310,7 +354,7 @@ std::string counts_markdown(const Settings& settings) {
          "\n## Wrong or undecided, by scalar\n\n" + scalars_table(settings, words_of_failures) +
          "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it "
          "took.\n\n" +
-         iterations_table(settings);
+         iterations_table(settings) + certified_section(settings);
 }
 
 std::string errors_markdown(const Settings& settings) {
@@ -342,8 +386,9 @@ std::string timings_markdown(const Settings& settings) {
          "same batch of up to 256 pairs, each limit after a pass with which the caches warm up, and another limit "
          "first in each turn; of five turns, of exact "
          "numbers three and 16 pairs, the median counts. One reading of the clock in each batch is part of it. Balls "
-         "and cylinders pay for the choice of the form at each support call.\n\n" +
-         times_table(settings) + float_and_double(settings);
+         "and cylinders pay for the choice of the form at each support call. " +
+         (settings.certified().empty() ? "" : of_points_only) + "\n\n" + times_table(settings) +
+         float_and_double(settings);
 }
 
 }  // namespace study

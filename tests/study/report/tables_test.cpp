@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "tests/catch.hpp"
+#include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 #include "tests/study/sweep/plan.hpp"
 #include "tests/study/sweep/study_file.hpp"
@@ -53,7 +54,10 @@ TEST_CASE("Each line of the CSV file has a field for each heading", "[tables]") 
     for (auto line = heading; line != lines.end(); ++line)
       CHECK(std::ranges::count(*line, ',') == std::ranges::count(*heading, ','));
   }
-  CHECK(lines_of(counts_csv(settings)).size() == 3 + 2 * all_methods().size() * std::size(limits));
+  const auto certified = static_cast<std::size_t>(
+      std::ranges::count_if(all_methods(), [](const Method& method) { return is_certified(method.rules); }));
+  const std::size_t lines = (all_methods().size() - certified) * std::size(limits) + certified;
+  CHECK(lines_of(counts_csv(settings)).size() == 3 + 2 * lines);
 }
 
 TEST_CASE("The tables name the command and the seed and have a row for each family", "[tables]") {
@@ -64,7 +68,7 @@ TEST_CASE("The tables name the command and the seed and have a row for each fami
   for (const char* const family : {"| triangles |", "| spheres |"}) {
     std::size_t rows = 0;
     for (const std::string& line : lines_of(text)) rows += line.starts_with(family);
-    CHECK(rows == 2);  // one each in the tables of families and of iterations
+    CHECK(rows == 3);  // one each in the tables of families, of iterations and of second searches
   }
 }
 
@@ -179,6 +183,87 @@ TEST_CASE("The table of families tells what proves the truths", "[tables]") {
   CHECK(counts_markdown(Settings(study)).find("| predicates |") != std::string::npos);
   study.rows.front().tally.proven = {7, 0, 3};
   CHECK(counts_markdown(Settings(study)).find("| predicates 7, certificates 3 |") != std::string::npos);
+}
+
+/// As counted_by_hand(), and a row of certified answers, one of ten of which took a second search of four iterations and one
+/// of eight.
+Study with_certified() {
+  Study study = counted_by_hand();
+  Row row{"family", "certified", "double", "exact", {}, {{no_limit, {10, 1230}}}};
+  for (int i = 0; i < 10; ++i)
+    row.tally.count({i < 6 ? Truth::separated : Truth::intersecting, Proof::predicates},
+                    {i < 6 ? Answer::separated : Answer::intersecting, 25});
+  row.tally.second_iterations = {8, 0, 0, 0, 1, 0, 0, 0, 1};
+  row.tally.certificates = 7;
+  study.rows.push_back(row);
+  study.rows.front().timings[20] = {10, 1000};
+  return study;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_CASE("Certified answers have a column beside the scalars and beside the rules", "[tables]") {
+  const Study study = with_certified();
+  const Settings settings(study);
+  CHECK(has(counts_markdown(settings), "| family | double | certified double |\n"));
+  CHECK(has(counts_markdown(settings), "| family | 0.4 (0.17 – 0.69) | 0 (< 0.28) |\n"));
+  CHECK(has(errors_markdown(settings), "| family | double | certified double |\n"));
+  CHECK(has(settings_markdown(settings), "| family | as-intended | certified |\n"));
+  CHECK(has(timings_markdown(settings), "| family | double, exact | certified double |\n"));
+  CHECK(has(timings_markdown(settings), "| family | 100 | 123 |\n"));
+}
+
+TEST_CASE("Second searches are told with their share, mean and largest iterations", "[tables]") {
+  Study study = with_certified();
+  CHECK(has(counts_markdown(Settings(study)), "| family | certified double: share, mean, max |\n"));
+  CHECK(has(counts_markdown(Settings(study)), "| family | 0.2: 6.00, 8 |\n"));
+  CHECK(has(counts_markdown(Settings(study)),
+            "7 certificates, those of the first pairs of each family, were "
+            "multiplied out in fractions: all hold."));
+  study.rows.back().tally.false_certificates = 2;
+  CHECK(has(counts_markdown(Settings(study)), "in fractions: 2 do not hold."));
+  study.rows.back().tally.second_iterations = {10};
+  CHECK(has(counts_markdown(Settings(study)), "| family | 0 |\n"));
+  study.rows.pop_back();
+  CHECK_FALSE(has(counts_markdown(Settings(study)), "Certified"));
+}
+
+TEST_CASE("Certified answers have one line in CSV, without a limit and without the calls that are not counted",
+          "[tables]") {
+  const Study study = with_certified();
+  const std::string csv = counts_csv(Settings(study));
+  INFO(csv);
+  CHECK(has(csv, "\nfamily,certified,double,exact,none,10,4,"));
+  CHECK(has(csv, ",25,25,25,25,25,25,,0,0,0,0,10,0,0,2,6,8,7,0\n"));
+  CHECK(has(csv, ",10,0,0,,,,,\n"));  // of the row that certifies nothing
+  CHECK(has(timings_csv(Settings(study)), "\nfamily,certified,double,exact,none,10,123\n"));
+}
+
+TEST_CASE("What is not asked for a proof has an empty cell and the tables say why", "[tables]") {
+  Study study = with_certified();
+  Tally& tally = study.rows.back().tally;
+  tally = {};
+  tally.not_askable = 10;
+  study.rows.back().timings.clear();
+  const Settings settings(study);
+  const std::string why = "about balls and cylinders they are not asked, and their cells are empty.";
+  CHECK(has(counts_markdown(settings), "| family | 0.4 (0.17 – 0.69) |  |\n"));
+  CHECK(has(counts_markdown(settings), why));
+  CHECK(has(timings_markdown(settings), "| family | 100 |  |\n"));
+  CHECK(has(timings_markdown(settings), why));
+}
+
+TEST_CASE("A study of certified answers alone has tables of these", "[tables]") {
+  Request request = two_families();
+  request.rules = {"certified"};
+  const Study study = small_study(request);
+  const Settings settings(study);
+  CHECK(settings.usual().rules == "certified");
+  CHECK(has(counts_markdown(settings), "| family | certified float | certified double |\n"));
+  CHECK(has(counts_markdown(settings), "says otherwise: double, rules certified. "));
+  CHECK(has(settings_markdown(settings), "Certified answers have no limit."));
+  CHECK(has(timings_markdown(settings), "| family | certified float | certified double |\n"));
+  CHECK(has(timings_markdown(settings), "| spheres |  |  |\n"));
 }
 
 TEST_CASE("A study of few settings has tables of these", "[tables]") {

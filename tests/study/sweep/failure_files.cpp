@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/file.hpp"
+#include "tests/study/methods/certified.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
@@ -52,16 +53,33 @@ std::string answer_of(Kind kind) {
     case Kind::false_positive: return "intersecting";
     case Kind::false_negative: return "separated";
     case Kind::undecided: return "undecided";
+    case Kind::false_certificate: return "right, with a certificate that does not hold";
   }
   return "";
+}
+
+/// Returns: the rules that a scene runs.
+std::string rules_of(const Method& method) {
+  const std::optional<gjk::RuleSet> first = first_search_of(method.rules);
+  return first ? std::string(to_string(*first)) : method.rules;
+}
+
+/// Returns: "Rules as-intended, scalar double, zero test exact, at most 20 iterations."
+std::string setting_of(const Failure& failure) {
+  const Method& method = *failure.method;
+  const std::string scalar = "scalar " + method.scalar.name;
+  if (is_certified(method.rules))
+    return "Asked by gjk::certified_collision(), " + scalar + ", rules of the first search " + rules_of(method) +
+           ".\n// A scene cannot run the second search: what is drawn is the first, whose answer may be another one.";
+  return "Rules " + method.rules + ", " + scalar + ", zero test " + method.zero_test + ", at most " +
+         std::to_string(failure.limit) + " iterations.";
 }
 
 std::string comments(const Failure& failure, std::uint64_t seed) {
   const Method& method = *failure.method;
   std::string text = "// Truth: " + to_string(failure.truth) + ". Answer: " + answer_of(failure.kind) + ".\n// Pair " +
                      std::to_string(failure.index) + " of family " + failure.family + ", seed " + std::to_string(seed) +
-                     ". Rules " + method.rules + ", scalar " + method.scalar.name + ", zero test " + method.zero_test +
-                     ", at most " + std::to_string(failure.limit) + " iterations.\n";
+                     ". " + setting_of(failure) + "\n";
   if (method.scalar.name != "float" && method.scalar.name != "double")
     text += "// A scene cannot run in this scalar: what is drawn is the run in double, which may end in another way.\n";
   return text;
@@ -70,8 +88,8 @@ std::string comments(const Failure& failure, std::uint64_t seed) {
 /// Keys that have no default are written where they are needed only.
 std::string keys_of(const Failure& failure) {
   const Method& method = *failure.method;
-  std::string text =
-      "  \"iteration_limit\": " + std::to_string(failure.limit) + ",\n  \"rules\": \"" + method.rules + "\"";
+  std::string text = "  \"rules\": \"" + rules_of(method) + "\"";
+  if (failure.limit != no_limit) text = "  \"iteration_limit\": " + std::to_string(failure.limit) + ",\n" + text;
   if (method.scalar.name == "float") text += ",\n  \"scalar\": \"float\"";
   if (method.zero_test != "exact") text += ",\n  \"zero_test\": \"" + method.zero_test + "\"";
   return text;
@@ -84,6 +102,7 @@ std::string to_string(Kind kind) {
     case Kind::false_positive: return "false positive";
     case Kind::false_negative: return "false negative";
     case Kind::undecided: return "undecided";
+    case Kind::false_certificate: return "false certificate";
   }
   return "";
 }

@@ -13,7 +13,7 @@ namespace study {
 std::string to_string(Kind kind);  ///< "false positive"
 
 /// Returns: a scene file that begins with comments on what is wrong. Scenes run in float or double; of another scalar the
-/// comments say that what is drawn is the run in double, which may go right.
+/// comments say that what is drawn is the run in double, which may go right; of a certified answer, that it is the first search.
 std::string scene_of(const Failure& failure, std::uint64_t seed);
 
 /// Returns: "family-method-kind-index.json", made of plain letters.

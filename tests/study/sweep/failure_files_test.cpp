@@ -3,6 +3,7 @@
 #include <set>
 
 #include "tests/catch.hpp"
+#include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/text/scene_file.hpp"
@@ -46,6 +47,7 @@ gjk::Status status_of(Kind kind) {
     case Kind::false_positive: return gjk::Status::intersecting;
     case Kind::false_negative: return gjk::Status::separated;
     case Kind::undecided: return gjk::Status::undecided;
+    case Kind::false_certificate: break;
   }
   return {};
 }
@@ -65,6 +67,37 @@ TEST_CASE("A failure in float that was saved fails in the same way when it is re
         kinds.insert(failure.kind);
       }
   CHECK(kinds.size() == 3);
+}
+
+TEST_CASE("A certified answer that is wrong is saved as a scene of its first search, which says so", "[failures]") {
+  Failure failure{"triangles",
+                  3,
+                  nullptr,
+                  Kind::false_positive,
+                  no_limit,
+                  Truth::separated,
+                  {Points{{0, 0, 0}, {0, 1, 0}}, Points{{-9, 0, 0}, {-9, 0, 1}}}};
+  for (const Method& method : all_methods()) {
+    if (!is_certified(method.rules)) continue;
+    failure.method = &method;
+    const std::string text = scene_of(failure, 7);
+    INFO(text);
+    const std::string first = method.rules == "certified" ? "as-intended" : "eager";
+    CHECK(text.find("of family triangles, seed 7. Asked by gjk::certified_collision(), scalar " + method.scalar.name +
+                    ", rules of the first search " + first + ".\n// A scene cannot run the second search") !=
+          std::string::npos);
+    CHECK(text.find("iteration_limit") == std::string::npos);
+    const walkthroughs::SceneFile file = walkthroughs::parse_scene(text, scene_name(failure));
+    const walkthroughs::Scene& scene = file.walkthrough.scenes.front();
+    CHECK(to_string(scene.rules) == first);
+    CHECK((scene.scalar == walkthroughs::Scalar::binary32) == (method.scalar.name == "float"));
+    CHECK(status_of(scene) == gjk::Status::separated);
+  }
+  CHECK(scene_name(failure) == "triangles-certified-eager-double-exact-false-positive-3.json");
+  failure.kind = Kind::false_certificate;
+  CHECK(scene_of(failure, 7)
+            .starts_with("// Truth: they are apart. Answer: right, with a certificate that does not hold.\n"));
+  CHECK(scene_name(failure) == "triangles-certified-eager-double-exact-false-certificate-3.json");
 }
 
 TEST_CASE("Balls and cylinders that went wrong are scenes as well", "[failures]") {

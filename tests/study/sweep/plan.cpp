@@ -133,11 +133,17 @@ std::vector<std::string> words_of(const std::vector<int>& numbers) {
 
 // -- How long it will take ----------------------------------------------------------------------------------------------
 
-std::vector<const Method*> methods_where(const Plan& plan, bool is_slow) {
+std::vector<const Method*> methods_where(const Plan& plan, bool (*wanted)(const Method& method)) {
   std::vector<const Method*> some = plan.methods;
-  std::erase_if(some, [=](const Method* method) { return method->scalar.is_slow != is_slow; });
+  std::erase_if(some, [=](const Method* method) { return !wanted(*method); });
   return some;
 }
+
+bool is_quick(const Method& method) { return !method.scalar.is_slow; }
+bool is_slow(const Method& method) { return method.scalar.is_slow; }
+bool is_checked(const Method& method) { return method.certificate_holds != nullptr; }
+
+enum class SlowToo { no, yes };
 
 double seconds_of(const Plan& plan) {
   const auto start = std::chrono::steady_clock::now();
@@ -145,12 +151,14 @@ double seconds_of(const Plan& plan) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Returns: about how long one thread takes for so many pairs of the family, from asking the first `few`.
+/// Returns: about how long one thread takes for so many pairs of the family, from asking the first `few`. With `slow_too` that
+/// is what is done with the first pairs only.
 double seconds_of(const Plan& plan, const std::vector<const Method*>& methods, const Family* family,
-                  std::uint64_t pairs, std::uint64_t few) {
+                  std::uint64_t pairs, std::uint64_t few, SlowToo slow_too) {
   if (methods.empty() || pairs == 0) return 0;
   few = std::min(few, pairs);
-  Plan sample{.seed = plan.seed, .parts = {{family, few, few}}, .methods = methods, .limits = plan.limits};
+  const std::uint64_t slow = slow_too == SlowToo::yes ? few : 0;
+  Plan sample{.seed = plan.seed, .parts = {{family, few, slow}}, .methods = methods, .limits = plan.limits};
   sample.timed_pairs = 0;
   const double untimed = seconds_of(sample) / static_cast<double>(few);
   sample.timed_pairs = few;
@@ -207,8 +215,10 @@ Shard parse_shard(const std::string& text) {
 double estimated_seconds(const Plan& plan) {
   double seconds = 0;
   for (const Part& part : plan.parts) {
-    seconds += seconds_of(plan, methods_where(plan, false), part.family, part.pairs / plan.shard.count, 64);
-    seconds += seconds_of(plan, methods_where(plan, true), part.family, part.slow_pairs / plan.shard.count, 4);
+    const std::uint64_t pairs = part.pairs / plan.shard.count, slow = part.slow_pairs / plan.shard.count;
+    seconds += seconds_of(plan, methods_where(plan, is_quick), part.family, pairs, 64, SlowToo::no);
+    seconds += seconds_of(plan, methods_where(plan, is_slow), part.family, slow, 4, SlowToo::yes);
+    seconds += seconds_of(plan, methods_where(plan, is_checked), part.family, slow, 4, SlowToo::yes);
   }
   return seconds / static_cast<double>(plan.threads);
 }

@@ -43,7 +43,22 @@ TEST_CASE("Names that nobody knows are refused with the one that was probably me
   CHECK_THAT(complaint({.zero_tests = {"exct"}}), Contains("'exact'"));
   CHECK_THAT(complaint({.limits = {0}}), Contains("1 to 1000"));
   CHECK_THAT(complaint({.scalars = {"exact"}, .zero_tests = {"relative"}}), Contains("no setting is left"));
+  CHECK_THAT(complaint({.rules = {"certifed"}}), Contains("'certified'"));
+  CHECK_THAT(complaint({.rules = {"certified"}, .scalars = {"exact"}}), Contains("no setting is left"));
+  CHECK_THAT(complaint({.rules = {"certified"}, .zero_tests = {"relative"}}), Contains("no setting is left"));
   CHECK(complaint({}).empty());
+}
+
+TEST_CASE("Certified answers are chosen as rules are", "[plan]") {
+  const auto chosen = [](const Request& request) {
+    std::vector<std::string> names;
+    for (const Method* const method : plan_of(request).methods) names.push_back(method->name());
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(chosen({.rules = {"certified"}}) == Names{"certified float exact", "certified double exact"});
+  CHECK(chosen({.rules = {"certified-eager", "eager"}, .scalars = {"float"}, .zero_tests = {"exact"}}) ==
+        Names{"eager float exact", "certified-eager float exact"});
 }
 
 TEST_CASE("A family that can be listed is not asked about more pairs than it has", "[plan]") {

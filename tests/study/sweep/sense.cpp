@@ -7,12 +7,14 @@
 #include <stdexcept>
 
 #include "tests/study/methods/all_methods.hpp"
+#include "tests/study/methods/certified.hpp"
 #include "tests/study/pairs/families.hpp"
 
 namespace study {
 namespace {
 
 constexpr std::uint64_t most_nanoseconds = 3'600'000'000'000;  // that a query takes: an hour
+constexpr int most_second_iterations = 1000;
 
 void expect(bool holds, const std::string& otherwise) {
   if (!holds) throw std::invalid_argument(otherwise);
@@ -86,6 +88,20 @@ void expect_tally(const Tally& tally, int limit, std::uint64_t pairs) {
          "more queries came back to a state than were stopped at the limit");
 }
 
+/// What certified queries alone have; they are never without an answer.
+void expect_certified(const Tally& tally, bool is_certified, std::uint64_t asked) {
+  const std::uint64_t searched = queries_in(tally.second_iterations, most_second_iterations);
+  expect(searched == (is_certified ? asked : 0),
+         "not every certified query tells of its second search, or another does");
+  queries_in({tally.certificates, tally.false_certificates}, 1);
+  expect(tally.certificates <= searched && tally.false_certificates <= tally.certificates,
+         "more certificates than answers, or more false ones than there are");
+  for (const auto& by_answer : tally.queries)
+    for (const Answer answer : {Answer::unusable, Answer::at_limit})
+      expect(!is_certified || total(by_answer[static_cast<std::size_t>(answer)]) == 0,
+             "a certified query is without an answer");
+}
+
 /// Of the pairs that were asked the first are timed, the same at each limit; maybe none, where none of the first was asked.
 void expect_timings(const Timings& timings, std::uint64_t asked) {
   for (const auto& [limit, timing] : timings) {
@@ -97,8 +113,12 @@ void expect_timings(const Timings& timings, std::uint64_t asked) {
 
 void expect_row(const Row& row, const FamilyNote& family, const Study& study) try {
   const std::uint64_t pairs = method_of(row).scalar.is_slow ? family.slow_pairs : family.pairs;
-  expect_tally(row.tally, study.header.limits.back(), pairs_of_shard(pairs, study.shard));
-  expect_timings(row.timings, row.tally.pairs() - row.tally.out_of_range - row.tally.not_askable);
+  const int limit = is_certified(row.rules) ? gjk::Options<double>{}.iteration_limit : study.header.limits.back();
+  expect_tally(row.tally, limit, pairs_of_shard(pairs, study.shard));
+  const Tally& tally = row.tally;
+  const std::uint64_t in_question = tally.pairs() - tally.out_of_range - tally.not_askable;
+  expect_certified(tally, is_certified(row.rules), in_question - tally.exceptions);
+  expect_timings(row.timings, in_question);
 } catch (const std::invalid_argument& error) {
   throw std::invalid_argument("family " + row.family + ", rules " + row.rules + ", scalar " + row.scalar +
                               ", zero test " + row.zero_test + ": " + error.what());

@@ -30,6 +30,29 @@ Settings::Settings(const Study& study) : study_(study) {
   const std::vector<int>& all = limits();
   const int limit = has(all, 20) || all.empty() ? 20 : all.back();
   usual_ = {preferred(rules_, "as-intended"), preferred(scalars_, "double"), preferred(zero_tests_, "exact"), limit};
+  usual_.limit = limit_for(usual_.rules, limit);
+}
+
+std::vector<std::pair<std::string, Setting>> Settings::certified() const {
+  std::vector<std::pair<std::string, Setting>> all;
+  for (const std::string& rules : rules_)
+    for (const std::string& scalar : scalars_)
+      if (is_certified(rules) &&
+          std::ranges::any_of(study_.rows, [&](const Row& row) { return row.rules == rules && row.scalar == scalar; }))
+        all.push_back({rules + " " + scalar, {rules, scalar, "exact", no_limit}});
+  return all;
+}
+
+std::vector<std::pair<std::string, Setting>> Settings::scalars_and_certified() const {
+  std::vector<std::pair<std::string, Setting>> all;
+  if (!is_certified(usual_.rules))
+    for (const std::string& scalar : scalars_)
+      all.push_back({scalar, {usual_.rules, scalar, usual_.zero_test, usual_.limit}});
+  for (auto& each : certified()) {
+    const std::string& rules = each.second.rules;
+    if (rules == usual_.rules || to_string(*first_search_of(rules)) == usual_.rules) all.push_back(std::move(each));
+  }
+  return all;
 }
 
 const Row* Settings::find(const std::string& family, const Setting& setting) const {

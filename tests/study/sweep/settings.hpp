@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "tests/study/methods/certified.hpp"
 #include "tests/study/sweep/study.hpp"
 
 namespace study {
@@ -14,8 +16,9 @@ struct Setting {
   int limit;
 };
 
-/// Returns: "rules as-intended, zero test exact, at most 20 iterations".
+/// Returns: "rules as-intended, zero test exact, at most 20 iterations"; "rules certified", which say it all.
 inline std::string all_but_scalar(const Setting& setting) {
+  if (is_certified(setting.rules)) return "rules " + setting.rules;
   return "rules " + setting.rules + ", zero test " + setting.zero_test + ", at most " + std::to_string(setting.limit) +
          " iterations";
 }
@@ -40,8 +43,14 @@ class Settings {
   /// Returns: the note on the family of that name, which the study has.
   const FamilyNote& family(const std::string& name) const;
 
-  /// Returns: empty where this was not asked, or of no pair.
+  /// Returns: empty where this was not asked, or of no pair. What is certified has the same at every limit.
   std::optional<Counts> counts(const std::string& family, const Setting& setting) const;
+
+  /// Returns: the certified settings, with what tables call them: "certified double".
+  std::vector<std::pair<std::string, Setting>> certified() const;
+
+  /// Returns: the usual setting in each scalar, and certified answers whose search begins by the usual rules.
+  std::vector<std::pair<std::string, Setting>> scalars_and_certified() const;
 
   const Study& study() const { return study_; }
 

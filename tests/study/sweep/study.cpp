@@ -2,12 +2,19 @@
 
 #include <algorithm>
 
+#include "tests/study/methods/certified.hpp"
+
 namespace study {
 namespace {
 
 bool is_same_setting(const Row& row, const Row& other) {
   return row.family == other.family && row.rules == other.rules && row.scalar == other.scalar &&
          row.zero_test == other.zero_test;
+}
+
+/// Wrong and undecided ones, queries that threw, and certificates that do not hold.
+std::uint64_t failures_of_certified(const Tally& tally, const Counts& counts) {
+  return counts.wrong() + counts.undecided + tally.exceptions + tally.false_certificates;
 }
 
 [[noreturn]] void refuse(const NamedStudy& one, const NamedStudy& other, const std::string& why) {
@@ -46,14 +53,19 @@ void expect_each_once(const std::vector<NamedStudy>& sorted) {
 }  // namespace
 
 Counts counts_at(const FamilyNote& family, const Row& row, int limit) {
-  Counts counts = counts_at(row.tally, limit);
+  Counts counts = counts_at(row.tally, limit_for(row.rules, limit));
   if (family.size == row.tally.pairs()) counts.extent = Extent::census;
   return counts;
 }
 
 std::string contradiction(const Study& study) {
   for (const Row& row : study.rows) {
-    const Counts counts = counts_at(row.tally, study.header.limits.back());
+    const Counts counts = counts_at(row.tally, limit_for(row.rules, study.header.limits.back()));
+    if (is_certified(row.rules) && failures_of_certified(row.tally, counts) > 0)
+      return "family " + row.family + ": " + std::to_string(failures_of_certified(row.tally, counts)) + " of " +
+             std::to_string(row.tally.pairs()) + " certified answers in " + row.scalar +
+             " were wrong, none, or without a proof that holds, which cannot be: GJK, its proofs or the oracle have an "
+             "error";
     if (row.rules == "as-intended" && row.scalar == "exact" && counts.wrong() > 0)
       return "family " + row.family + ": in exact numbers GJK was wrong on " + std::to_string(counts.wrong()) + " of " +
              std::to_string(counts.pairs) + " pairs, which cannot be: GJK or the oracle has an error";

@@ -38,7 +38,8 @@ struct Study {
   std::vector<Row> rows;  ///< as in Findings
 };
 
-/// Returns: the row's counts, which are a census where it went through all pairs of a list.
+/// Returns: the row's counts, which are a census where it went through all pairs of a list. Certified answers have the same at
+/// every limit.
 Counts counts_at(const FamilyNote& family, const Row& row, int limit);
 
 /// Files that do not go together, or are none of the study's; what() is a sentence that says which and why.
@@ -46,7 +47,8 @@ struct StudyError : walkthroughs::InputError {
   using InputError::InputError;
 };
 
-/// Exact numbers, asked by the rules as intended, are never wrong where they decide: else GJK or the oracle has an error.
+/// Exact numbers, asked by the rules as intended, are never wrong where they decide, and certified answers are never wrong,
+/// undecided or without a proof: else GJK or the oracle has an error.
 ///
 /// Returns: a sentence on the first family in which they were; "" where they were in none.
 std::string contradiction(const Study& study);

@@ -1,10 +1,10 @@
 #include "tests/study/sweep/study_file.hpp"
 
 #include <algorithm>
-#include <climits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "tests/study/methods/certified.hpp"
 #include "tests/study/sweep/checksum.hpp"
 #include "tests/study/sweep/rate.hpp"
 #include "tests/study/sweep/sense.hpp"
@@ -35,10 +35,17 @@ Json json_of(const Tally& tally) {
   return json;
 }
 
+/// What certified queries have in addition.
+Json json_of_certified(const Tally& tally) {
+  return {{"second_iterations", tally.second_iterations},
+          {"certificates", tally.certificates},
+          {"false_certificates", tally.false_certificates}};
+}
+
 Json json_of(const Timings& timings) {
   Json json = Json::object();
   for (const auto& [limit, timing] : timings)
-    json[std::to_string(limit)] = {{"queries", timing.queries}, {"nanoseconds", timing.nanoseconds}};
+    json[limit_word(limit)] = {{"queries", timing.queries}, {"nanoseconds", timing.nanoseconds}};
   return json;
 }
 
@@ -53,20 +60,22 @@ Json json_of(const Rate& rate) {
 /// What readers would work out of the tally, by iteration limit. Not read again: it says nothing that the tally does not.
 Json rates_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
   Json json;
-  for (const int limit : limits) {
+  for (const int limit : limits_for(row.rules, limits)) {
     const Counts counts = counts_at(family, row, limit);
-    json[std::to_string(limit)] = {{"hit", json_of(hit_rate(counts))},
-                                   {"false_positive", json_of(false_positive_rate(counts))},
-                                   {"false_negative", json_of(false_negative_rate(counts))},
-                                   {"undecided", json_of(undecided_rate(counts))}};
+    json[limit_word(limit)] = {{"hit", json_of(hit_rate(counts))},
+                               {"false_positive", json_of(false_positive_rate(counts))},
+                               {"false_negative", json_of(false_negative_rate(counts))},
+                               {"undecided", json_of(undecided_rate(counts))}};
   }
   return json;
 }
 
 Json json_of(const FamilyNote& family, const Row& row, const std::vector<int>& limits) {
-  return {{"family", row.family},           {"rules", row.rules},          {"scalar", row.scalar},
-          {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(family, row, limits)},
-          {"timings", json_of(row.timings)}};
+  Json json{{"family", row.family},           {"rules", row.rules},          {"scalar", row.scalar},
+            {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(family, row, limits)},
+            {"timings", json_of(row.timings)}};
+  if (is_certified(row.rules)) json["tally"].update(json_of_certified(row.tally));
+  return json;
 }
 
 Json json_of(const FamilyNote& family) {
@@ -114,19 +123,28 @@ Tally tally_of(const Json& json) {
   return tally;
 }
 
+void read_certified(const Json& json, Tally& tally) {
+  tally.second_iterations = histogram_of(json.at("second_iterations"));
+  tally.certificates = whole(json.at("certificates"));
+  tally.false_certificates = whole(json.at("false_certificates"));
+}
+
 Timings timings_of(const Json& json, const std::vector<int>& limits) {
   Timings timings;
   if (json.empty()) return timings;  // nothing was asked
   for (const int limit : limits) {
-    const Json& timing = json.at(std::to_string(limit));
+    const Json& timing = json.at(limit_word(limit));
     timings[limit] = {whole(timing.at("queries")), whole(timing.at("nanoseconds"))};
   }
   return timings;
 }
 
 Row row_of(const Json& json, const std::vector<int>& limits) {
-  return {words_of(json.at("family")),    words_of(json.at("rules")), words_of(json.at("scalar")),
-          words_of(json.at("zero_test")), tally_of(json.at("tally")), timings_of(json.at("timings"), limits)};
+  Row row{words_of(json.at("family")),    words_of(json.at("rules")), words_of(json.at("scalar")),
+          words_of(json.at("zero_test")), tally_of(json.at("tally")), {}};
+  row.timings = timings_of(json.at("timings"), limits_for(row.rules, limits));
+  if (is_certified(row.rules)) read_certified(json.at("tally"), row.tally);
+  return row;
 }
 
 FamilyNote family_of(const Json& json) {
@@ -136,8 +154,8 @@ FamilyNote family_of(const Json& json) {
   return family;
 }
 
-/// Returns: the limit, or one that is too large as well.
-int limit_of(const Json& json) { return static_cast<int>(std::min(whole(json), std::uint64_t{INT_MAX})); }
+/// Returns: the limit, or one that is too large as well and is a number.
+int limit_of(const Json& json) { return static_cast<int>(std::min(whole(json), std::uint64_t{no_limit - 1})); }
 
 Header header_of(const Json& json) {
   std::vector<int> limits;

@@ -108,6 +108,28 @@ TEST_CASE("A wrong answer in exact numbers is a contradiction and in others it i
   CHECK_THAT(contradiction(study), Contains("family coplanar-tilted: in exact numbers GJK was wrong on 1 of 4 pairs"));
 }
 
+TEST_CASE("A certified answer that is wrong, none or without a proof is a contradiction", "[study]") {
+  Request request = small_request();
+  request.rules = {"certified"};
+  request.families = {"triangles", "spheres"};
+  const Study sound = made(request);
+  CHECK(contradiction(sound).empty());
+  const auto said = [&](auto change) {
+    Study study = sound;
+    change(study.rows.at(1).tally);
+    return contradiction(study);
+  };
+  const auto counted = [](Answer answer) {
+    return [=](Tally& tally) { tally.count({Truth::separated, Proof::predicates}, {answer, 30, 0}); };
+  };
+  CHECK_THAT(said(counted(Answer::intersecting)),
+             Contains("family triangles: 1 of 102 certified answers in double were wrong, none, or without a proof"));
+  CHECK(said(counted(Answer::separated)).empty());
+  CHECK_THAT(said(counted(Answer::unusable)), Contains("1 of 102 certified answers"));
+  CHECK_THAT(said([](Tally& tally) { ++tally.exceptions; }), Contains("1 of 102 certified answers"));
+  CHECK_THAT(said([](Tally& tally) { ++tally.false_certificates; }), Contains("1 of 101 certified answers"));
+}
+
 TEST_CASE("A shard that is missing or there twice is refused by its number", "[study]") {
   std::vector<NamedStudy> shards = shards_of(small_request(), 3);
   const std::vector<NamedStudy> without_1{shards[0], shards[2]};
@@ -117,10 +139,10 @@ TEST_CASE("A shard that is missing or there twice is refused by its number", "[s
 }
 
 /// Returns: a shard of one family and one method, as its file says it.
-std::string one_row(const std::string& scalar = "double") {
+std::string one_row(const std::string& scalar = "double", const std::string& rules = "as-intended") {
   Request request = small_request();
   request.families = {"triangles"};
-  request.rules = {"as-intended"};
+  request.rules = {rules};
   request.scalars = {scalar};
   request.zero_tests = {"exact"};
   request.limits = {5, 20};
@@ -166,7 +188,7 @@ TEST_CASE("A shard that makes no sense is refused though its checksum is right",
       {"\"limits\":[5,20]", "\"limits\":[]", "not ascending"},
       {"\"limits\":[5,20]", "\"limits\":[20,5]", "not ascending"},
       {"\"limits\":[5,20]", "\"limits\":[0,20]", "'0' not found"},
-      {"\"limits\":[5,20]", "\"limits\":[5,4294967316]", "'2147483647' not found"},
+      {"\"limits\":[5,20]", "\"limits\":[5,4294967316]", "'2147483646' not found"},
       {"\"limits\":[5,20]", "\"limits\":[5,19.5]", "no whole number"},
       {"\"limits\":[5,20]", "\"limits\":[5,19]", "19"},
       {"\"seed\":3", "\"seed\":-1", "no whole number"},
@@ -207,6 +229,34 @@ TEST_CASE("A shard that makes no sense is refused though its checksum is right",
   const std::string slow =
       std::regex_replace(sound, std::regex("\"nanoseconds\":[0-9]+"), "\"nanoseconds\":999999999999999");
   CHECK_THAT(refusal(resealed(slow, "", "")), Contains("a query took more than an hour"));
+}
+
+TEST_CASE("A shard of certified answers that makes no sense is refused though its checksum is right", "[study]") {
+  const std::string sound = one_row("double", "certified");
+  REQUIRE(refusal(sound).empty());
+  const std::vector<std::pair<std::string, std::string>> changes{
+      {"\"second_iterations\":[", "\"second_iterations\":[1,"},
+      {"\"second_iterations\":[", "\"second\":["},
+      {"\"certificates\":1", "\"certificates\":35"},
+      {"\"certificates\":1", "\"certificates\":0.5"},
+      {"\"false_certificates\":0", "\"false_certificates\":2"},
+      {"\"unusable\":[]", "\"unusable\":[0,1]"},
+      {"\"timings\":{\"none\"", "\"timings\":{\"20\""},
+      {"\"rules\":\"certified\"", "\"rules\":\"as-intended\""}};
+  for (const auto& [from, to] : changes) {
+    INFO(from << " becomes " << to);
+    CHECK_THAT(refusal(resealed(sound, from, to)), StartsWith("a.json is damaged: "));
+  }
+  std::string plain = one_row();
+  CHECK_THAT(refusal(resealed(plain, "\"rules\":\"as-intended\"", "\"rules\":\"certified\"")),
+             StartsWith("a.json is damaged: "));
+}
+
+TEST_CASE("Certified answers may take more iterations than the limits of a study", "[study]") {
+  Request request = small_request();
+  request.rules = {"certified"};
+  request.limits = {1};
+  CHECK(refusal(to_json(made(request))).empty());
 }
 
 TEST_CASE("Shards that the fuzzer begins with are read or refused as their names say", "[study]") {

@@ -10,6 +10,7 @@
 #include <thread>
 #include <tuple>
 
+#include "tests/study/methods/certified.hpp"
 #include "tests/study/sweep/turns.hpp"
 #include "tests/study/truth/oracle.hpp"
 
@@ -130,12 +131,12 @@ class Worker {
 
   Tally tally_of(const Method& method, const std::vector<View>& views) {
     Tally tally;
-    std::array<std::uint64_t, 3> kept{};
+    std::array<std::uint64_t, kinds> kept{};
     for (const View& view : views) {
       if (view.judgement.truth != view.sample->judgement.truth) ++tally.truth_changed;
       if (!view.rounded)
         ++tally.out_of_range;
-      else if (!view.question)
+      else if (!can_ask(method, view))
         ++tally.not_askable;
       else if (const auto kind = ask(method, view, tally))
         if (kept[static_cast<std::size_t>(*kind)]++ < plan_.failures_kept) keep(method, view, *kind);
@@ -143,21 +144,31 @@ class Worker {
     return tally;
   }
 
+  static bool can_ask(const Method& method, const View& view) {
+    return view.question && method.can_ask(*view.question);
+  }
+
   std::optional<Kind> ask(const Method& method, const View& view, Tally& tally) const try {
     const int limit = plan_.limits.back();
     const Outcome outcome = method.ask(*view.question, limit);
     const int k = outcome.answer == Answer::at_limit ? method.first_return(*view.question, limit) : 0;
+    const bool is_checked = method.certificate_holds && view.sample->index < part_.slow_pairs;
+    const bool holds = !is_checked || method.certificate_holds(*view.question);
     tally.count(view.judgement, outcome);
     if (k > 0) count(tally.returns, k);
-    return failure_kind(view.judgement.truth, outcome, plan_.failure_limit);
+    if (is_certified(method.rules)) count(tally.second_iterations, outcome.second_iterations);
+    tally.certificates += is_checked;
+    tally.false_certificates += !holds;
+    const auto kind = failure_kind(view.judgement.truth, outcome, limit_for(method.rules, plan_.failure_limit));
+    return kind || holds ? kind : Kind::false_certificate;
   } catch (const std::exception&) {
     ++tally.exceptions;
     return std::nullopt;
   }
 
   void keep(const Method& method, const View& view, Kind kind) {
-    failures.push_back({part_.family->name, view.sample->index, &method, kind, plan_.failure_limit,
-                        view.judgement.truth, view.rounded->pair});
+    failures.push_back({part_.family->name, view.sample->index, &method, kind,
+                        limit_for(method.rules, plan_.failure_limit), view.judgement.truth, view.rounded->pair});
   }
 
   void time_all() {
@@ -170,7 +181,8 @@ class Worker {
   std::vector<const Question*> timed_questions(const Method& method) const {
     std::vector<const Question*> batch;
     for (const View& view : views_.at(method.scalar.name))
-      if (view.question && (!method.scalar.is_slow || batch.size() < slow_batch)) batch.push_back(view.question.get());
+      if (can_ask(method, view) && (!method.scalar.is_slow || batch.size() < slow_batch))
+        batch.push_back(view.question.get());
     return batch;
   }
 

@@ -13,7 +13,8 @@ namespace study {
 
 inline constexpr std::uint64_t most_pairs = 1'000'000'000'000;  ///< of a family, that may be asked
 
-/// How many pairs of a family are asked. Slow scalars are asked about the first few of them.
+/// How many pairs of a family are asked. Slow scalars are asked about the first few of them, and of these the certificates are
+/// multiplied out.
 struct Part {
   const Family* family;
   std::uint64_t pairs, slow_pairs;
@@ -43,15 +44,16 @@ struct Plan {
 };
 
 /// How a query went wrong.
-enum class Kind { false_positive, false_negative, undecided };
+enum class Kind { false_positive, false_negative, undecided, false_certificate };
+inline constexpr std::size_t kinds = 4;
 
-/// A pair that got no answer or a wrong one.
+/// A pair that got no answer or a wrong one, or a certificate that does not hold.
 struct Failure {
   std::string family;
   std::uint64_t index;
   const Method* method;
   Kind kind;
-  int limit;
+  int limit;  ///< no_limit of a certified answer
   Truth truth;
   Pair pair;  ///< as it was asked: rounded to the scalar
 };

@@ -5,6 +5,7 @@
 
 #include "core/rule_sets.hpp"
 #include "tests/catch.hpp"
+#include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 
 namespace study::test {
@@ -62,6 +63,11 @@ TEST_CASE("Every set of rules is asked in every scalar and with each zero test t
         CHECK_NOTHROW(method_named(std::string(rules.name) + " " + scalar + " " + std::string(test.name)));
         ++methods;
       }
+  for (const auto& rules : certified_rules)
+    for (const std::string scalar : {"float", "double"}) {
+      CHECK_NOTHROW(method_named(std::string(rules.name) + " " + scalar + " exact"));
+      ++methods;
+    }
   CHECK(all_methods().size() == methods);
 }
 

@@ -50,6 +50,11 @@ std::uint64_t total(const Histogram& histogram) {
   return std::accumulate(histogram.begin(), histogram.end(), std::uint64_t{0});
 }
 
+Histogram without_none(Histogram histogram) {
+  if (!histogram.empty()) histogram[0] = 0;
+  return histogram;
+}
+
 void Tally::count(const Judgement& judgement, const Outcome& outcome) {
   study::count(queries[index(judgement.truth)][index(outcome.answer)], outcome.iterations);
   ++proven[static_cast<std::size_t>(judgement.proof)];
@@ -64,6 +69,9 @@ Tally& Tally::operator+=(const Tally& more) {
   not_askable += more.not_askable;
   truth_changed += more.truth_changed;
   exceptions += more.exceptions;
+  add(second_iterations, more.second_iterations);
+  certificates += more.certificates;
+  false_certificates += more.false_certificates;
   return *this;
 }
 

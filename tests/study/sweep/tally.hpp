@@ -7,9 +7,9 @@
 #include <map>
 #include <vector>
 
-#include "tests/study/truth/judgement.hpp"
 #include "tests/study/methods/method.hpp"
 #include "tests/study/sweep/rate.hpp"
+#include "tests/study/truth/judgement.hpp"
 
 namespace study {
 
@@ -19,6 +19,8 @@ using Histogram = std::vector<std::uint64_t>;
 void count(Histogram& histogram, int iterations);
 void add(Histogram& sum, const Histogram& more);
 std::uint64_t total(const Histogram& histogram);
+/// Returns: the queries that took at least one iteration.
+Histogram without_none(Histogram histogram);
 
 /// The queries are asked once, with the largest limit. What a smaller limit L would have answered follows: a query that
 /// ends within L iterations ends alike, any other is undecided.
@@ -30,6 +32,8 @@ struct Tally {
   std::uint64_t not_askable = 0;    ///< not asked: the scalar has no such shape
   std::uint64_t truth_changed = 0;  ///< rounding to the scalar made the sets touch, or parted them
   std::uint64_t exceptions = 0;     ///< the query threw
+  Histogram second_iterations;      ///< of certified queries, in their second search; 0 where they needed none
+  std::uint64_t certificates = 0, false_certificates = 0;  ///< multiplied out in fractions; of these, which do not hold
 
   void count(const Judgement& judgement, const Outcome& outcome);
   Tally& operator+=(const Tally& more);

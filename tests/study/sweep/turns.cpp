@@ -4,6 +4,8 @@
 #include <chrono>
 #include <map>
 
+#include "tests/study/methods/certified.hpp"
+
 namespace study {
 namespace {
 
@@ -34,7 +36,7 @@ std::vector<Timings> times_in_turn(const std::vector<Batch>& batches, const std:
   for (int turn = 0; turn < turns; ++turn)
     for (std::size_t b = 0; b < batches.size(); ++b)
       if (!batches[b].questions.empty() && (turn < slow_turns || !batches[b].method->scalar.is_slow))
-        take_turn(batches[b], limits, turn, times[b]);
+        take_turn(batches[b], limits_for(batches[b].method->rules, limits), turn, times[b]);
   std::vector<Timings> medians(batches.size());
   for (std::size_t b = 0; b < batches.size(); ++b)
     for (const auto& [limit, all] : times[b]) medians[b][limit] = {batches[b].questions.size(), median_of(all)};

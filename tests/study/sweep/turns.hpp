@@ -14,7 +14,7 @@ struct Batch {
   std::vector<const Question*> questions;
 };
 
-/// In each turn a method is asked all its questions with each limit, once unmeasured, so that what came before does not cost
+/// In each turn a method is asked all its questions with each limit that it has, once unmeasured, so that what came before does not cost
 /// it its caches, and once measured. Of the turns of a method the median counts.
 ///
 /// Returns: for each batch the times by limit; none for a batch without questions.

@@ -1,0 +1,145 @@
+/// Certified answers as methods of the study.
+#include "tests/catch.hpp"
+#include "tests/study/methods/certified.hpp"
+#include "tests/study/support.hpp"
+
+namespace study::test {
+namespace {
+
+std::vector<const Method*> certified_ones() {
+  std::vector<const Method*> some;
+  for (const Method& method : all_methods())
+    if (is_certified(method.rules)) some.push_back(&method);
+  return some;
+}
+
+bool is_of_points(const Family& family) {
+  const Pair pair = family.make(7, 0);
+  return std::holds_alternative<Points>(pair.a) && std::holds_alternative<Points>(pair.b);
+}
+
+TEST_CASE("Answers are certified in float and in double, by rules as intended and eager", "[certified]") {
+  std::vector<std::string> names;
+  for (const Method* const method : certified_ones()) names.push_back(method->name());
+  CHECK(names == std::vector<std::string>{"certified float exact", "certified-eager float exact",
+                                          "certified double exact", "certified-eager double exact"});
+  CHECK(first_search_of("certified") == gjk::RuleSet::as_intended);
+  CHECK(first_search_of("certified-eager") == gjk::RuleSet::eager);
+  for (const auto& rules : gjk::rule_sets) CHECK_FALSE(is_certified(rules.name));
+}
+
+TEST_CASE("Certified answers about all families of points are right and their certificates hold", "[certified]") {
+  for (const Family& family : families()) {
+    if (!is_of_points(family)) continue;
+    for (const Row& row : sweep(plan_for({&family}, certified_ones(), 40, 5)).rows) {
+      INFO(family.name << ", " << row.rules << " " << row.scalar);
+      const Counts counts = counts_at(row.tally, no_limit);
+      CHECK(counts.pairs + row.tally.out_of_range == 40);
+      CHECK(counts.wrong() + counts.undecided == 0);
+      CHECK(row.tally.exceptions == 0);
+      CHECK(row.tally.certificates == (counts.pairs == 0 ? 0 : 5));
+      CHECK(row.tally.false_certificates == 0);
+      CHECK(total(row.tally.second_iterations) == counts.pairs);
+    }
+  }
+}
+
+TEST_CASE("About balls and cylinders nothing is certified, which is counted and not timed", "[certified]") {
+  std::size_t round = 0;
+  for (const Family& family : families()) {
+    if (is_of_points(family)) continue;
+    ++round;
+    for (const Row& row : sweep(plan_for({&family}, certified_ones(), 6, 6)).rows) {
+      INFO(family.name << ", " << row.rules << " " << row.scalar);
+      CHECK(row.tally.not_askable == 6);
+      CHECK(counts_at(row.tally, no_limit).pairs == 0);
+      CHECK(total(row.tally.second_iterations) + row.tally.certificates + row.tally.exceptions == 0);
+      CHECK(row.timings.empty());
+    }
+  }
+  CHECK(round > 0);
+}
+
+TEST_CASE("Certified answers depend on no iteration limit and are timed once", "[certified]") {
+  Plan plan = plan_for({&family_named("triangles")}, certified_ones(), 100);
+  const Findings usual = sweep(plan);
+  plan.limits = {1};
+  plan.failure_limit = 1;
+  plan.failures_kept = 100;
+  const Findings few = sweep(plan);
+  for (std::size_t i = 0; i < usual.rows.size(); ++i) {
+    CHECK(usual.rows[i].tally == few.rows[i].tally);
+    CHECK(usual.rows[i].timings.size() == 1);
+    CHECK(usual.rows[i].timings.contains(no_limit));
+  }
+  CHECK(few.failures.empty());  // though most took more than one iteration
+}
+
+TEST_CASE("Second searches are counted where the first proves nothing", "[certified]") {
+  const auto searches = [](const std::string& family) {
+    return sweep(plan_for({&family_named(family)}, {&method_named("certified double exact")}, 400))
+        .rows.front()
+        .tally.second_iterations;
+  };
+  const Histogram touching = searches("touching-face-askew"), apart = searches("triangles");
+  CHECK(total(without_none(touching)) == 400);  // no double proves that sets touch
+  CHECK(total(apart) == 400);
+  CHECK(total(without_none(apart)) < 200);
+  CHECK(without_none({}).empty());
+}
+
+TEST_CASE("Eager certified queries begin between the centers", "[certified]") {
+  const Pair beside{Points{{0, 0, 0}, {0, 1, 0}}, Points{{-9, 0, 0}, {-9, 0, 1}}};
+  for (const Method* const method : certified_ones()) {
+    INFO(method->name());
+    const Outcome outcome = method->ask(*method->scalar.question(beside), 20);
+    CHECK(outcome.answer == Answer::separated);
+    CHECK((outcome.iterations == 1) == (method->rules == "certified-eager"));
+  }
+}
+
+// -- Answers that are no good -------------------------------------------------------------------------------------------
+
+/// A certified method that lies.
+Method lying() {
+  Method method = method_named("certified double exact");
+  method.ask = [](const Question&, int) { return Outcome{Answer::intersecting, 30, 0}; };
+  return method;
+}
+
+/// One whose answers are right and whose certificates do not hold.
+Method without_proof() {
+  Method method = method_named("certified-eager double exact");
+  method.certificate_holds = [](const Question&) { return false; };
+  return method;
+}
+
+TEST_CASE("A certified answer that is wrong is found and kept whatever its iterations", "[certified]") {
+  const Method method = lying();
+  Plan plan = plan_for({&family_named("triangles")}, {&method}, 50);
+  plan.failures_kept = 2;
+  const Findings findings = sweep(plan);
+  CHECK(counts_at(findings.rows.front().tally, no_limit).false_positives > 10);
+  REQUIRE(findings.failures.size() == 2);
+  for (const Failure& failure : findings.failures) {
+    CHECK(failure.kind == Kind::false_positive);
+    CHECK(failure.limit == no_limit);
+  }
+}
+
+TEST_CASE("Certificates of the first pairs are multiplied out and those that do not hold are counted and kept",
+          "[certified]") {
+  const Method method = without_proof();
+  Plan plan = plan_for({&family_named("triangles")}, {&method}, 50, 8);
+  plan.failures_kept = 5;
+  const Findings findings = sweep(plan);
+  const Tally& tally = findings.rows.front().tally;
+  CHECK(tally.certificates == 8);
+  CHECK(tally.false_certificates == 8);
+  CHECK(counts_at(tally, no_limit).wrong() == 0);
+  REQUIRE(findings.failures.size() == 5);
+  CHECK(findings.failures.front().kind == Kind::false_certificate);
+}
+
+}  // namespace
+}  // namespace study::test
