@@ -19,7 +19,7 @@ enum class Answer : char {
   threw,      ///< an exception
   crashed,    ///< a signal ended the process
   timed_out,
-  not_asked,  ///< after too many pairs that crashed or timed out
+  not_asked,  ///< it has no such call, or too many pairs crashed or timed out
 };
 
 /// Queries ready to be asked, one for each pair.
@@ -39,8 +39,12 @@ struct Contender {
   std::string name;  ///< "libccd GJK"
   std::string how;   ///< version, call and settings, for the table's foot
   std::unique_ptr<Batch> (*prepare)(const std::vector<study::Pair>& pairs);
-  bool is_peer = true;  ///< somebody else's
+  bool is_peer = true;      ///< somebody else's
+  std::string proves = {};  ///< the name of the contender that guesses what this one proves; empty: it proves nothing
 };
+
+/// The name of the peer that is always right about what it can be asked.
+inline constexpr const char* exact_peer = "CGAL exact";
 
 /// A batch of queries of one kind: Query is made from a pair and called without arguments. Where it cannot be made,
 /// because the library refuses a shape, its answer is `threw`.

@@ -9,14 +9,26 @@ namespace peers {
 
 using Relative = gjk::Intended<gjk::RelativeZeroTest>;
 
-template <class Rules, class A, class B>
-Answer asked(const A& a, const B& b, const gjk::Options<double>& options) {
-  switch (gjk::collision<double, Rules>(a, b, options).status) {
+/// In place of rules: these, asked by gjk::certified_collision(), which is about sets of points only.
+template <class Rules>
+struct Certified {};
+template <class Rules>
+inline constexpr bool is_certified = false;
+template <class Rules>
+inline constexpr bool is_certified<Certified<Rules>> = true;
+
+inline Answer answer_of(gjk::Status status) {
+  switch (status) {
     case gjk::Status::intersecting: return Answer::intersecting;
     case gjk::Status::separated: return Answer::separated;
     case gjk::Status::undecided: break;
   }
   return Answer::undecided;
+}
+
+template <class Rules, class A, class B>
+Answer asked(const A& a, const B& b, const gjk::Options<double>& options) {
+  return answer_of(gjk::collision<double, Rules>(a, b, options).status);
 }
 
 /// Each compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
@@ -29,5 +41,11 @@ template <>
 Answer asked_of_point_sets<gjk::Eager<>>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
 template <>
 Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
+template <>
+Answer asked_of_point_sets<Certified<gjk::AsIntended>>(const PointSet& a, const PointSet& b,
+                                                       const gjk::Options<double>& options);
+template <>
+Answer asked_of_point_sets<Certified<gjk::Eager<>>>(const PointSet& a, const PointSet& b,
+                                                    const gjk::Options<double>& options);
 
 }  // namespace peers

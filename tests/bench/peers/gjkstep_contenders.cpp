@@ -7,6 +7,8 @@ template <class Rules, class A, class B>
 Answer answer(const A& a, const B& b, const gjk::Options<double>& options) {
   if constexpr (std::same_as<A, PointSet> && std::same_as<B, PointSet>)
     return asked_of_point_sets<Rules>(a, b, options);
+  else if constexpr (is_certified<Rules>)
+    return Answer::not_asked;
   else
     return asked<Rules>(a, b, options);
 }
@@ -48,7 +50,18 @@ std::vector<Contender> gjkstep_contenders() {
        .how = "`gjk::collision<double, gjk::Intended<gjk::RelativeZeroTest>>(a, b)`, the plain call with the relative "
               "zero test",
        .prepare = batch_of<Query<Relative>>,
-       .is_peer = false}};
+       .is_peer = false},
+      {.name = "gjkstep certified",
+       .how = "`gjk::certified_collision(a, b)`, the plain call with an answer that is proven; sets of points only",
+       .prepare = batch_of<Query<Certified<gjk::AsIntended>>>,
+       .is_peer = false,
+       .proves = "gjkstep"},
+      {.name = "gjkstep certified eager",
+       .how = "`gjk::certified_collision<double, gjk::Eager<>>(a, b, options)`, the eager call with an answer that is "
+              "proven; sets of points only",
+       .prepare = batch_of<Query<Certified<gjk::Eager<>>, between_centers>>,
+       .is_peer = false,
+       .proves = "gjkstep eager"}};
 }
 
 }  // namespace peers

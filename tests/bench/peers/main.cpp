@@ -1,4 +1,4 @@
-/// The plain call beside libccd, FCL and Bullet: how long does a query take, and how often is the answer wrong?
+/// The plain call, and the certified one, beside libccd, FCL, Bullet and CGAL: how long does a query take, and how often is the answer wrong?
 ///
 ///     build/gjkstep-peers                          every family, as Markdown
 ///     build/gjkstep-peers --everyday               triangles, tetrahedra, boxes, hulls of 32 and 256 points only

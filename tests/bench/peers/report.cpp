@@ -67,6 +67,93 @@ void write_table_head(std::ostream& out, std::vector<std::string> columns, const
 
 constexpr double aim = 1.5;
 
+// -- What proofs cost ---------------------------------------------------------------------------------------------------
+
+/// Returns: the position of that contender; empty where there is none of that name.
+std::optional<std::size_t> find(const std::vector<Contender>& contenders, const std::string& name) {
+  for (std::size_t i = 0; i < contenders.size(); ++i)
+    if (contenders[i].name == name) return i;
+  return std::nullopt;
+}
+
+/// Returns: nanoseconds; empty where it was not timed, or is not there.
+std::optional<double> time_of(const Match& match, std::optional<std::size_t> contender) {
+  if (!contender || match.scores[*contender].nanoseconds == 0) return std::nullopt;
+  return match.scores[*contender].nanoseconds;
+}
+
+/// Returns: how many times as long the first takes.
+std::optional<double> quotient(const std::optional<double>& one, const std::optional<double>& other) {
+  return one && other ? std::optional(*one / *other) : std::nullopt;
+}
+
+/// A contender that proves what another one guesses.
+struct Proving {
+  std::size_t prover, guesser;
+  std::optional<double> cost(const Match& match) const {
+    return quotient(time_of(match, prover), time_of(match, guesser));
+  }
+};
+
+std::vector<Proving> provings(const std::vector<Contender>& contenders) {
+  std::vector<Proving> all;
+  for (std::size_t i = 0; i < contenders.size(); ++i)
+    if (const auto guesser = find(contenders, contenders[i].proves)) all.push_back({i, *guesser});
+  return all;
+}
+
+/// Each with its guesser, with the exact peer and with the fastest one.
+void write_proofs(std::ostream& out, const std::vector<Match>& matches, const std::vector<Contender>& contenders) {
+  const std::vector<Proving> all = provings(contenders);
+  if (all.empty()) return;
+  const std::optional<std::size_t> exact = find(contenders, exact_peer);
+  std::vector<std::string> headings;
+  for (const Proving& each : all) {
+    const std::string& prover = contenders[each.prover].name;
+    for (const std::string& other : {prover + " ÷ " + contenders[each.guesser].name,
+                                     std::string(exact_peer) + " ÷ " + prover, "fastest peer ÷ " + prover})
+      headings.push_back(other);
+  }
+  write_table_head(out, {"what a proof costs"}, {}, headings);
+  for (const Match& match : matches) {
+    std::vector<std::string> cells{match.family};
+    for (const Proving& each : all) {
+      const std::optional<double> ours = time_of(match, each.prover);
+      for (const auto& ratio :
+           {each.cost(match), quotient(time_of(match, exact), ours), quotient(fastest_peer(match, contenders), ours)})
+        cells.push_back(ratio ? fixed(*ratio, 2) : "–");
+    }
+    write_row(out, cells);
+  }
+  out << '\n';
+}
+
+/// Returns: how many times as long as its guess a proven answer may take; empty where nothing is aimed at.
+std::optional<double> proof_aim(const std::string& family) {
+  if (family == "triangles" || family == "tetrahedra" || family == "boxes") return 1.06;
+  if (family.starts_with("hulls-")) return 1.03;
+  return std::nullopt;
+}
+
+/// On which families does a proof cost as little as is aimed at?
+void write_proof_aim(std::ostream& out, const std::vector<Match>& matches, const std::vector<Contender>& contenders) {
+  for (const Proving& each : provings(contenders)) {
+    std::string met, missed;
+    for (const Match& match : matches) {
+      const std::optional<double> most = proof_aim(match.family), cost = each.cost(match);
+      if (!most || !cost) continue;
+      std::string& list = *cost <= *most ? met : missed;
+      list += (list.empty() ? "" : ", ") + match.family + " (" + fixed(*cost, 3) + ", aim " + fixed(*most, 2) + ")";
+    }
+    if (!met.empty() || !missed.empty())
+      out << "* " << contenders[each.prover].name << " takes no longer beside " << contenders[each.guesser].name
+          << " than is aimed at on: " << (met.empty() ? "none" : met)
+          << (missed.empty() ? "" : "; longer on: " + missed) << "\n";
+  }
+}
+
+// -- Aims -----------------------------------------------------------------------------------------------------------------
+
 /// On which families is the fastest peer slower by the factor that is aimed at?
 void write_aim(std::ostream& out, const std::vector<Match>& matches, const std::vector<Contender>& contenders) {
   for (std::size_t i = 0; i < compared; ++i) {
@@ -135,7 +222,7 @@ void write_head(std::ostream& out, const Circumstances& c, const std::vector<Con
   for (const Contender& contender : contenders) out << "* " << contender.name << ": " << contender.how << "\n";
   out << R"(
 Wrong answers: `+` false positives, `−` false negatives, `?` undecided or an exception, `!` crashed or out of time; after
-three of these the rest is not asked. Sets are closed: touching is intersecting. "No worse": not right on no more pairs.
+three of these the rest is not asked, nor is what a contender has no call for. Sets are closed: touching is intersecting. "No worse": not right on no more pairs.
 
 Timed are the first pairs, as many as have )"
       << corners_raced << R"( corners together, so that they stay in the cache; who has no answer to some
@@ -151,7 +238,9 @@ void write_markdown(std::ostream& out, const std::string& title, const std::vect
   out << '\n';
   write_mistakes(out, matches, contenders);
   out << '\n';
+  write_proofs(out, matches, contenders);
   write_aim(out, matches, contenders);
+  write_proof_aim(out, matches, contenders);
   write_lost(out, matches, contenders);
   write_failures(out, matches, contenders);
 }
