@@ -193,8 +193,9 @@ class Panel {
     const auto place = [&](const std::string& words, const Point& p, const std::vector<Side>& sides) {
       commands += labels.place(words, x(p), y(p), sides);
     };
-    for (const Curve& curve : curves_)  // first, as they have no other number
-      if (curve.is_certified) place(in_short(curve.points.front().rate) + " wrong", curve.points.front(), at_first);
+    for (const Curve& curve : curves_)  // first, as they have no other number, and off the line of zero
+      if (curve.is_certified)
+        place(in_short(curve.points.front().rate) + " wrong", curve.points.front(), {Side::above, Side::below});
     for (const Curve& curve : curves_) {
       if (curve.is_certified) continue;
       place(std::to_string(limits.front()), curve.points.front(), at_first);
