@@ -389,13 +389,13 @@ TEST_CASE("Families: the first two cycles are the known ones, one apart, one mee
   REQUIRE(truth(pairs[1]) == Truth::intersecting);
 }
 
-TEST_CASE("Families: on every one of the cycles GJK goes round until it is stopped", "[families]") {
+TEST_CASE("Families: on every one of the cycles GJK goes round", "[families]") {
   gjk::Options<double> options;
   options.iteration_limit = 200;
   for (const Pair& pair : pairs_of("cycles", 48)) {
     const auto result =
         gjk::collision(gjk::PointSet<double>(points(pair.a)), gjk::PointSet<double>(points(pair.b)), options);
-    REQUIRE(result.reason == gjk::Reason::iteration_limit);
+    REQUIRE(result.reason == gjk::Reason::cycle);
   }
 }
 

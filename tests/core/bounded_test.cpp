@@ -1,0 +1,191 @@
+/// A double that knows its error: the bounds, looked at in fractions where they are tight.
+#include "core/bounded.hpp"
+
+#include <limits>
+
+#include "tests/catch.hpp"
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+namespace {
+
+using detail::Bounded;
+using detail::Triple;
+
+constexpr double u = 0x1p-53, largest = std::numeric_limits<double>::max(),
+                 infinity = std::numeric_limits<double>::infinity();
+
+/// A bounded number and one of those that it may stand for.
+struct Known {
+  Bounded bounded;
+  Rational meant;
+
+  explicit Known(double value) : bounded{value, 0}, meant(value) {}
+  Known(Bounded b, Rational m) : bounded(b), meant(std::move(m)) {}
+
+  bool holds() const { return abs(meant - Rational(bounded.value)) <= Rational(bounded.error); }
+  friend Known operator-(const Known& x) { return {-x.bounded, -x.meant}; }
+  friend Known operator+(const Known& x, const Known& y) { return {x.bounded + y.bounded, x.meant + y.meant}; }
+  friend Known operator-(const Known& x, const Known& y) { return {x.bounded - y.bounded, x.meant - y.meant}; }
+  friend Known operator*(const Known& x, const Known& y) { return {x.bounded * y.bounded, x.meant * y.meant}; }
+};
+
+/// The least number that `x` may stand for, itself, and the largest.
+std::array<Known, 3> extremes(const Bounded& x) {
+  const Rational value(x.value), error(x.error);
+  return {{{x, value - error}, {x, value}, {x, value + error}}};
+}
+
+void require_all_hold(const Bounded& x, const Bounded& y) {
+  INFO(x.value << " ± " << x.error << " and " << y.value << " ± " << y.error);
+  for (const Known& known_x : extremes(x))
+    for (const Known& known_y : extremes(y)) {
+      REQUIRE((known_x + known_y).holds());
+      REQUIRE((known_x - known_y).holds());
+      REQUIRE((known_x * known_y).holds());
+    }
+}
+
+/// Of either sign, from 2^-`reach` to 2^`reach`.
+double any_number(Dice& dice, int reach) { return std::ldexp(dice.between(-1.0, 1.0), dice.between(-reach, reach)); }
+
+TEST_CASE("A sum is off by at most u of it, and there is a sum that is", "[bounded]") {
+  for (const double sign : {1.0, -1.0}) {
+    const Known at_the_bound = Known(sign) + Known(sign * u);
+    REQUIRE(abs(at_the_bound.meant - Rational(at_the_bound.bounded.value)) == Rational(u));
+    REQUIRE(at_the_bound.holds());
+    REQUIRE(at_the_bound.bounded.error <= u * (1 + 32 * u));
+    REQUIRE((Known(sign) - Known(-sign * u)).holds());
+  }
+}
+
+TEST_CASE("A product is off by at most u of it, and there is one that nearly is", "[bounded]") {
+  const Known x(1 + 0x1p-27), y(1 + 0x1p-26);  // 2^-53, the last part of their product, is half of the last digit
+  for (const Known& product : {x * y, -x * y, x * -y, -x * -y}) {
+    REQUIRE(abs(product.meant - Rational(product.bounded.value)) == Rational(u));
+    REQUIRE(product.holds());
+    REQUIRE(product.bounded.error <= u * (1 + 0x1p-25));
+  }
+}
+
+TEST_CASE("What comes in with an error goes out with all that it does at its extremes", "[bounded]") {
+  const std::vector<Bounded> numbers{{0, 0},  {0, 1},       {0, 0x1p-60},  {3, 0},     {3, 1},        {3, 0x1p-60},
+                                     {-3, 1}, {-3, 0x1p-9}, {1000, 0.125}, {0.1, 0.3}, {1e-9, 1e-12}, {-7e8, 3e5}};
+  for (const Bounded& x : numbers)
+    for (const Bounded& y : numbers) require_all_hold(x, y);
+}
+
+TEST_CASE("Errors that are rounded down themselves are enlarged for it", "[bounded]") {
+  const std::uint64_t seed = 51;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  require_all_hold({1, 1}, {-1, u});
+  for (int i = 0; i < 1000; ++i) {  // values that need no rounding leave nothing that would make up for it
+    const Bounded x{0, dice.between(0.0, 1.0)}, y{0, std::ldexp(dice.between(0.0, 1.0), dice.between(-60, 60))};
+    require_all_hold(x, y);
+    require_all_hold({1, x.error}, {1, y.error});
+  }
+}
+
+TEST_CASE("A product of two errors that underflows is allowed for", "[bounded]") {
+  require_all_hold({0, 1e-200}, {0, 1e-200});
+  require_all_hold({0, 0x1p-537}, {0, 0x1p-538});
+  require_all_hold({0x1.6p-538, 0x1.6p-539},
+                   {0x1.6p-538, 0x1.6p-538});  // four parts, each less than half the least number
+  require_all_hold({1e-200, 0}, {0, 1e-200});
+  require_all_hold({0, 1e-200}, {1e-200, 0});
+}
+
+TEST_CASE("A product that underflows is no certain zero", "[bounded]") {
+  const Known x(1e-200), nothing = x * x;
+  REQUIRE(nothing.bounded.value == 0);
+  REQUIRE(nothing.holds());
+  REQUIRE_FALSE(nothing.bounded.has_certain_sign());
+  for (const double small : {0x1p-537, 0x1.8p-537, 0x1p-538, 0x1.123456789p-515})
+    REQUIRE((Known(small) * Known(0x1.00000001p-537)).holds());
+  const Known sum = Known(5e-324) - Known(1e-323);  // of sums nothing is lost
+  REQUIRE(sum.bounded.has_certain_sign());
+  REQUIRE(sign_of(sum.bounded) == -1);
+}
+
+TEST_CASE("Where something overflows no sign is certain", "[bounded]") {
+  const Bounded huge{largest, 0}, x{1, 0}, vague{1, largest}, lost = huge + huge;
+  for (const Bounded& overflow : {lost, -lost, huge * huge, lost - lost, lost * x, lost * Bounded{0, 0}, lost + x,
+                                  vague * vague, vague + vague, vague * huge, huge * vague, Bounded{0, infinity},
+                                  Bounded{infinity, infinity}, Bounded{std::nan(""), std::nan("")}}) {
+    INFO(overflow.value << " ± " << overflow.error);
+    REQUIRE_FALSE(overflow.has_certain_sign());
+  }
+}
+
+TEST_CASE("A sign is certain beyond the error, and without one", "[bounded]") {
+  for (const double sign : {1.0, -1.0}) {
+    REQUIRE_FALSE(Bounded{sign, 1}.has_certain_sign());
+    REQUIRE_FALSE(Bounded{sign, 2}.has_certain_sign());
+    const Bounded beyond{sign, 1 - u};
+    REQUIRE(beyond.has_certain_sign());
+    REQUIRE(sign_of(beyond) == static_cast<int>(sign));
+  }
+  REQUIRE(Bounded{0, 0}.has_certain_sign());
+  REQUIRE(sign_of(Bounded{0, 0}) == 0);
+  REQUIRE_FALSE(Bounded{0, 5e-324}.has_certain_sign());
+}
+
+TEST_CASE("Sums and products of random numbers hold, and their errors are at most a little larger than they must be",
+          "[bounded]") {
+  const std::uint64_t seed = 52;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 4000; ++i) {
+    const Known x(any_number(dice, 60)), y(any_number(dice, 60));
+    for (const Known& result : {x + y, x - y, x * y}) {
+      REQUIRE(result.holds());
+      REQUIRE(result.bounded.error <= 1.001 * u * std::abs(result.bounded.value) + 1e-300);
+    }
+  }
+}
+
+TEST_CASE("Chains of sums and products hold, however they began", "[bounded]") {
+  const std::uint64_t seed = 53;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  int certain = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const int reach = i % 4 == 0 ? 250 : 20;
+    std::vector<Known> known;
+    for (int k = 0; k < 3; ++k) {
+      const Bounded start{any_number(dice, reach), std::abs(any_number(dice, reach)) * (k * 1e-9)};
+      known.push_back(extremes(start)[static_cast<std::size_t>(dice.between(0, 2))]);
+    }
+    for (int step = 0; step < 6; ++step) {
+      const auto any = [&] {
+        return known[static_cast<std::size_t>(dice.between(0, static_cast<int>(known.size()) - 1))];
+      };
+      const Known x = any(), y = any();
+      const int operation = dice.between(0, 2);
+      const Known result = operation == 0 ? x + y : operation == 1 ? x - y : x * y;
+      if (!std::isfinite(result.bounded.value) || !std::isfinite(result.bounded.error)) continue;
+      INFO("chain " << i << ", step " << step);
+      REQUIRE(result.holds());
+      if (result.bounded.has_certain_sign()) {
+        ++certain;
+        REQUIRE(sign_of(result.bounded) == result.meant.sign());
+      }
+      known.push_back(result);
+    }
+  }
+  REQUIRE(certain > 1000);
+}
+
+TEST_CASE("Vectors of any number are subtracted and multiplied as vectors are", "[bounded]") {
+  const auto same = [](const Triple<int>& p, const Point& q) { return p.x == q[0] && p.y == q[1] && p.z == q[2]; };
+  const Triple<int> p{1, 2, 3}, q{-4, 5, 60};
+  REQUIRE(same(-p, {-1, -2, -3}));
+  REQUIRE(same(p - q, {5, -3, -57}));
+  REQUIRE(same(7 * q, {-28, 35, 420}));
+  REQUIRE(dot(p, q) == -4 + 10 + 180);
+  REQUIRE(same(cross(p, q), {2 * 60 - 3 * 5, 3 * -4 - 1 * 60, 1 * 5 - 2 * -4}));
+}
+
+}  // namespace
+}  // namespace gjk::test

@@ -1,0 +1,236 @@
+/// Certificates that prove what they say hold; all others do not.
+#include "core/certificate_check.hpp"
+
+#include <limits>
+
+#include "tests/catch.hpp"
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+namespace {
+
+using V = Vec3<double>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const double nan = std::nan(""), above_1 = std::nextafter(1.0, 2.0), below_1 = std::nextafter(1.0, 0.0);
+
+IndexPairs pairs(std::initializer_list<IndexPair> list) {
+  IndexPairs all;
+  for (const IndexPair& pair : list) all.add(pair);
+  return all;
+}
+
+/// The points with these numbers, each minus the first of the other set.
+IndexPairs of(std::initializer_list<int> indices) {
+  IndexPairs all;
+  for (const int i : indices) all.add({i, 0});
+  return all;
+}
+
+const PointSet<double> origin({V::Zero()});
+
+/// Of a set of points and the origin alone.
+bool feature_separates(const std::vector<V>& points, const IndexPairs& feature) {
+  return holds(SeparatingFeature{feature}, PointSet<double>(points), origin);
+}
+bool simplex_is_common(const std::vector<V>& points, const IndexPairs& simplex) {
+  return holds(CommonSimplex{simplex}, PointSet<double>(points), origin);
+}
+
+// -- A direction ------------------------------------------------------------------------------------------------------
+
+const PointSet<double> low({V(0, 0, 0), V(5, 0, 0), V(0, 0, 1)}), high({V(9, 9, 3), V(0, 0, 2), V(-7, 0, 2)});
+
+TEST_CASE("A direction separates two sets where every a·d < b·d", "[certificate]") {
+  REQUIRE(holds(SeparatingDirection{V(0, 0, 1)}, low, high));
+  REQUIRE(holds(SeparatingDirection{V(0, 0, 5e-324)}, low, high));
+  REQUIRE(holds(SeparatingDirection{V(0.01, 0, 1e308)}, low, high));
+  REQUIRE(holds(SeparatingDirection{V(0, 0, -1)}, high, low));
+}
+
+TEST_CASE("A direction that is turned over, askew, zero or no number does not", "[certificate]") {
+  for (const V& d : {V(0, 0, -1), V(1, 0, 0), V(0, 1, 0), V(0, 0, 0), V(0, 0, infinity), V(0, 0, nan), V(nan, 0, 1),
+                     V(0, -infinity, 1)}) {
+    INFO("d = " << d.transpose());
+    REQUIRE_FALSE(holds(SeparatingDirection{d}, low, high));
+  }
+  REQUIRE_FALSE(holds(SeparatingDirection{V(0, 0, 1)}, high, low));
+}
+
+TEST_CASE("A direction along which the sets touch does not, and one in which they are an ulp apart does",
+          "[certificate]") {
+  for (const V& d : {V(0, 0, 1), V(0, 0, 1e300), V(0, 0, 5e-324)}) {
+    const PointSet<double> just_above({V(0, 0, above_1)}), touching({V(0, 0, 1), V(0, 0, 2)});
+    REQUIRE(holds(SeparatingDirection{d}, low, just_above));
+    REQUIRE_FALSE(holds(SeparatingDirection{d}, low, touching));
+  }
+}
+
+TEST_CASE("All points of both sets are looked at, wherever they stand in the list", "[certificate]") {
+  std::vector<V> below{V(0, 0, -1), V(0, 0, -2), V(0, 0, -3)}, above{V(0, 0, 1), V(0, 0, 2), V(0, 0, 3)};
+  const SeparatingDirection up{V(0, 0, 1)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<V> reaching_up = below, reaching_down = above;
+    reaching_up[i].z() = 1;
+    reaching_down[i].z() = -1;
+    REQUIRE(holds(up, PointSet<double>(below), PointSet<double>(above)));
+    REQUIRE_FALSE(holds(up, PointSet<double>(reaching_up), PointSet<double>(above)));
+    REQUIRE_FALSE(holds(up, PointSet<double>(below), PointSet<double>(reaching_down)));
+  }
+}
+
+// -- A feature --------------------------------------------------------------------------------------------------------
+
+TEST_CASE("One, two or three points separate where all others lie beyond the nearest of their hull", "[certificate]") {
+  const std::vector<V> points{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1), V(3, 3, 1), V(0, 0, 9)};
+  REQUIRE(feature_separates(points, of({0, 1, 2})));
+  REQUIRE(feature_separates(points, of({2, 1, 0})));
+  REQUIRE(feature_separates({V(-1, 2, 2), V(1, 2, 2), V(0, 5, 5)}, of({0, 1})));
+  REQUIRE(feature_separates({V(-1, 2, 2), V(0, 2, 2), V(0, 5, 5)}, of({1})));
+  const PointSet<double> a({V(0, 0, 0), V(4, 0, 0)}), b({V(0, 1, 0), V(3, 0, 1), V(3, 0, -1)});
+  REQUIRE(holds(SeparatingFeature{pairs({{0, 0}, {1, 0}})}, PointSet<double>({a.points()[0], a.points()[1]}),
+                PointSet<double>({b.points()[0]})));
+  REQUIRE_FALSE(holds(SeparatingFeature{pairs({{1, 1}, {1, 2}})}, a, b));
+}
+
+TEST_CASE("The nearest point of the plane of three points separates, though it be outside of their hull",
+          "[certificate]") {
+  REQUIRE(feature_separates({V(1, 1, 1), V(2, 1, 1), V(1, 2, 1)}, of({0, 1, 2})));  // z = 1: enough to be a proof
+}
+
+TEST_CASE("A feature does not separate where a point lies on its side of the origin, or in the plane through it",
+          "[certificate]") {
+  const std::vector<V> triangle{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1)};
+  for (const auto& [z, separates] : {std::pair(1e-300, true), std::pair(0.0, false), std::pair(-1e-300, false)}) {
+    std::vector<V> points = triangle;
+    points.push_back(V(7, 7, z));
+    REQUIRE(feature_separates(points, of({0, 1, 2})) == separates);
+  }
+}
+
+TEST_CASE("A feature that holds the origin does not separate", "[certificate]") {
+  REQUIRE_FALSE(feature_separates({V(0, 0, 0)}, of({0})));
+  REQUIRE_FALSE(feature_separates({V(-1, 2, 3), V(1, -2, -3)}, of({0, 1})));
+  REQUIRE_FALSE(feature_separates({V(1, 1, 0), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2})));
+}
+
+TEST_CASE("A feature of repeated or dependent points does not separate", "[certificate]") {
+  const std::vector<V> points{V(1, 0, 1), V(-1, 0, 1), V(1, 0, 1), V(3, 0, 1)};
+  REQUIRE(feature_separates(points, of({0, 1})));
+  REQUIRE_FALSE(feature_separates(points, of({0, 0})));
+  REQUIRE_FALSE(feature_separates(points, of({0, 2})));
+  REQUIRE_FALSE(feature_separates(points, of({0, 1, 1})));
+  REQUIRE_FALSE(feature_separates(points, of({0, 1, 2})));
+  REQUIRE_FALSE(feature_separates(points, of({0, 1, 3})));
+}
+
+TEST_CASE("A feature has one to three points", "[certificate]") {
+  const std::vector<V> points{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1), V(0, 0, 2)};
+  REQUIRE_FALSE(feature_separates(points, of({})));
+  REQUIRE_FALSE(feature_separates(points, of({0, 1, 2, 3})));
+}
+
+// -- A simplex --------------------------------------------------------------------------------------------------------
+
+TEST_CASE("One to four points are common where weights of at least 0 add them up to the origin", "[certificate]") {
+  const std::vector<V> corners{V(-1, -1, -1), V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)};
+  REQUIRE(simplex_is_common(corners, of({0, 1, 2, 3})));
+  REQUIRE(simplex_is_common(corners, of({2, 0, 3, 1})));
+  REQUIRE(simplex_is_common({V(1, 1, 0), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2})));
+  REQUIRE(simplex_is_common({V(1, 2, -3), V(-2, -4, 6)}, of({1, 0})));
+  REQUIRE(simplex_is_common({V(0, 0, 0)}, of({0})));
+  REQUIRE(simplex_is_common({V(0, 0, 0), V(1, 0, 0), V(0, 1, 0)}, of({0, 1, 2})));  // two weights are 0
+}
+
+TEST_CASE("A simplex that misses the origin by one ulp is not common, in its plane or off it", "[certificate]") {
+  for (const double speck : {5e-324, -5e-324}) {
+    REQUIRE_FALSE(simplex_is_common({V(0, 0, speck)}, of({0})));
+    REQUIRE_FALSE(simplex_is_common({V(1, speck, 0), V(-1, 0, 0)}, of({0, 1})));
+    REQUIRE_FALSE(simplex_is_common({V(1, 1, speck), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2})));
+  }
+  REQUIRE_FALSE(simplex_is_common({V(5e-324, 0, 0), V(1, 0, 0)}, of({0, 1})));
+  REQUIRE_FALSE(simplex_is_common({V(1, 1, 0), V(-above_1, -1, 0)}, of({0, 1})));
+  for (const auto& [x, is_common] : {std::pair(below_1, true), std::pair(1.0, true), std::pair(above_1, false)})
+    REQUIRE(simplex_is_common({V(x, 1, 0), V(-1, -1, 0), V(0, 0, 1), V(3, -2, 0)}, of({0, 1, 2, 3})) == is_common);
+}
+
+TEST_CASE("A simplex that needs a negative weight is not common, whichever it is", "[certificate]") {
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::vector<V> corners{V(-1, -1, -1), V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)};
+    corners[i] *= -1;
+    INFO("the corner " << i);
+    REQUIRE_FALSE(simplex_is_common(corners, of({0, 1, 2, 3})));
+  }
+  REQUIRE_FALSE(simplex_is_common({V(1, 0, 0), V(2, 0, 0)}, of({0, 1})));
+}
+
+TEST_CASE("A simplex of repeated or dependent points is not common, though it hold the origin", "[certificate]") {
+  const std::vector<V> points{V(1, 0, 0), V(-1, 0, 0), V(1, 0, 0), V(3, 0, 0), V(0, 1, 0)};
+  REQUIRE(simplex_is_common(points, of({0, 1})));
+  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 1})));
+  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 2})));
+  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 3})));
+  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 3, 4})));
+  REQUIRE_FALSE(simplex_is_common({V(0, 0, 0)}, of({0, 0})));
+}
+
+TEST_CASE("A simplex has at least one point", "[certificate]") {
+  REQUIRE_FALSE(simplex_is_common({V(0, 0, 0)}, of({})));
+}
+
+// -- All of them ------------------------------------------------------------------------------------------------------
+
+TEST_CASE("A certificate with an index that is none does not hold", "[certificate]") {
+  const PointSet<double> a({V(0, 0, 0), V(1, 0, 0)}), b({V(0, 0, 0), V(1, 0, 0), V(2, 0, 0)});
+  for (const auto& [pair, is_one] :
+       {std::pair(IndexPair{0, 0}, true), std::pair(IndexPair{1, 1}, true), std::pair(IndexPair{-1, 0}, false),
+        std::pair(IndexPair{0, -1}, false), std::pair(IndexPair{2, 2}, false), std::pair(IndexPair{1, 3}, false),
+        std::pair(IndexPair{std::numeric_limits<int>::min(), 0}, false),
+        std::pair(IndexPair{0, std::numeric_limits<int>::max()}, false)}) {
+    INFO("pair " << pair.a << ", " << pair.b);
+    REQUIRE(holds(CommonSimplex{pairs({pair})}, a, b) == is_one);
+    REQUIRE_FALSE(holds(SeparatingFeature{pairs({pair})}, a, b));
+  }
+}
+
+TEST_CASE("The number after the last is no index, whatever the memory there holds", "[certificate]") {
+  std::vector<V> points{V(1, 0, 0), V(0, 0, 0)};
+  points.pop_back();
+  const PointSet<double> a(std::move(points));
+  REQUIRE_FALSE(holds(CommonSimplex{of({1})}, a, origin));
+  REQUIRE_FALSE(holds(CommonSimplex{pairs({{0, 1}})}, origin, a));
+}
+
+TEST_CASE("A certificate of another pair does not hold", "[certificate]") {
+  const PointSet<double> a({V(0, 0, 0), V(2, 0, 0)}), meets_a({V(1, 0, 0)}), above_a({V(1, 0, 1)}),
+      below_a({V(1, 0, -1)});
+  const Certificate together = CommonSimplex{of({0, 1})}, under = SeparatingDirection{V(0, 0, 1)},
+                    under_by_feature = SeparatingFeature{of({0, 1})};
+  REQUIRE(holds(together, a, meets_a));
+  REQUIRE_FALSE(holds(together, a, above_a));
+  REQUIRE(holds(under, a, above_a));
+  REQUIRE_FALSE(holds(under, a, below_a));
+  REQUIRE_FALSE(holds(under, a, meets_a));
+  REQUIRE(holds(under_by_feature, a, above_a));
+  REQUIRE(holds(under_by_feature, a, below_a));  // a feature takes its direction from the sets
+  REQUIRE_FALSE(holds(under_by_feature, a, meets_a));
+}
+
+TEST_CASE("Certificates of floats are multiplied out as those of doubles", "[certificate]") {
+  using F = Vec3<float>;
+  const PointSet<float> a({F(1, 0, 0), F(-1, 0, 0)}), touching({F(0, 0, 0)}), apart({F(0, 1e-45f, 0)});
+  REQUIRE(holds(CommonSimplex{of({0, 1})}, a, touching));
+  REQUIRE_FALSE(holds(CommonSimplex{of({0, 1})}, a, apart));
+  REQUIRE(holds(SeparatingFeature{of({0, 1})}, a, apart));
+  REQUIRE(holds(SeparatingDirection{V(0, 1, 0)}, a, apart));
+  REQUIRE_FALSE(holds(SeparatingDirection{V(0, 1, 0)}, a, touching));
+}
+
+TEST_CASE("A certificate claims that the sets are apart, or together", "[certificate]") {
+  REQUIRE(claim_of(SeparatingDirection{V(0, 0, 1)}) == Status::separated);
+  REQUIRE(claim_of(SeparatingFeature{of({0})}) == Status::separated);
+  REQUIRE(claim_of(CommonSimplex{of({0})}) == Status::intersecting);
+}
+
+}  // namespace
+}  // namespace gjk::test

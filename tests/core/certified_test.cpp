@@ -1,0 +1,779 @@
+/// Answers that are never wrong and never undecided: the bounds of C1 and C2 where they stand, the signs of C3, and pairs that
+/// plain numbers get wrong. Every answer brings its certificate, which is multiplied out here.
+#include "core/certified.hpp"
+
+#include <cfenv>
+#include <limits>
+#include <map>
+#include <tuple>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "core/certificate_check.hpp"
+#include "core/rule_sets.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/oracle.hpp"
+
+namespace gjk::test {
+namespace {
+
+template <class S>
+constexpr double u = std::numeric_limits<S>::epsilon() / 2.0;
+
+template <class S>
+S above(S x) {
+  return std::nextafter(x, std::numeric_limits<S>::max());
+}
+template <class S>
+S below(S x) {
+  return std::nextafter(x, std::numeric_limits<S>::lowest());
+}
+
+template <class S>
+struct Pair {
+  PointSet<S> a, b;
+};
+
+/// Returns: the certified answer. Requires, as all answers must be: it is one, and its certificate holds.
+template <class Rules = AsIntended, class S>
+CertifiedResult proven(const Pair<S>& pair, const Options<S>& options = {}) {
+  const CertifiedResult result = certified_collision<S, Rules>(pair.a, pair.b, options);
+  REQUIRE(result.status != Status::undecided);
+  REQUIRE(claim_of(result.certificate) == result.status);
+  REQUIRE(holds(result.certificate, pair.a, pair.b));
+  REQUIRE((result.second_iterations > 0) == (result.proof == Proof::second_search));
+  REQUIRE(result.second_iterations <= 12);  // a seen maximum, 9, with slack
+  return result;
+}
+
+template <class S>
+Pair<S> pair_of(const std::vector<Vec3<S>>& a, const std::vector<Vec3<S>>& b) {
+  return {PointSet<S>(a), PointSet<S>(b)};
+}
+template <class S>
+Pair<S> pair_of(const Points& a, const Points& b) {
+  return {point_set<S>(a), point_set<S>(b)};
+}
+
+/// What a change makes of both sets.
+template <class S, class Change>
+Pair<S> changed(const Pair<S>& pair, const Change& change) {
+  const auto all = [&](const PointSet<S>& set) {
+    std::vector<Vec3<S>> points;
+    for (const Vec3<S>& p : set.points()) points.push_back(change(p));
+    return PointSet<S>(points);
+  };
+  return {all(pair.a), all(pair.b)};
+}
+
+template <class S>
+Vec3<S> scaled(const Vec3<S>& p, int exponent) {
+  return p.unaryExpr([=](S x) { return std::scalbn(x, exponent); });
+}
+
+/// One to five points each, of a lattice so crowded that many touch, are flat, or are repeated.
+template <class S>
+Pair<S> crowded_pair(Dice& dice) {
+  const Points a = dice.points(dice.between(1, 5), 2), b = dice.points(dice.between(1, 5), 2);
+  return pair_of<S>(a, b);
+}
+
+Status found_in_fractions(const PointSet<Rational>& a, const PointSet<Rational>& b) {
+  Options<Rational> options;
+  options.iteration_limit = 100;
+  return collision<Rational>(a, b, options).status;
+}
+template <class S>
+Status found_in_fractions(const Pair<S>& pair) {
+  return found_in_fractions(PointSet<Rational>(exact(pair.a.points())), PointSet<Rational>(exact(pair.b.points())));
+}
+
+// -- C1 ---------------------------------------------------------------------------------------------------------------
+
+TEMPLATE_TEST_CASE("C1: w·d = -16u·s is no proof, the next number is one", "[certified]", float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  const V d(-1, 2, -4), extent_a(1, 2, 3), extent_b(4, 5, 6);
+  const S bound = static_cast<S>(-16 * u<S> * (5 + 14 + 36));
+  REQUIRE_FALSE(detail::proves<S>(d, bound, extent_a, extent_b));
+  REQUIRE(detail::proves<S>(d, below(bound), extent_a, extent_b));
+  REQUIRE_FALSE(detail::proves<S>(d, -bound, extent_a, extent_b));
+  REQUIRE_FALSE(detail::proves<S>(d, S(55), extent_a, extent_b));
+}
+
+TEMPLATE_TEST_CASE("C1: of two points 16 digits apart the direction is no proof, of 17 it is", "[certified]", float,
+                   double) {
+  using S = TestType;
+  const auto apart = [](int digits) {  // −w·d = g² > 16u(2 + g)g, g being the gap, which is 2u·digits
+    const S y = 1 + static_cast<S>(digits) * std::numeric_limits<S>::epsilon();
+    return proven(pair_of<S>({Vec3<S>(1, 0, 0)}, {Vec3<S>(y, 0, 0)}));
+  };
+  REQUIRE(apart(16).proof == Proof::second_search);
+  REQUIRE(apart(16).status == Status::separated);
+  REQUIRE(apart(17).proof == Proof::direction);
+  REQUIRE(apart(17).status == Status::separated);
+}
+
+TEMPLATE_TEST_CASE("C1: a far point of either set makes a direction no proof", "[certified]", float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  const V p(1, 0, 0), q(1 + 17 * std::numeric_limits<S>::epsilon(), 0, 0);
+  REQUIRE(proven(pair_of<S>({p}, {q})).proof == Proof::direction);
+  REQUIRE(proven(pair_of<S>({p, V(-99, 0, 0)}, {q})).proof == Proof::second_search);
+  REQUIRE(proven(pair_of<S>({p}, {q, V(99, 0, 0)})).proof == Proof::second_search);
+}
+
+/// s is the product of `reach` and `d`, and w·d is far beyond the bound.
+template <class S>
+bool proves_at(S reach, S d) {
+  using V = Vec3<S>;
+  return detail::proves<S>(V(0, d, 0), static_cast<S>(-static_cast<double>(reach) * d / 4), V(0, reach, 0), V(9, 0, 9));
+}
+
+TEST_CASE("C1: s is neither so small that what underflows counts nor so large that something overflows",
+          "[certified]") {
+  REQUIRE_FALSE(proves_at(0x1p-450, 0x1p-450));
+  REQUIRE(proves_at(above(0x1p-450), 0x1p-450));
+  REQUIRE_FALSE(proves_at(0x1p511, 0x1p511));
+  REQUIRE(proves_at(below(0x1p511), 0x1p511));
+  REQUIRE_FALSE(proves_at(0x1p-50F, 0x1p-50F));
+  REQUIRE(proves_at(above(0x1p-50F), 0x1p-50F));
+  REQUIRE_FALSE(proves_at(0x1p63F, 0x1p63F));
+  REQUIRE(proves_at(below(0x1p63F), 0x1p63F));
+}
+
+TEMPLATE_TEST_CASE("C1: what is infinite or not a number proves nothing", "[certified]", float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  const S infinity = std::numeric_limits<S>::infinity(), nan = std::numeric_limits<S>::quiet_NaN();
+  const V one(1, 1, 1);
+  REQUIRE(detail::proves<S>(one, -1, one, one));
+  REQUIRE_FALSE(detail::proves<S>(V(1, infinity, 1), -1, one, one));
+  REQUIRE_FALSE(detail::proves<S>(V(1, nan, 1), -1, one, one));
+  REQUIRE_FALSE(detail::proves<S>(one, nan, one, one));
+  REQUIRE_FALSE(detail::proves<S>(one, -1, V(1, 1, infinity), one));
+}
+
+// -- C2 ---------------------------------------------------------------------------------------------------------------
+
+template <class S>
+using Corners = std::array<Vec3<S>, 4>;
+
+/// Asked with the corners in all orders: a corner stands in each place and both orientations occur. Requires: one answer.
+template <class S>
+bool enclose(const Corners<S>& corners) {
+  std::array<std::size_t, 4> order{0, 1, 2, 3};
+  int yes = 0;
+  do {
+    yes += detail::enclose_origin<S>(corners[order[0]], corners[order[1]], corners[order[2]], corners[order[3]]);
+  } while (std::next_permutation(order.begin(), order.end()));
+  REQUIRE((yes == 0 || yes == 24));
+  return yes == 24;
+}
+
+/// Encloses the origin, its coefficients being x, y, z and 1.
+template <class S>
+Corners<S> around_origin(S x = 1, S y = 1, S z = 1) {
+  using V = Vec3<S>;
+  return {V(-x, -y, -z), V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)};
+}
+
+TEMPLATE_TEST_CASE("C2: a determinant of 64uM³ is no proof, the next number is one, whichever it is", "[certified]",
+                   float, double) {
+  using S = TestType;
+  const S bound = static_cast<S>(64 * u<S>);
+  REQUIRE_FALSE(enclose(around_origin<S>(1, 1, bound)));
+  REQUIRE(enclose(around_origin<S>(1, 1, above(bound))));
+  REQUIRE_FALSE(enclose(around_origin<S>(1, bound, 1)));
+  REQUIRE(enclose(around_origin<S>(above(bound), 1, 1)));
+  REQUIRE_FALSE(enclose<S>(around_origin<S>(1, 1, -above(bound))));
+}
+
+TEMPLATE_TEST_CASE("C2: M is the largest coordinate of all four points", "[certified]", float, double) {
+  using S = TestType;
+  const S M = 8, bound = static_cast<S>(64 * u<S>);
+  for (std::size_t longest = 0; longest < 4; ++longest) {
+    const auto enclose_with =
+        [=](S z) {  // of the first three points the determinant is −z, times M if it is one of them
+          Corners<S> corners = around_origin<S>(1, 1, z);
+          corners[longest] *= M;
+          return enclose(corners);
+        };
+    const S z = bound * M * M * (longest < 3 ? 1 : M);
+    INFO("point " << longest);
+    REQUIRE_FALSE(enclose_with(z));
+    REQUIRE(enclose_with(above(z)));
+  }
+}
+
+TEMPLATE_TEST_CASE("C2: points that leave the origin outside, or on their hull, are no proof", "[certified]", float,
+                   double) {
+  using S = TestType;
+  for (int signs = 0; signs < 8; ++signs) {
+    const auto component = [=](int bit) { return signs & bit ? S(-1) : S(1); };
+    INFO("signs " << signs);
+    REQUIRE(enclose(around_origin<S>(component(1), component(2), component(4))) == (signs == 0));
+  }
+  REQUIRE_FALSE(enclose(around_origin<S>(1, 1, 0)));
+  REQUIRE_FALSE(enclose(around_origin<S>(1, 0, 0)));
+  REQUIRE_FALSE(enclose(around_origin<S>(0, 0, 0)));
+  Corners<S> flat = around_origin<S>();
+  flat[3] = flat[2];
+  REQUIRE_FALSE(enclose(flat));
+}
+
+template <class S>
+bool enclose_with_length(S length) {
+  Corners<S> corners = around_origin<S>();
+  for (Vec3<S>& corner : corners) corner *= length;
+  return enclose(corners);
+}
+
+TEST_CASE("C2: points are neither so near that what underflows counts nor so far that something overflows",
+          "[certified]") {
+  REQUIRE_FALSE(enclose_with_length(0x1p-330));
+  REQUIRE(enclose_with_length(above(0x1p-330)));
+  REQUIRE(enclose_with_length(below(0x1p330)));
+  REQUIRE_FALSE(enclose_with_length(0x1p330));
+  REQUIRE_FALSE(enclose_with_length(0x1p-40F));
+  REQUIRE(enclose_with_length(above(0x1p-40F)));
+  REQUIRE(enclose_with_length(below(0x1p40F)));
+  REQUIRE_FALSE(enclose_with_length(0x1p40F));
+}
+
+TEMPLATE_TEST_CASE("C2: what is infinite or not a number proves nothing", "[certified]", float, double) {
+  using S = TestType;
+  for (const S wrong : {std::numeric_limits<S>::infinity(), std::numeric_limits<S>::quiet_NaN()})
+    for (std::size_t i = 0; i < 4; ++i) {
+      Corners<S> corners = around_origin<S>();
+      corners[i].y() = wrong;
+      REQUIRE_FALSE(enclose(corners));
+    }
+}
+
+// -- The assumptions --------------------------------------------------------------------------------------------------
+
+/// What certified_collision() did under another arithmetic, which has passed when this returns.
+struct Tried {
+  bool is_usual, has_thrown;
+};
+template <class SetBack>
+Tried tried_then(const SetBack& set_back) {
+  const PointSet<double> a({Vec3<double>(0, 0, 0)});
+  volatile bool is_usual = detail::arithmetic_is_usual(), has_thrown = false;  // known before anything is set back
+  try {
+    certified_collision(a, a);
+  } catch (const std::runtime_error&) {
+    has_thrown = true;
+  }
+  set_back();
+  return {is_usual, has_thrown};
+}
+
+TEST_CASE("Rounding to nearest is usual, any other is refused", "[certified]") {
+  const auto rounding = [](int mode) {
+    const int before = std::fegetround();
+    std::fesetround(mode);
+    return tried_then([=] { std::fesetround(before); });
+  };
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    INFO("mode " << mode);
+    const Tried tried = rounding(mode);
+    REQUIRE_FALSE(tried.is_usual);
+    REQUIRE(tried.has_thrown);
+  }
+  const Tried usual = rounding(FE_TONEAREST);
+  REQUIRE(usual.is_usual);
+  REQUIRE_FALSE(usual.has_thrown);
+}
+
+#if defined(__SSE2__)
+TEST_CASE("Arithmetic that flushes denormal results to zero, or takes denormal operands as zero, is refused",
+          "[certified]") {
+  constexpr unsigned flush_results = 1U << 15, operands_are_zero = 1U << 6;
+  for (const unsigned flag : {flush_results, operands_are_zero, flush_results | operands_are_zero}) {
+    INFO("flag " << flag);
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before | flag);
+    const Tried tried = tried_then([=] { _mm_setcsr(before); });
+    REQUIRE_FALSE(tried.is_usual);
+    REQUIRE(tried.has_thrown);
+  }
+  REQUIRE(detail::arithmetic_is_usual());
+}
+#endif
+
+// -- C3 ---------------------------------------------------------------------------------------------------------------
+
+constexpr int whole_range = 1100;  // costly: fractions of doubles are thousands of digits long
+
+/// Of a few digits, times a power of two between 2^-`reach` and 2^`reach` that others are likely to share.
+template <class S>
+S wild_number(Dice& dice, int reach) {
+  constexpr int least = std::numeric_limits<S>::min_exponent - std::numeric_limits<S>::digits,
+                most = std::numeric_limits<S>::max_exponent - 2;
+  const std::array exponents{0, 0, 0, 1, -20, 20, -reach / 2, reach / 2, -reach, reach, reach - 30};
+  const int exponent = exponents[static_cast<std::size_t>(dice.between(0, 10))];
+  return std::scalbn(static_cast<S>(dice.between(-3, 3)), std::clamp(exponent, least, most));
+}
+template <class S>
+std::vector<Vec3<S>> wild_points(Dice& dice, int reach) {
+  std::vector<Vec3<S>> points(static_cast<std::size_t>(dice.between(1, 5)));
+  for (Vec3<S>& p : points)
+    for (S& x : p) x = wild_number<S>(dice, reach);
+  return points;
+}
+template <class S>
+Pair<S> wild_pair(Dice& dice, int reach = 60) {
+  const std::vector<Vec3<S>> a = wild_points<S>(dice, reach), b = wild_points<S>(dice, reach);
+  return pair_of<S>(a, b);
+}
+
+/// Lattices, each axis times a power of two of its own: on one a direction has what is lost when it is made a float.
+template <class S>
+Pair<S> stretched_pair(Dice& dice, int reach) {
+  constexpr int least = std::numeric_limits<S>::min_exponent - std::numeric_limits<S>::digits,
+                most = std::numeric_limits<S>::max_exponent - 2;
+  std::array<int, 3> exponents;
+  for (int& exponent : exponents) exponent = std::clamp(dice.between(-reach, reach), least, most);
+  return changed(crowded_pair<S>(dice), [&](const Vec3<S>& p) {
+    return Vec3<S>(std::scalbn(p.x(), exponents[0]), std::scalbn(p.y(), exponents[1]),
+                   std::scalbn(p.z(), exponents[2]));
+  });
+}
+/// All within few digits of one point: a scan cannot tell which is farther.
+template <class S>
+Pair<S> clustered_pair(Dice& dice) {
+  const Vec3<S> center = vec<S>(dice.point(99)) / S(100) + Vec3<S>(2, -2, 2);
+  return changed(crowded_pair<S>(dice),
+                 [&](const Vec3<S>& p) { return Vec3<S>(center + p * std::numeric_limits<S>::epsilon()); });
+}
+/// Coordinates that are a few of the least number: most of what a scan multiplies is lost.
+template <class S>
+Pair<S> denormal_pair(Dice& dice) {
+  return changed(crowded_pair<S>(dice),
+                 [](const Vec3<S>& p) { return Vec3<S>(p * std::numeric_limits<S>::denorm_min()); });
+}
+template <class S>
+Pair<S> hard_pair(Dice& dice, int i) {
+  const int reach = i % 64 < 4 ? whole_range : 60;
+  switch (i % 4) {
+    case 0: return wild_pair<S>(dice, reach);
+    case 1: return stretched_pair<S>(dice, std::same_as<S, float> ? 150 : reach);
+    case 2: return clustered_pair<S>(dice);
+    default: return denormal_pair<S>(dice);
+  }
+}
+
+template <class S>
+ExactVec exact_w(const Pair<S>& pair, IndexPair i) {
+  return exact(pair.a.points()[static_cast<std::size_t>(i.a)]) - exact(pair.b.points()[static_cast<std::size_t>(i.b)]);
+}
+template <class S>
+std::vector<IndexPair> all_pairs(const Pair<S>& pair) {
+  std::vector<IndexPair> all;
+  for (int i = 0; i < static_cast<int>(pair.a.points().size()); ++i)
+    for (int j = 0; j < static_cast<int>(pair.b.points().size()); ++j) all.push_back({i, j});
+  return all;
+}
+
+/// Looks along the direction from some simplex of one to three points of the difference: it is known how far each point is.
+/// Returns: whether there was such a direction.
+template <class S>
+bool compare_along(const Pair<S>& pair, Dice& dice) {
+  const std::vector<IndexPair> all = all_pairs(pair);
+  const detail::ExactDifference<S> difference(pair.a, pair.b);
+  detail::ExactSimplex<S> simplex(difference);
+  ExactVecs corners;
+  for (int i = dice.between(1, 3); i > 0; --i) {
+    simplex.add(all[static_cast<std::size_t>(dice.between(0, static_cast<int>(all.size()) - 1))]);
+    corners.push_back(exact_w(pair, simplex.vertices()[simplex.size() - 1]));
+  }
+  if (gram_determinant(corners) == 0) return false;
+  const ExactVec d = toward_origin(corners);
+  if (d == ExactVec(ExactVec::Zero())) return false;
+  const detail::AlongDirection<S> along(difference, simplex);
+  bool is_any_across = false;
+  for (const IndexPair w : all) {
+    const int expected = exact_w(pair, w).dot(d).sign();
+    REQUIRE(along.sign(w) == expected);
+    is_any_across |= expected >= 0;
+  }
+  const std::optional<IndexPair> found = along.vertex_across();
+  REQUIRE(found.has_value() == is_any_across);
+  if (found) REQUIRE(exact_w(pair, *found).dot(d) >= 0);
+  return true;
+}
+
+TEMPLATE_TEST_CASE("C3: the sign of w·d is the exact one, and no point across the origin is missed", "[certified]",
+                   float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 71;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  int compared = 0;
+  for (int i = 0; i < 1600; ++i) {
+    INFO("pair " << i);
+    compared += compare_along(hard_pair<S>(dice, i), dice);
+  }
+  REQUIRE(compared > 800);
+}
+
+/// Returns: what lies across the origin from the difference of the points with these numbers and the first of b.
+template <class S>
+std::optional<IndexPair> across_from(const Pair<S>& pair, std::initializer_list<int> points) {
+  const detail::ExactDifference<S> difference(pair.a, pair.b);
+  detail::ExactSimplex<S> simplex(difference);
+  for (const int i : points) simplex.add({i, 0});
+  return detail::AlongDirection<S>(difference, simplex).vertex_across();
+}
+
+TEST_CASE("C3: where a float loses what a direction has along y, twice that is allowed for", "[certified]") {
+  const auto at = [](float x, float y) { return Vec3<float>(x * 0x1p-60F, y * 0x1p100F, 0); };
+  // x + 5y in these units is the reach: -1 of the segment, -15.5 of the next, which a scan of x alone finds, 14 of the last.
+  const auto pair = pair_of<float>({at(-1, 0), at(-6, 1), at(-0.5F, -3), at(-1, 3)}, {at(0, 0)});
+  REQUIRE(across_from(pair, {1, 0}) == IndexPair{3, 0});
+}
+
+TEMPLATE_TEST_CASE("C3: a scan adds up the largest numbers without overflow", "[certified]", float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  const S most = std::numeric_limits<S>::max();
+  // Along (1,1,1) the second point reaches less far than b, the third farther, the sum of y and z of the second farthest.
+  for (const auto& [second, third, b] : {std::tuple(0.5, 0.53, 0.172), std::tuple(0.6, 0.8, 0.2326)}) {
+    const S y = most * static_cast<S>(second);
+    const auto pair = pair_of<S>({V(0, 0, 0), V(-y, y, y), V(most * static_cast<S>(third), 0, 0)},
+                                 {V(1, 1, 1) * (most * static_cast<S>(b))});
+    REQUIRE(across_from(pair, {0}) == IndexPair{2, 0});
+  }
+}
+
+TEMPLATE_TEST_CASE("Bounded numbers have their largest coordinate near 1, and no error but what underflowed",
+                   "[certified]", float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  for (const S size : {std::numeric_limits<S>::max(), S(3e5), S(1), S(1e-5), std::numeric_limits<S>::denorm_min()}) {
+    const PointSet<S> large({V(0, -size, size / 3)}), small({V(0, 0, 0), V(size / 4, 0, 0)});
+    for (const auto& [a, b] : {std::pair(large, small), std::pair(small, large)}) {
+      const detail::ExactDifference<S> difference(a, b);
+      const detail::Triple<detail::Bounded> p = difference.template point<detail::Bounded>(large, 0);
+      REQUIRE((-2 < p.y.value && p.y.value <= -1));
+      REQUIRE((p.x.value == 0 && p.x.error == 0 && p.y.error == 0 && p.z.error == 0));
+    }
+  }
+}
+
+// -- Right answers ----------------------------------------------------------------------------------------------------
+
+TEMPLATE_TEST_CASE("Point sets of a crowded lattice are found as in fractions", "[certified]", float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 72;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  std::map<Status, int> seen;
+  std::map<Proof, int> proofs;
+  for (int i = 0; i < 800; ++i) {
+    const Pair<S> pair = crowded_pair<S>(dice);
+    INFO("pair " << i);
+    const CertifiedResult result = proven(pair);
+    const Status expected = found_in_fractions(pair);
+    REQUIRE(expected != Status::undecided);
+    REQUIRE(result.status == expected);
+    ++seen[result.status];
+    ++proofs[result.proof];
+  }
+  REQUIRE(seen[Status::intersecting] > 200);
+  REQUIRE(seen[Status::separated] > 200);
+  REQUIRE(proofs[Proof::direction] > 50);
+  REQUIRE(proofs[Proof::tetrahedron] > 20);
+  REQUIRE(proofs[Proof::second_search] > 100);
+}
+
+TEMPLATE_TEST_CASE("Sets of wild, stretched, clustered and denormal points are proven", "[certified]", float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 73;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 300; ++i) {
+    INFO("pair " << i);
+    proven(hard_pair<S>(dice, i));
+  }
+}
+
+TEMPLATE_TEST_CASE("Tetrahedra of any size are proven, up to where their sums overflow", "[certified]", float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 74;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  const S most = std::numeric_limits<S>::max();
+  for (const S scale : {S(1e10), S(1e19), S(1e30), most / 8, most}) {
+    std::map<Status, int> seen;
+    for (int i = 0; i < 60; ++i) {
+      const auto tetrahedron = [&](S offset) {
+        std::vector<Vec3<S>> points(4);
+        for (Vec3<S>& p : points)
+          for (S& x : p) x = static_cast<S>(dice.between(-0.5, 0.5)) * scale + offset * scale;
+        return points;
+      };
+      INFO("scale " << scale << ", pair " << i);
+      const std::vector<Vec3<S>> a = tetrahedron(0), b = tetrahedron(S(0.1) * static_cast<S>(i % 6));
+      ++seen[proven(pair_of<S>(a, b)).status];
+    }
+    REQUIRE(seen[Status::intersecting] > 10);
+    REQUIRE(seen[Status::separated] > 10);
+  }
+}
+
+/// A segment from a corner of a triangle askew, through which the other end is moved by single digits: which side it is on
+/// plain numbers cannot tell.
+TEMPLATE_TEST_CASE("A corner that is moved by single digits around a face askew is proven on its side", "[certified]",
+                   float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  const std::uint64_t seed = 75;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  const auto any = [&] { return V(V(vec<S>(dice.point(999))) / S(7)); };
+  std::map<Status, int> seen;
+  for (int i = 0; i < 60; ++i) {
+    const V p = any(), q = any(), r = any(), away = (q - p).cross(r - p) / S(1000);
+    V corner = p / S(4) + q / S(4) + r / S(2);
+    for (int steps = -3; steps <= 3; ++steps) {
+      corner.x() = steps == -3 ? below(below(below(corner.x()))) : above(corner.x());
+      INFO("face " << i << ", " << steps << " digits");
+      const Pair<S> pair = pair_of<S>({p, q, r}, {corner, corner + away});
+      const CertifiedResult result = proven(pair);
+      REQUIRE(result.status == proven(Pair<S>{pair.b, pair.a}).status);
+      ++seen[result.status];
+    }
+  }
+  REQUIRE(seen[Status::intersecting] > 100);
+  REQUIRE(seen[Status::separated] > 100);
+}
+
+TEMPLATE_TEST_CASE("Boxes askew that share a face, rounded, are proven", "[certified]", float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 76;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  const Points cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
+  for (int i = 0; i < 60; ++i) {
+    const auto turn = Eigen::AngleAxis<S>(S(0.1) + S(i), Vec3<S>(1, -2, 3).normalized()).toRotationMatrix();
+    const auto placed = [&](const Points& points) {
+      std::vector<Vec3<S>> turned;
+      for (const Point& p : points) turned.push_back(turn * vec<S>(p) + Vec3<S>(30, -50, 70));
+      return turned;
+    };
+    const Point apart{2, dice.between(0, 1), dice.between(-2, 2)};
+    INFO("boxes " << i);
+    proven(pair_of<S>(placed(cube), placed(moved(cube, apart))));
+  }
+}
+
+TEMPLATE_TEST_CASE("Equal sets, and single points, are together exactly where they have a point in common",
+                   "[certified]", float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  constexpr S most = std::numeric_limits<S>::max(), least = std::numeric_limits<S>::denorm_min();
+  for (const V& p : {V(0, 0, 0), V(1, 2, 3), V(least, 0, 0), V(-least, least, 0), V(most, -most, most),
+                     V(most, least, 1), V(S(0.1), S(0.2), S(0.3))}) {
+    INFO("p = " << p.transpose());
+    REQUIRE(proven(pair_of<S>({p}, {p})).status == Status::intersecting);
+    REQUIRE(proven(pair_of<S>({p, -p}, {p, -p})).status == Status::intersecting);
+    REQUIRE(proven(pair_of<S>({p, V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)}, {p})).status == Status::intersecting);
+    for (int i = 0; i < 3; ++i) {
+      V near_p = p;
+      near_p[i] = std::nextafter(p[i], S(1));
+      if (near_p[i] == p[i]) near_p[i] = below(p[i]);
+      REQUIRE(proven(pair_of<S>({p}, {near_p})).status == Status::separated);
+      REQUIRE(proven(pair_of<S>({near_p}, {p})).status == Status::separated);
+      REQUIRE(proven(pair_of<S>({p, near_p}, {near_p})).status == Status::intersecting);
+    }
+  }
+}
+
+TEST_CASE("Coordinates of the largest and of the least size, in one pair", "[certified]") {
+  using V = Vec3<double>;
+  const std::vector<V> needle{V(-1e300, 1e-300, 0), V(1e300, -1e-300, 0)}, huge{V(1e308, 0, 1), V(-1e308, 1e308, -1)};
+  REQUIRE(proven(pair_of<double>(needle, {V(0, 0, 0)})).status == Status::intersecting);
+  REQUIRE(proven(pair_of<double>(needle, {V(5e-324, 0, 0)})).status == Status::separated);
+  REQUIRE(proven(pair_of<double>(needle, {V(0, 0, -5e-324)})).status == Status::separated);
+  REQUIRE(proven(pair_of<double>(needle, {V(0, 0, -5e-324), V(0, 0, 1e300)})).status == Status::intersecting);
+  REQUIRE(proven(pair_of<double>(huge, {V(0, 0.5e308, 0)})).status == Status::intersecting);
+  REQUIRE(proven(pair_of<double>(huge, {V(0, 0.5e308, 5e-324)})).status == Status::separated);
+}
+
+// -- What must not matter ---------------------------------------------------------------------------------------------
+
+TEMPLATE_TEST_CASE("The status stays when the sets are exchanged, their points permuted or repeated", "[certified]",
+                   float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 77;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  for (int i = 0; i < 300; ++i) {
+    const Pair<S> pair = i % 2 == 0 ? crowded_pair<S>(dice) : wild_pair<S>(dice);
+    const Status status = proven(pair).status;
+    INFO("pair " << i);
+    REQUIRE(proven(Pair<S>{pair.b, pair.a}).status == status);
+    std::vector<Vec3<S>> a = pair.a.points(), b = pair.b.points();
+    std::reverse(a.begin(), a.end());
+    std::rotate(b.begin(), b.begin() + 1 - (b.size() == 1), b.end());
+    REQUIRE(proven(pair_of<S>(a, b)).status == status);
+    a.insert(a.end(), pair.a.points().begin(), pair.a.points().end());
+    b.insert(b.begin(), 20, b.back());  // so many are asked in blocks
+    REQUIRE(proven(pair_of<S>(a, b)).status == status);
+  }
+}
+
+TEMPLATE_TEST_CASE("The status stays when both sets are scaled by a power of two, up to both ends of the range",
+                   "[certified]", float, double) {
+  using S = TestType;
+  using Limits = std::numeric_limits<S>;
+  const std::uint64_t seed = 78;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  const int ends[] = {Limits::min_exponent - Limits::digits, Limits::max_exponent - 2};
+  for (int i = 0; i < 100; ++i) {
+    const Pair<S> pair = crowded_pair<S>(dice);
+    const Status status = proven(pair).status;
+    for (const int exponent : {ends[0], ends[0] + 1, ends[0] / 2, ends[0] / 4, ends[1] / 4, ends[1] / 2, ends[1]}) {
+      INFO("pair " << i << " times 2^" << exponent);
+      REQUIRE(proven(changed(pair, [=](const Vec3<S>& p) { return scaled(p, exponent); })).status == status);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("The status stays when both sets are moved without rounding", "[certified]", float, double) {
+  using S = TestType;
+  const std::uint64_t seed = 79;
+  INFO("seed " << seed);
+  Dice dice(seed);
+  const S far = std::scalbn(S(1), std::numeric_limits<S>::digits - 1);
+  for (int i = 0; i < 200; ++i) {
+    const Pair<S> pair = crowded_pair<S>(dice);
+    const Status status = proven(pair).status;
+    for (const Vec3<S>& by : {Vec3<S>(3, -5, 7), Vec3<S>(far - 2, 0, 9), Vec3<S>(far - 2, far - 2, 2 - far)}) {
+      INFO("pair " << i << " moved by " << by.transpose());
+      REQUIRE(proven(changed(pair, [&](const Vec3<S>& p) { return Vec3<S>(p + by); })).status == status);
+    }
+  }
+}
+
+// -- C5 ---------------------------------------------------------------------------------------------------------------
+
+/// Wrong: the normals of a triangle and of one face point to the other side.
+struct Inward : Intended<> {
+  static auto ABCn_of_triangle(const auto& AB, const auto& AC) { return AC.cross(AB); }
+  static auto ACDn(const auto& AC, const auto& AD) { return AD.cross(AC); }
+};
+/// Wrong: triangles and tetrahedra hold the origin wherever it is.
+struct Rash : Intended<> {
+  static bool is_beyond_edge(const auto&) { return false; }
+  static Side side_of_triangle(const auto&) { return Side::above; }
+  static bool is_above_face(const auto&) { return false; }
+};
+/// Wrong: what did not reach the origin counts as having crossed it.
+struct Backward : Intended<> {
+  static bool crossed(const auto& w_d) { return w_d.is_negative(); }
+};
+
+template <class S>
+std::vector<Options<S>> odd_options() {
+  std::vector<Options<S>> all(7);
+  all[1].iteration_limit = 0;
+  all[2].iteration_limit = 1;
+  all[3].crossing_test = CrossingTest::off;
+  all[4].first_direction = Vec3<S>(std::numeric_limits<S>::denorm_min(), 0, -std::numeric_limits<S>::denorm_min());
+  all[5].first_direction = Vec3<S>(0, std::numeric_limits<S>::max(), 1);
+  all[6].first_direction = Vec3<S>(0, 0, 0);
+  return all;
+}
+
+/// How many of some pairs and options were proven by what these rules found.
+template <class Rules, class S>
+std::map<Proof, int> proofs_with(std::uint64_t seed) {
+  INFO("seed " << seed);
+  Dice dice(seed);
+  std::map<Proof, int> proofs;
+  for (int i = 0; i < 60; ++i) {
+    const Pair<S> pair = i % 3 > 0 ? crowded_pair<S>(dice) : wild_pair<S>(dice);
+    const Status status = proven(pair).status;
+    for (const Options<S>& options : odd_options<S>()) {
+      INFO("pair " << i << ", limit " << options.iteration_limit << ", d " << options.first_direction.transpose());
+      const CertifiedResult result = proven<Rules>(pair, options);
+      REQUIRE(result.status == status);
+      ++proofs[result.proof];
+    }
+  }
+  return proofs;
+}
+
+TEMPLATE_TEST_CASE("C5: the status is the same with any rules, wrong ones included, and with any options",
+                   "[certified]", (std::tuple<AsIntended, float>), (std::tuple<AsPrinted, double>),
+                   (std::tuple<Eager<>, double>), (std::tuple<Intended<RelativeZeroTest>, double>),
+                   (std::tuple<Inward, float>), (std::tuple<Rash, double>), (std::tuple<Backward, double>)) {
+  using Rules = std::tuple_element_t<0, TestType>;
+  using S = std::tuple_element_t<1, TestType>;
+  std::map<Proof, int> proofs = proofs_with<Rules, S>(80);
+  REQUIRE(proofs[Proof::second_search] > 100);
+}
+
+TEST_CASE("C5: a search that may not begin leaves all to the second one", "[certified]") {
+  Options<double> options;
+  options.iteration_limit = 0;
+  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
+  for (const auto& [by, expected] :
+       {std::pair(Point{1, 1, 1}, Status::intersecting), std::pair(Point{7, 7, 7}, Status::separated)}) {
+    const CertifiedResult result = proven(pair_of<double>(tetrahedron, moved(tetrahedron, by)), options);
+    REQUIRE(result.status == expected);
+    REQUIRE(result.iterations == 0);
+    REQUIRE(result.proof == Proof::second_search);
+  }
+}
+
+// -- Which proof ------------------------------------------------------------------------------------------------------
+
+TEMPLATE_TEST_CASE("Sets clearly apart are proven by the direction that the first search found", "[certified]", float,
+                   double) {
+  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
+  const Pair<TestType> pair = pair_of<TestType>(tetrahedron, moved(tetrahedron, {4, 5, 6}));
+  const CertifiedResult result = proven(pair);
+  const Result<TestType> plain = collision<TestType>(pair.a, pair.b);
+  REQUIRE(result.status == Status::separated);
+  REQUIRE(result.proof == Proof::direction);
+  REQUIRE(result.certificate == Certificate(SeparatingDirection{plain.separation->direction.template cast<double>()}));
+  REQUIRE(result.iterations == plain.iterations);
+  REQUIRE(result.second_iterations == 0);
+}
+
+TEMPLATE_TEST_CASE("Sets deep in each other are proven by the tetrahedron that the first search found", "[certified]",
+                   float, double) {
+  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
+  const Pair<TestType> pair = pair_of<TestType>(tetrahedron, moved(tetrahedron, {2, 1, 1}));
+  const CertifiedResult result = proven(pair);
+  const Result<TestType> plain = collision<TestType>(pair.a, pair.b);
+  REQUIRE(result.status == Status::intersecting);
+  REQUIRE(result.proof == Proof::tetrahedron);
+  REQUIRE(plain.simplex.size() == 4);
+  IndexPairs corners;
+  for (int i = 0; i < 4; ++i) corners.add({*plain.simplex[i].a.index, *plain.simplex[i].b.index});
+  REQUIRE(result.certificate == Certificate(CommonSimplex{corners}));
+  REQUIRE(result.iterations == plain.iterations);
+  REQUIRE(result.second_iterations == 0);
+}
+
+TEMPLATE_TEST_CASE("Touching is intersecting, and for the second search", "[certified]", float, double) {
+  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
+  for (const Point& by : {Point{6, 0, 0}, Point{3, 3, 0}, Point{2, 2, 2}, Point{-6, 0, 0}, Point{-3, 0, -3}}) {
+    INFO("moved by " << by[0] << ", " << by[1] << ", " << by[2]);
+    const CertifiedResult result = proven(pair_of<TestType>(tetrahedron, moved(tetrahedron, by)));
+    REQUIRE(result.status == Status::intersecting);
+    REQUIRE(result.proof == Proof::second_search);
+    REQUIRE(std::get<CommonSimplex>(result.certificate).of.size() <= 4);
+  }
+}
+
+}  // namespace
+}  // namespace gjk::test
