@@ -40,7 +40,7 @@ struct SeparatingDirection {
   friend bool operator==(const SeparatingDirection&, const SeparatingDirection&) = default;
 };
 
-/// Apart, by a direction that need not be a vector of doubles: of the convex hull of these one to three points of the
+/// Apart, by a direction that need not be a vector of doubles: on the line or plane through these one to three points of the
 /// difference some point v is nearest to the origin, and −v separates the sets as a SeparatingDirection does.
 struct SeparatingFeature {
   IndexPairs of;

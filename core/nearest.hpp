@@ -5,8 +5,8 @@
 
 namespace gjk::detail {
 
-/// Returns: the vertices of the feature of the simplex on which its point nearest to the origin lies (in its interior),
-/// oldest first, A last; all of four vertices where the origin lies inside. A flat feature that holds the origin is kept, too.
+/// Returns: the vertices of the feature of the simplex in whose interior its point nearest to the origin lies, A last; all four
+/// of a tetrahedron that the origin lies in, or on a face of.
 ///
 /// Requires: affinely independent vertices, and A in that feature: so it is where A was found along the way to the origin,
 /// w·d >= 0 > v·d with v the nearest point before, d being −v or a positive multiple. For then points of the segment from v

@@ -25,10 +25,15 @@ floors = [
     ["tests/study/sweep"],
     ["tests/study/report"],
     ["tests/study/claims"],
+    ["tests/study/symmetries"],
     ["tests/study/program"],
     ["tests/study"],
     ["tests/golden", "tests/bench", "tests/fuzz", "tests"],
 ]
+
+
+# Headers of the core that need Boost, too; who includes others of the core needs Eigen only.
+proving = ["core/certified.hpp", "core/certificate_check.hpp"]
 
 
 def floor_of(path):
@@ -96,8 +101,17 @@ def missing_in_map(root):
             if not re.search(rf"^\| (\[{room}\]|`{room}`)", readme, re.MULTILINE)]
 
 
+def boost_elsewhere(root):
+    """Headers of the core that need Boost, and should not."""
+    for file in sorted((root / "core").glob("*.hpp")):
+        name, text = file.relative_to(root).as_posix(), file.read_text()
+        needed = re.findall(r'^\s*#\s*include\s*[<"](boost/[^>"]+|certified\.hpp|certificate_check\.hpp)', text, re.MULTILINE)
+        if needed and name not in proving:
+            yield f"{name} includes {needed[0]}: Boost is for {' and '.join(proving)} alone"
+
+
 def problems(root):
-    edges, found = [], missing_in_map(root)
+    edges, found = [], missing_in_map(root) + list(boost_elsewhere(root))
     for file, included, is_there in includes(root):
         if not is_there:
             found.append(f"{file} includes {included}, which is not there")
@@ -137,6 +151,14 @@ class OneMistakeEach(unittest.TestCase):
         for line in ('#include <walkthroughs/text/b.hpp>', '# include "walkthroughs/text/b.hpp"'):
             said = self.told({"core/a.hpp": "#include <vector>\n" + line + "\n", "walkthroughs/text/b.hpp": ""})
             self.assertEqual(said, ["core/a.hpp includes walkthroughs/text/b.hpp, which lies above it"])
+
+    def test_boost_in_the_core(self):
+        certified = {"core/certified.hpp": "#include <boost/multiprecision/cpp_int.hpp>\n"}
+        self.assertEqual(self.told(certified), [])
+        for line in ("#include <boost/rational.hpp>", '#include "certified.hpp"'):
+            said = self.told({**certified, "core/gjk.hpp": f"#pragma once\n{line}\n"})
+            self.assertEqual(len(said), 1)
+            self.assertIn("Boost is for core/certified.hpp and core/certificate_check.hpp alone", said[0])
 
     def test_core_and_render(self):
         for one, other in (("core", "render"), ("render", "core")):

@@ -145,10 +145,14 @@ void Commands::add_to(CLI::App& app) {
   run_.add_to(*app.add_subcommand("run", "ask GJK about every family in every setting"));
   merge_.add_to(*app.add_subcommand("merge", "add up the shards of a study"));
   claims_.add_to(*app.add_subcommand("claims", "measure what the report claims; Markdown on the standard output"));
+  symmetries_.add_to(*app.add_subcommand(
+      "symmetries",
+      "ask for certified answers again after what must not change them; Markdown on the standard output"));
   app.add_subcommand("list", "families and settings");
   all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
           {app.get_subcommand("merge"), [this] { merge_.run(); }},
           {app.get_subcommand("claims"), [this] { claims_.run(); }},
+          {app.get_subcommand("symmetries"), [this] { symmetries_.run(); }},
           {app.get_subcommand("list"), list}};
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/study/program/claims_command.hpp"
+#include "tests/study/program/symmetries_command.hpp"
 #include "tests/study/sweep/plan.hpp"
 
 namespace study {
@@ -51,6 +52,7 @@ class Commands {
   RunCommand run_;
   MergeCommand merge_;
   ClaimsCommand claims_;
+  SymmetriesCommand symmetries_;
   std::vector<std::pair<const CLI::App*, std::function<void()>>> all_;
 };
 
