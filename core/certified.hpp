@@ -13,8 +13,8 @@
 ///  C3. Each sign that the second search goes by is that of the exact number: see ExactSimplex::sign() and AlongDirection.
 ///  C4. The second search ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
 ///      feature that is kept, and there are finitely many of them.
-///  C5. Whatever the first search does, wrong rules included, costs time and never truth: of it only indices and one
-///      direction are taken, and what they prove is looked at anew.
+///  C5. Whatever the first search does, wrong rules included, costs time and never truth: of it only points of the difference and
+///      one direction with its farthest point are taken, and what they prove is looked at anew.
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
@@ -488,6 +488,13 @@ void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& 
   }
 }
 
+/// Whether rules ask the difference itself for its farthest points, as Eq. 8 does: what is proven rests on that, and on nothing
+/// else of them.
+template <class Rules, class S>
+concept AsksTheDifference = std::same_as<decltype(Rules::template difference<S>(std::declval<const PointSet<S>&>(),
+                                                                                std::declval<const PointSet<S>&>())),
+                                         MinkowskiDifference<S, PointSet<S>, PointSet<S>>>;
+
 template <class S>
 void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
   for (int i = 0; i < simplex.size(); ++i) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
@@ -502,7 +509,7 @@ void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
 /// Returns: the answer with its certificate. Never undecided.
 /// Errors: std::runtime_error where denormal numbers are flushed to zero or rounding is not to nearest.
 template <class S, class Rules = AsIntended>
-requires(std::same_as<S, float> || std::same_as<S, double>) CertifiedResult
+requires((std::same_as<S, float> || std::same_as<S, double>)&&detail::AsksTheDifference<Rules, S>) CertifiedResult
     certified_collision(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options = {}) {
   if (!detail::arithmetic_is_usual())
     throw std::runtime_error(

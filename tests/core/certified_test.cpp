@@ -720,6 +720,33 @@ TEMPLATE_TEST_CASE("C5: the status is the same with any rules, wrong ones includ
   REQUIRE(proofs[Proof::second_search] > 100);
 }
 
+/// Wrong: both objects are asked in the same direction.
+struct SameDirection : Intended<> {
+  template <class S, class A, class B>
+  struct Difference {
+    const A& a;
+    const B& b;
+    Vertex<S> vertex(const Vec3<S>& d) const {
+      return {a.support(d), b.support(d), a.support(d).point - b.support(d).point};
+    }
+  };
+  template <class S, class A, class B>
+  static Difference<S, A, B> difference(const A& a, const B& b) {
+    return {a, b};
+  }
+};
+
+template <class Rules>
+concept MayGuess = requires(const PointSet<double>& set) {
+  certified_collision<double, Rules>(set, set);
+};
+
+TEST_CASE("C5: rules that ask another difference for its farthest points are not taken", "[certified]") {
+  STATIC_REQUIRE(MayGuess<AsIntended>);
+  STATIC_REQUIRE(MayGuess<Inward>);
+  STATIC_REQUIRE_FALSE(MayGuess<SameDirection>);
+}
+
 TEST_CASE("C5: a search that may not begin leaves all to the second one", "[certified]") {
   Options<double> options;
   options.iteration_limit = 0;
