@@ -98,6 +98,14 @@ inline bool arithmetic_is_usual() {
   return denormal != 0 && x + quarter == 1 && x + three_quarters > 1;
 }
 
+/// Errors: std::runtime_error.
+inline void expect_usual_arithmetic() {
+  if (!arithmetic_is_usual())
+    throw std::runtime_error(
+        "nothing can be proven: this processor is set to flush denormal numbers to zero, or not to round to "
+        "nearest; compile and link without -ffast-math, and leave the floating-point environment as it was");
+}
+
 /// C1. Returns: whether d separates the sets, w·d having been found as `support_value` by their support functions.
 ///
 /// s = Σ (r_A + r_B)|d| is as far as points can be along d (r: PointSet::extent()). The scan computes a·d to 3u of its part of
@@ -158,8 +166,10 @@ struct BinaryFraction {
 template <class S>
 class ExactDifference {
  public:
-  ExactDifference(const PointSet<S>& a, const PointSet<S>& b) : a_(a), b_(b) {
-    const double largest = static_cast<double>(std::max(a.extent().maxCoeff(), b.extent().maxCoeff()));
+  /// `radii`: other numbers of the same unit, to be had with number().
+  ExactDifference(const PointSet<S>& a, const PointSet<S>& b, const Vec3<S>& radii = Vec3<S>::Zero())
+      : a_(a), b_(b), radii_(radii) {
+    const double largest = static_cast<double>(a.extent().cwiseMax(b.extent()).cwiseMax(radii).maxCoeff());
     if (largest != 0) exponent_ = -std::ilogb(largest);
     factors_ = {std::scalbn(1.0, exponent_ / 2), std::scalbn(1.0, exponent_ - exponent_ / 2)};
   }
@@ -178,8 +188,7 @@ class ExactDifference {
     const Vec3<S>& p = set.points()[static_cast<std::size_t>(i)];
     return {number<N>(p.x()), number<N>(p.y()), number<N>(p.z())};
   }
-
- private:
+  /// Requires: a coordinate, or a radius.
   template <class N>
   N number(S coordinate) const {
     const double x = static_cast<double>(coordinate);
@@ -192,19 +201,23 @@ class ExactDifference {
     }
   }
 
+ private:
   int least_exponent() const {
     if (!least_exponent_) {
       int least = std::numeric_limits<int>::max();
-      for (const PointSet<S>* set : {&a_, &b_})
-        for (const Vec3<S>& p : set->points())
-          for (const S x : p)
-            if (x != 0) least = std::min(least, BinaryFraction(static_cast<double>(x)).e);
+      const auto look_at = [&least](const Vec3<S>& v) {
+        for (const S x : v)
+          if (x != 0) least = std::min(least, BinaryFraction(static_cast<double>(x)).e);
+      };
+      for (const PointSet<S>* set : {&a_, &b_}) std::for_each(set->points().begin(), set->points().end(), look_at);
+      look_at(radii_);
       least_exponent_ = least;
     }
     return *least_exponent_;
   }
 
   const PointSet<S>&a_, &b_;
+  Vec3<S> radii_;
   int exponent_ = 0;
   std::array<double, 2> factors_{1, 1};  // 2^exponent_: one number may not hold it, and std::scalbn() is slow
   mutable std::optional<int> least_exponent_;
@@ -360,17 +373,38 @@ class AlongDirection {
 
   /// Returns: a point of the difference with w·d >= 0, not always the farthest; none where there is none.
   std::optional<IndexPair> vertex_across() const {
-    const PointSet<S>&a = difference_.a(), &b = difference_.b();
-    const IndexPair near_farthest{*a.support(rough_).index, *b.support(-rough_).index};
-    const Bounded w_d = reach(near_farthest);
-    if (w_d.has_certain_sign() && w_d.value >= 0) return near_farthest;
-    if (std::scalbn(w_d.value + w_d.error, -exponent_ - difference_.exponent()) < -(slack(a) + slack(b)))
-      return std::nullopt;
-    const IndexPair farthest{farthest_of(a, near_farthest.a, +1), farthest_of(b, near_farthest.b, -1)};
+    const IndexPair found = near_farthest();
+    const Bounded w_d = reach(found);
+    if (w_d.has_certain_sign() && w_d.value >= 0) return found;
+    const double most = std::scalbn(w_d.value + w_d.error, -exponent_ - difference_.exponent());
+    if (most < -(slack(difference_.a()) + slack(difference_.b()))) return std::nullopt;
+    const IndexPair farthest = farthest_beside(found);
     return sign(farthest) >= 0 ? std::optional(farthest) : std::nullopt;
   }
 
+  /// Returns: a point of the difference nearer to the origin than all of the simplex, (w − A)·d > 0; none where there is none.
+  std::optional<IndexPair> vertex_nearer() const {
+    const IndexPair found = near_farthest();
+    if (is_nearer(found)) return found;
+    const IndexPair farthest = farthest_beside(found);
+    return is_nearer(farthest) ? std::optional(farthest) : std::nullopt;
+  }
+
  private:
+  bool is_nearer(IndexPair vertex) const {
+    const IndexPair A = from_.vertices()[from_.size() - 1];
+    const Bounded beyond = dot(difference_.template w<Bounded>(vertex) - difference_.template w<Bounded>(A), bounded_);
+    if (beyond.has_certain_sign()) return beyond.value > 0;
+    return dot(difference_.template w<Whole>(vertex) - difference_.template w<Whole>(A), whole()) > 0;
+  }
+
+  IndexPair near_farthest() const {
+    return {*difference_.a().support(rough_).index, *difference_.b().support(-rough_).index};
+  }
+  IndexPair farthest_beside(IndexPair found) const {
+    return {farthest_of(difference_.a(), found.a, +1), farthest_of(difference_.b(), found.b, -1)};
+  }
+
   static std::array<Bounded, 3> components(const Triple<Bounded>& d) { return {d.x, d.y, d.z}; }
 
   static bool is_precise(const Triple<Bounded>& d) {
@@ -511,10 +545,7 @@ void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
 template <class S, class Rules = AsIntended>
 requires((std::same_as<S, float> || std::same_as<S, double>)&&detail::AsksTheDifference<Rules, S>) CertifiedResult
     certified_collision(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options = {}) {
-  if (!detail::arithmetic_is_usual())
-    throw std::runtime_error(
-        "nothing can be proven: this processor is set to flush denormal numbers to zero, or not to round to "
-        "nearest; compile and link without -ffast-math, and leave the floating-point environment as it was");
+  detail::expect_usual_arithmetic();
   CertifiedResult result;
   const Result<S> guess = collision<S, Rules>(a, b, options);
   result.iterations = guess.iterations;
