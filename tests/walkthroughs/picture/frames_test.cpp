@@ -400,6 +400,21 @@ struct ReadmePicture {
 
 }  // namespace
 
+TEST_CASE("The pictures in the README take at most 200 KiB together") {
+  const fs::path readme = GJKSTEP_README;
+  const std::string text = bytes_of(readme.string());
+  std::uintmax_t sum = 0;
+  int pictures = 0;
+  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+    const std::string file = text.substr(at + 2, text.find(')', at) - at - 2);
+    if (!file.ends_with(".png")) continue;
+    ++pictures;
+    sum += fs::file_size(readme.parent_path() / file);
+  }
+  CHECK(pictures == 3);
+  CHECK(sum <= 200 * 1024);
+}
+
 TEST_CASE("The pictures in the README are those that the program draws") {
   const StagedStory plane(tell(walkthrough("figure-4-left"))),
       space(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
@@ -409,7 +424,7 @@ TEST_CASE("The pictures in the README are those that the program draws") {
   const StagedStory& story = is_plane ? plane : space;
   const ReadmePicture picture = is_plane
                                     ? ReadmePicture{"figure-4-left.png", strip_page(story), strip_page(story), strip}
-                                    : ReadmePicture{"3-simplex-face-adb-edge-ad.png", {960, 540}, frame_page, step_23};
+                                    : ReadmePicture{"3-simplex-face-adb-edge-ad.png", {640, 360}, frame_page, step_23};
   INFO(picture.name);
   const Image committed = render::read_png(fs::path(GJKSTEP_README_PICTURES) / picture.name);
   Studio studio;
