@@ -364,8 +364,7 @@ class AlongDirection {
 
   /// C3. Returns: the sign of w·d.
   int sign(IndexPair vertex) const {
-    const Bounded w_d = reach(vertex);
-    return w_d.has_certain_sign() ? sign_of(w_d) : sign_of(dot(difference_.template w<Whole>(vertex), whole()));
+    return sign_along([&]<class N>() { return difference_.template w<N>(vertex); });
   }
 
   /// Returns: w·d, and its error.
@@ -393,9 +392,14 @@ class AlongDirection {
  private:
   bool is_nearer(IndexPair vertex) const {
     const IndexPair A = from_.vertices()[from_.size() - 1];
-    const Bounded beyond = dot(difference_.template w<Bounded>(vertex) - difference_.template w<Bounded>(A), bounded_);
-    if (beyond.has_certain_sign()) return beyond.value > 0;
-    return dot(difference_.template w<Whole>(vertex) - difference_.template w<Whole>(A), whole()) > 0;
+    return sign_along([&]<class N>() { return difference_.template w<N>(vertex) - difference_.template w<N>(A); }) > 0;
+  }
+
+  /// C3. `vector_in`: a vector in either number.
+  template <class VectorIn>
+  int sign_along(const VectorIn& vector_in) const {
+    const Bounded quick = dot(vector_in.template operator()<Bounded>(), bounded_);
+    return quick.has_certain_sign() ? sign_of(quick) : sign_of(dot(vector_in.template operator()<Whole>(), whole()));
   }
 
   IndexPair near_farthest() const {

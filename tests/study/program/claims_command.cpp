@@ -1,12 +1,9 @@
 #include "tests/study/program/claims_command.hpp"
 
-#include <algorithm>
 #include <iostream>
-#include <thread>
 
 #include "tests/study/claims/claims.hpp"
-#include "tests/study/sweep/plan.hpp"
-#include "walkthroughs/program/number_option.hpp"
+#include "tests/study/program/options.hpp"
 
 namespace study {
 
@@ -18,18 +15,15 @@ void ClaimsCommand::add_to(CLI::App& app) {
                     ->excludes(is_quick)
                     ->capture_default_str(),
                 std::uint64_t{1}, most_pairs);
-  expect_number(app.add_option("--seed", seed, "which pairs are made")->capture_default_str(), std::uint64_t{0},
-                most_seed);
-  expect_number(app.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u,
-                most_threads);
+  add_seed(app, seed);
+  add_threads(app, threads);
 }
 
 void ClaimsCommand::run() const {
   std::cerr << "seed " << seed << '\n';
-  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
   write_claims(std::cout, {.pairs = quick ? 20'000 : pairs,
                            .seed = seed,
-                           .threads = threads > 0 ? threads : processors,
+                           .threads = threads_of(threads),
                            .progress = [](const std::string& what) { std::cerr << what << '\n'; }});
 }
 

@@ -71,8 +71,7 @@ void announce_time(const Plan& plan) {
 void RunCommand::add_to(CLI::App& app) {
   CLI::Option* const is_quick = app.add_flag("--quick", quick, "less than a minute on two cores (the default)");
   CLI::Option* const is_full = app.add_flag("--full", full, "says first how long it will take")->excludes(is_quick);
-  expect_number(app.add_option("--seed", request.seed, "which pairs are made")->capture_default_str(), std::uint64_t{0},
-                most_seed);
+  add_seed(app, request.seed);
   expect_number(app.add_option("--pairs", request.pairs, "so many of each family, a 50th of them in exact numbers")
                     ->excludes(is_quick)
                     ->excludes(is_full),
@@ -83,8 +82,7 @@ void RunCommand::add_to(CLI::App& app) {
   add_list(app, "--zero-test", request.zero_tests, "only these");
   add_list(app, "--limit", request.limits, "these iteration limits");
   app.add_option("--shard", shard, "I/N: one N-th of the pairs, I from 0; leaves a file for merge");
-  expect_number(app.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u,
-                most_threads);
+  add_threads(app, threads);
   app.add_option("--out", out, "folder of the results")->capture_default_str();
   CLI::Option* const saves = app.add_option("--save-failures", failures, "folder for scene files of what went wrong");
   expect_number(app.add_option("--max-failures", max_failures, "of each family, method and kind")
@@ -100,7 +98,7 @@ void RunCommand::run() const {
   wanted.scope = full ? Scope::full : Scope::quick;
   Plan plan = plan_of(wanted);
   if (shard) plan.shard = parse_shard(*shard);
-  plan.threads = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+  plan.threads = threads_of(threads);
   expect_apart({}, plan.shard.count > 1 ? std::vector{shard_file(out, plan.shard)} : result_files(out));
   render::make_folder(out, "choose another with --out");  // before the work, not after it
   if (failures) render::make_folder(*failures, "choose another with --save-failures");

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/study/sweep/plan.hpp"
+#include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/printable.hpp"
 
@@ -45,6 +48,22 @@ void add_list(CLI::App& command, const std::string& name, std::vector<T>& values
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name(std::same_as<T, int> ? "INT,..." : "TEXT,...");
+}
+
+inline void add_seed(CLI::App& command, std::uint64_t& seed) {
+  walkthroughs::expect_number(command.add_option("--seed", seed, "which pairs are made")->capture_default_str(),
+                              std::uint64_t{0}, most_seed);
+}
+
+inline void add_threads(CLI::App& command, unsigned& threads) {
+  walkthroughs::expect_number(
+      command.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u,
+      most_threads);
+}
+
+/// Returns: how many threads that option means.
+inline unsigned threads_of(unsigned threads) {
+  return threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
 /// Errors: UsageError where the folder has no name, or that of the next option.

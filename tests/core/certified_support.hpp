@@ -1,0 +1,53 @@
+/// Pairs of sets of points, and the certified answer about one, which is looked at before it is believed.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/certificate_check.hpp"
+#include "core/certified.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+
+template <class S>
+constexpr double u = std::numeric_limits<S>::epsilon() / 2.0;
+
+template <class S>
+S above(S x) {
+  return std::nextafter(x, std::numeric_limits<S>::max());
+}
+template <class S>
+S below(S x) {
+  return std::nextafter(x, std::numeric_limits<S>::lowest());
+}
+
+template <class S>
+struct Pair {
+  PointSet<S> a, b;
+};
+
+/// Returns: the certified answer. Requires, as all answers must be: it is one, and its certificate holds.
+template <class Rules = AsIntended, class S>
+CertifiedResult proven(const Pair<S>& pair, const Options<S>& options = {}) {
+  const CertifiedResult result = certified_collision<S, Rules>(pair.a, pair.b, options);
+  REQUIRE(result.status != Status::undecided);
+  REQUIRE(claim_of(result.certificate) == result.status);
+  REQUIRE(holds(result.certificate, pair.a, pair.b));
+  REQUIRE((result.second_iterations > 0) == (result.proof == Proof::second_search));
+  REQUIRE(result.second_iterations <= 12);  // a seen maximum, 9, with slack
+  return result;
+}
+
+template <class S>
+Pair<S> pair_of(const std::vector<Vec3<S>>& a, const std::vector<Vec3<S>>& b) {
+  return {PointSet<S>(a), PointSet<S>(b)};
+}
+template <class S>
+Pair<S> pair_of(const Points& a, const Points& b) {
+  return {point_set<S>(a), point_set<S>(b)};
+}
+
+}  // namespace gjk::test
