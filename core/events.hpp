@@ -52,11 +52,12 @@ struct VertexAdded {
 };
 
 /// What the value of a region test was compared with. A scalar is compared with 0, a vector with the zero vector.
-enum class Relation { positive, negative, zero, not_zero };
+enum class Relation { positive, negative, zero, not_zero, not_negative };
 
-enum class Verdict { chosen, rejected, skipped };
+enum class Verdict { chosen, rejected, skipped, possible };
 
-/// One region of Algorithms 2-5. `chosen` means that the value stands in `relation` to zero, `rejected` that it does not.
+/// One region of Algorithms 2-5. `chosen` means that the value stands in `relation` to zero, `rejected` that it does not;
+/// `possible` that it does and that this alone does not decide: only the complete rules (complete.hpp) say so.
 /// Regions that the algorithm does not reach, because it has chosen one before, are not told.
 template <class S>
 struct RegionTested {

@@ -24,30 +24,19 @@ namespace gjk::detail {
 template <class Sides>
 Order nearest_with_A(const Sides& sides, int size) {
   using enum Role;
-  switch (size) {
-    case 1: return {A};
-    case 2: return sides.is_toward(B) ? Order{B, A} : Order{A};
-    case 3: {
-      const bool toward_B = sides.is_toward(B), toward_C = sides.is_toward(C);
-      if (!toward_B && !toward_C) return {A};
-      if (toward_B && sides.is_beyond(B, C)) return {B, A};
-      if (toward_C && sides.is_beyond(C, B)) return {C, A};
-      return {C, B, A};
-    }
-    default: break;
-  }
-  struct {
-    Role X, Y, Z;
-  } constexpr around[] = {{B, C, D}, {C, D, B}, {D, B, C}};
+  constexpr struct { Role X, Y, Z; } around[] = {{B, C, D}, {C, D, B}, {D, B, C}};
+  const auto is_there = [size](Role X) { return static_cast<int>(X) < size; };
+  const auto is_beyond = [&](Role X, Role Y) { return !is_there(Y) || sides.is_beyond(X, Y); };
   bool is_toward_any = false;
   for (const auto& [X, Y, Z] : around) {
-    if (!sides.is_toward(X)) continue;
+    if (!is_there(X) || !sides.is_toward(X)) continue;
     is_toward_any = true;
-    if (sides.is_beyond(X, Y) && sides.is_beyond(X, Z)) return {X, A};
+    if (is_beyond(X, Y) && is_beyond(X, Z)) return {X, A};
   }
   if (!is_toward_any) return {A};
+  if (size == 3) return {C, B, A};
   for (const auto& [X, Y, Z] : around)
-    if (sides.is_above(X, Y, Z) && !sides.is_beyond(X, Y) && !sides.is_beyond(Y, X)) return {Y, X, A};
+    if (!sides.is_beyond(X, Y) && !sides.is_beyond(Y, X) && sides.is_above(X, Y, Z)) return {Y, X, A};
   return {D, C, B, A};
 }
 

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
-#include "rules.hpp"
+#include "complete.hpp"
 
 namespace gjk {
 
-enum class RuleSet { as_intended, as_printed, eager };
+enum class RuleSet { as_intended, as_printed, eager, complete };
 
 enum class ZeroTestKind { exact, relative };
 
@@ -23,10 +23,11 @@ struct Named {
 };
 
 /// In the order of the enumerators.
-inline constexpr std::array<Named<RuleSet>, 3> rule_sets{
+inline constexpr std::array<Named<RuleSet>, 4> rule_sets{
     {{RuleSet::as_intended, "as-intended", "the report's rules as its text means them"},
      {RuleSet::as_printed, "as-printed", "Algorithm 1 read literally"},
-     {RuleSet::eager, "eager", "w·d < 0 ends the search at the first point, too"}}};
+     {RuleSet::eager, "eager", "w·d < 0 ends the search at the first point, too"},
+     {RuleSet::complete, "complete", "every region that can hold the nearest point is tested"}}};
 
 inline constexpr std::array<Named<ZeroTestKind>, 2> zero_tests{
     {{ZeroTestKind::exact, "exact", "a product counts as it was computed"},
@@ -45,6 +46,7 @@ decltype(auto) with_rules(RuleSet rules, Use&& use) {
     case RuleSet::as_intended: return use.template operator()<Intended<ZeroTest>>();
     case RuleSet::as_printed: return use.template operator()<Printed<ZeroTest>>();
     case RuleSet::eager: return use.template operator()<Eager<ZeroTest>>();
+    case RuleSet::complete: return use.template operator()<Complete<ZeroTest>>();
   }
   throw std::invalid_argument("there is no such set of rules");
 }

@@ -61,6 +61,12 @@ constexpr FaceRoles roles_of(Face face) {
   return all[static_cast<int>(face)];
 }
 
+/// "AB", "AC", "AD".
+constexpr std::string_view name_of_edge(Role X) {
+  constexpr std::string_view names[] = {"", "AB", "AC", "AD"};
+  return names[static_cast<int>(X)];
+}
+
 /// One region: the report's "R1" ... "R7", and in Algorithm 5 the face whose edge is looked at.
 struct Region {
   std::string_view feature, label = {}, face = {};
@@ -82,9 +88,19 @@ class Step {
   auto AO() const {
     return to_origin_from(simplex_.point(Role::A), Rules::ZeroTest::size(simplex_[Role::A]), Told("AO"));
   }
-  auto AB() const { return edge(Role::B, "AB"); }
-  auto AC() const { return edge(Role::C, "AC"); }
-  auto AD() const { return edge(Role::D, "AD"); }
+  auto AB() const { return edge(Role::B); }
+  auto AC() const { return edge(Role::C); }
+  auto AD() const { return edge(Role::D); }
+
+  /// AX. Requires: a vertex of that role other than A.
+  auto edge(Role X) const {
+    const Vec3<S>&P = simplex_.point(X), &A = simplex_.point(Role::A);
+    Vec3<S> AX = P - A;
+    const auto size = Rules::ZeroTest::size(AX);
+    return Vector<S, std::remove_const_t<decltype(size)>, Told>{std::move(AX), size, Told(name_of_edge(X))};
+  }
+
+  int size() const { return simplex_.size(); }
 
   // -- Regions --------------------------------------------------------------------------------------------------------
 
@@ -153,6 +169,30 @@ class Step {
     return side;
   }
 
+  /// Of a vector that leads from a vertex or an edge to the origin: whether the origin is there.
+  template <class Vector>
+  bool is_zero(const Region& region, const Vector& v) const {
+    const bool found = v.is_zero();
+    const std::string_view on = region.feature.size() == 1 ? "A is the origin" : "the origin lies on this edge";
+    const std::string_view off = region.feature.size() == 1 ? "no edge leads from A toward the origin"
+                                                            : "the point nearest to the origin lies on this edge";
+    tell_([&] { return compared_with_zero(region, v, found, on, off); });
+    return found;
+  }
+
+  /// A question of the complete rules, the answer to which the caller knows. `decides`: whether a yes settles it.
+  template <class Height>
+  void tell_question(const Region& region, const Height& X_AO, Relation asked, bool holds, bool decides,
+                     std::string_view reason) const {
+    tell_([&] {
+      auto event = tested(region, X_AO);
+      event.verdict = !holds ? Verdict::rejected : decides ? Verdict::chosen : Verdict::possible;
+      event.relation = asked;
+      event.reason = reason;
+      return event;
+    });
+  }
+
   /// Algorithm 5: what is left where no face sees the origin.
   void lies_inside() const {
     tell_([&] {
@@ -195,13 +235,6 @@ class Step {
   }
 
  private:
-  auto edge(Role X, std::string_view name) const {
-    const Vec3<S>&P = simplex_.point(X), &A = simplex_.point(Role::A);
-    Vec3<S> AX = P - A;
-    const auto size = Rules::ZeroTest::size(AX);
-    return Vector<S, std::remove_const_t<decltype(size)>, Told>{std::move(AX), size, Told(name)};
-  }
-
   template <class Direction>
   void tell_direction(const Direction& d) const {
     tell_([&] { return DirectionChosen<S>{.expression = std::string(d.told.name), .direction = d.value}; });
@@ -219,7 +252,7 @@ class Step {
   RegionTested<S> tested(const Region& region, const Height& n_AO) const {
     auto event = tested(region);
     event.expression = std::string(n_AO.X.told.name) + "·AO";
-    event.formula = n_AO.X.told.formula;
+    event.formula = n_AO.X.told.formula.empty() ? n_AO.X.told.name : n_AO.X.told.formula;
     event.normal = n_AO.X.value;
     event.value = n_AO.value;
     return event;

@@ -140,12 +140,6 @@ TEST_CASE("Between centers that coincide there is no direction: the first one is
 
 // -- Undecided --------------------------------------------------------------------------------------------------------
 
-// Algorithm 5 takes the first face that sees the origin, and comes back to the same simplex for ever.
-const Points cycling_apart_a{{-2, 3, 3}, {1, 3, 1}, {3, -2, -1}, {-4, -5, -2}};
-const Points cycling_apart_b{{-1, 3, 2}, {0, 10, 4}, {8, 9, 0}};
-const Points cycling_meeting_a{{274, -351, 0}, {95, -20, 0}, {104, 344, 0}, {346, 81, -2}};
-const Points cycling_meeting_b{{70, 207, -1}, {-168, -26, 0}, {144, -198, -1}, {112, 1, 0}};
-
 /// Returns: the simplex and the direction with which each iteration of a run began, as its events tell.
 template <class S>
 std::vector<std::pair<std::vector<Vec3<S>>, Vec3<S>>> states_of(const Trace<S>& trace) {

@@ -14,6 +14,8 @@ std::string name_of_type() {
   if constexpr (std::same_as<Rules, Intended<>>) return "as-intended exact";
   if constexpr (std::same_as<Rules, Printed<>>) return "as-printed exact";
   if constexpr (std::same_as<Rules, Eager<>>) return "eager exact";
+  if constexpr (std::same_as<Rules, Complete<>>) return "complete exact";
+  if constexpr (std::same_as<Rules, Complete<RelativeZeroTest>>) return "complete relative";
   if constexpr (std::same_as<Rules, Intended<RelativeZeroTest>>) return "as-intended relative";
   if constexpr (std::same_as<Rules, Printed<RelativeZeroTest>>) return "as-printed relative";
   if constexpr (std::same_as<Rules, Eager<RelativeZeroTest>>) return "eager relative";
@@ -33,7 +35,7 @@ TEST_CASE("Each set of rules is called by its name with each zero test, and none
       REQUIRE_FALSE(rule_sets[i].meaning.empty());
       called.insert(name);
     }
-  REQUIRE(called.size() == 6);
+  REQUIRE(called.size() == 8);
   const auto nothing = []<class Rules>() {};
   const auto beyond_rules = static_cast<RuleSet>(rule_sets.size());
   const auto beyond_tests = static_cast<ZeroTestKind>(zero_tests.size());
@@ -60,6 +62,8 @@ TEST_CASE("Algorithm 1 of a set of rules by its name is that of its type", "[rul
   REQUIRE(first_point(RuleSet::as_intended) == FirstPoint::taken_as_it_is);
   REQUIRE(first_point(RuleSet::as_printed) == FirstPoint::taken_as_it_is);
   REQUIRE(first_point(RuleSet::eager) == FirstPoint::tested);
+  REQUIRE(first_point(RuleSet::complete) == FirstPoint::taken_as_it_is);
+  REQUIRE(not_crossed(RuleSet::complete) == NotCrossed::answer_at_once);
   REQUIRE(not_crossed(RuleSet::as_intended) == NotCrossed::answer_at_once);
   REQUIRE(not_crossed(RuleSet::as_printed) == NotCrossed::process_the_simplex);
   REQUIRE(not_crossed(RuleSet::eager) == NotCrossed::answer_at_once);

@@ -55,6 +55,7 @@ bool value_stands_in_relation(const RegionTested<S>& region) {
       case Relation::negative: return negative;
       case Relation::zero: return zero;
       case Relation::not_zero: return !zero;
+      case Relation::not_negative: return !negative;
     }
     return false;
   };

@@ -41,6 +41,12 @@ inline Points moved(Points points, const Point& by) {
   return points;
 }
 
+/// Algorithm 5 takes the first face that sees the origin, and comes back to the same simplex for ever.
+inline const Points cycling_apart_a{{-2, 3, 3}, {1, 3, 1}, {3, -2, -1}, {-4, -5, -2}};
+inline const Points cycling_apart_b{{-1, 3, 2}, {0, 10, 4}, {8, 9, 0}};
+inline const Points cycling_meeting_a{{274, -351, 0}, {95, -20, 0}, {104, 344, 0}, {346, 81, -2}};
+inline const Points cycling_meeting_b{{70, 207, -1}, {-168, -26, 0}, {144, -198, -1}, {112, 1, 0}};
+
 // -- Frames -----------------------------------------------------------------------------------------------------------
 
 /// Where the unit vectors go, right-handed and of equal length, and a scale on top.

@@ -62,6 +62,10 @@ const std::vector<Picture>& pictures() {
        "cylinder with caps, polyhedron, regions in space"},
       {"vehicle-and-threat/counter-munition-near-miss", 15, "report", around, left_out, "sphere; a gap seen edge-on"},
       {"cycle-intersecting", 57, "report", around, left_out, "the repeated simplex marked by double rings"},
+      {"complete/cycle-separated", 30, "report", around, left_out, "an edge of several that leads toward the origin"},
+      {"complete/cycle-separated", 12, "report", around, left_out, "an edge that leads away from it"},
+      {"complete/cycle-separated", 15, "report", around, left_out, "the foot of the origin on an edge"},
+      {"complete/cycle-separated", 33, "report", around, left_out, "a region that alone does not decide"},
   };
   return all;
 }

@@ -22,9 +22,9 @@ std::vector<Walkthrough> all_walkthroughs() {
   for (const auto& folder : {regions_of_0_simplex(), regions_of_1_simplex(), regions_of_2_simplex(),
                              regions_of_3_simplex(), vehicle_and_threat()})
     all.insert(all.end(), folder.begin(), folder.end());
-  for (const Walkthrough& each :
-       {cycle_separated(), cycle_intersecting(), as_printed_spheres(), eager_between_centers()})
-    all.push_back(each);
+  for (const Walkthrough& each : {cycle_separated(), cycle_intersecting()}) all.push_back(each);
+  for (const Walkthrough& each : complete_rules()) all.push_back(each);
+  for (const Walkthrough& each : {as_printed_spheres(), eager_between_centers()}) all.push_back(each);
   for (const Walkthrough& each : failures()) all.push_back(each);
   return all;
 }

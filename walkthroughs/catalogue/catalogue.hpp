@@ -42,6 +42,7 @@ std::vector<Walkthrough> regions_of_3_simplex();
 std::vector<Walkthrough> vehicle_and_threat();
 Walkthrough cycle_separated();
 Walkthrough cycle_intersecting();
+std::vector<Walkthrough> complete_rules();
 Walkthrough as_printed_spheres();
 Walkthrough eager_between_centers();
 std::vector<Walkthrough> failures();

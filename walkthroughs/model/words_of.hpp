@@ -31,8 +31,8 @@ inline constexpr std::array<std::string_view, 6> remark_at{"support-found", "cro
                                                            "reduced",       "direction-chosen", "end"};
 inline constexpr std::array<std::string_view, 4> crossing{"crossed", "not-crossed", "not-applied-first-point",
                                                           "not-applied-switched-off"};
-inline constexpr std::array<std::string_view, 4> relation{"> 0", "< 0", "= 0", "!= 0"};
-inline constexpr std::array<std::string_view, 3> verdict{"chosen", "rejected", "skipped"};
+inline constexpr std::array<std::string_view, 5> relation{"> 0", "< 0", "= 0", "!= 0", ">= 0"};
+inline constexpr std::array<std::string_view, 4> verdict{"chosen", "rejected", "skipped", "possible"};
 inline constexpr auto status = as_core_says<gjk::Status, 3>();
 inline constexpr auto reason = as_core_says<gjk::Reason, 6>();
 

@@ -15,12 +15,12 @@ constexpr double text_size = 17, least_text_size = 12, indent_width = 20, margin
 /// What came of a test, and its value where that is to be shown: "= −0.42 ✗".
 std::string outcome(const gjk::RegionTested<double>& test, bool with_value) {
   const double* value = with_value ? std::get_if<double>(&test.value) : nullptr;
-  return (value ? "= " + short_number(*value) + " " : "") + (test.verdict == gjk::Verdict::chosen ? "✓" : "✗");
+  return (value ? "= " + short_number(*value) + " " : "") + (test.verdict == gjk::Verdict::rejected ? "✗" : "✓");
 }
 
 /// "Algorithm 4", and where the picture has its own letters, who is who: "Algorithm 4: A is G, B is E, C is A".
-std::string title_of(int number, const Names& names, const Simplex& simplex) {
-  std::string title = "Algorithm " + std::to_string(number);
+std::string title_of(int number, RuleSet rules, const Names& names, const Simplex& simplex) {
+  const std::string title = name_of_algorithm(number, rules);
   if (number == 1) return title;
   std::string translation;
   for (int i = 0; i < simplex.size(); ++i) {
@@ -72,7 +72,7 @@ class Listing {
     render::TextStyle text = text_;
     text.weight = render::Weight::bold;
     text.align = render::Align::right;
-    text.color = test.verdict == gjk::Verdict::chosen ? style_.theme.green : style_.theme.vermillion;
+    text.color = test.verdict == gjk::Verdict::rejected ? style_.theme.vermillion : style_.theme.green;
     const std::string words = outcome(test, shown_.values);
     const double right = room_.max.x() - margin;
     const double room = right - from - 8, needed = canvas_.text_box({0, 0}, words, text).width();
@@ -94,7 +94,8 @@ class Listing {
 void draw_algorithm(render::Canvas& canvas, const render::Box& frame, const Shown& shown) {
   const int number = running_algorithm(shown.now, shown.focus);
   const std::vector<CodeLine>& code = algorithm(number, shown.telling.scene.rules);
-  draw_panel_title(canvas, frame, title_of(number, shown.names, shown.now.processed), shown.style);
+  draw_panel_title(canvas, frame, title_of(number, shown.telling.scene.rules, shown.names, shown.now.processed),
+                   shown.style);
   const render::Box room = below_title(frame);
   const std::optional<std::size_t> current = current_line(code, shown.now, shown.focus);
   Listing listing(canvas, room, number, code.size(), shown);

@@ -157,7 +157,12 @@ class DecisionPicture {
 
   void regions(Pencil& pencil) {
     const Shown shown = with_lens();
-    if (view_.kind == Kind::segment)
+    const bool is_along = !shown_.now.regions.empty() && asks_along_edge(shown_.now.regions.back());
+    if (is_along)
+      draw_sides_along(pencil, shown, view_.face);
+    else if (view_.kind == Kind::segment && is_of_larger())
+      return;
+    else if (view_.kind == Kind::segment)
       draw_regions_of_segment(pencil, shown);
     else if (shown_.now.processed.size() == 3)
       draw_regions_of_triangle(pencil, shown);
@@ -256,9 +261,14 @@ class DecisionPicture {
   void segment(Pencil& pencil) {
     regions(pencil);
     edges(pencil.panel());
+    const Vec2 origin = at_origin(), foot(origin.x(), at('A').y());
+    if (is_of_larger()) pencil.panel().line(origin, foot, style_.foot);
     vertices(pencil);
     name_origin(pencil.panel(), {0, 1});
   }
+
+  /// Whether it is one edge of several that is shown.
+  bool is_of_larger() const { return shown_.now.processed.size() > 2; }
 
   void true_shape(Pencil& pencil) {
     regions(pencil);

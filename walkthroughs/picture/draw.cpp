@@ -177,10 +177,10 @@ int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, dou
 
 // -- Two scenes -------------------------------------------------------------------------------------------------------
 
-/// "left set", "as printed"; with the answer once the search has ended.
+/// "left set"; of two sets of rules "as printed", with the answer once the search has ended.
 std::string title_of_scene(const StagedStory& story, std::size_t scene, const Frame& frame) {
   const std::string& name = story.tellings[scene].scene.name;
-  if (story.walkthrough.layout != Layout::until_they_part) return name + " set";
+  if (story.tellings.front().scene.rules == story.tellings.back().scene.rules) return name + " set";
   const std::optional<gjk::Result<double>>& result = frame.moments[scene].result;
   return result ? name + ": " + std::string(gjk::to_string(result->status)) : name;
 }

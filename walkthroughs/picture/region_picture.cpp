@@ -58,6 +58,20 @@ class RegionPicture {
     draw({scene_in_space ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides});
   }
 
+  /// On one side of the plane through A across the edge the edge leads toward the origin, on the other it does not.
+  void sides_along(const std::string& edge) {
+    const Point A = vertex('A'), X = vertex(edge[1]);
+    if (A == X) return;
+    if (pencil_.in_space()) plane_ = Plane::spanned(A, X - A, toward_origin(A, X));
+    const std::vector<Vec2> clip = drawn_part({A, X, Point::Zero()});
+    const Vec2 along = plane_(X) - plane_(A);
+    const Region* asked = nullptr;
+    for (const Region& region : shown_.now.regions)
+      if (region.feature == edge && asks_along_edge(region)) asked = &region;
+    draw({"", half(clip, plane_(A), -along), nullptr});
+    draw({"toward " + shown_.names.sorted(edge.substr(1)), half(clip, plane_(A), along), asked});
+  }
+
   void triangle() {
     const Point A = vertex(Role::A), B = vertex(Role::B), C = vertex(Role::C);
     if (!spans(A, B, C)) return;
@@ -153,7 +167,8 @@ class RegionPicture {
   /// Returns: what has been said of a region, by its label or by its feature.
   const Region* find(const std::string& face, const std::string& name) const {
     for (const Region& region : shown_.now.regions)
-      if (region.face == face && (region.label == name || region.feature == name)) return &region;
+      if (region.face == face && !asks_along_edge(region) && (region.label == name || region.feature == name))
+        return &region;
     return nullptr;
   }
 
@@ -180,7 +195,8 @@ class RegionPicture {
   void fill(const std::vector<Vec2>& corners, RegionState state) {
     fill_region(pencil_.panel(), corners, state, style_);
     pencil_.panel().outline(corners, style_.thin);
-    if (state == RegionState::just_rejected) pencil_.panel().outline(corners, style_.tested);
+    if (state == RegionState::just_rejected || state == RegionState::just_possible)
+      pencil_.panel().outline(corners, style_.tested);
     if (state == RegionState::chosen) pencil_.panel().outline(corners, {style_.theme.green, 3 * style_.theme.line});
   }
 
@@ -192,6 +208,7 @@ class RegionPicture {
       case RegionState::skipped: text.color = style_.theme.grey; break;
       case RegionState::rejected:
       case RegionState::just_rejected: mark = "✗"; break;
+      case RegionState::just_possible: mark = "✓ so far"; break;
       case RegionState::chosen:
         // Without the crossing test the ends of a segment are not ruled out: nothing is certain yet.
         mark = uncertain(*candidate.region) ? "if not R2" : "✓";
@@ -213,7 +230,7 @@ class RegionPicture {
 
   /// The normal of the region just tested, from the middle of its feature.
   void normal(const Region& region) {
-    if (!region.normal) return;
+    if (!region.normal || asks_along_edge(region)) return;
     std::vector<Point> corners;
     for (const char letter : region.feature) corners.push_back(vertex(letter));
     const std::string name = region.expression.substr(0, region.expression.find("·"));
@@ -252,6 +269,7 @@ class RegionPicture {
     const bool rejected = state == RegionState::rejected || state == RegionState::just_rejected;
     render::Panel& panel = pencil_.panel();
     switch (state) {
+      case RegionState::just_possible:
       case RegionState::pending: panel.polygon(corners, style_.simplex_fill); break;
       case RegionState::skipped:  // only BCD
         panel.hatch(corners, style_.hatch_spacing, bcd_is_behind() ? style_.hidden_hatching : style_.hatching);
@@ -305,6 +323,7 @@ RegionState state_of(const Region* region, const Moment& now) {
   if (region->verdict == Verdict::skipped) return RegionState::skipped;
   if (region->verdict == Verdict::chosen) return RegionState::chosen;
   const bool is_last = region == &now.regions.back() && !now.reduction;
+  if (region->verdict == Verdict::possible) return is_last ? RegionState::just_possible : RegionState::pending;
   return is_last ? RegionState::just_rejected : RegionState::rejected;
 }
 
@@ -313,6 +332,7 @@ void fill_region(render::Panel& panel, const std::vector<Vec2>& corners, RegionS
     case RegionState::pending: break;
     case RegionState::skipped: panel.hatch(corners, style.hatch_spacing, style.hatching); break;
     case RegionState::rejected: panel.polygon(corners, style.rejected_fill); break;
+    case RegionState::just_possible:
     case RegionState::just_rejected: panel.polygon(corners, style.tested_fill); break;
     case RegionState::chosen: panel.polygon(corners, style.chosen_fill); break;
   }
@@ -355,6 +375,7 @@ void draw_regions(Pencil& pencil, const Shown& shown) {
   if (shown.now.regions.empty()) return;  // of two scenes side by side, only the other one tests
   RegionPicture picture(pencil, shown);
   if (shown.regions_beside) return picture.in_question();
+  if (asks_along_edge(shown.now.regions.back())) return picture.sides_along(shown.now.regions.back().feature);
   switch (shown.now.simplex.size()) {
     case 2: picture.segment(); break;
     case 3: picture.triangle(); break;
@@ -366,6 +387,10 @@ void draw_regions(Pencil& pencil, const Shown& shown) {
 void draw_regions_of_segment(Pencil& pencil, const Shown& shown) { RegionPicture(pencil, shown).segment(); }
 
 void draw_regions_of_triangle(Pencil& pencil, const Shown& shown) { RegionPicture(pencil, shown).triangle(); }
+
+void draw_sides_along(Pencil& pencil, const Shown& shown, const std::string& edge) {
+  RegionPicture(pencil, shown).sides_along(edge);
+}
 
 void draw_regions_of_face(Pencil& pencil, const Shown& shown, const std::string& face) {
   RegionPicture(pencil, shown).edges_of_face(face);

@@ -8,7 +8,7 @@ namespace walkthroughs {
 
 /// What the algorithm has said of a region up to one moment. Nothing may be told by colour alone: skipped regions are
 /// hatched, rejected ones named with ✗, the chosen one with ✓, and the one just tested has a strong border and its normal.
-enum class RegionState { pending, skipped, rejected, just_rejected, chosen };
+enum class RegionState { pending, skipped, rejected, just_rejected, just_possible, chosen };
 
 /// Returns: that of a region of `now.regions`; pending where there is none.
 RegionState state_of(const gjk::RegionTested<double>* region, const Moment& now);
@@ -23,10 +23,12 @@ std::string inequality_of(const gjk::RegionTested<double>& region, const Names& 
 /// them). Nothing where no region has been tested in this iteration.
 void draw_regions(Pencil& pencil, const Shown& shown);
 
-/// Draws those of one segment or triangle, tested or not yet, or those beside a face APQ of a tetrahedron in its plane.
+/// Draws those of one segment or triangle, tested or not yet, or those beside a face APQ of a tetrahedron in its plane; or on
+/// which side of A an edge AX leads.
 void draw_regions_of_segment(Pencil& pencil, const Shown& shown);
 void draw_regions_of_triangle(Pencil& pencil, const Shown& shown);
 void draw_regions_of_face(Pencil& pencil, const Shown& shown, const std::string& face);
+void draw_sides_along(Pencil& pencil, const Shown& shown, const std::string& edge);
 
 /// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are
 /// shown. To be asked for after the vertices have their names, which are more important.

@@ -113,7 +113,7 @@ class Captions {
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == Verdict::skipped) return std::nullopt;
     Frame frame = frame_about(Focus::region, region_caption(event), {decision(event)});
-    if (event.normal)
+    if (event.normal && event.formula.size() > 2)  // not an edge itself
       frame.facts.push_back({Mark::none, names_.translate(event.expression.substr(0, event.expression.find("·")) +
                                                           " = " + event.formula) +
                                              " = " + vector(*event.normal, Dimension::space)});
@@ -122,7 +122,7 @@ class Captions {
     if (event.label == "R3 or R4")
       frame.facts.push_back({Mark::none, names_.translate(event.expression) +
                                              " points toward the origin in both, so they need not be told apart"});
-    if (event.feature.size() == 4)
+    if (event.feature.size() == 4 && !is_complete())
       frame.facts.push_back({Mark::none, "not asked: " + names_.sorted("AB") + ", " + names_.sorted("AC") + ", " +
                                              names_.sorted("AD") + ": the origin lies above none of their faces"});
     append_skipped(frame.facts);
@@ -191,7 +191,7 @@ class Captions {
 
   /// What Algorithm 4 or 5 has not come to, because what stands before it has decided, and why that does no harm.
   void append_not_asked(std::vector<Fact>& facts) const {
-    if (now_.regions.empty() || now_.regions.back().feature.size() > 3) return;
+    if (is_complete() || now_.regions.empty() || now_.regions.back().feature.size() > 3) return;
     const gjk::RegionTested<double>& last = now_.regions.back();
     const bool is_edge = last.feature.size() == 2 && last.verdict == Verdict::chosen;
     const auto append = [&](const std::string& names, const std::string& why) {
@@ -279,10 +279,11 @@ class Captions {
   }
 
   std::string dropped_caption(const std::string& dropped) const {
-    const std::string names = names_.sorted(dropped);
-    if (dropped.size() == 1) return names + " is no longer needed and leaves the simplex";
-    return names_.sorted(dropped.substr(0, 1)) + " and " + names_.sorted(dropped.substr(1)) +
-           " are no longer needed and leave the simplex";
+    std::string names;
+    for (std::size_t i = 0; i < dropped.size(); ++i)
+      names += (i == 0 ? "" : i + 1 == dropped.size() ? " and " : ", ") + names_.sorted(dropped.substr(i, 1));
+    return names + (dropped.size() == 1 ? " is no longer needed and leaves the simplex"
+                                        : " are no longer needed and leave the simplex");
   }
 
   std::string answer_caption(const gjk::Result<double>& result) const {
@@ -311,6 +312,9 @@ class Captions {
                                        "·d = " + number(result.separation->support_value) + " < 0 for every w" +
                                        (scene_.scalar == Scalar::binary32 ? ", as far as floats tell" : "")});
     if (result.status != gjk::Status::intersecting) return;
+    if (is_complete() && now_.regions.back().feature.size() == 4)
+      return facts.push_back(
+          {Mark::none, "no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it"});
     for (const auto& region : now_.regions)
       if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});
   }
@@ -319,6 +323,8 @@ class Captions {
   std::string region_caption(const gjk::RegionTested<double>& event) const {
     const std::string feature = names_.sorted(event.feature);
     const bool zero = event.relation == Relation::zero;
+    if (is_complete() && event.simplex_size > 1 && event.feature.size() < 3)
+      if (const std::string caption = complete_caption(event, feature); !caption.empty()) return caption;
     switch (event.simplex_size) {
       case 1: return feature + (zero ? " is the origin" : " is not the origin");
       case 2:
@@ -329,10 +335,24 @@ class Captions {
     }
   }
 
+  bool is_complete() const { return scene_.rules == RuleSet::complete; }
+
+  /// What only the complete rules ask of a vertex or an edge; empty for what others ask, too.
+  std::string complete_caption(const gjk::RegionTested<double>& event, const std::string& feature) const {
+    const bool zero = event.relation == Relation::zero;
+    const std::string A = names_.of(gjk::Role::A);
+    if (event.feature == "A") return zero ? A + " is the origin" : "The point nearest to the origin is " + A;
+    if (event.relation == Relation::positive)
+      return "Edge " + feature + (event.verdict == Verdict::rejected ? " does not lead" : " leads") + " from " + A +
+             " toward the origin";
+    if (event.simplex_size == 2 || event.relation == Relation::not_negative) return "";
+    return (zero ? "The origin lies on edge " : "The point nearest to the origin lies on edge ") + feature;
+  }
+
   /// Of an edge in space: in the plane of its triangle stands the foot of the origin.
   std::string beyond_edge(const gjk::RegionTested<double>& event, const std::string& feature) const {
     const std::string who = scene_.dimension == Dimension::space ? "The foot of the origin " : "The origin ";
-    return who + (event.verdict == Verdict::chosen ? "lies" : "does not lie") + " beyond edge " + feature;
+    return who + (event.verdict == Verdict::rejected ? "does not lie" : "lies") + " beyond edge " + feature;
   }
 
   std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) const {
@@ -352,7 +372,7 @@ class Captions {
 
   /// The inequality that decides, with the region's name: "R3: GE_n·GO = 5.2 > 0".
   Fact decision(const gjk::RegionTested<double>& event) const {
-    const bool chosen = event.verdict == Verdict::chosen;
+    const bool chosen = event.verdict != Verdict::rejected;
     if (event.expression.empty()) return {Mark::yes, "no normal points toward the origin"};
     std::string text = event.label.empty() ? "" : event.label + ": ";
     if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";

@@ -31,10 +31,16 @@ std::vector<DecisionView> view_of_crossing(const Moment& now) {
            *now.crossing->value / d.stableNorm() * now.scale}};
 }
 
-std::vector<DecisionView> view_of_segment(const Moment& now) {
-  const Point A = vertex(now, 'A'), B = vertex(now, 'B');
-  if (!is_direction(A - B)) return {};
-  return {{Kind::segment, "AB", Plane::spanned(B, A - B, across(-B, (A - B).stableNormalized()))}};
+std::vector<DecisionView> view_of_segment(const Moment& now, const std::string& edge) {
+  const Point A = vertex(now, edge[0]), X = vertex(now, edge[1]);
+  if (!is_direction(A - X)) return {};
+  return {{Kind::segment, edge, Plane::spanned(X, A - X, across(-X, (A - X).stableNormalized()))}};
+}
+
+/// Whether an edge of a triangle or a tetrahedron is asked about by itself, outside of any face.
+bool is_about_edge(const Region& region) {
+  const bool is_edge = region.feature.size() == 2 && region.face.empty();
+  return is_edge && (asks_along_edge(region) || !std::holds_alternative<double>(region.value));
 }
 
 /// A triangle APQ of the simplex and its normal AP×AQ.
@@ -101,6 +107,8 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
 
 }  // namespace
 
+bool asks_along_edge(const Region& region) { return region.feature.size() == 2 && region.formula == region.feature; }
+
 const Region* test_of(const Moment& now, const std::string& face) {
   const auto found =
       std::ranges::find_if(now.regions, [&](const Region& r) { return r.face.empty() && r.feature == face; });
@@ -129,8 +137,10 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
                                 : " lies beside the origin, no farther along d.");
     }
     case Kind::segment:
-      if (O.x() <= at('B').x()) return "In the plane of " + feature + " and the origin, the origin lies beyond B.";
-      if (O.x() >= at('A').x()) return "In the plane of " + feature + " and the origin, the origin lies beyond A.";
+      for (const char end : {view.face[1], view.face[0]})
+        if (end == 'A' ? O.x() >= at(end).x() : O.x() <= at(end).x())
+          return "In the plane of " + feature + " and the origin, the origin lies beyond " +
+                 names.sorted(std::string(1, end)) + ".";
       return "In the plane of " + feature + " and the origin, the origin lies " +
              (O.y() > 0 ? "to one side of it." : "on it.");
     case Kind::edge_on:
@@ -174,8 +184,10 @@ std::vector<DecisionView> decision_views(const Moment& now, Focus focus) {
   const bool is_gap = focus == Focus::end && now.result->separation && now.found && now.crossing;
   if (focus == Focus::crossing || is_gap) return view_of_crossing(now);
   if (!is_about_processed(focus)) return {};
+  if (focus == Focus::region && is_about_edge(now.regions.back()))
+    return view_of_segment(now, now.regions.back().feature);
   switch (now.processed.size()) {
-    case 2: return view_of_segment(now);
+    case 2: return view_of_segment(now, "AB");
     case 3: return views_of_triangle(now);
     case 4: return views_of_tetrahedron(now);
     default: return {};

@@ -13,7 +13,7 @@ namespace walkthroughs {
 struct DecisionView {
   enum class Kind {
     crossing,    ///< the plane of d and OP, d to the right: P short of the origin, at it, or past it
-    segment,     ///< the plane of A, B and the origin, the origin above AB
+    segment,     ///< the plane of an edge at A and the origin, the origin above it
     true_shape,  ///< a triangle, straight down its normal, with the foot of the origin
     edge_on,     ///< a triangle as a line, its normal up the page: the origin above or below
   };
@@ -38,6 +38,9 @@ std::vector<DecisionView> decision_views(const Moment& now, Focus focus);
 
 /// Returns: what is seen there, a sentence: "Seen edge-on, the origin lies above triangle ABC."
 std::string in_words(const DecisionView& view, const Moment& now, const Names& names);
+
+/// Whether it is asked if an edge leads from A toward the origin, as the complete rules do.
+bool asks_along_edge(const gjk::RegionTested<double>& region);
 
 /// Returns: the roles of the triangle whose plane is asked about, "ABC", "ADB"; empty where none is.
 std::string face_in_question(const Moment& now, Focus focus);

@@ -88,6 +88,46 @@ std::vector<CodeLine> algorithm_5() {
   return code;
 }
 
+/// The complete rules, for segments, triangles and tetrahedra.
+std::vector<CodeLine> nearest_feature() {
+  return {{0, "for each edge AX"},
+          {1, "if AX·AO > 0", Kind::test, "", "AX", Relation::positive},
+          {2, "and AX_n·AO ≥ 0 in each face", Kind::test, "any", "AX", Relation::not_negative},
+          {3, "if AX×AO×AX = 0", Kind::test, "", "AX", Relation::zero},
+          {4, "the origin is on AX", Kind::action},
+          {3, "else", Kind::test, "", "AX", Relation::not_zero},
+          {4, "keep [X, A],  d ← AX×AO×AX", Kind::action},
+          {0, "if no AX·AO > 0"},
+          {1, "if AO = 0", Kind::test, "", "A", Relation::zero},
+          {2, "the origin is A", Kind::action},
+          {1, "else", Kind::test, "", "A", Relation::not_zero},
+          {2, "keep [A],  d ← AO", Kind::action},
+          {0, "of a triangle"},
+          {1, "if ABCn·AO = 0", Kind::test, "", "ABC", Relation::zero, 3},
+          {2, "the origin is in ABC", Kind::action},
+          {1, "if ABCn·AO > 0", Kind::test, "", "ABC", Relation::positive, 3},
+          {2, "keep [C, B, A],  d ← ABCn", Kind::action},
+          {1, "if ABCn·AO < 0", Kind::test, "", "ABC", Relation::negative, 3},
+          {2, "keep [C, A, B],  d ← −ABCn", Kind::action},
+          {0, "for each face AXY, O within its edges"},
+          {1, "if AXY_n·AO > 0", Kind::test, "", "AXY", Relation::positive, 4},
+          {2, "keep [Y, X, A],  d ← AXY_n", Kind::action},
+          {0, "else the origin is in ABCD", Kind::test, "", "ABCD"}};
+}
+
+bool is_nearest_feature(int number, RuleSet rules) { return rules == RuleSet::complete && number > 2; }
+
+/// Returns: whether a feature is `form`, in which X and Y stand for B, C or D.
+bool is_of_form(const std::string& feature, const std::string& form) {
+  return std::ranges::equal(feature, form, [](char letter, char each) { return each == letter || each >= 'X'; });
+}
+
+/// Whether a line to which each edge comes would speak of another edge than the one that is asked about.
+bool is_of_earlier_edge(const CodeLine& line, const gjk::RegionTested<double>& region, const Moment& now) {
+  const std::string& last = now.regions.back().feature;
+  return line.feature == "AX" && last.size() == 2 && region.feature != last;
+}
+
 LineKind kind_of(Focus focus, const Moment& now) {
   switch (focus) {
     case Focus::support: return Kind::support;
@@ -133,7 +173,13 @@ const std::vector<CodeLine>& algorithm(int number, RuleSet rules) {
     for (std::size_t i = 0; i < each.size(); ++i) each[i] = algorithm_1_of(gjk::rule_sets[i].value);
     return each;
   }();
-  return number == 1 ? first.at(static_cast<std::size_t>(rules)) : others.at(static_cast<std::size_t>(number - 2));
+  static const std::vector<CodeLine> complete = nearest_feature();
+  if (number == 1) return first.at(static_cast<std::size_t>(rules));
+  return is_nearest_feature(number, rules) ? complete : others.at(static_cast<std::size_t>(number - 2));
+}
+
+std::string name_of_algorithm(int number, RuleSet rules) {
+  return is_nearest_feature(number, rules) ? "Nearest feature" : "Algorithm " + std::to_string(number);
 }
 
 int running_algorithm(const Moment& now, Focus focus) {
@@ -144,11 +190,13 @@ int running_algorithm(const Moment& now, Focus focus) {
 
 const gjk::RegionTested<double>* test_of(const CodeLine& line, const Moment& now) {
   if (line.kind != Kind::test) return nullptr;
-  for (const auto& region : now.regions)
-    if (region.verdict != gjk::Verdict::skipped && region.face == line.face && region.feature == line.feature &&
-        (!line.relation || *line.relation == region.relation))
-      return &region;
-  return nullptr;
+  const auto is_its_own = [&](const gjk::RegionTested<double>& region) {
+    return region.verdict != gjk::Verdict::skipped && (line.face == "any" || region.face == line.face) &&
+           is_of_form(region.feature, line.feature) && (!line.relation || *line.relation == region.relation) &&
+           (line.size == 0 || line.size == region.simplex_size) && !is_of_earlier_edge(line, region, now);
+  };
+  const auto last = std::find_if(now.regions.rbegin(), now.regions.rend(), is_its_own);
+  return last == now.regions.rend() ? nullptr : &*last;
 }
 
 std::optional<std::size_t> current_line(const std::vector<CodeLine>& code, const Moment& now, Focus focus) {

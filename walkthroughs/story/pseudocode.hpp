@@ -18,12 +18,17 @@ struct CodeLine {
   int indent;
   std::string text;  ///< in roles: "if ABn·AO > 0"
   LineKind kind = LineKind::plain;
-  std::string face = {}, feature = {};         ///< of a test
+  /// Of a test. In those of the complete rules X and Y stand for B, C or D, and "any" for each face and none.
+  std::string face = {}, feature = {};
   std::optional<gjk::Relation> relation = {};  ///< of a test that has one line for each outcome
+  int size = 0;                                ///< of the simplex, where the line is about one size
 };
 
-/// Returns: Algorithm 1 to 5, as these rules have it. Requires: 1 <= number <= 5.
+/// Returns: Algorithm 1 to 5, as these rules have it; the complete rules have one text for 3 to 5. Requires: 1 <= number <= 5.
 const std::vector<CodeLine>& algorithm(int number, RuleSet rules);
+
+/// "Algorithm 4"; of the complete rules, which are not the report's, what they do.
+std::string name_of_algorithm(int number, RuleSet rules);
 
 /// Returns: the number of the algorithm that was running when this was the last event, as `focus` tells it.
 int running_algorithm(const Moment& now, Focus focus);

@@ -55,12 +55,14 @@ std::string vector(const Point& value, Dimension dimension) {
 std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 0"; }
 
 std::string compared_with_zero(const gjk::RegionTested<double>& region, double value) {
+  if (region.verdict == gjk::Verdict::rejected && region.relation == gjk::Relation::not_negative) return " < 0";
   if (region.verdict == gjk::Verdict::rejected) return value > 0 ? as_zero(value) : " ≤ 0";
   switch (region.relation) {
     case gjk::Relation::positive: return " > 0";
     case gjk::Relation::negative: return " < 0";
     case gjk::Relation::zero: return as_zero(value);
     case gjk::Relation::not_zero: return " ≠ 0";
+    case gjk::Relation::not_negative: return value < 0 ? as_zero(value) : " ≥ 0";
   }
   return "";
 }

@@ -9,7 +9,7 @@
 ///     first_direction  where the search begins; any length but zero                                    [1, 0, 0], or below
 ///     iteration_limit  1 to 1000                                                                       20
 ///     crossing_test    "on", "off" (Section 3.1.3)                                                     "on"
-///     rules            "as-intended", "as-printed", "eager" (core/rule_sets.hpp)                       "as-intended"
+///     rules            "as-intended", "as-printed", "eager", "complete" (core/rule_sets.hpp)           "as-intended"
 ///     zero_test        "exact", "relative" (core/zero_test.hpp)                                        "exact"
 ///     scalar           "double", "float"; numbers are rounded to the nearest float and computed with    "double"
 ///     panels           those of "objects", "hull", "algorithm", "decision" to show beside the search,   these four

@@ -9,6 +9,7 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/farthest.hpp"
+#include "walkthroughs/trace/trace_nearest.hpp"
 #include "walkthroughs/trace/trace_region.hpp"
 
 namespace walkthroughs {
@@ -183,11 +184,17 @@ void TraceCheck::check(const gjk::VertexAdded<double>& event) {
   simplex_.add(vertex_);
   require_identical(event.simplex, simplex_, "simplex", "the simplex before with the vertex found");
   step_ = {};
+  told_.clear();
   expected_ = {event_index<gjk::RegionTested>};
 }
 
 void TraceCheck::check(const gjk::RegionTested<double>& event) {
-  go_on(step_after(event, simplex_, step_.place, scene_));
+  const bool is_complete = scene_.rules == RuleSet::complete && simplex_.size() > 1;
+  const RuleStep next =
+      step_after(event, simplex_,
+                 is_complete ? complete_rows(told_, simplex_.size()) : rows_at(step_.place, simplex_.size()), scene_);
+  told_.push_back(event);
+  go_on(next);
 }
 
 /// Returns: whether w·d may count as zero, though it may not be zero.

@@ -89,7 +89,8 @@ class TraceCheck {
   std::vector<Point> known_;   ///< each place found so far, once
   std::vector<State> states_;  ///< with which each iteration began
   Simplex simplex_;
-  RuleStep step_;  ///< how far the rule for simplex_ has come, or how it ended
+  std::vector<gjk::RegionTested<double>> told_;  ///< of simplex_ as it is being processed
+  RuleStep step_;                                ///< how far the rule for simplex_ has come, or how it ended
 };
 
 }  // namespace walkthroughs

@@ -12,14 +12,15 @@ using gjk::Relation;
 using gjk::Verdict;
 using Simplex = gjk::Simplex<double>;
 
-/// A number that is none stands in no relation but `not zero` and, after "zero" and "positive" did not hold either,
-/// `negative`: so does the last `else` of Algorithm 4.
+/// A number that is none stands in no relation but `not zero`, `not negative` and, after "zero" and "positive" did not hold
+/// either, `negative`: so does the last `else` of Algorithm 4.
 bool stands(double value, Relation relation) {
   switch (relation) {
     case Relation::positive: return value > 0;
     case Relation::negative: return !(value >= 0);
     case Relation::zero: return value == 0;
     case Relation::not_zero: return value != 0;
+    case Relation::not_negative: return !(value < 0);
   }
   return false;
 }
@@ -28,12 +29,11 @@ bool stands(const Point& value, Relation relation) {
   return gjk::is_zero(value) ? relation == Relation::zero : relation == Relation::not_zero;
 }
 
-/// Returns: the row of the rule that the event's feature and relation choose.
-const RuleRow& row_of(const gjk::RegionTested<double>& event, const Simplex& simplex, int place) {
+/// Returns: the row that the event's feature and relation choose.
+const RuleRow& row_of(const gjk::RegionTested<double>& event, const std::vector<RuleRow>& rows) {
   const RuleRow* row = nullptr;
   bool is_feature = false;
-  for (const RuleRow& each : rule_for(simplex.size())) {
-    if (each.place != place) continue;
+  for (const RuleRow& each : rows) {
     is_feature = event.feature == each.feature && event.face == each.face;
     if (!row || each.relation == event.relation) row = &each;
   }
@@ -90,28 +90,29 @@ bool counts_as_zero(const gjk::RegionTested<double>& event, const Simplex& simpl
 void check_verdict(const gjk::RegionTested<double>& event, const Simplex& simplex, const Scene& scene) {
   const bool has_value = !std::holds_alternative<std::monostate>(event.value);
   if (!has_value || event.verdict == Verdict::skipped) return;
-  const bool is_chosen = event.verdict == Verdict::chosen;
+  const bool is_yes = event.verdict != Verdict::rejected;
   const double* value = std::get_if<double>(&event.value);
   const bool holds = value ? stands(*value, event.relation) : stands(std::get<Point>(event.value), event.relation);
-  const bool is_as_zero = counts_as_zero(event, simplex, scene) && stands(0.0, event.relation) == is_chosen;
-  require(is_as_zero || holds == is_chosen, "'verdict' is " + in_quotes(words_of::of(event.verdict)) +
-                                                ", but 'value' is " + written(event.value) + " and " +
-                                                (holds ? "stands" : "does not stand") + " in the relation " +
-                                                in_quotes(words_of::of(event.relation)));
+  const bool is_as_zero = counts_as_zero(event, simplex, scene) && stands(0.0, event.relation) == is_yes;
+  require(is_as_zero || holds == is_yes, "'verdict' is " + in_quotes(words_of::of(event.verdict)) +
+                                             ", but 'value' is " + written(event.value) + " and " +
+                                             (holds ? "stands" : "does not stand") + " in the relation " +
+                                             in_quotes(words_of::of(event.relation)));
 }
 
 }  // namespace
 
-const RuleStep& step_after(const gjk::RegionTested<double>& event, const Simplex& simplex, int place,
-                           const Scene& scene) {
+RuleStep step_after(const gjk::RegionTested<double>& event, const Simplex& simplex, const std::vector<RuleRow>& rows,
+                    const Scene& scene) {
   require(event.simplex_size == simplex.size(), "'simplex_size' is " + std::to_string(event.simplex_size) +
                                                     ", but the simplex has " + std::to_string(simplex.size()) +
                                                     " vertices");
-  const RuleRow& row = row_of(event, simplex, place);
+  const RuleRow& row = row_of(event, rows);
   check_value(event, simplex, scene);
   check_verdict(event, simplex, scene);
   const std::optional<RuleStep>& step = event.verdict == Verdict::chosen     ? row.chosen
                                         : event.verdict == Verdict::rejected ? row.rejected
+                                        : event.verdict == Verdict::possible ? row.possible
                                                                              : row.skipped;
   require(step.has_value(), "'verdict' is " + in_quotes(words_of::of(event.verdict)) +
                                 ", which is not possible for the feature " + in_quotes(row.feature) + " here");

@@ -6,8 +6,8 @@
 
 namespace walkthroughs {
 
-/// Returns: what follows from the event's verdict. `place`: in the rule for `simplex`. Errors: Contradiction.
-const RuleStep& step_after(const gjk::RegionTested<double>& event, const gjk::Simplex<double>& simplex, int place,
-                           const Scene& scene);
+/// Returns: what follows from the event's verdict. `rows`: what may be told of `simplex` now. Errors: Contradiction.
+RuleStep step_after(const gjk::RegionTested<double>& event, const gjk::Simplex<double>& simplex,
+                    const std::vector<RuleRow>& rows, const Scene& scene);
 
 }  // namespace walkthroughs

@@ -1,6 +1,7 @@
 #include "walkthroughs/trace/trace_rules.hpp"
 
 #include <array>
+#include <span>
 
 namespace walkthroughs {
 namespace {
@@ -84,8 +85,6 @@ constexpr std::array algorithm_5{
     sees(16, {"AB", "", "ABn·AO", "ADBn×AB", "ADB"}, keep("BA", "AB×AO×AB"), look_at(17)),
     sees(17, {"AD", "", "ADn·AO", "AD×ADBn", "ADB"}, keep("DA", "AD×AO×AD"), keep("BDA", "ADBn"))};
 
-}  // namespace
-
 std::span<const RuleRow> rule_for(int size) {
   switch (size) {
     case 1: return algorithm_2;
@@ -93,6 +92,15 @@ std::span<const RuleRow> rule_for(int size) {
     case 3: return algorithm_4;
     default: return algorithm_5;
   }
+}
+
+}  // namespace
+
+std::vector<RuleRow> rows_at(int place, int size) {
+  std::vector<RuleRow> rows;
+  for (const RuleRow& row : rule_for(size))
+    if (row.place == place) rows.push_back(row);
+  return rows;
 }
 
 }  // namespace walkthroughs

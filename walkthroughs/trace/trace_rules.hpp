@@ -5,8 +5,8 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/events.hpp"
 
@@ -22,13 +22,13 @@ struct RuleStep {
 
 /// One thing that may be told at a place of a rule. Rows of one place differ in their relation.
 struct RuleRow {
-  int place;
+  int place = 0;
   std::string_view feature, label = {}, face = {}, expression = {}, formula = {};
   gjk::Relation relation = gjk::Relation::positive;
-  std::optional<RuleStep> chosen = {}, rejected = {}, skipped = {};  ///< empty: a verdict that is not possible here
+  std::optional<RuleStep> chosen = {}, rejected = {}, skipped = {}, possible = {};  ///< empty: not to be said here
 };
 
-/// Returns: the rows for a simplex of that size, in order. Requires: 1 <= size <= 4.
-std::span<const RuleRow> rule_for(int size);
+/// Returns: the rows at that place for a simplex of that size. Requires: 1 <= size <= 4.
+std::vector<RuleRow> rows_at(int place, int size);
 
 }  // namespace walkthroughs

@@ -93,7 +93,8 @@ Moment after(const Told& told, int iteration) {
 }
 
 Picture difference(const Subject& subject, const Moment& now, Focus focus) {
-  return {subject, now, focus, bounds_of_difference(subject.telling, subject.stage, subject.stage.lens), draw_difference};
+  return {subject, now, focus, bounds_of_difference(subject.telling, subject.stage, subject.stage.lens),
+          draw_difference};
 }
 
 Picture objects(const Subject& subject, const Moment& now, Focus focus) {

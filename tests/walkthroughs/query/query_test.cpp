@@ -122,7 +122,11 @@ gjk::Result<S> called(const A& a, const B& b, const gjk::Vec3<S>& between, const
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
   if (query.rules == RuleSet::eager && !gjk::is_zero(between)) options.first_direction = between;
-  if (query.zero_test == ZeroTest::relative)
+  const bool is_relative = query.zero_test == ZeroTest::relative;
+  if (query.rules == RuleSet::complete)
+    return is_relative ? gjk::collision<S, gjk::Complete<gjk::RelativeZeroTest>>(a, b, options)
+                       : gjk::collision<S, gjk::Complete<>>(a, b, options);
+  if (is_relative)
     return query.rules == RuleSet::as_printed ? gjk::collision<S, gjk::Printed<gjk::RelativeZeroTest>>(a, b, options)
            : query.rules == RuleSet::eager    ? gjk::collision<S, gjk::Eager<gjk::RelativeZeroTest>>(a, b, options)
                                               : gjk::collision<S, gjk::Intended<gjk::RelativeZeroTest>>(a, b, options);

@@ -48,6 +48,17 @@ std::string listed(const std::string& roles) {
   return "[" + list + "]";
 }
 
+/// Returns: the text with X and Y of the complete rules replaced by the letters of what is kept, "CBA" being [Y, X, A].
+std::string with_letters(std::string text, const std::string& kept) {
+  const bool is_face = text.find('Y') != std::string::npos;
+  for (char& c : text) {
+    if (c == 'Y') c = kept[0];
+    if (c == 'X') c = kept[is_face ? 1 : 0];
+  }
+  std::erase(text, '_');
+  return text;
+}
+
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
@@ -73,13 +84,16 @@ TEST_CASE("A line whose test was not made has no value and neither has one that 
       shown += test_of(line, now) ? 1 : 0;
       CHECK((line.kind == LineKind::test || !test_of(line, now)));
     }
-    CHECK(shown == made);
+    if (rules == RuleSet::complete)  // one line for several edges
+      CHECK((shown > 0) == (made > 0));
+    else
+      CHECK(shown == made);
   });
 }
 
 TEST_CASE("The line after the tests says which vertices are kept and in which order") {
   after_each<gjk::SimplexReduced>([](const gjk::SimplexReduced<double>& event, const Moment& now, RuleSet rules) {
-    const std::string text = line_at(now, Focus::reduction, rules).text;
+    const std::string text = with_letters(line_at(now, Focus::reduction, rules).text, event.kept);
     INFO(text);
     CHECK(has(text, "keep " + listed(event.kept) + ","));
   });
@@ -90,7 +104,8 @@ TEST_CASE("The line after the tests says which direction is chosen") {
     const CodeLine line = line_at(now, Focus::direction, rules);
     INFO(line.text << " for " << event.expression);
     const bool in_two_steps = event.expression == "AB×AO×AB" && line.text.ends_with("d ← v");  // Algorithm 3 tests it
-    CHECK((line.text.ends_with("d ← " + event.expression) || in_two_steps));
+    const std::string text = with_letters(line.text, now.reduction ? now.reduction->kept : "BA");
+    CHECK((text.ends_with("d ← " + event.expression) || in_two_steps));
   });
 }
 

@@ -205,7 +205,8 @@ TEST_CASE("Comments, a byte order mark and lines that end in CR LF are read", "[
 }
 
 TEST_CASE("Reading a scene computes nothing, and running it asks each object once an iteration", "[scene-file]") {
-  for (const char* rules : {"\"rules\": \"as-intended\"", "\"rules\": \"as-printed\"", "\"rules\": \"eager\""}) {
+  for (const char* rules :
+       {"\"rules\": \"as-intended\"", "\"rules\": \"as-printed\"", "\"rules\": \"eager\"", "\"rules\": \"complete\""}) {
     const Scene scene = scene_of(scene_text(corner, ball, rules));
     CHECK(scene.a.support_calls == 0);
     CHECK(scene.b.support_calls == 0);

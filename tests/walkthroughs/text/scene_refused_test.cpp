@@ -173,7 +173,8 @@ TEST_CASE("A value of the wrong type is turned away: what was expected and what 
   check_rest(R"("title": ["x"])", "4: title", {"expected a string, found a list"});
   check_rest(R"("dimension": "2")", "4: dimension", {"expected a whole number from 2 to 3, found a string"});
   check_rest(R"("first_direction": {})", "4: first_direction", {"expected a point [x, y, z], found an object"});
-  check_rest(R"("rules": true)", "4: rules", {"expected 'as-intended', 'as-printed' or 'eager', found true or false"});
+  check_rest(R"("rules": true)", "4: rules",
+             {"expected 'as-intended', 'as-printed', 'eager' or 'complete', found true or false"});
   check_rest(R"("panels": "hull")", "4: panels", {"expected a list", "found a string"});
   check_rest(R"("size": 1280)", "4: size", {"expected \"1280x720\" or [1280, 720]", "found a number"});
 }

@@ -43,7 +43,11 @@ void check_query_agrees(const RandomSceneFile& file, const OrderedJson& written)
   const OrderedJson pair{{"a", written["a"]}, {"b", written["b"]}, {"dimension", written.value("dimension", 3)}};
   std::string answer;
   REQUIRE(answer_line(pair.dump(), 1, options, answer));
-  CHECK(answer_in(OrderedJson::parse(answer)) == answer_in(json_lines(trace_text(walkthrough)).back()));
+  const OrderedJson said = OrderedJson::parse(answer), told = json_lines(trace_text(walkthrough)).back();
+  if (told.value("reason", "") == "cycle")  // which is noticed later, if at all within the limit, where nobody listens
+    CHECK(said.value("status", "") == "undecided");
+  else
+    CHECK(answer_in(said) == answer_in(told));
 }
 
 /// Returns: a scene file of a cylinder and a sum with it, all lengths multiplied.

@@ -105,8 +105,8 @@ struct CheckLine {
     check_same(json.at("simplex"), e.simplex);
   }
   void operator()(const gjk::RegionTested<double>& e) const {
-    const char* const relations[] = {"> 0", "< 0", "= 0", "!= 0"};
-    const char* const verdicts[] = {"chosen", "rejected", "skipped"};
+    const char* const relations[] = {"> 0", "< 0", "= 0", "!= 0", ">= 0"};
+    const char* const verdicts[] = {"chosen", "rejected", "skipped", "possible"};
     const bool computed = !std::holds_alternative<std::monostate>(e.value);
     CHECK(json.at("event") == "region-tested");
     CHECK(json.at("simplex_size") == e.simplex_size);
@@ -180,6 +180,7 @@ Object object(const Json& json) {
 
 RuleSet rules(const std::string& name) {
   if (name == "eager") return RuleSet::eager;
+  if (name == "complete") return RuleSet::complete;
   return name == "as-printed" ? RuleSet::as_printed : RuleSet::as_intended;
 }
 
@@ -264,8 +265,9 @@ TEST_CASE("The verdict on a region follows from value and relation") {
       const bool holds = relation == "= 0"    ? zero
                          : relation == "!= 0" ? !zero
                          : relation == "> 0"  ? value > 0.0
+                         : relation == ">= 0" ? value >= 0.0
                                               : relation == "< 0" && value < 0.0;
-      CHECK(line.at("verdict") == (holds ? "chosen" : "rejected"));
+      CHECK((line.at("verdict") == "rejected") == !holds);
       ++(holds ? chosen : rejected);
     }
   }

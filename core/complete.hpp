@@ -1,0 +1,171 @@
+/// Rules that skip nothing because of history but what one step proves: the simplex is reduced to its feature nearest to the
+/// origin. What the report's rules save is what these ask beyond them; and these cannot go round in a circle, but for rounding.
+#pragma once
+
+#include <array>
+
+#include "nearest.hpp"
+#include "rules.hpp"
+
+namespace gjk {
+
+namespace detail {
+
+/// AP×AQ of the face APQ.
+auto normal_of(const auto& step, Face face) {
+  constexpr const char* names[] = {"ABCn", "ACDn", "ADBn"};
+  const FaceRoles roles = roles_of(face);
+  return step.edge(roles.P).cross(step.edge(roles.Q)).named(names[static_cast<int>(face)]);
+}
+
+constexpr Face face_with(Role X, Role Y) {
+  const auto is = [=](Role one, Role other) { return (X == one && Y == other) || (X == other && Y == one); };
+  return is(Role::B, Role::C) ? Face::ABC : is(Role::C, Role::D) ? Face::ACD : Face::ADB;
+}
+
+/// What nearest_with_A() wants to know of a simplex, in numbers of S; each answer is computed and told once.
+///
+/// Requires of triangles and tetrahedra: their normals point away from what is left behind (P4, P5 of gjk.hpp), which the
+/// orders of the report's rules take care of.
+template <class Step>
+class Nearness {
+ public:
+  explicit Nearness(const Step& step) : step_(step) {}
+
+  /// AX·AO > 0: the origin lies beyond the plane through A across AX, on the side of X.
+  bool is_toward(Role X) const {
+    const auto AX = step_.edge(X);
+    const auto AX_AO = AX.dot(step_.AO());
+    const bool toward = AX_AO.is_positive();
+    toward_[index(X)] = toward;
+    step_.tell_question({.feature = name_of_edge(X)}, AX_AO, Relation::positive, toward, false,
+                        toward ? "along this edge it is nearer to the origin than at A"
+                               : "along this edge it is no nearer to the origin than at A");
+    return toward;
+  }
+
+  /// AXn·AO >= 0, AXn being the normal of the edge AX in the plane of AX and AY.
+  bool is_beyond(Role X, Role Y) const {
+    std::optional<bool>& known = beyond_[index(X)][index(Y)];
+    if (known) return *known;
+    const auto AX = step_.edge(X);
+    const auto APQn = normal_of(step_, face_with(X, Y));
+    const bool is_first = X == roles_of(face_with(X, Y)).P;
+    return *(known = tell_beyond(X, Y, (is_first ? AX.cross(APQn) : APQn.cross(AX)).as_normal_of(AX)));
+  }
+
+  /// APQn·AO > 0, X, Y being P, Q.
+  bool is_above(Role X, Role Y, Role) const {
+    const Face face = face_with(X, Y);
+    const auto APQn_AO = normal_of(step_, face).dot(step_.AO());
+    const bool above = APQn_AO.is_positive();
+    step_.tell_question(
+        {.feature = roles_of(face).name}, APQn_AO, Relation::positive, above, true,
+        above ? "the origin lies above this face and within its edges" : "the origin does not lie above this face");
+    return above;
+  }
+
+ private:
+  static std::size_t index(Role X) { return static_cast<std::size_t>(X); }
+
+  bool tell_beyond(Role X, Role Y, const auto& AXn) const {
+    const auto AXn_AO = AXn.dot(step_.AO());
+    const bool beyond = !AXn_AO.is_negative();
+    const bool in_space = step_.size() == 4;
+    const std::string_view label = in_space ? "" : X == Role::B ? "R3" : "R7";
+    step_.tell_question(
+        {.feature = name_of_edge(X),
+         .label = label,
+         .face = in_space ? roles_of(face_with(X, Y)).name : std::string_view()},
+        AXn_AO, Relation::not_negative, beyond, is_settled(X, Y),
+        beyond ? "in this plane the origin lies beyond the edge" : "in this plane the origin lies within the edge");
+    return beyond;
+  }
+
+  /// Returns: whether nothing else is to be asked of the edge AX, once the origin is beyond it in the plane of AX and AY.
+  bool is_settled(Role X, Role Y) const {
+    if (!toward_[index(X)]) return false;
+    for (const Role Z : {Role::B, Role::C, Role::D})
+      if (Z != X && Z != Y && static_cast<int>(Z) < step_.size() && beyond_[index(X)][index(Z)] != true) return false;
+    return true;
+  }
+
+  const Step& step_;
+  mutable std::array<bool, 4> toward_{};
+  mutable std::array<std::array<std::optional<bool>, 4>, 4> beyond_{};
+};
+
+}  // namespace detail
+
+/// All regions in which the point nearest to the origin can be, A's among them; see nearest.hpp for those that need no test.
+/// In exact numbers each step brings the simplex nearer to the origin, so that none comes back and the search ends.
+template <class ZeroTest = ExactZeroTest>
+struct Complete : Intended<ZeroTest> {
+  template <class Rules, class S, class Obs>
+  static Next<S> process_1simplex(detail::Step<Rules, S, Obs> step) {
+    step.skip({.feature = "B", .label = "R1"}, nearer_with_A);
+    return keep_nearest(step);
+  }
+
+  template <class Rules, class S, class Obs>
+  static Next<S> process_2simplex(detail::Step<Rules, S, Obs> step) {
+    step.skip({.feature = "B", .label = "R4"}, nearer_with_A);
+    step.skip({.feature = "BC", .label = "R5"}, nearer_with_A);
+    step.skip({.feature = "C", .label = "R6"}, nearer_with_A);
+    return keep_nearest(step);
+  }
+
+  template <class Rules, class S, class Obs>
+  static Next<S> process_3simplex(detail::Step<Rules, S, Obs> step) {
+    for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB", "BCD"})
+      step.skip({.feature = feature}, nearer_with_A);
+    return keep_nearest(step);
+  }
+
+ private:
+  static constexpr std::string_view nearer_with_A = "the move to A brought the simplex nearer to the origin";
+
+  template <class Rules, class S, class Obs>
+  static Next<S> keep_nearest(const detail::Step<Rules, S, Obs>& step) {
+    const Order kept = detail::nearest_with_A(detail::Nearness(step), step.size());
+    const auto roles = static_cast<int>(kept.end() - kept.begin());
+    if (roles == 1) return keep_A(step);
+    if (roles == 2) return keep_edge(step, *kept.begin());
+    if (roles == 4) return step.lies_inside(), step.contains_origin();
+    return step.size() == 3 ? keep_triangle(step) : keep_face(step, *kept.begin(), *(kept.begin() + 1));
+  }
+
+  static auto keep_A(const auto& step) {
+    const auto AO = step.AO();
+    if (step.is_zero({.feature = "A", .label = step.size() == 4 ? "" : "R2"}, AO)) return step.contains_origin();
+    return step.keep({{Role::A}, "the point nearest to the origin is A"}, AO);
+  }
+
+  static auto keep_edge(const auto& step, Role X) {
+    const auto AX = step.edge(X);
+    const auto direction = detail::triple(AX, step.AO());
+    const bool is_segment = step.size() == 2;
+    if (is_segment ? step.is_on_segment(direction) : step.is_zero({.feature = detail::name_of_edge(X)}, direction))
+      return step.contains_origin();
+    if (is_segment) return step.keep_all(direction);
+    return step.keep({{X, Role::A}, "the point nearest to the origin lies on this edge; A stays the newest"},
+                     direction);
+  }
+
+  static auto keep_triangle(const auto& step) {
+    const auto ABCn = detail::normal_of(step, Face::ABC);
+    switch (step.side_of_triangle(ABCn.dot(step.AO()))) {
+      case Side::in_plane: return step.contains_origin();
+      case Side::above: return step.keep_all(ABCn);
+      case Side::below: break;
+    }
+    return step.keep(Complete::kept_below_triangle(), -ABCn);
+  }
+
+  static auto keep_face(const auto& step, Role Q, Role P) {
+    const Face face = detail::face_with(P, Q);
+    return step.keep(Complete::kept_above(face), detail::normal_of(step, face));
+  }
+};
+
+}  // namespace gjk
