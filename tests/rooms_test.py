@@ -26,6 +26,8 @@ floors = [
     ["tests/study/report"],
     ["tests/study/claims"],
     ["tests/study/symmetries"],
+    ["tests/study/corpus"],
+    ["tests/study/judge"],
     ["tests/study/program"],
     ["tests/study"],
     ["tests/golden", "tests/bench", "tests/fuzz", "tests"],

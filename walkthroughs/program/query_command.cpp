@@ -34,7 +34,8 @@ constexpr const char* footer =
   {"sum": [SHAPE, SHAPE]}, two of these four: all points x + y
 with a "pose" and a "name" if you like; exact takes points and their sums only. Eager rules and --start between search
 first from the center of a, for points their mean, to that of b; the others along +x. A number is read as the nearest
-double and then converted. A line may have 16 MiB, and end in CR LF.
+double and then converted. A line may have 16 MiB, and end in CR LF. What it says of the pair as a whole, "name", "family",
+"answer", "notes" and "source", is not looked at.
 Standard output: one line for each, in the same order,
   {"status": "intersecting", "separated" or "undecided", "iterations": n, "reason": "...", "evidence": {...}}
 Evidence: where separated, a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0; else the

@@ -17,6 +17,12 @@ Numbers numbers_of(QueryScalar scalar) {
   return Numbers::doubles;
 }
 
+/// Beside these a line may say what the pair is called, where it comes from and how it is answered: nobody looks at that.
+const Keys& keys_of_line() {
+  static const Keys keys{"a", "b", "dimension", "name", "family", "answer", "notes", "source"};
+  return keys;
+}
+
 /// What is proven needs no room for squares.
 Magnitudes magnitudes_of(QueryEvidence evidence) {
   return evidence == QueryEvidence::of_the_search ? Magnitudes::with_finite_squares : Magnitudes::all;
@@ -29,7 +35,7 @@ PairAsWritten read_pair(std::string_view line, const QueryOptions& query) {
     throw DocumentError(1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out");
   const Document document = Document::of_line(line);
   const Value root = document.root();
-  expect_object(root, {"a", "b", "dimension"}, "an object { ... } with 'a' and 'b'");
+  expect_object(root, keys_of_line(), "an object { ... } with 'a' and 'b'");
   const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(query.scalar),
                     magnitudes_of(query.evidence)};
   ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);

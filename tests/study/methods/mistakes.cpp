@@ -26,15 +26,20 @@ class Noting {
 };
 
 template <class Rules>
-Run ask(const Set& a, const Set& b) {
+Run ask(const Vec3& first_direction, const Set& a, const Set& b) {
   const Noting noting(a);
-  const auto result = gjk::collision<double, Rules>(noting, b);
+  const auto result =
+      gjk::collision<double, Rules>(noting, b, gjk::Options<double>{.first_direction = first_direction});
   return {result.status, result.iterations, noting.way()};
 }
 
 }  // namespace
 
-Run ask_faithfully(const Set& a, const Set& b) { return ask<gjk::AsIntended>(a, b); }
+Run Mistake::ask(const Set& a, const Set& b) const { return ask_from(usual_first_direction, a, b); }
+
+Run ask_faithfully(const Set& a, const Set& b, const Vec3& first_direction) {
+  return study::ask<gjk::AsIntended>(first_direction, a, b);
+}
 
 const std::vector<Mistake>& mistakes() {
   using namespace mistake;

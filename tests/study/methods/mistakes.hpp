@@ -20,11 +20,18 @@ struct Run {
 struct Mistake {
   std::string name;     ///< "the order is not changed when moving below the triangle"
   std::string section;  ///< of the report, where it says how it is done
-  Run (*ask)(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b);
+  Run (*ask_from)(const gjk::Vec3<double>& first_direction, const gjk::PointSet<double>& a,
+                  const gjk::PointSet<double>& b);
+
+  Run ask(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b) const;
 };
 
+/// Where searches begin unless somebody says otherwise.
+inline const gjk::Vec3<double> usual_first_direction = gjk::Options<double>{}.first_direction;
+
 /// Returns: the report's algorithm, without a mistake.
-Run ask_faithfully(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b);
+Run ask_faithfully(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b,
+                   const gjk::Vec3<double>& first_direction = usual_first_direction);
 
 /// Returns: all of them, in the report's order.
 const std::vector<Mistake>& mistakes();

@@ -146,11 +146,13 @@ void Commands::add_to(CLI::App& app) {
   symmetries_.add_to(*app.add_subcommand(
       "symmetries",
       "ask for certified answers again after what must not change them; Markdown on the standard output"));
+  pairs_.add_to(*app.add_subcommand("pairs", "write pairs with their exact answers, a JSON line each"));
   app.add_subcommand("list", "families and settings");
   all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
           {app.get_subcommand("merge"), [this] { merge_.run(); }},
           {app.get_subcommand("claims"), [this] { claims_.run(); }},
           {app.get_subcommand("symmetries"), [this] { symmetries_.run(); }},
+          {app.get_subcommand("pairs"), [this] { pairs_.run(); }},
           {app.get_subcommand("list"), list}};
 }
 

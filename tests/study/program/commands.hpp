@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/study/program/claims_command.hpp"
+#include "tests/study/program/pairs_command.hpp"
 #include "tests/study/program/symmetries_command.hpp"
 #include "tests/study/sweep/plan.hpp"
 
@@ -53,6 +54,7 @@ class Commands {
   MergeCommand merge_;
   ClaimsCommand claims_;
   SymmetriesCommand symmetries_;
+  PairsCommand pairs_;
   std::vector<std::pair<const CLI::App*, std::function<void()>>> all_;
 };
 

@@ -270,6 +270,28 @@ TEST_CASE("study: failures are saved as scenes", "[program]") {
   CHECK(std::filesystem::exists(folder.path() / "f" / "cycles-as-intended-double-exact-undecided-0.json"));
 }
 
+TEST_CASE("study: pairs are written with their answers, those of a seed always the same", "[program]") {
+  const Outcome outcome = run("pairs --families boxes,grid-segments,spheres --count 3 --seed 9");
+  CHECK(outcome.exit_code == 0);
+  const std::vector<std::string> all = lines(outcome.out);
+  REQUIRE(all.size() == 9);
+  CHECK(all[0].starts_with(R"({"name":"boxes-0","family":"boxes","a":{"points":[[)"));
+  CHECK(all[8].starts_with(R"({"name":"spheres-2","family":"spheres","a":{"sphere":{)"));
+  for (const std::string& line : all) CHECK(has(line, R"(},"answer":{"status":")"));
+  CHECK(run("pairs --families boxes,grid-segments,spheres --count 3 --seed 9 --families boxes").out == outcome.out);
+  CHECK(run("pairs --families boxes,grid-segments,spheres --count 3 --seed 10").out != outcome.out);
+  CHECK(lines(run("pairs --families cycles --count 100").out).size() == 48);  // all that there are
+}
+
+TEST_CASE("study: pairs that there are not are wrong usage, and a reader who leaves is told", "[program]") {
+  check_failure("pairs --families boxs", 2, {"there is no family 'boxs'; did you mean 'boxes'?"});
+  check_failure("pairs --corpus --count 3", 2, {"--corpus"});
+  check_failure("pairs --count 0", 2, {"expected a whole number from 1 to "});
+  const Outcome outcome = run("pairs --families boxes", "", {.out = "/dev/full", .err = ""});
+  CHECK(outcome.exit_code == 5);
+  CHECK(has(outcome.err, "cannot write to standard output"));
+}
+
 TEST_CASE("study: families and settings are listed", "[program]") {
   const Outcome outcome = run("list");
   CHECK(outcome.exit_code == 0);

@@ -90,12 +90,8 @@ std::vector<const Method*> chosen_methods(const Request& request) {
 }
 
 std::vector<Part> parts_of(const Request& request) {
-  std::vector<std::string> known;
-  for (const Family& family : families()) known.push_back(family.name);
-  expect_known(request.families, known, "family");
   std::vector<Part> parts;
-  for (const Family& family : families())
-    if (is_chosen(request.families, family.name)) parts.push_back(part_of(family, request));
+  for (const Family* const family : families_called(request.families)) parts.push_back(part_of(*family, request));
   return parts;
 }
 
@@ -168,6 +164,16 @@ double seconds_of(const Plan& plan, const std::vector<const Method*>& methods, c
 }
 
 }  // namespace
+
+std::vector<const Family*> families_called(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const Family& family : families()) known.push_back(family.name);
+  expect_known(names, known, "family");
+  std::vector<const Family*> chosen;
+  for (const Family& family : families())
+    if (is_chosen(names, family.name)) chosen.push_back(&family);
+  return chosen;
+}
 
 Plan plan_of(const Request& request) {
   Plan plan;

@@ -28,6 +28,9 @@ struct Request {
   std::vector<int> limits = {};
 };
 
+/// Returns: those families, in the order of the tables; all where no name is given. Errors: UsageError.
+std::vector<const Family*> families_called(const std::vector<std::string>& names);
+
 /// Returns: what to sweep, as one shard and in one thread. Errors: UsageError.
 Plan plan_of(const Request& request);
 

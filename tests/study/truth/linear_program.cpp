@@ -99,6 +99,23 @@ std::optional<RationalVec> combined(const std::vector<Weight>& weights, const Po
   return sum;
 }
 
+// -- Other programs of the same kind ----------------------------------------------------------------------------------
+
+/// Returns: whether weights >= 0 of the columns make the right side. By Bland's rule, which is exact.
+bool is_feasible(const std::vector<std::vector<Number>>& all, const std::vector<Number>& right_sides) {
+  std::vector<std::vector<Number>::const_iterator> first_rows;
+  for (const auto& column : all) first_rows.push_back(column.begin());
+  const auto program = CGAL::make_nonnegative_linear_program_from_iterators(
+      static_cast<int>(all.size()), static_cast<int>(right_sides.size()), first_rows.begin(), right_sides.begin(),
+      CGAL::Const_oneset_iterator<CGAL::Comparison_result>(CGAL::EQUAL),
+      CGAL::Const_oneset_iterator<Number>(Number(0)));
+  CGAL::Quadratic_program_options options;
+  options.set_pricing_strategy(CGAL::QP_BLAND);
+  return !CGAL::solve_nonnegative_linear_program(program, Number(), options).is_infeasible();
+}
+
+Number number(const boost::multiprecision::mpz_int& whole) { return Number(CGAL::Gmpz(whole.backend().data())); }
+
 void require_points(const Points& points) {
   if (points.empty()) throw std::invalid_argument("the oracle needs at least one point in each set");
   for (const Vec& p : points)
@@ -132,6 +149,39 @@ Certificate certificate(const Points& a, const Points& b) {
 
 Truth truth_by_linear_program(const Points& a, const Points& b) {
   return std::holds_alternative<CommonPoint>(certificate(a, b)) ? Truth::intersecting : Truth::separated;
+}
+
+/// Σ λ_i (q a_i) = q·point and Σ λ_i = 1, times the common denominator q of the point.
+bool hull_contains(const Points& points, const RationalVec& point) {
+  require_points(points);
+  boost::multiprecision::mpz_int q = 1;
+  for (const Rational& x : point) q = lcm(q, boost::multiprecision::mpz_int(denominator(x)));
+  std::vector<std::vector<Number>> all;
+  for (const Vec& p : points) {
+    std::vector<Number> column;
+    for (const double x : p) column.push_back(number(q) * Number(x));
+    column.emplace_back(1);
+    all.push_back(std::move(column));
+  }
+  std::vector<Number> right_sides;
+  for (const Rational& x : point)
+    right_sides.push_back(number(boost::multiprecision::mpz_int(numerator(Rational(x * Rational(q))))));
+  right_sides.emplace_back(1);
+  return is_feasible(all, right_sides);
+}
+
+/// Some multiple of A - B has t inside, for each corner t of a tetrahedron about the origin: Σ α_i a_i - Σ β_j b_j = t,
+/// Σ α_i = Σ β_j.
+bool hulls_only_touch(const Points& a, const Points& b) {
+  require_points(a);
+  require_points(b);
+  std::vector<std::vector<Number>> all;
+  for (const Vec& p : a) all.push_back({Number(p[0]), Number(p[1]), Number(p[2]), Number(1)});
+  for (const Vec& p : b) all.push_back({-Number(p[0]), -Number(p[1]), -Number(p[2]), Number(-1)});
+  constexpr std::array<std::array<int, 3>, 4> corners{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+  return !std::ranges::all_of(corners, [&](const std::array<int, 3>& t) {
+    return is_feasible(all, {Number(t[0]), Number(t[1]), Number(t[2]), Number(0)});
+  });
 }
 
 }  // namespace study

@@ -50,4 +50,11 @@ Certificate certificate(const Points& a, const Points& b);
 /// Returns: what the certificate proves. Errors: the same.
 Truth truth_by_linear_program(const Points& a, const Points& b);
 
+/// Returns: whether the hull holds the point. Errors: std::invalid_argument as above.
+bool hull_contains(const Points& points, const RationalVec& point);
+
+/// Returns: whether two hulls that meet would no longer do so, if one of them were moved in some direction, by however
+/// little: the origin is not inside their difference. Requires: they meet. Errors: std::invalid_argument as above.
+bool hulls_only_touch(const Points& a, const Points& b);
+
 }  // namespace study

@@ -340,6 +340,13 @@ TEST_CASE(
   CHECK(has(answer(R"({"dimension":4,"a":{},"b":{}})")["error"].get<std::string>(), "whole number from 2 to 3"));
 }
 
+TEST_CASE("What a line says of the pair as a whole, its name and its answer among it, is not looked at") {
+  const std::string pair = R"("a":{"points":[[0,0,0]]},"b":{"points":[[1,0,0]]})";
+  CHECK(answer(R"({"name":"x","family":7,"answer":{"status":"intersecting"},"notes":["touching"],"source":"y",)" + pair +
+               "}") == answer("{" + pair + "}"));
+  CHECK(has(answer(R"({"nome":"x",)" + pair + "}")["error"].get<std::string>(), "nome"));
+}
+
 TEST_CASE("Two unit spheres ten apart meet as Algorithm 1 is printed and not as it is meant") {
   const std::string line = pair_of(ball, ball_ten_away);
   CHECK(answer(line, {.rules = RuleSet::as_intended})["status"] == "separated");
