@@ -147,12 +147,15 @@ void Commands::add_to(CLI::App& app) {
       "symmetries",
       "ask for certified answers again after what must not change them; Markdown on the standard output"));
   pairs_.add_to(*app.add_subcommand("pairs", "write pairs with their exact answers, a JSON line each"));
+  judge_.add_to(
+      *app.add_subcommand("judge", "is a program right? Asks it about pairs, and tells which mistake it may have"));
   app.add_subcommand("list", "families and settings");
   all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
           {app.get_subcommand("merge"), [this] { merge_.run(); }},
           {app.get_subcommand("claims"), [this] { claims_.run(); }},
           {app.get_subcommand("symmetries"), [this] { symmetries_.run(); }},
           {app.get_subcommand("pairs"), [this] { pairs_.run(); }},
+          {app.get_subcommand("judge"), [this] { judge_.run(); }},
           {app.get_subcommand("list"), list}};
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/study/program/claims_command.hpp"
+#include "tests/study/program/judge_command.hpp"
 #include "tests/study/program/pairs_command.hpp"
 #include "tests/study/program/symmetries_command.hpp"
 #include "tests/study/sweep/plan.hpp"
@@ -55,6 +56,7 @@ class Commands {
   ClaimsCommand claims_;
   SymmetriesCommand symmetries_;
   PairsCommand pairs_;
+  JudgeCommand judge_;
   std::vector<std::pair<const CLI::App*, std::function<void()>>> all_;
 };
 

@@ -1,0 +1,21 @@
+"""Makes a program that `gjkstep-study judge` can ask out of a function of yours; the standard library is enough.
+
+    gjkstep-study judge -- python3 judge_main.py your_module
+
+Its function collide(a, b) gets two lists of points [x, y, z] and returns True where their convex hulls have a point in
+common, False where they have none, None where it cannot tell.
+"""
+import importlib
+import json
+import os
+import sys
+
+if len(sys.argv) != 2:
+    sys.exit("usage: python3 judge_main.py MODULE")
+sys.path.insert(0, os.getcwd())
+collide = importlib.import_module(sys.argv[1]).collide
+
+for line in sys.stdin:
+    pair = json.loads(line)
+    answer = collide(pair["a"]["points"], pair["b"]["points"])
+    print(json.dumps("undecided" if answer is None else bool(answer)), flush=True)

@@ -1,0 +1,96 @@
+#include "tests/study/judge/asking.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+namespace study {
+namespace {
+
+Reply::Kind kind_of(End end) {
+  switch (end) {
+    case End::ended: return Reply::ended;
+    case End::late: return Reply::late;
+    case End::flooding: return Reply::flooding;
+    case End::answered: break;
+  }
+  return Reply::line;
+}
+
+class Interview {
+ public:
+  Interview(const AskedProgram& program, const std::vector<std::string>& questions)
+      : program_(program), questions_(questions) {
+    replies_.all.resize(questions.size());
+  }
+
+  Replies go() {
+    while (at_ < questions_.size() && !replies_.was_given_up) {
+      ask_some();
+      program_.progress(replies_.was_given_up ? questions_.size() : at_, questions_.size());
+    }
+    forgive_or_count();
+    return std::move(replies_);
+  }
+
+ private:
+  /// Asks the next few in one run of the program.
+  void ask_some() {
+    const std::size_t count = std::min(size_, questions_.size() - at_);
+    RunOfProgram run = run_program(program_.words, std::span(questions_).subspan(at_, count), program_.limit);
+    note(run);
+    const std::size_t answered = run.end == End::flooding && count > 1 ? 0 : run.lines.size();
+    for (std::size_t i = 0; i < answered; ++i) replies_.all[at_ + i] = {Reply::line, std::move(run.lines[i])};
+    if (answered > 0) in_a_row_ = 0;
+    const bool crashed = run.was_killed_by_signal && (run.end == End::ended || run.end == End::answered);
+    if (crashed && !unexplained_ && (count > 1 || run.end == End::answered)) {
+      unexplained_ = at_ + count;
+      how_ = run.how;
+    }
+    at_ += answered;
+    if (answered == count)
+      size_ *= 2;
+    else if (count == 1)
+      blame(run);
+    else
+      size_ = answered > 0 ? 1 : count / 2;
+    if (unexplained_ && at_ >= *unexplained_) forgive_or_count();
+  }
+
+  void note(const RunOfProgram& run) {
+    replies_.floods += run.end == End::flooding;
+    replies_.outlives_its_input = replies_.outlives_its_input || run.outlives_its_input;
+    if (run.end != End::answered && replies_.said.empty()) replies_.said = run.said;
+  }
+
+  /// Asked alone, the pair had no answer.
+  void blame(const RunOfProgram& run) {
+    replies_.all[at_++] = {kind_of(run.end), run.end == End::ended ? run.how : ""};
+    unexplained_.reset();
+    in_a_row_ += run.end == End::late ? 10 : 1;
+    replies_.was_given_up = in_a_row_ >= 50 && at_ < questions_.size();
+  }
+
+  /// A crash that no pair is to blame for.
+  void forgive_or_count() {
+    if (!unexplained_ || at_ < *unexplained_) return;
+    if (++replies_.crashes_in_company == 1) replies_.first_crash = how_;
+    unexplained_.reset();
+  }
+
+  const AskedProgram& program_;
+  const std::vector<std::string>& questions_;
+  Replies replies_;
+  std::size_t at_ = 0, size_ = 16;
+  std::optional<std::size_t> unexplained_;  ///< a run crashed that was to end here
+  std::string how_;
+  int in_a_row_ = 0;
+};
+
+}  // namespace
+
+Replies ask_all(const AskedProgram& program, const std::vector<std::string>& questions) {
+  return Interview(program, questions).go();
+}
+
+}  // namespace study

@@ -1,0 +1,43 @@
+/// Asks a program about many pairs, so that each has its own answer or its own reason for none.
+///
+/// A run of the program is asked several at once: its start may take longer than a thousand answers, and it may keep its output
+/// back until its input ends. Where answers are missing, smaller and smaller runs find the pair that is to blame, which is
+/// then asked alone. After 5 in a row that are too late, or 50 that end or flood the judge, the program is given up.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/study/judge/run_program.hpp"
+
+namespace study {
+
+struct Reply {
+  enum Kind { line, ended, late, flooding, not_asked } kind = not_asked;
+  std::string text;  ///< the line; or how it ended
+};
+
+struct Replies {
+  std::vector<Reply> all;  ///< one a question
+  /// Runs that crashed although each of their pairs, asked in other company, was answered; and how the first did.
+  std::uint64_t crashes_in_company = 0;
+  std::string first_crash;
+  std::uint64_t floods = 0;         ///< runs that wrote more lines than they read
+  bool outlives_its_input = false;  ///< it did not end when its input did
+  bool was_given_up = false;        ///< several in a row were not answered; the rest were not asked
+  std::string said;                 ///< what it wrote to standard error in the first run that was not answered
+};
+
+struct AskedProgram {
+  std::vector<std::string> words;         ///< the program and its arguments
+  std::chrono::milliseconds limit{2000};  ///< until its next answer, from its start on
+  std::function<void(std::uint64_t done, std::uint64_t all)> progress = [](std::uint64_t, std::uint64_t) {};
+};
+
+/// Errors: those of run_program().
+Replies ask_all(const AskedProgram& program, const std::vector<std::string>& questions);
+
+}  // namespace study

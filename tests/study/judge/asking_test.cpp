@@ -1,0 +1,155 @@
+#include "tests/study/judge/asking.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/program/exit_code.hpp"
+
+namespace study {
+namespace {
+
+using walkthroughs::test::Folder;
+
+std::vector<std::string> numbered(int count) {
+  std::vector<std::string> questions;
+  for (int i = 0; i < count; ++i) questions.push_back(std::to_string(i));
+  return questions;
+}
+
+AskedProgram shell(const std::string& script, int milliseconds = 10000) {
+  return {.words = {"sh", "-c", script}, .limit = std::chrono::milliseconds(milliseconds)};
+}
+
+Replies ask_shell(const std::string& script, int count, int milliseconds = 10000) {
+  return ask_all(shell(script, milliseconds), numbered(count));
+}
+
+int count_of(const Replies& replies, Reply::Kind kind) {
+  return static_cast<int>(std::ranges::count(replies.all, kind, &Reply::kind));
+}
+
+/// Whether all but these have the line that echoes them.
+void check_echo_but(const Replies& replies, const std::vector<std::size_t>& but) {
+  for (std::size_t i = 0; i < replies.all.size(); ++i) {
+    INFO(i);
+    if (std::ranges::count(but, i) > 0)
+      CHECK(replies.all[i].kind != Reply::line);
+    else
+      CHECK((replies.all[i].kind == Reply::line && replies.all[i].text == "got " + std::to_string(i)));
+  }
+}
+
+const std::string echo = "while read x; do ";
+
+TEST_CASE("Asking: each question has the line that answers it, whether output is kept back or not", "[judge]") {
+  check_echo_but(ask_shell(echo + "echo got $x; done", 100), {});
+  check_echo_but(ask_shell("sed 's/^/got /'", 100), {});               // all at the end
+  const Replies last = ask_all(shell("printf 'got 0'"), numbered(1));  // without a line feed
+  check_echo_but(last, {});
+  std::vector<std::string> long_ones(50, std::string(100000, 'x'));
+  const Replies replies = ask_all(shell("cat"), long_ones);
+  CHECK(std::ranges::all_of(replies.all, [](const Reply& reply) { return reply.text.size() == 100000; }));
+}
+
+TEST_CASE("Asking: who crashes at one question is blamed for that one, whether output is kept back or not", "[judge]") {
+  const auto python = [](const std::string& flush) {
+    const std::string script =
+        "import os, sys\nfor x in sys.stdin:\n  if int(x) == 41: os.kill(os.getpid(), 11)\n"
+        "  print('got', x.strip(), flush=" +
+        flush + ")\n";
+    return ask_all({.words = {"python3", "-c", script}, .limit = std::chrono::seconds(10)}, numbered(60));
+  };
+  for (const std::string flush : {"True", "False"}) {
+    const Replies replies = python(flush);
+    check_echo_but(replies, {41});
+    CHECK(replies.all[41].kind == Reply::ended);
+    CHECK(replies.crashes_in_company == 0);
+  }
+  const Replies replies = ask_shell(echo + "[ $x = 3 ] && exit 7; echo got $x; done", 6);
+  check_echo_but(replies, {3});
+  CHECK(replies.all[3].text == "exit code 7");
+}
+
+TEST_CASE("Asking: a crash after so many questions, whichever they are, is counted and blamed on none", "[judge]") {
+  const Replies replies = ask_shell("n=0; " + echo + "n=$((n+1)); [ $n = 17 ] && kill -SEGV $$; echo got $x; done", 60);
+  check_echo_but(replies, {});
+  CHECK(replies.crashes_in_company >= 1);
+  CHECK(replies.first_crash == "signal 11 (Segmentation fault)");
+  const Replies in_the_end = ask_shell(echo + "echo got $x; done; kill -ABRT $$", 5);
+  check_echo_but(in_the_end, {});
+  CHECK(in_the_end.crashes_in_company == 1);
+}
+
+TEST_CASE("Asking: who is late at one question is late for that one, and started again", "[judge]") {
+  const Replies replies = ask_shell(echo + "[ $x = 5 ] && sleep 100; echo got $x; done", 30, 300);
+  check_echo_but(replies, {5});
+  CHECK(replies.all[5].kind == Reply::late);
+}
+
+TEST_CASE("Asking: who never answers is given up", "[judge]") {
+  const Replies late = ask_shell("sleep 100", 40, 100);
+  CHECK(late.was_given_up);
+  CHECK(count_of(late, Reply::late) == 5);
+  CHECK(count_of(late, Reply::not_asked) == 35);
+  const Replies ended = ask_shell("echo oh no >&2; exit 3", 100);
+  CHECK(ended.was_given_up);
+  CHECK(count_of(ended, Reply::ended) == 50);
+  CHECK(ended.all[0].text == "exit code 3");
+  CHECK(ended.said == "oh no\n");
+}
+
+TEST_CASE("Asking: who closes its input, or does not read it, may answer all the same", "[judge]") {
+  check_echo_but(ask_shell("exec <&-; for i in 0 1 2 3 4 5; do echo got $i; done", 6), {});
+  const Replies replies = ask_all(shell("exec <&-; for i in 1 2 3; do echo no; done"),
+                                  std::vector<std::string>(3, std::string(1 << 20, 'x')));
+  CHECK(count_of(replies, Reply::line) == 3);
+}
+
+TEST_CASE("Asking: who writes without end is stopped, by lines and without", "[judge]") {
+  const Replies lines = ask_shell("yes got 0", 1);
+  CHECK(lines.floods > 0);
+  check_echo_but(lines, {});
+  const Replies one_line = ask_shell("cat /dev/zero", 3);
+  CHECK(count_of(one_line, Reply::flooding) == 3);
+}
+
+/// A process that has ended has no program.
+bool is_running(const std::string& process) {
+  std::error_code error;
+  return !std::filesystem::read_symlink("/proc/" + process + "/exe", error).empty();
+}
+
+TEST_CASE("Asking: of a program that starts others nothing is left, wherever these have gone", "[judge]") {
+  const std::string sleep = "sleep 1000.$$";  // by which it is known
+  for (const std::string& start : {sleep + " &", "setsid " + sleep + " &", "(setsid sh -c '" + sleep + " & wait' &);",
+                                   "trap '' TERM HUP; " + sleep + " &"})
+    for (const std::string& then : {echo + "echo got $x; done", std::string("exit 1"), std::string("sleep 100")}) {
+      INFO(start << " " << then);
+      const Folder folder;
+      const std::string pids = (folder.path() / "pids").string();
+      const std::string look = "ps -A -o pid=,args= | sed -n 's/^ *\\([0-9]*\\) sleep 1000[.].*$/\\1/p'";
+      ask_shell(start + " until " + look + " | grep -q .; do :; done; " + look + " >>'" + pids + "'; " + then, 2, 1000);
+      std::ifstream list(pids);
+      int count = 0;
+      for (std::string pid; list >> pid; ++count) CHECK_FALSE(is_running(pid));
+      CHECK(count > 0);
+    }
+}
+
+TEST_CASE("Asking: a program is told that its reader has left as anywhere else", "[judge]") {
+  const Replies replies = ask_shell("trap - PIPE; (yes; echo $? >&2) | head -1; read x; echo got 1", 2);
+  CHECK(count_of(replies, Reply::line) == 2);
+}
+
+TEST_CASE("Asking: a program that is not there is wrong usage", "[judge]") {
+  for (const std::string name : {"/nowhere/at/all", "", "/"}) {
+    INFO(name);
+    CHECK_THROWS_AS(ask_all({.words = {name}}, numbered(3)), walkthroughs::UsageError);
+  }
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,174 @@
+#include "tests/study/judge/judge_program.hpp"
+
+#include <cstdlib>
+
+#include "tests/catch.hpp"
+#include "tests/study/judge/judged_scenes.hpp"
+#include "tests/study/judge/judged_text.hpp"
+#include "tests/study/judge/pairs_file.hpp"
+#include "tests/study/methods/mistakes.hpp"
+#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace study {
+namespace {
+
+std::vector<NamedPair> corpus_of_points() {
+  std::vector<NamedPair> all = kept_pairs();
+  std::erase_if(all, [](const NamedPair& each) { return !std::holds_alternative<Points>(each.pair.a); });
+  return all;
+}
+
+ProgramJudged judged(const std::vector<std::string>& words, const std::vector<NamedPair>& pairs = corpus_of_points()) {
+  return judge_program({.words = words, .limit = std::chrono::milliseconds(500)}, pairs);
+}
+
+/// The implementation of the report with that mistake; 0: without one.
+ProgramJudged judged_mistake(std::size_t number) {
+  return judged({"env", "GJKSTEP_MISTAKE=" + std::to_string(number), JUDGED_MISTAKE});
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string told(const ProgramJudged& judged) {
+  return judged_markdown(judged, {.program = "it", .command = "judge it"});
+}
+
+TEST_CASE("Judge: of the study's mistakes, as programs, each that shows is named first", "[judge]") {
+  std::size_t named = 0;
+  for (std::size_t m = 0; m < mistakes().size(); ++m) {
+    INFO(mistakes()[m].name);
+    const ProgramJudged found = judged_mistake(m + 1);
+    CHECK_FALSE(found.is_good());
+    REQUIRE_FALSE(found.resemblances.empty());
+    const bool is_first = found.resemblances.front().mistake == m && found.resemblances.front().share() == 1;
+    named += is_first;
+    if (is_first)
+      CHECK(has(told(found), "It behaves like M" + std::to_string(m + 1) + " ("));
+    else  // it is right wherever the report's algorithm is
+      CHECK((m == 1 && !found.resemblances.front().mistake));
+  }
+  CHECK(named >= 18);
+}
+
+TEST_CASE("Judge: without a mistake only rounding and cycles are found, and told as that", "[judge]") {
+  const ProgramJudged found = judged_mistake(0);
+  CHECK_FALSE(found.resemblances.front().mistake);
+  CHECK(has(told(found), "It behaves like the report's algorithm in doubles (no mistake"));
+}
+
+TEST_CASE("Judge: a sound program passes, its evidence with it", "[judge]") {
+  const ProgramJudged found = judged({GJKSTEP_ITSELF, "query", "--certified"});
+  CHECK(found.is_good());
+  CHECK(found.all.of(Verdict::right) == found.all.pairs);
+  CHECK(found.all.evidence == found.all.pairs);
+  CHECK(found.changes.size() == 7);
+  for (const Change& change : found.changes) CHECK(change.asked > 400);
+  CHECK(told(found).starts_with("# it: nothing is wrong: " + std::to_string(found.all.pairs) + " pairs\n"));
+}
+
+TEST_CASE("Judge: an implementation of somebody else with a mistake is told which", "[judge]") {
+  CHECK(judged({JUDGED_WRONG_GJK}).resemblances.front().mistake == 13U);  // M14: the order below the triangle
+}
+
+#ifdef JUDGED_LIBCCD
+TEST_CASE("Judge: libccd is judged through its adapter", "[judge]") {
+  const ProgramJudged found = judged({JUDGED_LIBCCD});
+  CHECK(found.all.of(Verdict::right) > 200);
+  CHECK(found.all.of(Verdict::wrong_no) > 10);
+  CHECK(found.all.of(Verdict::ended) == 0);
+}
+#endif
+
+TEST_CASE("Judge: Python is judged through its adapter", "[judge]") {
+  const ProgramJudged found =
+      judged({"sh", "-c", "cd " JUDGE_ADAPTERS " && exec python3 -B judge_main.py boxes_overlap"});
+  CHECK(found.all.of(Verdict::wrong_no) == 0);  // whoever meets has boxes that meet
+  CHECK(found.all.of(Verdict::wrong_yes) > 10);
+  CHECK(found.all.of(Verdict::undecided) == 0);
+}
+
+TEST_CASE("Judge: a program that always says yes is told as that, and so is no", "[judge]") {
+  for (const auto& [script, words] : {std::pair<std::string, std::string>{"sed s/.*/true/", "always says yes"},
+                                      {"sed s/.*/false/", "always says no"}}) {
+    const ProgramJudged found = judged({"sh", "-c", script});
+    CHECK(has(told(found), "It behaves like a program that " + words));
+  }
+}
+
+TEST_CASE("Judge: what is no right answer is told apart", "[judge]") {
+  const std::vector<NamedPair> pairs{{"p0", "apart", {Points{{0, 0, 0}}, Points{{5, 0, 0}}}},
+                                     {"p1", "apart", {Points{{0, 0, 0}}, Points{{0, 5, 0}}}},
+                                     {"p2", "meet", {Points{{0, 0, 0}}, Points{{0, 0, 0}}}},
+                                     {"p3", "meet", {Points{{1, 0, 0}}, Points{{1, 0, 0}}}}};
+  const std::string before = "while read x; do case $x in *'[[5,0,0]]'*) ";
+  const std::string after = ";; *'[[0,5,0]]'*) echo false;; *) echo true;; esac; done";
+  const auto first_says = [&](const std::string& first) { return judged({"sh", "-c", before + first + after}, pairs); };
+  const auto verdict = [&](const std::string& first) { return first_says(first).pairs[0].verdict; };
+  CHECK(verdict("echo false") == Verdict::right);
+  CHECK(verdict("echo true") == Verdict::wrong_yes);
+  CHECK(verdict("echo '\"undecided\"'") == Verdict::undecided);
+  CHECK(verdict("echo garbage") == Verdict::unreadable);
+  CHECK(verdict("exit 1") == Verdict::ended);
+  CHECK(verdict("kill -SEGV $$") == Verdict::ended);
+  CHECK(verdict("sleep 100") == Verdict::late);
+  const ProgramJudged false_evidence = first_says("echo '{\"status\":\"separated\",\"direction\":[-1,0,0]}'");
+  CHECK((false_evidence.pairs[0].verdict == Verdict::right && false_evidence.pairs[0].false_evidence));
+  CHECK(false_evidence.all.false_evidence == 1);
+  CHECK_FALSE(false_evidence.is_good());
+  CHECK(false_evidence.families[0].wrong.count == 1);
+  CHECK(false_evidence.families[0].wrong.trials == 2);
+  CHECK(has(told(first_says("exit 9")), "First pair without an answer: p0: exit code 9."));
+  CHECK(first_says("echo '\"undecided\"'").all.wrong.count == 0);
+}
+
+TEST_CASE("Judge: an answer that changes where nothing may is found without any truth", "[judge]") {
+  const std::vector<NamedPair> pairs{{"p", "f", {Points{{0, 0, 0}, {1, 0, 0}}, Points{{0, 0, 0}, {0, 1, 0}}}}};
+  // Right about this pair, and wrong once B comes first.
+  const ProgramJudged found = judged({"sh", "-c",
+                                      "while read x; do case $x in '{\"a\":{\"points\":[[0,0,0],[1,0,0]]}'*) echo "
+                                      "true;; *) echo false;; esac; done"},
+                                     pairs);
+  CHECK(found.all.of(Verdict::right) == 1);
+  CHECK_FALSE(found.is_good());
+  CHECK(found.changes[0].what == "A and B exchanged");
+  CHECK(found.changes[0].other_answers == 1);
+  CHECK(found.changes[0].first == "p");
+  CHECK(found.changes[6].other_answers == 0);  // A with itself
+}
+
+TEST_CASE("Judge: failures become scenes that can be read, those of others' names, too", "[judge]") {
+  const std::vector<NamedPair> pairs{{"../../a \"b\"\n", "f", {Points{{0, 0, 0}}, Points{{5, 0, 0}}}},
+                                     {"large", "f", {Points{{1e200, 0, 0}}, Points{{5, 0, 0}}}},
+                                     {"balls", "g", {Ball{{0, 0, 0}, 1}, Ball{{9, 0, 0}, 1}}}};
+  const std::vector<JudgedScene> scenes = judged_scenes(judged({"sed", "s/.*/true/"}, pairs), "sed\n", 5);
+  REQUIRE(scenes.size() == 2);
+  CHECK(scenes[0].name == "wrong-yes-..-..-a--b--.json");
+  for (const JudgedScene& scene : scenes) CHECK_NOTHROW(walkthroughs::parse_scene(scene.text, scene.name));
+  CHECK(judged_scenes(judged({"sed", "s/.*/true/"}, pairs), "sed", 0).empty());
+}
+
+TEST_CASE("Judge: pairs of others are read as gjkstep query reads them, and bad ones named by their line", "[judge]") {
+  const std::string good = R"({"a":{"points":[[0,0]]},"b":{"points":[[1,0,0]]}})";
+  const auto pairs =
+      read_pairs(good + "\r\n" + R"({"name":"n","family":"f","a":{"sphere":{"center":[0,0,0],"radius":1}},)" +
+                     R"("b":{"sphere":{"center":[3,0,0],"radius":1}}})" + "\n",
+                 "mine");
+  REQUIRE(pairs.size() == 2);
+  CHECK((pairs[0].name == "line-1" && pairs[0].family == "yours" && pairs[1].name == "n" && pairs[1].family == "f"));
+  const auto check_fails = [&](const std::string& line, const std::string& words) {
+    INFO(line);
+    CHECK_THROWS_WITH(read_pairs(good + "\n" + line, "mine"), Catch::Contains("mine:2: ") && Catch::Contains(words));
+  };
+  check_fails("{", "");
+  check_fails(" ", "blank");
+  check_fails(R"({"a":{"points":[[0,0,0]],"pose":{"translation":[1,0,0]}},"b":{"points":[[0,0,0]]}})",
+              "a.pose: is not judged");
+  check_fails(R"({"a":{"sum":[{"points":[[0,0,0]]},{"points":[[0,0,0]]}]},"b":{"points":[[0,0,0]]}})", "a: is a sum");
+  check_fails(R"({"a":{"sphere":{"center":[0,0,0],"radius":1}},"b":{"points":[[0,0,0]]}})", "cannot judge");
+  CHECK_THROWS_WITH(read_pairs("", "mine"), Catch::Contains("holds no pair"));
+  CHECK(kept_pairs().size() > 440);
+}
+
+}  // namespace
+}  // namespace study

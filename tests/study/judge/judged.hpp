@@ -1,0 +1,73 @@
+/// What is found about a program.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/study/corpus/answered_pair.hpp"
+#include "tests/study/judge/asking.hpp"
+#include "tests/study/sweep/rate.hpp"
+
+namespace study {
+
+enum class Verdict { right, wrong_yes, wrong_no, undecided, unreadable, ended, late, not_asked };
+inline constexpr std::array<std::string_view, 8> verdict_words{"right",     "wrong yes", "wrong no", "undecided",
+                                                               "no answer", "ended",     "too late", "not asked"};
+
+/// What came of one pair.
+struct Judged {
+  NamedPair named;
+  Truth truth = Truth::separated;
+  Verdict verdict = Verdict::not_asked;
+  bool false_evidence = false;  ///< whether evidence is given for a right answer that it does not prove
+  std::string detail = {};      ///< of no answer, or of an early end
+
+  bool is_wrong() const;  ///< undecided and not asked are not
+};
+
+struct FamilyTally {
+  std::string family;
+  std::uint64_t pairs = 0, evidence = 0, false_evidence = 0;
+  std::array<std::uint64_t, verdict_words.size()> counts{};
+
+  std::uint64_t of(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
+  /// Of the pairs that were asked, those with is_wrong().
+  Rate wrong = {};
+};
+
+/// How alike a program and one whose mistake is known are: how many pairs both answer wrongly, of those that one of them does.
+struct Resemblance {
+  /// The position in mistakes(). Then only pairs count that the report's algorithm answers rightly. Empty where all count: for
+  /// that algorithm itself, which rounding and cycles mislead, and for who always says the same.
+  std::optional<std::size_t> mistake = {};
+  std::string name = {};  ///< "M18 (…)", "the report's algorithm in floats"
+  std::uint64_t both = 0, either = 0;
+  std::string first_direction = {};  ///< with which it comes nearest: "+x", "from A to B"
+
+  double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
+};
+
+/// What came of asking again after a change that must not matter.
+struct Change {
+  std::string_view what;
+  std::uint64_t asked = 0, other_answers = 0;
+  std::string first = {};  ///< the name of the first pair with another answer
+};
+
+struct ProgramJudged {
+  std::vector<Judged> pairs;
+  std::vector<FamilyTally> families;  ///< in the order in which they come
+  FamilyTally all;
+  std::vector<Resemblance> resemblances;  ///< the best first; none where the program is wrong on no pair that counts
+  std::vector<Change> changes;
+  Replies replies;       ///< the lines are in `pairs`
+  bool crashes = false;  ///< also in company, or after its last answer
+
+  bool is_good() const;  ///< nothing is wrong, and all was asked
+};
+
+}  // namespace study

@@ -1,0 +1,219 @@
+#include "tests/study/judge/judged_text.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/study/claims/claims_text.hpp"
+#include "tests/study/methods/mistakes.hpp"
+#include "tests/study/report/tables.hpp"
+#include "walkthroughs/text/printable.hpp"
+
+namespace study {
+namespace {
+
+using walkthroughs::printable;
+
+constexpr double alike_enough = 0.5;
+constexpr std::size_t most_resemblances = 3;
+
+std::string count_of(std::uint64_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+// -- Sentences --------------------------------------------------------------------------------------------------------
+
+std::string pairs_in_common(const Resemblance& best) {
+  std::string words = count_of(best.both, "pair", "pairs") + " in common, of " + std::to_string(best.either) +
+                      " that the one or the other answers wrongly";
+  if (best.first_direction.starts_with("from"))
+    words += ", begun " + best.first_direction;
+  else if (!best.first_direction.empty())
+    words += ", begun along " + best.first_direction;
+  if (best.mistake) words += "; what misleads the report's algorithm, too, is not counted";
+  return words;
+}
+
+void add_resemblance(const ProgramJudged& judged, std::vector<std::string>& sentences) {
+  if (judged.all.of(Verdict::wrong_yes) + judged.all.of(Verdict::wrong_no) == 0) return;
+  if (judged.resemblances.empty()) {
+    sentences.emplace_back("No mistake of the study is wrong on any of the same pairs.");
+    return;
+  }
+  const Resemblance& best = judged.resemblances.front();
+  sentences.push_back((best.share() >= alike_enough ? "It behaves like "
+                                                    : "No single mistake of the study explains it; the nearest is ") +
+                      best.name + ": " + pairs_in_common(best) + ".");
+}
+
+void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
+  const Replies& replies = judged.replies;
+  if (replies.was_given_up)
+    sentences.push_back("It was given up after several pairs in a row without an answer; " +
+                        count_of(judged.all.of(Verdict::not_asked), "pair was", "pairs were") + " not asked.");
+  if (replies.crashes_in_company > 0)
+    sentences.push_back("It crashed " + count_of(replies.crashes_in_company, "time", "times") +
+                        ", though each of the pairs has its answer in another run: " + replies.first_crash + ".");
+  if (replies.floods > 0)
+    sentences.push_back("It writes more lines than it reads: one answer a line, and nothing else on standard output.");
+  if (replies.outlives_its_input) sentences.push_back("It does not end when its input ends, and was ended.");
+  for (const Judged& each : judged.pairs)
+    if (!each.detail.empty()) {
+      sentences.push_back("First pair without an answer: " + each.named.name + ": " + printable(each.detail) + ".");
+      break;
+    }
+  const std::size_t last = replies.said.find_last_not_of(" \r\n");
+  if (last != std::string::npos) {
+    const std::string said = replies.said.substr(0, last + 1);
+    const std::size_t feed = said.rfind('\n');
+    sentences.push_back(
+        "It wrote to standard error: " + printable(said.substr(feed == std::string::npos ? 0 : feed + 1)) + ".");
+  }
+}
+
+// -- Tables -----------------------------------------------------------------------------------------------------------
+
+constexpr std::array<Verdict, 7> columns{Verdict::wrong_yes, Verdict::wrong_no, Verdict::undecided, Verdict::unreadable,
+                                         Verdict::ended,     Verdict::late,     Verdict::not_asked};
+
+Cells cells_of(const FamilyTally& tally, bool is_sample) {
+  Cells cells{tally.family, std::to_string(tally.pairs)};
+  for (const Verdict verdict : columns) cells.push_back(std::to_string(tally.of(verdict)));
+  cells.push_back(tally.evidence == 0 ? "–"
+                                      : std::to_string(tally.false_evidence) + " of " + std::to_string(tally.evidence));
+  if (is_sample) cells.push_back(in_words(tally.wrong));
+  return cells;
+}
+
+void write_families(std::ostream& out, const ProgramJudged& judged, const JudgedHead& head) {
+  out << "## By family\n\n";
+  Cells titles{"Family", "Pairs"};
+  for (const Verdict verdict : columns) titles.emplace_back(verdict_words[static_cast<std::size_t>(verdict)]);
+  titles.emplace_back("evidence that proves nothing");
+  if (head.is_sample) titles.emplace_back("wrong, with the 95 % interval");
+  heading(out, titles, 1);
+  std::size_t all_right = 0;
+  for (const FamilyTally& family : judged.families)
+    if (family.of(Verdict::right) == family.pairs && family.false_evidence == 0)
+      ++all_right;
+    else
+      row(out, cells_of(family, head.is_sample));
+  row(out, cells_of(judged.all, head.is_sample));
+  out << '\n';
+  if (all_right > 0)
+    paragraph(out, count_of(all_right, "family", "families") + " of which every pair is answered rightly " +
+                       (all_right == 1 ? "has" : "have") + " no line.");
+  if (!head.is_sample) paragraph(out, "These pairs are chosen, not thrown: their rates say nothing of other pairs.");
+}
+
+void write_changes(std::ostream& out, const ProgramJudged& judged) {
+  if (judged.changes.empty()) return;
+  out << "## Asked again after what must not change the answer\n\n";
+  heading(out, {"What was done", "Asked", "Other answers", "First"}, 1);
+  for (const Change& change : judged.changes)
+    row(out, {std::string(change.what), std::to_string(change.asked), std::to_string(change.other_answers),
+              change.first.empty() ? "–" : printable(change.first)});
+  out << '\n';
+}
+
+void write_mistakes(std::ostream& out, const ProgramJudged& judged) {
+  if (judged.resemblances.empty()) return;
+  out << "## Which mistake answers most alike\n\n";
+  heading(out, {"Mistake", "Section of the report", "Both wrong", "One or both wrong", "In common", "Begun"}, 2);
+  for (std::size_t i = 0; i < std::min(most_resemblances, judged.resemblances.size()); ++i) {
+    const Resemblance& each = judged.resemblances[i];
+    row(out, {each.name, each.mistake ? mistakes()[*each.mistake].section : "–", std::to_string(each.both),
+              std::to_string(each.either), percent(each.share()),
+              each.first_direction.empty() ? "–" : each.first_direction});
+  }
+  out << '\n';
+}
+
+// -- JSON -------------------------------------------------------------------------------------------------------------
+
+using Json = nlohmann::ordered_json;
+
+std::string key_of(Verdict verdict) {
+  std::string key(verdict_words[static_cast<std::size_t>(verdict)]);
+  std::ranges::replace(key, ' ', '_');
+  return key;
+}
+
+Json json_of(const FamilyTally& tally, bool is_sample) {
+  Json object{{"family", tally.family}, {"pairs", tally.pairs}, {"right", tally.of(Verdict::right)}};
+  for (const Verdict verdict : columns) object[key_of(verdict)] = tally.of(verdict);
+  object["evidence"] = tally.evidence;
+  object["false_evidence"] = tally.false_evidence;
+  if (is_sample) object["wrong_interval"] = {tally.wrong.interval().low, tally.wrong.interval().high};
+  return object;
+}
+
+Json json_of(const Judged& judged) {
+  Json object{{"name", judged.named.name},
+              {"family", judged.named.family},
+              {"truth", judged.truth == Truth::intersecting ? "intersecting" : "separated"},
+              {"verdict", key_of(judged.verdict)}};
+  if (judged.false_evidence) object["false_evidence"] = true;
+  if (!judged.detail.empty()) object["detail"] = judged.detail;
+  return object;
+}
+
+}  // namespace
+
+std::string verdict_line(const ProgramJudged& judged) {
+  const std::string pairs = count_of(judged.all.pairs, "pair", "pairs");
+  const std::uint64_t undecided = judged.all.of(Verdict::undecided);
+  const std::string left = undecided == 0 ? "" : ", " + std::to_string(undecided) + " undecided";
+  if (judged.is_good()) return "nothing is wrong: " + pairs + left;
+  std::string line = "wrong: " + std::to_string(judged.all.wrong.count) + " of " + pairs + left;
+  std::uint64_t changed = 0;
+  for (const Change& change : judged.changes) changed += change.other_answers;
+  if (changed > 0) line += "; " + count_of(changed, "answer", "answers") + " changed where nothing may";
+  return line;
+}
+
+std::vector<std::string> remarks(const ProgramJudged& judged) {
+  std::vector<std::string> sentences;
+  add_resemblance(judged, sentences);
+  add_end(judged, sentences);
+  return sentences;
+}
+
+std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head) {
+  std::ostringstream out;
+  out << "# " << printable(head.program) << ": " << verdict_line(judged) << "\n\n";
+  for (const std::string& sentence : remarks(judged)) out << "* " << sentence << '\n';
+  out << "* made by: `" << printable(head.command) << "`\n\n";
+  write_families(out, judged, head);
+  write_mistakes(out, judged);
+  write_changes(out, judged);
+  return out.str();
+}
+
+std::string judged_json(const ProgramJudged& judged, const JudgedHead& head) {
+  Json all{{"program", head.program}, {"command", head.command}, {"good", judged.is_good()}};
+  all["remarks"] = remarks(judged);
+  all["all"] = json_of(judged.all, head.is_sample);
+  for (const FamilyTally& family : judged.families) all["families"].push_back(json_of(family, head.is_sample));
+  all["mistakes"] = Json::array();
+  for (const Resemblance& each : judged.resemblances)
+    all["mistakes"].push_back({{"number", each.mistake ? Json(*each.mistake + 1) : Json()},
+                               {"name", each.name},
+                               {"both_wrong", each.both},
+                               {"either_wrong", each.either},
+                               {"first_direction", each.first_direction}});
+  all["changes"] = Json::array();
+  for (const Change& change : judged.changes)
+    all["changes"].push_back({{"what", change.what},
+                              {"asked", change.asked},
+                              {"other_answers", change.other_answers},
+                              {"first", change.first}});
+  all["not_right"] = Json::array();
+  for (const Judged& each : judged.pairs)
+    if (each.verdict != Verdict::right || each.false_evidence) all["not_right"].push_back(json_of(each));
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace study

@@ -1,0 +1,10 @@
+/// tests/study/corpus.jsonl, as a text in the program.
+#pragma once
+
+#include <string_view>
+
+namespace study {
+
+std::string_view kept_corpus_text();
+
+}  // namespace study

@@ -1,0 +1,69 @@
+#include "tests/study/judge/pairs_file.hpp"
+
+#include <stdexcept>
+
+#include "tests/study/judge/kept_corpus_text.hpp"
+#include "tests/study/truth/oracle.hpp"
+#include "walkthroughs/query/query_pair.hpp"
+#include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace study {
+namespace {
+
+using walkthroughs::Document;
+using walkthroughs::DocumentError;
+
+Body body_of(const walkthroughs::reading::ObjectAsWritten& object, const std::string& key) {
+  if (object.pose)
+    throw DocumentError(1, key + ".pose", "is not judged, as it would round; give the object where it is");
+  const auto body = [&](const auto& shape) -> Body {
+    if constexpr (std::constructible_from<Body, decltype(shape)>)
+      return shape;
+    else
+      throw DocumentError(1, key, "is a sum, which the oracle cannot judge; give points, a sphere or a cylinder");
+  };
+  return std::visit(body, object.form);
+}
+
+std::string text_of(const walkthroughs::Value& root, const char* key, const std::string& otherwise) {
+  const auto value = root.member(key);
+  return value && value->is(Document::Kind::string) && !value->text().empty() ? value->text() : otherwise;
+}
+
+NamedPair pair_in(std::string_view line, const std::string& name) {
+  const walkthroughs::QueryOptions any_magnitude{.evidence = walkthroughs::QueryEvidence::certificate};
+  const walkthroughs::PairAsWritten written = walkthroughs::read_pair(line, any_magnitude);
+  const Document document = Document::of_line(line);
+  NamedPair named{text_of(document.root(), "name", name),
+                  text_of(document.root(), "family", "yours"),
+                  {body_of(written.a, "a"), body_of(written.b, "b")}};
+  truth(named.pair);
+  return named;
+}
+
+}  // namespace
+
+std::vector<NamedPair> read_pairs(std::string_view text, const std::string& file) {
+  std::vector<NamedPair> pairs;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const auto fail = [&](const std::string& reason) {
+      throw walkthroughs::InputError(file + ":" + std::to_string(number) + ": " + reason);
+    };
+    try {
+      pairs.push_back(pair_in(line, "line-" + std::to_string(number)));
+    } catch (const DocumentError& error) {
+      fail((error.key.empty() ? "" : error.key + ": ") + error.what());
+    } catch (const std::invalid_argument& error) {
+      fail(error.what());
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  if (pairs.empty()) throw walkthroughs::InputError(file + ": holds no pair; 'gjkstep-study pairs' writes some");
+  return pairs;
+}
+
+std::vector<NamedPair> kept_pairs() { return read_pairs(kept_corpus_text(), "corpus.jsonl"); }
+
+}  // namespace study

@@ -1,0 +1,39 @@
+/// Somebody else's program, asked through its standard streams, whatever it does.
+///
+/// No library: Boost.Process 1.74 has neither a time limit for a line nor a way to end what has left the process group.
+#pragma once
+
+#include <chrono>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace study {
+
+enum class End {
+  answered,  ///< as many lines as questions; how it ended then does not matter
+  ended,     ///< by itself, too early
+  late,      ///< was ended: no further line for too long
+  flooding   ///< was ended: more lines than questions, or a line without end
+};
+
+struct RunOfProgram {
+  std::vector<std::string> lines;  ///< of its standard output, at most as many as questions; without line feeds
+  End end = End::answered;
+  std::string
+      how;  ///< "signal 11 (Segmentation fault)", "exit code 1"; where it ended by itself, also after its last answer
+  bool was_killed_by_signal = false;  ///< by itself, as when it crashes
+  bool outlives_its_input = false;    ///< has answered all, but was still there when it was ended
+  std::string said;                   ///< the end of what it wrote to standard error
+};
+
+/// Starts the program, found as a shell finds it, writes the questions, one a line, closes its standard input, and reads until
+/// it ends, or too long no further line comes. Then nothing that it has started is left, processes that left its group among
+/// them; nor is it where this process is ended meanwhile, but by SIGKILL, which the program itself does not outlive either.
+///
+/// Requires: this process has no other children. Errors: walkthroughs::UsageError where the program cannot be started;
+/// std::system_error.
+RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
+                         std::chrono::milliseconds limit);
+
+}  // namespace study

@@ -1,0 +1,120 @@
+#include "tests/study/program/judge_command.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <stdexcept>
+
+#include "render/file.hpp"
+#include "tests/study/judge/judge_program.hpp"
+#include "tests/study/judge/judged_scenes.hpp"
+#include "tests/study/judge/pairs_file.hpp"
+#include "tests/study/pairs/families.hpp"
+#include "tests/study/program/options.hpp"
+#include "tests/study/program/progress.hpp"
+#include "walkthroughs/program/places.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace study {
+
+using walkthroughs::expect_number;
+
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{64} << 20;
+
+constexpr const char* footer =
+    R"(The program reads a pair a line, {"a": {"points": [[x, y, z], ...]}, "b": ...}, as 'gjkstep query' does, and writes an
+answer a line: true (they intersect), false or "undecided"; or {"status": "intersecting", "separated" or "undecided"} with
+more in it, if it likes: a "direction", "point" or "simplex" is evidence, and is multiplied out. It may answer as it goes or
+when its input ends. So 'gjkstep-study judge -- gjkstep query' judges gjkstep. Programs that have none of this: see
+tests/study/judge/README.md.
+Without --families, --count and --pairs the pairs are those of tests/study/corpus.jsonl that are made of points. Spheres
+and cylinders are asked where their families are named, or --pairs has them.
+Exit codes: 0 nothing is wrong, 1 something is, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be
+read or judged, 5 cannot write.)";
+
+bool is_of_points(const NamedPair& named) {
+  return std::holds_alternative<Points>(named.pair.a) && std::holds_alternative<Points>(named.pair.b);
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+}  // namespace
+
+void JudgeCommand::add_to(CLI::App& app) {
+  add_list(app, "--families", families, "pairs of these, such as triangles,boxes");
+  expect_number(app.add_option("--count", count, "so many of each family")->capture_default_str(), std::uint64_t{1},
+                most_pairs);
+  add_seed(app, seed);
+  CLI::Option* const file =
+      app.add_option("--pairs", pairs, "the pairs of this file, as 'gjkstep-study pairs' writes them");
+  for (const char* const option : {"--families", "--count", "--seed"}) file->excludes(app.get_option(option));
+  expect_number(app.add_option("--time-limit", time_limit, "seconds until the next answer")->capture_default_str(),
+                0.01, 3600.0);
+  CLI::Option* const saves = app.add_option("--save-failures", failures, "folder for scene files of what went wrong");
+  expect_number(
+      app.add_option("--max-failures", max_failures, "of each family and kind")->capture_default_str()->needs(saves),
+      std::uint64_t{0}, most_pairs);
+  app.add_flag("--json", json, "JSON in place of Markdown, with every pair that is not right");
+  app.add_option("PROGRAM", program, "what to judge, and its arguments, after --")->required();
+  app.footer(footer);
+  app.parse_complete_callback([this, &app] { with_count_ = app.count("--count") > 0 || app.count("--seed") > 0; });
+}
+
+std::vector<NamedPair> JudgeCommand::chosen_pairs() const {
+  if (pairs) return read_pairs(walkthroughs::read_text(*pairs, {"file of pairs", largest_file}), *pairs);
+  std::vector<NamedPair> all;
+  if (!makes_pairs()) {
+    all = kept_pairs();
+    std::erase_if(all, [](const NamedPair& named) { return !is_of_points(named); });
+    return all;
+  }
+  for (const Family* const family : families_called(families))
+    for (std::uint64_t i = 0; i < std::min(count, family->size.value_or(count)); ++i) {
+      NamedPair named{family->name + "-" + std::to_string(i), family->name, family->make(seed, i)};
+      if (families.empty() && !is_of_points(named)) break;
+      all.push_back(std::move(named));
+    }
+  return all;
+}
+
+JudgedHead JudgeCommand::head() const {
+  const std::string name = joined(program, " ");
+  std::string command = "gjkstep-study judge";
+  if (!families.empty()) command += " --families " + joined(families, ",");
+  if (makes_pairs()) command += " --count " + std::to_string(count) + " --seed " + std::to_string(seed);
+  if (pairs) command += " --pairs " + *pairs;
+  return {name, command + " -- " + name, makes_pairs()};
+}
+
+void JudgeCommand::run() const {
+  if (failures) expect_named("--save-failures", *failures);
+  if (pairs && pairs->empty()) throw UsageError("--pairs '': name a file that 'gjkstep-study pairs' wrote");
+  walkthroughs::Places places;
+  if (pairs) places.read(*pairs, "the pairs " + *pairs);
+  places.write_standard_output();
+  places.expect_apart();
+  const std::vector<NamedPair> chosen = chosen_pairs();
+  if (failures) render::make_folder(*failures, "choose another with --save-failures");  // before the work, not after it
+  ProgressLine line;
+  const AskedProgram asked{
+      .words = program, .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)), .progress = std::ref(line)};
+  const ProgramJudged judged = judge_program(asked, chosen);
+  std::cout << (json ? judged_json(judged, head()) : judged_markdown(judged, head()));
+  if (failures) save(judged);
+  std::cout.flush();
+  if (!judged.is_good()) throw std::runtime_error(joined(program, " ") + ": " + verdict_line(judged));
+}
+
+void JudgeCommand::save(const ProgramJudged& judged) const {
+  const std::vector<JudgedScene> scenes = judged_scenes(judged, joined(program, " "), max_failures);
+  for (const JudgedScene& scene : scenes) render::write_file(std::filesystem::path(*failures) / scene.name, scene.text);
+  std::cerr << "gjkstep-study: " << *failures << ": " << scenes.size()
+            << (scenes.size() == 1 ? " scene file" : " scene files") << "; gjkstep render draws them\n";
+}
+
+}  // namespace study

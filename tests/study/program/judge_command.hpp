@@ -1,0 +1,34 @@
+/// `gjkstep-study judge -- PROGRAM ARG...`: is a program right? Markdown, or JSON, on the standard output.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/study/judge/judged_text.hpp"
+
+namespace study {
+
+struct JudgeCommand {
+  std::vector<std::string> program, families;
+  std::optional<std::string> pairs, failures;
+  std::uint64_t count = 100, seed = 1, max_failures = 5;
+  double time_limit = 2;
+  bool json = false;
+
+  void add_to(CLI::App& app);
+  /// Errors: std::runtime_error where something is wrong with the program, after everything is written.
+  void run() const;
+
+ private:
+  bool makes_pairs() const { return !families.empty() || with_count_; }
+  std::vector<NamedPair> chosen_pairs() const;
+  JudgedHead head() const;
+  void save(const ProgramJudged& judged) const;
+
+  bool with_count_ = false;
+};
+
+}  // namespace study

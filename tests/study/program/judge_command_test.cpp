@@ -1,0 +1,116 @@
+/// gjkstep-study judge as its users run it.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/walkthroughs/program/program.hpp"
+
+namespace walkthroughs::test {
+namespace {
+
+std::string in(const Folder& folder, const std::string& name) { return quoted((folder.path() / name).string()); }
+
+TEST_CASE("judge: a sound program ends with 0, a wrong one with 1 and what is wrong", "[judge]") {
+  const Outcome sound = run("judge -- " + quoted(GJKSTEP_ITSELF) + " query --certified");
+  INFO(sound.err);
+  CHECK(sound.exit_code == 0);
+  CHECK(has(sound.out, "query --certified: nothing is wrong: "));
+  CHECK(has(sound.err, "(100 %)"));
+  const Outcome wrong = run("judge -- " + quoted(JUDGED_WRONG_GJK));
+  CHECK(wrong.exit_code == 1);
+  CHECK(has(wrong.out, "* It behaves like M14 (the order is not changed when moving below the triangle): "));
+  CHECK(has(wrong.out, "## Asked again after what must not change the answer"));
+  CHECK(has(wrong.err, "gjkstep-study: " + std::string(JUDGED_WRONG_GJK) + ": wrong: "));
+}
+
+TEST_CASE("judge: families are asked with intervals, and the same seed makes the same pairs", "[judge]") {
+  const std::string command = "judge --families triangles,spheres --count 50 --seed 3 -- ";
+  const Outcome one = run(command + quoted(GJKSTEP_ITSELF) + " query --rules as-printed");
+  CHECK(one.exit_code == 1);
+  CHECK(has(one.out, "wrong, with the 95 % interval"));
+  CHECK(has(one.out, "| all | 100 |"));
+  CHECK(has(one.out, "made by: `gjkstep-study " + command));
+  CHECK(run(command + quoted(GJKSTEP_ITSELF) + " query --rules as-printed").out == one.out);
+}
+
+TEST_CASE("judge: JSON says the same, with every pair that is not right", "[judge]") {
+  const Outcome outcome = run("judge --json -- sed s/.*/true/");
+  CHECK(outcome.exit_code == 1);
+  const auto said = nlohmann::json::parse(outcome.out);
+  CHECK(said["good"] == false);
+  CHECK(said["all"]["wrong_yes"] == said["not_right"].size());
+  CHECK(said["not_right"][0]["verdict"] == "wrong_yes");
+  CHECK(said["not_right"][0]["truth"] == "separated");
+  CHECK(said["mistakes"][0]["name"] == "a program that always says yes");
+  CHECK(said["changes"].size() == 7);
+  CHECK(said["families"].size() > 40);
+}
+
+TEST_CASE("judge: what gjkstep-study pairs writes is judged, and pairs that are none are named", "[judge]") {
+  const Folder folder;
+  std::ofstream(folder.path() / "pairs.jsonl") << run("pairs --families boxes,cylinders --count 4").out;
+  std::ofstream(folder.path() / "bad.jsonl") << R"({"a":{"points":[[0,0,0]]}})"
+                                             << "\n";
+  const Outcome outcome =
+      run("judge --pairs " + in(folder, "pairs.jsonl") + " -- " + quoted(GJKSTEP_ITSELF) + " query");
+  CHECK(has(outcome.out, "of 8 pairs") != has(outcome.out, "wrong: 8 pairs"));
+  check_failure("judge --pairs " + in(folder, "bad.jsonl") + " -- cat", 3, {"bad.jsonl:1: ", "b"});
+  check_failure("judge --pairs " + in(folder, "nowhere") + " -- cat", 3, {"nowhere: cannot be read"});
+  check_failure("judge --pairs " + in(folder, "pairs.jsonl") + " --count 3 -- cat", 2, {"--count"});
+}
+
+TEST_CASE("judge: failures are saved as scenes that gjkstep render draws", "[judge]") {
+  const Folder folder;
+  const Outcome outcome =
+      run("judge --save-failures " + in(folder, "wrong") + " --max-failures 1 -- " + quoted(JUDGED_WRONG_GJK));
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.err, " scene files; gjkstep render draws them"));
+  const std::vector<std::string> files = listing(folder.path() / "wrong");
+  REQUIRE(files.size() > 5);
+  CHECK(std::ranges::count(files, "wrong-no-m14-1.json") == 1);
+  const std::string render = quoted(GJKSTEP_ITSELF) + " render " + in(folder, "wrong/" + files.front()) +
+                             " --size 160x90 --out " + in(folder, "pictures") + " >/dev/null 2>&1";
+  CHECK(std::system(render.c_str()) == 0);
+  CHECK_FALSE(listing(folder.path() / "pictures").empty());
+}
+
+TEST_CASE("judge: wrong usage ends with 2, what cannot be written with 5", "[judge]") {
+  check_failure("judge", 2, {"PROGRAM"});
+  check_failure("judge -- /nowhere/at/all", 2, {"the program '/nowhere/at/all' cannot be started: No such file"});
+  check_failure("judge --families boxs -- cat", 2, {"did you mean 'boxes'?"});
+  check_failure("judge --time-limit 0 -- cat", 2, {"expected a number from 0.01 to 3600"});
+  check_failure("judge --save-failures '' -- cat", 2, {"--save-failures '': name a folder"});
+  check_failure("judge --pairs '' -- cat", 2, {"--pairs ''"});
+  check_failure("judge --save-failures /dev/null/x -- cat", 5, {"/dev/null/x"});
+  const Outcome outcome =
+      run("judge --families boxes --count 2 -- sed s/.*/true/", "", {.out = "/dev/full", .err = ""});
+  CHECK(outcome.exit_code == 5);
+}
+
+TEST_CASE("judge: ended while it waits, it leaves nothing running", "[judge]") {
+  for (const std::string signal : {"INT", "TERM", "HUP"}) {
+    INFO(signal);
+    const Folder folder;
+    std::ofstream(folder.path() / "script")
+        << "env --default-signal=INT " << quoted(GJKSTEP_PROGRAM)
+        << " judge --time-limit 100 -- sh -c 'setsid sleep 2000 & echo $! >" << (folder.path() / "started").string()
+        << "; sleep 2000' >/dev/null 2>&1 &\nuntil [ -s " << in(folder, "started") << " ]; do sleep 0.02; done\nkill -"
+        << signal << " $!\nwait $!\n";
+    const int status = std::system(("sh " + in(folder, "script") + " 2>/dev/null").c_str());
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) > 128));
+    const std::string started = lines(bytes_of(folder.path() / "started")).at(0);
+    std::error_code error;
+    CHECK(std::filesystem::read_symlink("/proc/" + started + "/exe", error).empty());
+  }
+}
+
+TEST_CASE("judge: options of the program are its own", "[judge]") {
+  const Outcome outcome =
+      run("judge --families boxes --count 2 -- sh -c 'while read x; do echo \"$1\"; done' --json --count");
+  CHECK(has(outcome.out, "First pair without an answer: boxes-0: "));
+  CHECK_FALSE(outcome.out.starts_with("{"));
+}
+
+}  // namespace
+}  // namespace walkthroughs::test
