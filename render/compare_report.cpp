@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <span>
 
+#include "render/html.hpp"
+
 namespace render {
 namespace {
 
@@ -89,37 +91,6 @@ document.addEventListener('keydown', event => {
 )html";
 
 // ---------------------------------------------------------------------------------------------- its parts
-
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&': html += "&amp;"; break;
-      case '<': html += "&lt;"; break;
-      case '>': html += "&gt;"; break;
-      case '"': html += "&quot;"; break;
-      default: html += c;
-    }
-  }
-  return html;
-}
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) { return i + k < bytes.size() ? std::uint32_t{bytes[i + k]} : 0u; };
-    const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
-std::string img(const Image& image, const std::string& alt) {
-  return "<img width=\"" + std::to_string(image.size().width) + "\" height=\"" + std::to_string(image.size().height) +
-         "\" alt=\"" + escaped(alt) + "\" src=\"data:image/png;base64," + base64(encode_png(image, {})) + "\">";
-}
 
 std::string none(const std::string& why) { return "<div class=\"none\">" + escaped(why) + "</div>"; }
 

@@ -41,11 +41,15 @@ std::string title_of(const Judged& judged) {
   return title.size() <= limits::title ? title : kind_of(judged);
 }
 
+std::string truth_of(const Judged& judged) {
+  return judged.truth == Truth::intersecting ? "They have a point in common." : "They are apart.";
+}
+
 std::string scene_of(const Judged& judged, const std::string& program) {
-  const std::string truth = judged.truth == Truth::intersecting ? "they have a point in common" : "they are apart";
   const std::string question = question_line(judged.named.pair);
   return "// " + walkthroughs::printable(program) + ", pair " + walkthroughs::printable(judged.named.name) + ": " +
-         kind_of(judged) + ". Truth: " + truth + ".\n// What is drawn is the report's algorithm, not that program.\n" +
+         kind_of(judged) + ". " + truth_of(judged) +
+         "\n// What is drawn is the report's algorithm, not that program.\n" +
          "{\"title\": " + nlohmann::json(title_of(judged)).dump() + ",\n" + question.substr(1) + "\n";
 }
 
@@ -58,7 +62,8 @@ std::vector<JudgedScene> judged_scenes(const ProgramJudged& judged, const std::s
     const bool is_failure = each.is_wrong() || each.verdict == Verdict::undecided;
     if (!is_failure || !fits(each.named.pair)) continue;
     if (count[{each.named.family, kind_of(each)}]++ >= most) continue;
-    scenes.push_back({file_name(kind_of(each) + "-" + each.named.name), scene_of(each, program)});
+    scenes.push_back(
+        {file_name(kind_of(each) + "-" + each.named.name), title_of(each), truth_of(each), scene_of(each, program)});
   }
   return scenes;
 }

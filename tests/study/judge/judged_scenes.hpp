@@ -9,7 +9,9 @@
 namespace study {
 
 struct JudgedScene {
-  std::string name;  ///< of the file: "wrong-no-boxes-7.json"
+  std::string name;   ///< of the file: "wrong-no-boxes-7.json"
+  std::string title;  ///< "wrong no: boxes-7"
+  std::string truth;  ///< in a sentence
   std::string text;
 };
 

@@ -88,24 +88,12 @@ Cells cells_of(const FamilyTally& tally, bool is_sample) {
 }
 
 void write_families(std::ostream& out, const ProgramJudged& judged, const JudgedHead& head) {
+  const FamilyTable table = family_table(judged, head.is_sample);
   out << "## By family\n\n";
-  Cells titles{"Family", "Pairs"};
-  for (const Verdict verdict : columns) titles.emplace_back(verdict_words[static_cast<std::size_t>(verdict)]);
-  titles.emplace_back("evidence that proves nothing");
-  if (head.is_sample) titles.emplace_back("wrong, with the 95 % interval");
-  heading(out, titles, 1);
-  std::size_t all_right = 0;
-  for (const FamilyTally& family : judged.families)
-    if (family.of(Verdict::right) == family.pairs && family.false_evidence == 0)
-      ++all_right;
-    else
-      row(out, cells_of(family, head.is_sample));
-  row(out, cells_of(judged.all, head.is_sample));
+  heading(out, table.titles, 1);
+  for (const Cells& cells : table.rows) row(out, cells);
   out << '\n';
-  if (all_right > 0)
-    paragraph(out, count_of(all_right, "family", "families") + " of which every pair is answered rightly " +
-                       (all_right == 1 ? "has" : "have") + " no line.");
-  if (!head.is_sample) paragraph(out, "These pairs are chosen, not thrown: their rates say nothing of other pairs.");
+  for (const std::string& sentence : table.sentences) paragraph(out, sentence);
 }
 
 void write_changes(std::ostream& out, const ProgramJudged& judged) {
@@ -179,6 +167,26 @@ std::vector<std::string> remarks(const ProgramJudged& judged) {
   add_resemblance(judged, sentences);
   add_end(judged, sentences);
   return sentences;
+}
+
+FamilyTable family_table(const ProgramJudged& judged, bool is_sample) {
+  FamilyTable table{{"Family", "Pairs"}, {}, {}};
+  for (const Verdict verdict : columns) table.titles.emplace_back(verdict_words[static_cast<std::size_t>(verdict)]);
+  table.titles.emplace_back("evidence that proves nothing");
+  if (is_sample) table.titles.emplace_back("wrong, with the 95 % interval");
+  std::size_t all_right = 0;
+  for (const FamilyTally& family : judged.families)
+    if (family.of(Verdict::right) == family.pairs && family.false_evidence == 0)
+      ++all_right;
+    else
+      table.rows.push_back(cells_of(family, is_sample));
+  table.rows.push_back(cells_of(judged.all, is_sample));
+  if (all_right > 0)
+    table.sentences.push_back(count_of(all_right, "family", "families") + " of which every pair is answered rightly " +
+                              (all_right == 1 ? "has" : "have") + " no line.");
+  if (!is_sample)
+    table.sentences.emplace_back("These pairs are chosen, not thrown: their rates say nothing of other pairs.");
+  return table;
 }
 
 std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head) {

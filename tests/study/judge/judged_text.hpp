@@ -20,6 +20,14 @@ std::string verdict_line(const ProgramJudged& judged);
 /// Returns: what there is to say to it, a sentence each: the mistake that answers most alike, how it crashed, what it wrote.
 std::vector<std::string> remarks(const ProgramJudged& judged);
 
+/// Families of which all is right have no row; the last row is of all pairs.
+struct FamilyTable {
+  std::vector<std::string> titles;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> sentences;  ///< to read below it
+};
+FamilyTable family_table(const ProgramJudged& judged, bool is_sample);
+
 std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head);
 /// Returns: one object, one line.
 std::string judged_json(const ProgramJudged& judged, const JudgedHead& head);

@@ -6,6 +6,7 @@
 
 #include "render/file.hpp"
 #include "tests/study/judge/judge_program.hpp"
+#include "tests/study/judge/judged_page.hpp"
 #include "tests/study/judge/judged_scenes.hpp"
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/pairs/families.hpp"
@@ -31,7 +32,7 @@ tests/study/judge/README.md.
 Without --families, --count and --pairs the pairs are those of tests/study/corpus.jsonl that are made of points. Spheres
 and cylinders are asked where their families are named, or --pairs has them.
 Exit codes: 0 nothing is wrong, 1 something is, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be
-read or judged, 5 cannot write.)";
+read or judged, 4 --html finds no OpenGL to draw with, 5 cannot write.)";
 
 bool is_of_points(const NamedPair& named) {
   return std::holds_alternative<Points>(named.pair.a) && std::holds_alternative<Points>(named.pair.b);
@@ -59,6 +60,7 @@ void JudgeCommand::add_to(CLI::App& app) {
   expect_number(
       app.add_option("--max-failures", max_failures, "of each family and kind")->capture_default_str()->needs(saves),
       std::uint64_t{0}, most_pairs);
+  app.add_option("--html", html, "one page, too: the verdict, families, the first failures drawn");
   app.add_flag("--json", json, "JSON in place of Markdown, with every pair that is not right");
   app.add_option("PROGRAM", program, "what to judge, and its arguments, after --")->required();
   app.footer(footer);
@@ -94,18 +96,22 @@ JudgedHead JudgeCommand::head() const {
 void JudgeCommand::run() const {
   if (failures) expect_named("--save-failures", *failures);
   if (pairs && pairs->empty()) throw UsageError("--pairs '': name a file that 'gjkstep-study pairs' wrote");
+  if (html && html->empty()) throw UsageError("--html '': name a file to write, for example --html judged.html");
   walkthroughs::Places places;
+  if (html) places.write(*html, "what --html gets");
   if (pairs) places.read(*pairs, "the pairs " + *pairs);
   places.write_standard_output();
   places.expect_apart();
   const std::vector<NamedPair> chosen = chosen_pairs();
   if (failures) render::make_folder(*failures, "choose another with --save-failures");  // before the work, not after it
+  if (html) render::expect_writable(*html);
   ProgressLine line;
   const AskedProgram asked{
       .words = program, .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)), .progress = std::ref(line)};
   const ProgramJudged judged = judge_program(asked, chosen);
   std::cout << (json ? judged_json(judged, head()) : judged_markdown(judged, head()));
   if (failures) save(judged);
+  if (html) render::write_file(*html, judged_page(judged, head()));
   std::cout.flush();
   if (!judged.is_good()) throw std::runtime_error(joined(program, " ") + ": " + verdict_line(judged));
 }

@@ -13,7 +13,7 @@ namespace study {
 
 struct JudgeCommand {
   std::vector<std::string> program, families;
-  std::optional<std::string> pairs, failures;
+  std::optional<std::string> pairs, failures, html;
   std::uint64_t count = 100, seed = 1, max_failures = 5;
   double time_limit = 2;
   bool json = false;

@@ -75,6 +75,38 @@ TEST_CASE("judge: failures are saved as scenes that gjkstep render draws", "[jud
   CHECK_FALSE(listing(folder.path() / "pictures").empty());
 }
 
+TEST_CASE("judge: a page has the verdict, families and pictures in it, and nothing from elsewhere", "[judge]") {
+  const Folder folder;
+  const Outcome outcome = run("judge --html " + in(folder, "page.html") + " -- " + quoted(JUDGED_WRONG_GJK));
+  CHECK(outcome.exit_code == 1);
+  const std::string page = bytes_of(folder.path() / "page.html");
+  CHECK(page.find("wrong: ") < page.find("It behaves like M14"));
+  CHECK(page.find("It behaves like M14") < page.find("<h2>By family"));
+  CHECK(page.find("<h2>By family") < page.find("<img width=\"960\""));
+  CHECK(has(page, "<figcaption>wrong no: m14-1. They have a point in common.</figcaption>"));
+  CHECK_FALSE(has(page, "http://"));
+  CHECK_FALSE(has(page, "https://"));
+  const Outcome sound = run("judge --families boxes --count 3 --html " + in(folder, "sound.html") + " -- " +
+                            quoted(GJKSTEP_ITSELF) + " query --certified");
+  CHECK(sound.exit_code == 0);
+  CHECK_FALSE(has(bytes_of(folder.path() / "sound.html"), "<img"));
+}
+
+TEST_CASE("judge: the recipe says what happens", "[judge]") {
+  const std::string recipe = bytes_of(JUDGE_ADAPTERS "/../README.md");
+  const std::string out = run("judge -- " + quoted(JUDGED_WRONG_GJK)).out;
+  const std::string verdict = lines(out).at(0).substr(2 + std::string(JUDGED_WRONG_GJK).size());
+  CHECK(has(recipe, "# ./wrong_gjk" + verdict + "\n"));
+  const std::string sentence = lines(out).at(2);
+  CHECK(has(recipe, sentence.substr(0, sentence.find(';')) + "; …\n"));
+  const auto line = recipe.find("  return keep(s, {C, B, A}, d, -n);");
+  CHECK(has(bytes_of(JUDGE_ADAPTERS "/wrong_gjk.cpp"), recipe.substr(line, recipe.find(';', line) - line)));
+  const auto doubles = run("judge --json -- " + quoted(GJKSTEP_ITSELF) + " query");
+  const auto all = nlohmann::json::parse(doubles.out)["all"];
+  const int wrong = all["wrong_yes"].get<int>() + all["wrong_no"].get<int>() + all["false_evidence"].get<int>();
+  CHECK(has(recipe, "in doubles is wrong on " + std::to_string(wrong) + " of these pairs"));
+}
+
 TEST_CASE("judge: wrong usage ends with 2, what cannot be written with 5", "[judge]") {
   check_failure("judge", 2, {"PROGRAM"});
   check_failure("judge -- /nowhere/at/all", 2, {"the program '/nowhere/at/all' cannot be started: No such file"});
@@ -82,7 +114,9 @@ TEST_CASE("judge: wrong usage ends with 2, what cannot be written with 5", "[jud
   check_failure("judge --time-limit 0 -- cat", 2, {"expected a number from 0.01 to 3600"});
   check_failure("judge --save-failures '' -- cat", 2, {"--save-failures '': name a folder"});
   check_failure("judge --pairs '' -- cat", 2, {"--pairs ''"});
+  check_failure("judge --html '' -- cat", 2, {"--html '': name a file"});
   check_failure("judge --save-failures /dev/null/x -- cat", 5, {"/dev/null/x"});
+  check_failure("judge --html /dev/null/x -- cat", 5, {"/dev/null/x"});
   const Outcome outcome =
       run("judge --families boxes --count 2 -- sed s/.*/true/", "", {.out = "/dev/full", .err = ""});
   CHECK(outcome.exit_code == 5);
