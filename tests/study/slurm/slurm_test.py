@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""A study as a job array of a real Slurm, which is started here with one node: 64 shards, one of them killed and run again, merged,
+give the files of one run byte for byte.
+
+    python3 tests/study/slurm/slurm_test.py build/gjkstep-study      # 77: skipped, and why; needs root, slurm-wlm and munge
+"""
+import contextlib, ctypes, os, pathlib, shutil, signal, socket, subprocess, sys, tempfile, time
+
+here = pathlib.Path(__file__).resolve().parent
+shards = 64
+killed = 7
+study = ["--pairs", "40", "--families", "triangles,cycles,touching-face-askew", "--scalar", "float,double", "--seed", "5"]
+
+
+def skip(why):
+    print("skipped: " + why)
+    sys.exit(77)
+
+
+def free_port():
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        return found.getsockname()[1]
+
+
+def configuration(folder):
+    host = socket.gethostname().split(".")[0]
+    return "\n".join(f"{key}={value}" for key, value in {
+        "ClusterName": "gjkstep", "SlurmctldHost": f"{host}(127.0.0.1)", "SlurmUser": "root", "SlurmdUser": "root",
+        "AuthType": "auth/munge", "AuthInfo": f"socket={folder}/munge.socket", "CryptoType": "crypto/munge",
+        "SlurmctldPort": free_port(), "SlurmdPort": free_port(), "StateSaveLocation": f"{folder}/state",
+        "SlurmdSpoolDir": f"{folder}/spool", "SlurmctldPidFile": f"{folder}/slurmctld.pid",
+        "SlurmdPidFile": f"{folder}/slurmd.pid", "ProctrackType": "proctrack/linuxproc", "TaskPlugin": "task/none",
+        "SwitchType": "switch/none", "MpiDefault": "none", "ReturnToService": 2, "SchedulerType": "sched/builtin",
+        "SchedulerParameters": "batch_sched_delay=0,sched_interval=1,sched_min_interval=0", "CompleteWait": 0,
+        "SelectType": "select/cons_tres", "SelectTypeParameters": "CR_Core", "JobAcctGatherType": "jobacct_gather/none",
+        "AccountingStorageType": "accounting_storage/none", "SlurmctldParameters": "enable_configless", "MinJobAge": 300,
+        "NodeName": f"{host} NodeAddr=127.0.0.1 CPUs=8 State=UNKNOWN", "SlurmdParameters": "config_overrides",
+        "PartitionName": f"all Nodes={host} Default=YES MaxTime=INFINITE State=UP"}.items()) + "\n"
+
+
+def wait_for(what, holds, seconds=60):
+    late = time.monotonic() + seconds
+    while not holds():
+        if time.monotonic() > late:
+            raise TimeoutError("waited in vain for " + what)
+        time.sleep(0.05)
+
+
+def end_what_is_left():
+    """What a daemon has started is this process's own once that has ended (see below): steps of jobs, and what they run."""
+    for _ in range(100):
+        children = pathlib.Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()
+        for child in children:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(int(child), signal.SIGKILL)
+        with contextlib.suppress(ChildProcessError):
+            while os.waitpid(-1, 0):
+                pass
+
+
+class Slurm:
+    """munged, slurmctld and slurmd, with all that they write in one folder."""
+
+    def __init__(self, folder):
+        self.folder, self.daemons = folder, []
+        for name in ("state", "spool"):
+            (folder / name).mkdir()
+        (folder / "slurm.conf").write_text(configuration(folder))
+        self.environment = {**os.environ, "SLURM_CONF": str(folder / "slurm.conf")}
+        key = folder / "munge.key"
+        key.write_bytes(os.urandom(1024))
+        key.chmod(0o600)
+        self.start("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={folder}/munge.socket",
+                   f"--pid-file={folder}/munged.pid", f"--seed-file={folder}/munged.seed", f"--log-file={folder}/munged.log")
+        wait_for("munged", (folder / "munge.socket").exists)
+        self.start("slurmctld", "-D")
+        self.start("slurmd", "-D", "-N", socket.gethostname().split(".")[0])
+        wait_for("the node", lambda: "idle" in self.run("sinfo", "-h", "-o", "%T", check=False).stdout)
+
+    def start(self, *command):
+        log = open(self.folder / (command[0] + ".out"), "w")
+        self.daemons.append(subprocess.Popen(command, env=self.environment, stdout=log, stderr=log))
+
+    def run(self, *command, check=True):
+        return subprocess.run(command, env=self.environment, capture_output=True, text=True, check=check)
+
+    def submit(self, array, *arguments):
+        """Returns the number of the job."""
+        return self.run("sbatch", "--parsable", f"--array={array}", f"--output={self.folder}/job-%a.out",
+                        str(here / "study.sbatch"), *arguments).stdout.strip()
+
+    def states(self, job):
+        """The states of its tasks that are not done."""
+        told = self.run("squeue", "-h", "-r", "-j", job, "-o", "%K %T", check=False).stdout
+        return dict(line.split() for line in told.splitlines())
+
+    def end(self):
+        for daemon in reversed(self.daemons):
+            daemon.terminate()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                daemon.wait(10)
+            daemon.kill()
+        end_what_is_left()
+
+
+def program_that_is_held(folder, program):
+    """The study, but in one shard it stands still as soon as it begins, so that it can be killed before its end."""
+    script = folder / "held"
+    script.write_text(f"""#!/bin/sh
+[ "$SLURM_ARRAY_TASK_ID" = {killed} ] || exec '{program}' "$@"
+'{program}' "$@" & kill -STOP $!
+echo $! >'{folder}/held.pid'
+wait
+""")
+    script.chmod(0o755)
+    return script
+
+
+def is_running(pid):
+    return pathlib.Path(f"/proc/{pid}/exe").is_symlink() and os.path.exists(f"/proc/{pid}/exe")
+
+
+def check(program, folder):
+    slurm = Slurm(folder)
+    try:
+        out = folder / "shards"
+        job = slurm.submit(f"0-{shards - 1}", str(program_that_is_held(folder, program)), str(out), str(shards), *study)
+        wait_for("all shards but one", lambda: set(slurm.states(job)) == {str(killed)} and (folder / "held.pid").exists(), 300)
+        held = (folder / "held.pid").read_text().strip()
+        slurm.run("scancel", "--signal=KILL", "--full", f"{job}_{killed}")
+        wait_for("the end of the one that was killed", lambda: not slurm.states(job) and not is_running(held))
+        missing = [i for i in range(shards) if not (out / f"shard-{i}-of-{shards}.json").exists()]
+        assert missing == [killed], missing
+        again = slurm.submit(str(killed), str(program), str(out), str(shards), *study)
+        wait_for("the shard that is run again", lambda: not slurm.states(again))
+    finally:
+        slurm.end()
+    files = sorted(str(file) for file in out.glob("shard-*.json"))
+    assert len(files) == shards, len(files)
+    subprocess.run([program, "merge", *files, "--out", folder / "merged"], check=True, capture_output=True)
+    subprocess.run([program, "run", *study, "--out", folder / "one"], check=True, capture_output=True)
+    for name in ("study.csv", "tables.md", "errors.md", "settings.md"):
+        assert (folder / "merged" / name).read_bytes() == (folder / "one" / name).read_bytes(), name
+    print(f"{shards} shards, number {killed} killed and run again: merged as one run, byte for byte")
+
+
+if __name__ == "__main__":
+    if os.geteuid() != 0:
+        skip("starting Slurm takes root")
+    for name in ("munged", "slurmctld", "slurmd", "sbatch"):
+        if not shutil.which(name):
+            skip(f"{name} is not there; apt-get install slurm-wlm munge")
+    ctypes.CDLL(None).prctl(36, 1)  # PR_SET_CHILD_SUBREAPER
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="gjkstep-slurm-"))
+    try:
+        check(str(pathlib.Path(sys.argv[1]).resolve()), folder)
+    except (AssertionError, TimeoutError, subprocess.CalledProcessError):
+        for log in sorted(folder.glob("*.out")):
+            print(f"--- {log.name}\n" + "\n".join(log.read_text().splitlines()[-15:]), file=sys.stderr)
+        raise
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
