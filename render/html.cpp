@@ -1,24 +1,6 @@
 #include "render/html.hpp"
 
-#include <cstdint>
-#include <span>
-
 namespace render {
-
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&': html += "&amp;"; break;
-      case '<': html += "&lt;"; break;
-      case '>': html += "&gt;"; break;
-      case '"': html += "&quot;"; break;
-      default: html += c;
-    }
-  }
-  return html;
-}
-
 namespace {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
@@ -35,9 +17,25 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-std::string img(const Image& image, const std::string& alt) {
+std::string escaped(std::string_view text) {
+  std::string html;
+  for (const char c : text) {
+    switch (c) {
+      case '&': html += "&amp;"; break;
+      case '<': html += "&lt;"; break;
+      case '>': html += "&gt;"; break;
+      case '"': html += "&quot;"; break;
+      default: html += c;
+    }
+  }
+  return html;
+}
+
+std::string data_url(std::span<const std::uint8_t> png) { return "data:image/png;base64," + base64(png); }
+
+std::string img(const Image& image, std::string_view alt) {
   return "<img width=\"" + std::to_string(image.size().width) + "\" height=\"" + std::to_string(image.size().height) +
-         "\" alt=\"" + escaped(alt) + "\" src=\"data:image/png;base64," + base64(encode_png(image, {})) + "\">";
+         "\" alt=\"" + escaped(alt) + "\" src=\"" + data_url(encode_png(image, {})) + "\">";
 }
 
 }  // namespace render

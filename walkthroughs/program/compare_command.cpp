@@ -11,6 +11,7 @@
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -41,19 +42,6 @@ std::vector<render::FilePair> pairs_of(const std::string& expected, const std::s
     throw UsageError("compare: there is no .png file in '" + expected + "' nor in '" + actual +
                      "'; name folders of pictures");
   return pairs;
-}
-
-/// Returns: `path` as one word of a shell, and not an option.
-std::string shell_word(const fs::path& path) {
-  const std::string text = path.string().starts_with('-') ? "./" + path.string() : path.string();
-  const auto plain = [](unsigned char c) {
-    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '/' || c == '.' ||
-           c == '_' || c == '-' || c == '+' || c == ',' || c == '=' || c == ':' || c == '@';
-  };
-  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 /// Returns: the command that makes the new state the expected one; empty where that would accept a damaged file.

@@ -1,0 +1,12 @@
+/// Paths in commands that readers may copy.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace walkthroughs {
+
+/// Returns: `path` as one word of a shell, and not an option.
+std::string shell_word(const std::filesystem::path& path);
+
+}  // namespace walkthroughs
