@@ -12,25 +12,6 @@ using render::Vec2;
 
 constexpr double text_size = 17, least_text_size = 12, indent_width = 20, margin = 14, most_pitch = 26;
 
-/// What came of a test, and its value where that is to be shown: "= −0.42 ✗".
-std::string outcome(const gjk::RegionTested<double>& test, bool with_value) {
-  const double* value = with_value ? std::get_if<double>(&test.value) : nullptr;
-  return (value ? "= " + short_number(*value) + " " : "") + (test.verdict == gjk::Verdict::rejected ? "✗" : "✓");
-}
-
-/// "Algorithm 4", and where the picture has its own letters, who is who: "Algorithm 4: A is G, B is E, C is A".
-std::string title_of(int number, RuleSet rules, const Names& names, const Simplex& simplex) {
-  const std::string title = name_of_algorithm(number, rules);
-  if (number == 1) return title;
-  std::string translation;
-  for (int i = 0; i < simplex.size(); ++i) {
-    const gjk::Role role = static_cast<gjk::Role>(i);
-    if (names.of(role) == std::string(1, gjk::letter(role))) continue;
-    translation.append(translation.empty() ? ": " : ", ") += std::string(1, gjk::letter(role)) + " = " + names.of(role);
-  }
-  return title + translation;
-}
-
 /// Draws the lines in equal steps from top to bottom.
 class Listing {
  public:
@@ -48,7 +29,7 @@ class Listing {
     if (is_current) mark(baseline);
     render::TextStyle text = text_;
     if (is_current) text.weight = render::Weight::bold;
-    const std::string words = number_ == 1 ? line.text : shown_.names.translate(line.text);
+    const std::string words = line_in_letters(number_, line, shown_.names);
     const double left = room_.min.x() + margin + 14 + indent_width * line.indent;
     const double needed = canvas_.text_box({0, 0}, words, text).width(), room = room_.max.x() - 6 - left;
     if (needed > room) text.size *= room / needed;

@@ -69,18 +69,26 @@ Json json(const FrameFile& item) {
 
 }  // namespace
 
-std::string alternative_text(const Story& story, std::size_t index) {
+std::string description(const Story& story, std::size_t index) {
   const Frame& frame = story.frames[index];
-  std::string text = plain(frame.caption);
-  if (frame.focus == Focus::diagram) text += "\n" + plain(story.diagrams[index].description);
+  std::string text;
+  const auto append = [&](const std::string& sentences) { text += (text.empty() ? "" : "\n") + sentences; };
+  if (frame.focus == Focus::diagram) append(plain(story.diagrams[index].description));
   for (std::size_t s = 0; s < frame.moments.size(); ++s) {
     const bool several = frame.moments.size() > 1;
-    text += (several ? "\nOf the two, " + story.tellings[s].scene.name + ": " : "\n") +
-            described(story.tellings[s], story.names(index, s), frame.moments[s]);
+    append((several ? "Of the two, " + story.tellings[s].scene.name + ": " : "") +
+           described(story.tellings[s], story.names(index, s), frame.moments[s]));
   }
   if (shows_decision(story))
     for (const DecisionView& view : decision_views(frame.moments[0], frame.focus))
-      text += "\n" + plain(in_words(view, frame.moments[0], story.names(index, 0)));
+      append(plain(in_words(view, frame.moments[0], story.names(index, 0))));
+  return text;
+}
+
+std::string alternative_text(const Story& story, std::size_t index) {
+  const Frame& frame = story.frames[index];
+  std::string text = plain(frame.caption);
+  if (const std::string seen = description(story, index); !seen.empty()) text += "\n" + seen;
   for (const Fact& fact : frame.facts) text += "\n" + mark_in_words(fact.mark) + plain(fact.text) + ".";
   return text;
 }

@@ -10,6 +10,9 @@
 
 namespace walkthroughs {
 
+/// Returns: what the panels show, in sentences without markup.
+std::string description(const Story& story, std::size_t index);
+
 /// Returns: the caption, what the panels show, and the facts, in sentences without markup.
 std::string alternative_text(const Story& story, std::size_t index);
 

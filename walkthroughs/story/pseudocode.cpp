@@ -163,6 +163,10 @@ std::optional<std::size_t> action_after(const std::vector<CodeLine>& code, std::
   return std::nullopt;
 }
 
+std::string name_of_algorithm(int number, RuleSet rules) {
+  return is_nearest_feature(number, rules) ? "Nearest feature" : "Algorithm " + std::to_string(number);
+}
+
 }  // namespace
 
 const std::vector<CodeLine>& algorithm(int number, RuleSet rules) {
@@ -176,10 +180,6 @@ const std::vector<CodeLine>& algorithm(int number, RuleSet rules) {
   static const std::vector<CodeLine> complete = nearest_feature();
   if (number == 1) return first.at(static_cast<std::size_t>(rules));
   return is_nearest_feature(number, rules) ? complete : others.at(static_cast<std::size_t>(number - 2));
-}
-
-std::string name_of_algorithm(int number, RuleSet rules) {
-  return is_nearest_feature(number, rules) ? "Nearest feature" : "Algorithm " + std::to_string(number);
 }
 
 int running_algorithm(const Moment& now, Focus focus) {
@@ -204,6 +204,37 @@ std::optional<std::size_t> current_line(const std::vector<CodeLine>& code, const
   const std::optional<std::size_t> tested = last_test(code, now);
   if (focus == Focus::region || !tested) return tested;
   return action_after(code, *tested, now);
+}
+
+std::string outcome(const gjk::RegionTested<double>& test, bool with_value) {
+  const double* value = with_value ? std::get_if<double>(&test.value) : nullptr;
+  return (value ? "= " + short_number(*value) + " " : "") + (test.verdict == gjk::Verdict::rejected ? "✗" : "✓");
+}
+
+std::string title_of(int number, RuleSet rules, const Names& names, const Simplex& simplex) {
+  const std::string title = name_of_algorithm(number, rules);
+  if (number == 1) return title;
+  std::string translation;
+  for (int i = 0; i < simplex.size(); ++i) {
+    const gjk::Role role = static_cast<gjk::Role>(i);
+    if (names.of(role) == std::string(1, gjk::letter(role))) continue;
+    translation.append(translation.empty() ? ": " : ", ") += std::string(1, gjk::letter(role)) + " = " + names.of(role);
+  }
+  return title + translation;
+}
+
+std::string line_in_letters(int number, const CodeLine& line, const Names& names) {
+  return number == 1 ? line.text : names.translate(line.text);
+}
+
+std::optional<Way> way_of(const CodeLine& line) {
+  constexpr std::string_view keep = "keep [", search = "],  d ← ";
+  const std::size_t begin = line.text.find(keep), end = line.text.find(search);
+  if (line.kind != Kind::action || begin == std::string::npos || end == std::string::npos) return std::nullopt;
+  Way way{"", line.text.substr(end + search.size())};
+  for (const char c : line.text.substr(begin + keep.size(), end - begin - keep.size()))
+    if (c >= 'A' && c <= 'D') way.kept += c;
+  return way;
 }
 
 }  // namespace walkthroughs

@@ -3,6 +3,7 @@
 /// `[C, B, A]` is a simplex, oldest first; `d` the search direction; N the iteration limit.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,6 @@ struct CodeLine {
 /// Returns: Algorithm 1 to 5, as these rules have it; the complete rules have one text for 3 to 5. Requires: 1 <= number <= 5.
 const std::vector<CodeLine>& algorithm(int number, RuleSet rules);
 
-/// "Algorithm 4"; of the complete rules, which are not the report's, what they do.
-std::string name_of_algorithm(int number, RuleSet rules);
-
 /// Returns: the number of the algorithm that was running when this was the last event, as `focus` tells it.
 int running_algorithm(const Moment& now, Focus focus);
 
@@ -38,5 +36,24 @@ std::optional<std::size_t> current_line(const std::vector<CodeLine>& code, const
 
 /// Returns: the test that a line has made in this iteration so far, or null.
 const gjk::RegionTested<double>* test_of(const CodeLine& line, const Moment& now);
+
+/// Returns: what came of a test, and its value where that is to be shown: "= −0.42 ✗".
+std::string outcome(const gjk::RegionTested<double>& test, bool with_value);
+
+/// Returns: "Algorithm 4", and where the picture has its own letters, who is who in the simplex that is being processed:
+/// "Algorithm 4: A = G, B = E, C = A". That of the complete rules, which are not the report's, is "Nearest feature".
+std::string title_of(int number, RuleSet rules, const Names& names, const Simplex& simplex);
+
+/// Returns: the text of a line of that algorithm in the letters of the picture, with the markup of render/font.hpp.
+std::string line_in_letters(int number, const CodeLine& line, const Names& names);
+
+/// What a line of Algorithms 4 and 5 keeps, as roles, oldest first, and where it searches on.
+struct Way {
+  std::string kept;       ///< "CA"
+  std::string direction;  ///< "AC×AO×AC"
+};
+
+/// Returns: the way on that an action leads to; nothing where the line leads to none, or says only that everything is kept.
+std::optional<Way> way_of(const CodeLine& line);
 
 }  // namespace walkthroughs
