@@ -16,6 +16,7 @@ floors = [
     ["walkthroughs/picture"],
     ["walkthroughs/trace"],
     ["walkthroughs/catalogue"],
+    ["walkthroughs/page"],
     ["walkthroughs/program"],
     ["tests/catch.hpp", "tests/core", "tests/render"],
     ["tests/walkthroughs"],  # what its tests share

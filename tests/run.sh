@@ -18,13 +18,15 @@ run_tests() {
   ctest --test-dir "$1" --output-on-failure --parallel 2 || stop "tests failed in $1"
 }
 
-# chromium: the report of differing pictures is looked at in a real browser.
+# chromium: the report of differing pictures is looked at in a real browser; python3-selenium and chromium-driver step through
+# pages in it, tidy reads their HTML, poppler-utils what they print.
 # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
 # libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
 # libccd-dev, libfcl-dev and libbullet-dev: what gjkstep-peers times the plain call beside.
 # strace lets single calls of the system fail, as on a full disk.
 # dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system (tests/package).
-require_packages $program_packages catch2 libbenchmark-dev python3 python3-jsonschema chromium libcgal-dev gnuplot-nox \
+require_packages $program_packages catch2 libbenchmark-dev python3 python3-jsonschema chromium chromium-driver \
+  python3-selenium tidy poppler-utils libcgal-dev gnuplot-nox \
   libccd-dev libfcl-dev libbullet-dev strace dpkg-dev file mmdebstrap python3-yaml
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON

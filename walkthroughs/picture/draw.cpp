@@ -297,6 +297,13 @@ render::Size page_of_frame(Text text) {
   return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
 }
 
+Box pictures_of_frame(const Walkthrough& walkthrough, Text text) {
+  const bool has_code = walkthrough.layout == Layout::search && walkthrough.panels.algorithm;
+  const double right = has_code ? right_margin - algorithm_width - panel_gap : right_margin;
+  const double top = text == Text::around ? panels_top : margin_without_text;
+  return panel_box(left_margin, right, top).grown(panel_gap / 2 - 1);
+}
+
 int draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   if (look.text != Text::around) return draw_panels(canvas, story, index, margin_without_text, look);
   draw_header(canvas, story.walkthrough, look.style);

@@ -31,6 +31,9 @@ inline constexpr render::Size frame_page{1280, 720};
 /// Returns: the page of a frame; without text it is as wide and less high.
 render::Size page_of_frame(Text text);
 
+/// Returns: the part of that page that holds the panels but for the pseudo-code, for who writes all words himself.
+render::Box pictures_of_frame(const Walkthrough& walkthrough, Text text);
+
 /// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper;
 /// index < story.frames.size().
 /// Returns: how many labels could not be kept clear of others, and how many lines of text there was no room for.

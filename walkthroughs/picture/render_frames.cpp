@@ -15,16 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `turn` 0 is the usual view.
-std::string file_name(std::size_t index, int turn = 0) {
-  char name[64];
-  if (turn == 0)
-    std::snprintf(name, sizeof name, "%03zu.png", index);
-  else
-    std::snprintf(name, sizeof name, "%03zu-turn-%d.png", index, turn);
-  return name;
-}
-
 /// Returns: the folder of a walkthrough's pictures, which is there.
 fs::path folder_of(const Output& output, const Walkthrough& walkthrough) {
   render::make_folder(output.folder / walkthrough.name, "choose another with --out");
@@ -49,8 +39,8 @@ bool in_space(const Walkthrough& walkthrough) {
 bool remove_views(const fs::path& folder, std::size_t index, int first) {
   std::error_code ignored;
   int turn = first;
-  while (fs::is_regular_file(folder / file_name(index, turn), ignored) &&
-         fs::remove(folder / file_name(index, turn), ignored))
+  while (fs::is_regular_file(folder / picture_name(index, turn), ignored) &&
+         fs::remove(folder / picture_name(index, turn), ignored))
     ++turn;
   return turn > first;
 }
@@ -63,6 +53,17 @@ void remove_stale(const fs::path& folder, std::size_t count, int turns) {
 }
 
 }  // namespace
+
+std::string picture_name(std::size_t index, int turn) {
+  char name[64];
+  if (turn == 0)
+    std::snprintf(name, sizeof name, "%03zu.png", index);
+  else
+    std::snprintf(name, sizeof name, "%03zu-turn-%d.png", index, turn);
+  return name;
+}
+
+int turns_of(const Walkthrough& walkthrough, const Output& output) { return in_space(walkthrough) ? output.turns : 0; }
 
 // ---------------------------------------------------------------------------------------------- Renderer
 
@@ -88,13 +89,13 @@ void Renderer::frames(const StagedStory& story, const Output& output, FrameWritt
   const Walkthrough& w = story.walkthrough;
   const fs::path folder = folder_of(output, w);
   const std::size_t count = story.frames.size();
-  const int turns = in_space(w) ? output.turns : 0;
+  const int turns = turns_of(w, output);
   const auto animation = std::make_shared<render::Animation>(render::PngText{w.title, w.summary});
   for (std::size_t i = 0; i < count; ++i) {
     const render::PngText text{w.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count),
                                alternative_text(story, i)};
     const double seconds = animation_seconds.value_or(0) * (i + 1 == count ? last_frame_times : 1);
-    writer_.prepare([=, file = folder / file_name(i), image = draw(story, i, output)]() -> render::Worker::Job {
+    writer_.prepare([=, file = folder / picture_name(i), image = draw(story, i, output)]() -> render::Worker::Job {
       return [=, png = render::encode_png(image, text)] {
         render::write_file(file, png);
         if (animation_seconds) animation->add(png, seconds);
@@ -104,7 +105,8 @@ void Renderer::frames(const StagedStory& story, const Output& output, FrameWritt
     Output turned = output;
     for (int turn = 1; turn <= turns; ++turn) {
       turned.look.turn = output.look.turn + 360.0 * turn / (turns + 1);
-      write(folder / file_name(i, turn), draw(story, i, turned), text, [=](const fs::path& file) { written(file, i); });
+      write(folder / picture_name(i, turn), draw(story, i, turned), text,
+            [=](const fs::path& file) { written(file, i); });
     }
   }
   writer_.post([=] {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "render/font.hpp"
 #include "render/rasterizer.hpp"
@@ -29,6 +30,12 @@ struct Output {
   Look look = {};
   int turns = 0;  ///< views of each frame beside the usual one, around the vertical axis, of scenes in space
 };
+
+/// Returns: what the picture of a frame is called: "007.png", "007-turn-1.png"; `turn` 0 is the usual view.
+std::string picture_name(std::size_t index, int turn = 0);
+
+/// Returns: how many further views each frame of a walkthrough gets: none where no scene is in space.
+int turns_of(const Walkthrough& walkthrough, const Output& output);
 
 /// The tools of drawing, made once for all pictures.
 struct Studio {
@@ -60,6 +67,8 @@ class Renderer {
   void strip(const StagedStory& story, const Output& output, FileWritten written);
   /// Writes FOLDER/NAME/sheet.png, a contact sheet of all frames in reading order, each drawn anew, as sheet_layout() says.
   void sheet(const StagedStory& story, const Output& output, FileWritten written);
+  /// Does something else when the files asked for before are written, where they are written.
+  void then(std::function<void()> job) { writer_.post(std::move(job)); }
   /// Returns when all files are written.
   void finish() { writer_.finish(); }
 

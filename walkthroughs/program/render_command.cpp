@@ -17,6 +17,7 @@
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/missing_letters.hpp"
 #include "walkthroughs/program/number_option.hpp"
+#include "walkthroughs/program/pages.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
@@ -35,6 +36,7 @@ class Selection {
     const Walkthrough* walkthrough;
     std::optional<render::Size> size = {};       ///< that its file asks for
     const std::vector<Trace>* traces = nullptr;  ///< where they have been read
+    PageOrigin origin = {};
   };
 
   void add(const std::string& word) {
@@ -42,19 +44,19 @@ class Selection {
     if (!files_read_.insert(word).second) return;
     const SceneFile& file = files_.emplace_back(read_scene(word));
     refuse_name_twice(file.walkthrough, word);
-    chosen_.push_back({&file.walkthrough, file.size});
+    chosen_.push_back({&file.walkthrough, file.size, nullptr, {file.walkthrough.name, "", word}});
   }
   void add_trace(const std::string& file) {
     if (!files_read_.insert(file).second) return;
     const TraceFile& read = traces_.emplace_back(read_trace(file));
     refuse_name_twice(read.walkthrough, file);
-    chosen_.push_back({&read.walkthrough, {}, &read.traces});
+    chosen_.push_back({&read.walkthrough, {}, &read.traces, {read.walkthrough.name, "--from-trace ", file}});
   }
   void add(const std::vector<const Walkthrough*>& several) {
     for (const Walkthrough* w : several) {
       if (std::ranges::count(chosen_, w, &Chosen::walkthrough) > 0) continue;
       refuse_name_twice(*w, w->name);
-      chosen_.push_back({w});
+      chosen_.push_back({w, {}, nullptr, {w->name, "", {}}});
     }
   }
   const std::vector<Chosen>& chosen() const { return chosen_; }
@@ -84,7 +86,9 @@ class Rendering {
     const Selection selection = select();
     expect_apart(selection, output.folder);
     expect_writable_captions(selection, output.folder);
-    Written written;  // before the renderer, which writes what it was given even when it goes early
+    if (is_asked_for_pages()) expect_writable_index(output.folder);
+    Written written{
+        .pages = pages_of(selection)};  // before the renderer, which writes what it was given even when it goes early
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
@@ -97,14 +101,16 @@ class Rendering {
     if (command_.rendered_by) write_rendered_by(studio, output.folder);
     if (command_.captions) write_captions(written.frames);
     if (command_.movie) print_movies(selection, output);
+    if (is_asked_for_pages()) write_index(*written.pages, output.folder);
   }
 
  private:
   /// What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
   struct Written {
-    std::vector<FrameFile> frames;
-    std::vector<std::shared_ptr<const Story>> stories;
-    std::deque<Walkthrough> walkthroughs;  ///< that they tell
+    std::vector<FrameFile> frames = {};
+    std::vector<std::shared_ptr<const Story>> stories = {};
+    std::deque<Walkthrough> walkthroughs = {};  ///< that they tell
+    std::optional<Pages> pages = {};            ///< where they are asked for
   };
 
   /// Corners of a planar hull have letters of their own anyway.
@@ -153,6 +159,10 @@ class Rendering {
       places.write_pictures(folder / each.walkthrough->name, "the pictures of " + each.walkthrough->name);
     if (command_.rendered_by) places.write(folder / render::rendered_by_file, "what --rendered-by notes");
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
+    if (is_asked_for_pages()) places.write(folder / page_file, "the page over all walkthroughs");
+    for (const Selection::Chosen& each : selection.chosen())
+      if (is_asked_for_pages())
+        places.write(folder / each.walkthrough->name / page_file, "the page of " + each.walkthrough->name);
     places.write_standard_output();
     places.expect_apart();
   }
@@ -163,6 +173,20 @@ class Rendering {
     for (const Selection::Chosen& each : selection.chosen())
       render::make_folder(folder / each.walkthrough->name, "choose another with --out");
     render::expect_writable(*command_.captions);
+  }
+
+  bool is_asked_for_pages() const { return !command_.page.empty(); }
+
+  std::optional<Pages> pages_of(const Selection& selection) const {
+    if (!is_asked_for_pages()) return std::nullopt;
+    std::vector<PageOrigin> origins;
+    for (const Selection::Chosen& each : selection.chosen()) origins.push_back(each.origin);
+    return Pages(command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside, std::move(origins));
+  }
+
+  static void expect_writable_index(const std::filesystem::path& folder) {
+    render::make_folder(folder, "choose another with --out");
+    render::expect_writable(folder / page_file);
   }
 
   void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
@@ -187,6 +211,7 @@ class Rendering {
                     report_file);
     if (command_.strip) renderer.strip(*story, output, report_file);
     if (command_.sheet) renderer.sheet(*story, output, report_file);
+    if (written.pages) written.pages->add(story, output, renderer, report_file);
   }
 
   /// One line for each file, and how far it is.
@@ -224,6 +249,11 @@ class Rendering {
     std::cout << printable(*command_.captions) << "  captions and descriptions of the frames\n";
   }
 
+  static void write_index(const Pages& pages, const std::filesystem::path& folder) {
+    pages.write_index(folder);
+    std::cout << "open " << printable((folder / page_file).string()) << '\n';
+  }
+
   void print_movies(const Selection& selection, const Output& output) const {
     const Movie kind = *command_.movie == "gif" ? Movie::gif : Movie::mp4;
     for (const Selection::Chosen& each : selection.chosen())
@@ -252,6 +282,11 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command->add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
   command->add_flag("--sheet", render.sheet, "write OUT/NAME/sheet.png as well: all frames on one page");
   command->add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
+  command
+      ->add_flag("--page{beside}", render.page,
+                 "write OUT/NAME/index.html as well, to step through in a browser, and OUT/index.html over all; "
+                 "--page=single puts the pictures into each")
+      ->check(CLI::IsMember({"beside", "single"}));
   command->add_option("--movie", render.movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif")
       ->check(CLI::IsMember({"mp4", "gif"}));
   expect_number(

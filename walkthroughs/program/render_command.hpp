@@ -15,6 +15,7 @@ struct RenderCommand {
   bool strip = false;
   bool sheet = false;
   bool apng = false;
+  std::string page;  ///< "beside" or "single"; empty: none
   bool no_captions = false, no_values = false;
   std::optional<std::string> letters;
   bool rendered_by = false;

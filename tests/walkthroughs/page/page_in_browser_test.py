@@ -1,0 +1,440 @@
+#!/usr/bin/python3
+"""The pages of gjkstep render --page in a real browser, used as a person would: by keys, mouse, finger and address.
+
+    /usr/bin/python3 tests/walkthroughs/page/page_in_browser_test.py build/gjkstep [NAME-OF-A-TEST...]
+
+Debian's python3-selenium and chromium-driver drive Chromium; tidy reads the HTML, pdftotext (poppler-utils) what is printed. Where they
+are missing it says so and exits with 77.
+"""
+import base64, json, os, pathlib, re, shutil, subprocess, sys, tempfile, unittest
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import WebDriverWait
+except ImportError:
+    print("skipped: no selenium; install the Debian package python3-selenium")
+    sys.exit(77)
+for tool, package in [("chromedriver", "chromium-driver"), ("tidy", "tidy"), ("pdftotext", "poppler-utils")]:
+    if not shutil.which(tool):
+        print(f"skipped: no {tool}; install the Debian package {package}")
+        sys.exit(77)
+
+program = os.path.abspath(sys.argv[1])
+searched, hit, apart = "regions/3-simplex-face-adb-edge-ad", "vehicle-and-threat/vehicle-hit", "figure-4"
+hostile = "</script><img src=x onerror=\"hacked=1\"><b>&amp;"
+last = 28  # step of `searched`
+
+# The contrast of each text with what is behind it, by WCAG 2; the smallest comes first.
+contrasts = """
+const channel = c => (c /= 255) <= .04045 ? c / 12.92 : ((c + .055) / 1.055) ** 2.4;
+const light = ([r, g, b]) => .2126 * channel(r) + .7152 * channel(g) + .0722 * channel(b);
+const numbers = color => color.match(/[\\d.]+/g).map(Number);
+const behind = e => { for (; e; e = e.parentElement) { const c = numbers(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] > 0) return c; }
+                      return matchMedia('(prefers-color-scheme: dark)').matches ? [18, 18, 18] : [255, 255, 255]; };
+const found = [];
+const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+while (walker.nextNode()) {
+  const e = walker.currentNode.parentElement;
+  if (!walker.currentNode.data.trim() || !e.checkVisibility() || e.closest('script, button:disabled')) continue;
+  const [a, b] = [light(numbers(getComputedStyle(e).color)), light(behind(e))];
+  found.push([(Math.max(a, b) + .05) / (Math.min(a, b) + .05), e.outerHTML.slice(0, 100)]);
+}
+return found.sort((a, b) => a[0] - b[0]);
+"""
+
+
+def render(folder, *words):
+    subprocess.run([program, "render", *words, "--out", str(folder), "--size", "640x360"], check=True, stdout=subprocess.DEVNULL)
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp())
+        cls.out = cls.folder / "out"
+        scene = cls.folder / "mine.json"
+        scene.write_text(json.dumps({"dimension": 2, "title": hostile, "a": {"name": hostile[:40], "points": [[0, 0], [2, 0], [2, 2]]},
+                                     "b": {"name": "<i>", "points": [[1, 1], [3, 1], [3, 3]]}}))
+        render(cls.out, searched, hit, apart, "figure-1", str(scene), "--page")
+        options = webdriver.ChromeOptions()
+        for option in ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", f"--user-data-dir={cls.folder / 'profile'}"]:
+            options.add_argument(option)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        cls.requests = set()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        shutil.rmtree(cls.folder)
+
+    def setUp(self):
+        self.look(1400, 850)
+        self.cdp("Emulation.setScriptExecutionDisabled", value=False)
+        self.cdp("Emulation.setEmulatedMedia", media="", features=[])
+        self.open("figure-1")
+        self.js("localStorage.clear()")
+
+    def tearDown(self):
+        for entry in self.browser.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent" and message["params"]["documentURL"].startswith("file:"):
+                self.requests.add(message["params"]["request"]["url"])
+        outside = [url for url in self.requests if not url.startswith(("file://" + str(self.folder), "data:"))]
+        self.assertEqual(outside, [], "a request left the page")
+        self.assertEqual([e for e in self.browser.get_log("browser") if e["level"] == "SEVERE"], [])
+
+    # -- What a visitor does and sees
+
+    def cdp(self, command, **parameters):
+        return self.browser.execute_cdp_cmd(command, parameters)
+
+    def look(self, width, height):
+        self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 600)
+
+    def js(self, script, *arguments):
+        return self.browser.execute_script(script, *arguments)
+
+    def open(self, name, address=""):
+        self.browser.get("about:blank")
+        self.browser.get(f"file://{self.out / name / 'index.html'}{address}")
+
+    def press(self, *keys):
+        for key in keys:
+            ActionChains(self.browser).send_keys(key).perform()
+
+    def find(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def step(self):
+        """The number of the step that is shown; nothing else may be."""
+        shown, place, slider = self.js("""
+            return [[...document.querySelectorAll('.step')].filter(step => step.checkVisibility()).map(step => step.id),
+                    document.getElementById('place').textContent, document.getElementById('slider').value]""")
+        self.assertEqual(shown, [slider])
+        self.assertEqual(place.split(" / ")[0], slider)
+        return int(slider)
+
+    def address(self):
+        return self.js("return location.hash")
+
+    def wait(self, condition):
+        WebDriverWait(self.browser, 30, poll_frequency=0.05).until(lambda _: condition())
+
+    def assert_fits(self):
+        self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), self.js("return innerWidth"))
+
+    # -- Step
+
+    def test_keys(self):
+        self.open(searched)
+        self.assertEqual(self.step(), 1)
+        for key, number in [(Keys.ARROW_RIGHT, 2), (Keys.ARROW_RIGHT, 3), (Keys.ARROW_LEFT, 2), (Keys.END, last), (Keys.ARROW_RIGHT, last),
+                            (Keys.HOME, 1), (Keys.ARROW_LEFT, 1)]:
+            self.press(key)
+            self.assertEqual(self.step(), number)
+
+    def test_buttons(self):
+        self.open(searched)
+        for button, number in [("next", 2), ("next", 3), ("back", 2), ("last", last), ("first", 1)]:
+            self.find("#" + button).click()
+            self.assertEqual(self.step(), number)
+        self.assertFalse(self.find("#back").is_enabled())
+        self.press(Keys.END)
+        self.assertFalse(self.find("#next").is_enabled())
+
+    def test_addresses_and_the_back_button(self):
+        self.open(searched, "#17")
+        self.assertEqual(self.step(), 17)
+        self.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
+        self.assertEqual((self.step(), self.address()), (19, "#19"))
+        self.browser.back()
+        self.assertEqual((self.step(), self.address()), (18, "#18"))
+        self.browser.back()
+        self.assertEqual(self.step(), 17)
+        self.browser.forward()
+        self.assertEqual(self.step(), 18)
+        self.js("location.hash = '#5'")
+        self.wait(lambda: self.step() == 5)
+        self.assertEqual(self.js("return scrollY"), 0)
+        for address, number in [("#0", 1), ("#999", last), ("#nonsense", 1), ("#-3", 1)]:
+            self.open(searched, address)
+            self.assertEqual(self.step(), number)
+
+    def test_slider_with_marks(self):
+        self.open(searched)
+        self.js("arguments[0].focus()", self.find("#slider"))
+        self.press(Keys.ARROW_RIGHT)
+        self.assertEqual(self.step(), 2)
+        slider = self.find("#slider")
+        ActionChains(self.browser).move_to_element(slider).click().perform()
+        self.assertEqual((self.step(), self.address()), (self.step(), f"#{self.step()}"))
+        self.assertIn(self.step(), (last // 2, last // 2 + 1))
+        self.assertIn("iteration", slider.get_attribute("aria-valuetext"))
+        self.assertEqual(len(self.all("#marks .iteration")), 5)
+        self.assertEqual(len(self.all("#marks .end")), 1)
+        self.assertGreater(len(self.all("#marks .decision")), 5)
+
+    def test_playing_and_pausing(self):
+        self.open(searched)
+        self.press(Keys.SPACE)
+        self.assertEqual(self.find("#play").text, "Pause")
+        self.wait(lambda: self.step() == 2)
+        self.press(Keys.SPACE)
+        self.assertEqual(self.find("#play").text, "Play")
+        self.open(searched, f"#{last - 1}")
+        self.find("#play").click()
+        self.wait(lambda: self.step() == last)
+        self.wait(lambda: self.find("#play").text == "Play")
+
+    def test_swiping(self):
+        self.look(390, 844)
+        self.open(searched, "#3")
+        for way, number in [(-120, 4), (-120, 5), (120, 4), (20, 4)]:
+            shot = self.find(".step.now .shot")
+            ActionChains(self.browser).click_and_hold(shot).move_by_offset(way, 4).release().perform()
+            self.assertEqual(self.step(), number)
+
+    def test_pictures_nearby_are_loaded_ahead(self):
+        self.open(searched)
+        is_loaded = "const img = document.getElementById(arguments[0]).querySelector('img'); return img.complete && img.naturalWidth > 0"
+        self.wait(lambda: self.js(is_loaded, 3))
+        self.assertFalse(self.js(is_loaded, last))
+        self.press(Keys.END)
+        self.wait(lambda: self.js(is_loaded, last))
+
+    def test_turning(self):
+        folder = self.folder / "turned"
+        render(folder, hit, "--page", "--turn", "3")
+        self.browser.get(f"file://{folder / hit / 'index.html'}#2")
+        shot = self.find(".step.now .shot")
+        picture = lambda: self.find(".step.now img").get_attribute("src").rsplit("/")[-1]
+        quarter = shot.size["width"] // 4
+        ActionChains(self.browser).click_and_hold(shot).move_by_offset(quarter, 0).release().perform()
+        self.assertEqual(picture(), "001-turn-1.png")
+        ActionChains(self.browser).click_and_hold(shot).move_by_offset(-2 * quarter, 0).release().perform()
+        self.assertEqual(picture(), "001-turn-3.png")
+        self.assertEqual(self.step(), 2)
+
+    # -- Read
+
+    def test_what_is_said_is_text(self):
+        self.open(searched, "#23")
+        step = self.find(".step.now")
+        self.assertIn("beyond edge AD of face ADB", step.find_element(By.CSS_SELECTOR, "h2").text)
+        self.assertIn("ruled out when the search kept BCD", step.text)
+        current = step.find_elements(By.CSS_SELECTOR, ".code [aria-current]")
+        self.assertEqual(len(current), 1)
+        self.assertIn("AO > 0", current[0].text)
+        self.assertIn("= 40 ✓", current[0].text)
+        self.press(Keys.ARROW_RIGHT)
+        self.assertIn(self.find(".step.now h2").text.rstrip("."), self.find("#live").get_attribute("textContent"))
+
+    def test_events_on_demand(self):
+        self.open(apart, "#2")
+        details = self.find(".step.now .events")
+        self.assertFalse(details.find_elements(By.TAG_NAME, "pre"))
+        details.find_element(By.TAG_NAME, "summary").click()
+        self.wait(lambda: details.find_elements(By.TAG_NAME, "pre"))
+        events = [json.loads(line) for line in details.find_element(By.TAG_NAME, "pre").text.splitlines()]
+        self.assertEqual({event["scene"] for event in events}, {"left", "right"})
+
+    def test_every_picture_has_words_and_every_control_a_name(self):
+        self.open(searched)
+        for picture in self.all("img"):
+            self.assertGreater(len(picture.get_attribute("alt")), 40)
+        self.js("document.querySelector('.help').open = true")
+        for control in self.all("button, input, summary, select"):
+            name = control.accessible_name if control.is_displayed() else "hidden"
+            self.assertTrue(name, control.get_attribute("outerHTML"))
+
+    # -- Predict
+
+    def questions(self):
+        return self.js("return JSON.parse(document.getElementById('data').textContent).questions")
+
+    def answer_all(self, choose):
+        """Presses → until the end and answers each question by its key. Returns how many there were."""
+        count, questions = 0, self.questions()
+        while self.step() < last:
+            self.press(Keys.ARROW_RIGHT)
+            while self.find("#quiz").is_displayed():
+                at = self.step()
+                self.assertEqual(questions[count]["before"], at)
+                self.press(str(1 + choose(questions[count])))
+                self.assertEqual(len(self.all("#choices .right")), 1)
+                self.assertTrue(self.find("#verdict").text)
+                count += 1
+                self.find("#onward").click()
+        return count
+
+    def test_all_predicted_rightly(self):
+        self.open(searched)
+        self.press("p")
+        count = self.answer_all(lambda question: question["right"])
+        self.assertEqual(count, len(self.questions()))
+        self.assertGreater(count, 10)
+        self.assertEqual(self.find("#points").text, f"{count} of {count} right")
+        self.assertFalse(self.all("#score .no"))
+
+    def test_all_predicted_wrongly_kept_and_forgotten(self):
+        self.open(searched)
+        self.press("p")
+        count = self.answer_all(lambda question: 1 if question["right"] == 0 else 0)
+        self.assertEqual(self.find("#points").text, f"0 of {count} right")
+        self.assertEqual(len(self.all("#score .no")), 4)
+        self.assertIn("gjkstep render regions/", self.find("#score").text)
+        self.browser.refresh()
+        self.press("p", Keys.END)
+        self.assertEqual(self.find("#points").text, f"0 of {count} right")
+        self.find("#forget").click()
+        self.assertEqual(self.step(), 1)
+        self.assertEqual(self.js("return localStorage.length"), 0)
+
+    def test_a_wrong_answer_gets_its_reason(self):
+        self.open(searched)
+        self.press("p")
+        question = next(q for q in self.questions() if len(q["choices"]) > 4)
+        self.open(searched, f"#{question['before']}")
+        self.press("p", Keys.ARROW_RIGHT)
+        wrong = 1 if question["right"] == 0 else 0
+        self.all("#choices button")[wrong].click()
+        texts = self.js("return JSON.parse(document.getElementById('data').textContent).texts")
+        plain = lambda place: re.sub("<[^>]*>", "", texts[place]).replace("&gt;", ">")
+        verdict = self.find("#verdict").get_attribute("textContent")
+        self.assertTrue(verdict.startswith("Not so: " + plain(question["choices"][wrong][1])), verdict)
+        self.assertIn(plain(question["choices"][question["right"]][1]), verdict)
+
+    def test_a_question_can_be_left_and_keys_be_switched_off(self):
+        self.open(searched, "#2")
+        self.press("p")
+        while not self.find("#quiz").is_displayed():
+            self.press(Keys.ARROW_RIGHT)
+        at = self.step()
+        self.press(Keys.ARROW_LEFT)
+        self.assertFalse(self.find("#quiz").is_displayed())
+        self.assertEqual(self.step(), at)
+        self.press(Keys.ARROW_RIGHT)
+        self.find("#onward").click()  # Skip
+        self.assertEqual(self.step(), at + 1)
+        self.press("p")
+        self.js("document.getElementById('letters').checked = false")
+        self.press("p")
+        self.assertEqual(self.find("#predict").get_attribute("aria-pressed"), "false")
+
+    # -- Everywhere
+
+    def test_without_scripts_all_steps_stand_below_each_other(self):
+        self.cdp("Emulation.setScriptExecutionDisabled", value=True)
+        self.open(searched)
+        steps = self.all(".step")
+        self.assertEqual(len(steps), last)
+        for step in steps:
+            self.assertTrue(step.is_displayed())
+            self.assertTrue(step.find_element(By.TAG_NAME, "h2").text)
+        self.assertFalse(self.find(".controls").is_displayed())
+        self.browser.get(f"file://{self.out / 'index.html'}")
+        self.assertEqual(len([card for card in self.all(".card") if card.is_displayed()]), 5)
+        self.assertFalse(self.find("#filters").is_displayed())
+
+    def test_on_a_phone_and_magnified_nothing_is_cut_off(self):
+        for width in (390, 320, 700):
+            self.look(width, 800)
+            for name in (searched, apart, "mine", "."):
+                self.open(name)
+                self.assert_fits()
+                for control in self.all("button, summary, select"):
+                    if control.is_displayed():
+                        self.assertGreaterEqual(min(control.size.values()), 24, control.get_attribute("outerHTML"))
+
+    def test_contrast_in_light_and_dark(self):
+        for scheme in ("light", "dark"):
+            self.cdp("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+            for name, address in [(searched, "#23"), (searched, f"#{last}"), (".", "")]:
+                self.open(name, address)
+                if name == searched:
+                    self.press("p")
+                found = self.js(contrasts)
+                self.assertGreater(len(found), 10)
+                self.assertGreaterEqual(found[0][0], 4.5, f"{scheme}: {found[0]}")
+            background = self.js("return getComputedStyle(document.body).backgroundColor")
+            self.assertEqual(background, "rgb(255, 255, 255)" if scheme == "light" else "rgb(22, 25, 31)")
+
+    def test_printed_all_steps_are_there(self):
+        self.open(searched, "#3")
+        pdf = self.folder / "printed.pdf"
+        pdf.write_bytes(base64.b64decode(self.cdp("Page.printToPDF", printBackground=True)["data"]))
+        text = subprocess.run(["pdftotext", "-layout", str(pdf), "-"], capture_output=True, text=True, check=True).stdout
+        for number in range(1, last + 1):
+            self.assertIn(f"Step {number} of {last} ", text)
+        self.assertNotIn("Predict", text)
+
+    def test_texts_of_others_are_text(self):
+        for name in ("mine", "."):
+            self.open(name)
+            self.assertIn(hostile, self.find("body").text if name == "." else self.find("h1").text)
+            self.assertIsNone(self.js("return window.hacked"))
+        self.open("mine")
+        while int(self.find("#place").text.split(" ")[0]) < len(self.all(".step")):
+            self.press(Keys.ARROW_RIGHT)
+        self.assertIsNone(self.js("return window.hacked"))
+
+    def test_the_index(self):
+        self.open(".")
+        cards = lambda: [card.find_element(By.TAG_NAME, "strong").text for card in self.all(".card") if card.is_displayed()]
+        self.assertEqual(len(cards()), 5)
+        self.press(Keys.TAB)  # into the search field
+        self.press(*"adb ad")
+        self.assertEqual(len(cards()), 1)
+        self.assertEqual(self.find("#found").text, "1 shown")
+        self.press(*[Keys.BACKSPACE] * 6)
+        self.press(Keys.TAB, "i")  # the answer: intersecting
+        self.assertEqual(len(cards()), 3)
+        self.press(Keys.TAB, Keys.ENTER)
+        self.wait(lambda: self.all("#slider"))
+        self.browser.back()
+        self.wait(lambda: self.all(".card"))
+
+    def test_a_single_file_stands_alone(self):
+        folder = self.folder / "single"
+        render(folder, "figure-4-left", "--page=single")
+        alone = self.folder / "alone.html"
+        shutil.copy(folder / "figure-4-left" / "index.html", alone)
+        shutil.rmtree(folder)
+        self.browser.get(f"file://{alone}")
+        self.wait(lambda: self.js("const img = document.querySelector('.now img'); return img.complete && img.naturalWidth === 640"))
+        self.press(Keys.END)
+        self.assertEqual(self.step(), len(self.all(".step")))
+
+    def test_ten_thousand_steps(self):
+        page = (self.out / searched / "index.html").read_text()
+        section = re.search(r'<section class="step" id="2">.*?</section>\n', page, re.DOTALL).group(0)
+        data = json.loads(re.search(r'id="data">(.*?)</script>', page, re.DOTALL).group(1))
+        data["steps"] = [data["steps"][1]] * 10000
+        data["questions"] = []
+        many = "".join(section.replace('id="2"', f'id="{i + 1}"') for i in range(10000))
+        page = re.sub(r'<div id="steps">.*</div>\n<div class="controls"', lambda _: f'<div id="steps">{many}</div>\n<div class="controls"', page, flags=re.DOTALL)
+        page = re.sub(r'id="data">.*?</script>', lambda _: f'id="data">{json.dumps(data)}</script>', page, flags=re.DOTALL)
+        (self.out / searched / "many.html").write_text(page.replace(f'max="{last}"', 'max="10000"'))
+        self.browser.get(f"file://{self.out / searched / 'many.html'}#5000")
+        self.press(Keys.ARROW_RIGHT)
+        self.assertTrue(self.find("#place").text.startswith("5001"))
+        self.press(Keys.END)
+        self.assertTrue(self.find("#place").text.startswith("10000"))
+
+    def test_tidy_has_no_complaint(self):
+        for name in (searched, apart, "mine", "figure-1", "."):
+            said = subprocess.run(["tidy", "-q", "-e", "-utf8", str(self.out / name / "index.html")], capture_output=True, text=True).stderr
+            complaints = [line for line in said.splitlines() if 'proprietary attribute "loading"' not in line]  # which is newer than tidy
+            self.assertEqual(complaints, [], name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *(f"Page.{name}" for name in sys.argv[2:])], verbosity=1)

@@ -1,0 +1,91 @@
+#include "walkthroughs/page/page.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/story/stories.hpp"
+#include "walkthroughs/page/templates.hpp"
+#include "walkthroughs/story/words.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+const PagePictures pictures{.url = [](std::size_t frame, int) { return std::to_string(frame) + ".png"; },
+                            .page = {1280, 720},
+                            .part = {{40, 72}, {1240, 520}}};
+
+std::string page_of(const Story& story) {
+  return page_html(story, pictures, {.command = "gjkstep", .sources = {}, .ways = {}});
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++found;
+  return found;
+}
+
+nlohmann::json data_of(const std::string& page) {
+  const std::string begin = "id=\"data\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+}  // namespace
+
+TEST_CASE("A page has a section for each frame of every walkthrough, with its picture, caption and facts") {
+  for (const Walkthrough& w : catalogue()) {
+    INFO(w.name);
+    const Story story = tell(w);
+    const std::string page = page_of(story);
+    CHECK(count(page, "<section class=\"step\"") == story.frames.size());
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      CHECK(count(page, "id=\"" + std::to_string(i + 1) + "\"") == 1);
+      CHECK(count(page, "src=\"" + std::to_string(i) + ".png\"") == 1);
+      CHECK(count(page, "<h2>" + html_of(story.frames[i].caption) + "</h2>") >= 1);
+      for (const Fact& fact : story.frames[i].facts) CHECK(count(page, html_of(fact.text) + "</li>") >= 1);
+    }
+  }
+}
+
+TEST_CASE("The data of a page hold each event as the trace has it, and each step its range of them") {
+  const Story story = tell(walkthrough("figure-4"));
+  const nlohmann::json data = data_of(page_of(story));
+  REQUIRE(data["scenes"].size() == 2);
+  REQUIRE(data["steps"].size() == story.frames.size());
+  for (std::size_t s = 0; s < 2; ++s) {
+    const auto& events = story.tellings[s].trace.events;
+    REQUIRE(data["scenes"][s]["events"].size() == events.size());
+    for (std::size_t i = 0; i < events.size(); ++i)
+      CHECK(data["scenes"][s]["events"][i] == nlohmann::json::parse(event_json(events[i])));
+    CHECK(data["steps"].back()["events"][s][1] == events.size() - 1);
+  }
+}
+
+TEST_CASE("The same story makes the same page, byte by byte") {
+  CHECK(page_of(tell(walkthrough("vehicle-and-threat/vehicle-hit"))) ==
+        page_of(tell(walkthrough("vehicle-and-threat/vehicle-hit"))));
+}
+
+TEST_CASE("Titles and names of others are text in a page, whatever they hold") {
+  const std::string hostile = "</script></title></style><img src=x onerror=alert(1)> {{js}} & \"'";
+  Walkthrough w = walkthrough("figure-4-left");
+  w.title = w.summary = w.source = w.name = w.scenes[0].name = w.scenes[0].a.name = hostile;
+  const std::string plain_page = page_of(tell(walkthrough("figure-4-left"))), page = page_of(tell(w));
+  CHECK(count(page, "<img") == count(plain_page, "<img"));
+  CHECK(count(page, "</script") == count(plain_page, "</script"));
+  CHECK(count(page, "</style") == count(plain_page, "</style"));
+  CHECK(count(page, "</title") == 1);
+  CHECK(count(page, "{{js}}") >= 2);
+  CHECK(data_of(page)["scenes"][0]["name"] == hostile);
+}
+
+TEST_CASE("A page is small without its pictures: 35 kB and 1.8 for each step") {
+  for (const Walkthrough& w : catalogue()) {
+    INFO(w.name);
+    const Story story = tell(w);
+    CHECK(page_of(story).size() < 35'000 + 1'800 * story.frames.size());
+  }
+}

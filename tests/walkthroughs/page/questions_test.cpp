@@ -1,0 +1,174 @@
+#include "walkthroughs/page/questions.hpp"
+
+#include <map>
+#include <random>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/story/stories.hpp"
+#include "tests/walkthroughs/trace/random_scene_files.hpp"
+#include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+using gjk::Relation;
+using gjk::Verdict;
+using Kind = Decision::Kind;
+using Region = gjk::RegionTested<double>;
+
+/// What the trace did, found in its events alone, in words of the report's letters.
+std::string done(const Trace& trace, const Question& question) {
+  const auto& events = trace.events;
+  const gjk::Event<double>& event = events.at(question.event);
+  switch (question.decision.kind) {
+    case Kind::crossing:
+      return std::get<gjk::CrossingTested<double>>(event).verdict == gjk::Crossing::crossed ? "yes, or just reached"
+                                                                                            : "no";
+    case Kind::vertices: {
+      const auto* reduced = std::get_if<gjk::SimplexReduced<double>>(&event);
+      std::string list;
+      for (const char role : reduced ? reduced->kept : std::string("CBA"))
+        list += (list.empty() ? "" : ", ") + std::string(1, role);
+      return "[" + list + "]";
+    }
+    case Kind::direction: return std::get<gjk::DirectionChosen<double>>(event).expression;
+    case Kind::region: break;
+  }
+  const Region* chosen = nullptr;
+  const std::string face = std::get<Region>(event).face;
+  for (std::size_t i = question.event; i < events.size() && std::holds_alternative<Region>(events[i]); ++i)
+    if (const Region& region = std::get<Region>(events[i]);
+        region.verdict == Verdict::chosen && region.face == face && !chosen)
+      chosen = &region;
+  if (!chosen) return "beyond neither: above the face itself";
+  static const std::map<std::pair<std::string, Relation>, std::string> words{
+      {{"A", Relation::zero}, "A is the origin"},       {{"A", Relation::not_zero}, "A is not the origin"},
+      {{"AB", Relation::zero}, "on segment AB"},        {{"AB", Relation::not_zero}, "R3 or R4: to one side of AB"},
+      {{"ABC", Relation::zero}, "R1: in triangle ABC"}, {{"ABC", Relation::negative}, "R1: below triangle ABC"},
+  };
+  if (!face.empty()) return "beyond edge " + chosen->feature;
+  if (chosen->feature == "ABCD") return "inside: above none of them";
+  if (chosen->simplex_size == 4) return "above face " + chosen->feature;
+  if (chosen->feature == "ABC" && chosen->relation == Relation::positive) return "R1: above triangle ABC";
+  if (chosen->simplex_size == 3 && chosen->feature != "ABC") return chosen->label + ": beyond edge " + chosen->feature;
+  return words.at({chosen->feature, chosen->relation});
+}
+
+std::string without_subscripts(std::string text) {
+  std::erase(text, '_');
+  return text;
+}
+
+/// Returns: how many questions there are; each has been checked.
+int check_questions(Walkthrough walkthrough) {
+  walkthrough.naming = Naming::roles;  // the report's letters, in which events are told
+  const Story story = tell(walkthrough);
+  const std::vector<Question> questions = questions_of(story);
+  int last = -1;
+  for (const Question& question : questions) {
+    INFO(question.text);
+    std::set<std::string> different;
+    for (const Choice& choice : question.choices) {
+      INFO(choice.text);
+      CHECK(different.insert(choice.text).second);
+      CHECK_FALSE(choice.reason.empty());
+    }
+    CHECK(question.choices.size() >= 2);
+    CHECK(std::ranges::is_sorted(question.choices, {}, &Choice::text));
+    REQUIRE(question.right < question.choices.size());
+    CHECK(without_subscripts(question.choices[question.right].text) == done(story.tellings[0].trace, question));
+    CHECK(static_cast<int>(question.event) >= last);
+    last = static_cast<int>(question.event);
+  }
+  return static_cast<int>(questions.size());
+}
+
+/// How many decisions a trace has that leave a choice: what must be asked.
+int decisions_in(const Trace& trace) {
+  int count = 0, size = 0;
+  const Region* before = nullptr;
+  for (const auto& event : trace.events) {
+    const auto* region = std::get_if<Region>(&event);
+    if (const auto* crossing = std::get_if<gjk::CrossingTested<double>>(&event)) count += crossing->value.has_value();
+    if (const auto* added = std::get_if<gjk::VertexAdded<double>>(&event)) size = added->simplex.size();
+    if (region && region->verdict != Verdict::skipped && (!before || before->verdict == Verdict::skipped)) ++count;
+    if (region && !region->face.empty() && before && before->face.empty()) ++count;
+    const bool is_reduced = std::holds_alternative<gjk::SimplexReduced<double>>(event);
+    const bool is_direction = std::holds_alternative<gjk::DirectionChosen<double>>(event);
+    if (size >= 3 && (is_reduced || (is_direction && before))) ++count;  // which stay
+    if (size >= 3 && is_direction) ++count;
+    before = region;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Every question about every walkthrough has one right choice, which is what the trace did, and each decision is "
+    "asked about") {
+  int asked = 0;
+  for (const Walkthrough& w : catalogue()) {
+    INFO(w.name);
+    const int count = check_questions(w);
+    if (w.layout == Layout::search) CHECK(count == decisions_in(run(w.scenes[0])));
+    if (w.scenes.size() != 1) CHECK(count == 0);
+    asked += count;
+  }
+  CHECK(asked > 300);
+}
+
+TEST_CASE("Every question about 1,000 scenes at random has one right choice, which is what the trace did") {
+  RandomSceneFiles files(16);
+  int asked = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const RandomSceneFile file = files.next();
+    INFO("seed 16, scene " << i << ": " << file.text);
+    try {
+      const SceneFile scene = parse_scene(file.text, "scene.json");
+      const int count = check_questions(scene.walkthrough);
+      CHECK(count == decisions_in(run(scene.walkthrough.scenes[0])));
+      asked += count;
+    } catch (const InputError&) {  // what cannot be asked at all, such as a center beyond all floats
+    }
+  }
+  CHECK(asked > 1000);
+}
+
+TEST_CASE("A wrong choice is answered by the value that decided, or by why its region is skipped") {
+  Walkthrough w = walkthrough("regions/2-simplex-r3");
+  const Story story = tell(w);
+  const std::vector<Question> questions = questions_of(story);
+  const auto found = std::ranges::find_if(
+      questions, [](const Question& q) { return q.decision.kind == Kind::region && q.decision.simplex_size == 3; });
+  REQUIRE(found != questions.end());
+  const auto reason = [&](const std::string& text) {
+    const auto choice = std::ranges::find(found->choices, text, &Choice::text);
+    return choice == found->choices.end() ? "" : choice->reason;
+  };
+  CHECK(found->choices[found->right].text == "R3: beyond edge AB");
+  CHECK(reason("R3: beyond edge AB").starts_with("R3: AB_n·AO = "));
+  CHECK(reason("R4: beyond B") == "skipped: ruled out when the search kept BC");
+  CHECK(reason("R7: beyond edge AC").starts_with("not asked: what stands before it has decided, R3: AB_n·AO = "));
+}
+
+TEST_CASE("Practice is another walkthrough of regions in which the search decides likewise") {
+  const Story story = tell(walkthrough("regions/2-simplex-r3"));
+  for (const Question& question : questions_of(story)) {
+    const std::string name = practice_for(question.decision, "regions/2-simplex-r3");
+    if (name.empty()) continue;
+    INFO(name);
+    CHECK(name != "regions/2-simplex-r3");
+    const Story other = tell(walkthrough(name));
+    const std::vector<Question> others = questions_of(other);
+    CHECK(std::ranges::any_of(others, [&](const Question& each) {
+      return each.decision.kind == question.decision.kind &&
+             each.decision.simplex_size == question.decision.simplex_size;
+    }));
+  }
+  CHECK(practice_for({Kind::region, 3, "AB positive"}, "") == "regions/2-simplex-r3");
+  CHECK(practice_for({Kind::region, 7, "nothing"}, "").empty());
+}

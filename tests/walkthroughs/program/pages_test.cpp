@@ -1,0 +1,88 @@
+// gjkstep render --page.
+
+#include "walkthroughs/program/pages.hpp"
+
+#include "tests/walkthroughs/program/program.hpp"
+
+using namespace walkthroughs::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string out_of(const Folder& folder) { return " --size 48x27 --out " + quoted(folder.path().string()); }
+
+}  // namespace
+
+TEST_CASE("gjkstep render --page writes a page beside the frames and one over all, and says last what to open") {
+  const Folder folder;
+  const Outcome outcome = run("render figure-1 regions/2-simplex-r3 --page" + out_of(folder));
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(lines(outcome.out).back() == "open " + (folder.path() / "index.html").string());
+  const std::string index = bytes_of(folder.path() / "index.html");
+  CHECK(has(index, "href=\"figure-1/index.html\""));
+  CHECK(has(index, "href=\"regions/2-simplex-r3/index.html\""));
+  const std::string first = bytes_of(folder.path() / "figure-1/index.html");
+  CHECK(has(first, "src=\"000.png\""));
+  CHECK(has(first, "href=\"../index.html\""));
+  CHECK(has(first, "href=\"../regions/2-simplex-r3/index.html\""));
+  CHECK(has(first, "gjkstep render figure-1 --page<"));
+  CHECK(has(bytes_of(folder.path() / "regions/2-simplex-r3/index.html"), "href=\"../../figure-1/index.html\""));
+}
+
+TEST_CASE("Pages of --page=single hold their pictures and lead nowhere") {
+  const Folder folder;
+  REQUIRE(run("render figure-2 figure-1 --page=single" + out_of(folder)).exit_code == 0);
+  const std::string page = bytes_of(folder.path() / "figure-2/index.html");
+  CHECK(has(page, "src=\"data:image/png;base64,"));
+  CHECK_FALSE(has(page, ".png\""));
+  CHECK_FALSE(has(page, "href="));
+}
+
+TEST_CASE("The same command writes the same pages") {
+  const Folder one, other;
+  for (const Folder* folder : {&one, &other})
+    REQUIRE(run("render figure-1 figure-4-left --page" + out_of(*folder)).exit_code == 0);
+  for (const char* page : {"index.html", "figure-1/index.html", "figure-4-left/index.html"})
+    CHECK(bytes_of(one.path() / page) == bytes_of(other.path() / page));
+}
+
+TEST_CASE("The page of a trace is that of its walkthrough, but for what it was made from") {
+  const Folder folder;
+  const std::string trace = (folder.path() / "a trace.jsonl").string();
+  REQUIRE(run("trace figure-4-left", "", {.out = trace, .err = ""}).exit_code == 0);
+  REQUIRE(run("render --from-trace " + quoted(trace) + " --page" + out_of(folder)).exit_code == 0);
+  const std::string from_trace = bytes_of(folder.path() / "figure-4-left/index.html");
+  CHECK(has(from_trace, "href=\"../a%20trace.jsonl\""));
+  CHECK(has(from_trace, "gjkstep render --from-trace '" + trace + "' --page<"));
+  REQUIRE(run("render figure-4-left --page" + out_of(folder)).exit_code == 0);
+  const std::string from_search = bytes_of(folder.path() / "figure-4-left/index.html");
+  const auto steps = [](const std::string& page) { return page.substr(0, page.find("<footer>")); };
+  CHECK(steps(from_trace) == steps(from_search));
+}
+
+TEST_CASE("A page of one's own scene links to the scene file, and a hostile title is text in it and in the index") {
+  const Folder folder;
+  const fs::path scene = folder.path() / "my scene.json";
+  std::ofstream(scene) << R"({"dimension": 2, "title": "</script><img src=x onerror=alert(1)>",
+    "a": {"name": "<b>", "points": [[0, 0], [2, 0], [2, 2]]}, "b": {"points": [[1, 1], [3, 1], [3, 3]]}})";
+  REQUIRE(run("render " + quoted(scene.string()) + " --page" + out_of(folder)).exit_code == 0);
+  const std::string page = bytes_of(folder.path() / "my-scene/index.html");
+  CHECK(has(page, "href=\"../my%20scene.json\""));
+  for (const std::string& each : {page, bytes_of(folder.path() / "index.html")}) {
+    CHECK(has(each, "&lt;img src=x onerror"));
+    CHECK_FALSE(has(each, "<img src=x"));
+  }
+}
+
+TEST_CASE(
+    "Pages that would be written over something else, or that no folder takes, are refused before anything is drawn") {
+  const Folder folder;
+  fs::create_directories(folder.path() / "index.html");
+  check_failure("render figure-1 --page" + out_of(folder), 5, {"index.html"});
+  const Folder other;
+  const fs::path scene = other.path() / "index.html.json";
+  std::ofstream(scene) << R"({"dimension": 2, "a": {"points": [[0, 0]]}, "b": {"points": [[1, 1]]}})";
+  check_failure("render " + quoted(scene.string()) + " --page" + out_of(other), 2, {"index.html"});
+  CHECK_FALSE(fs::exists(other.path() / "index.html"));
+  check_failure("render figure-1 --page=nonsense" + out_of(other), 2, {"--page", "single"});
+}

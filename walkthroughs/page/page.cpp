@@ -1,0 +1,287 @@
+#include "walkthroughs/page/page.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "render/html.hpp"
+#include "walkthroughs/page/questions.hpp"
+#include "walkthroughs/page/templates.hpp"
+#include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/pseudocode.hpp"
+#include "walkthroughs/story/words.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using render::escaped;
+
+std::string element(const std::string& name, const std::string& content) {
+  return content.empty() ? "" : "<" + name + ">" + content + "</" + name.substr(0, name.find(' ')) + ">\n";
+}
+
+std::string link(const PageLink& to, const std::string& attributes = "") {
+  return "<a " + attributes + "href=\"" + escaped(to.url) + "\">" + escaped(to.text) + "</a>\n";
+}
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f%%", 100 * share);
+  return text;
+}
+
+// -- One step ---------------------------------------------------------------------------------------------------------
+
+/// What runs while a frame of one search is shown.
+struct Running {
+  Running(const Story& story, std::size_t index)
+      : now(story.frames[index].moments[0]),
+        names(story.names(index, 0)),
+        number(running_algorithm(now, story.frames[index].focus)),
+        code(algorithm(number, story.tellings[0].scene.rules)),
+        current(current_line(code, now, story.frames[index].focus)) {}
+
+  const Moment& now;
+  const Names names;
+  const int number;
+  const std::vector<CodeLine>& code;
+  const std::optional<std::size_t> current;
+};
+
+bool shows_code(const Story& story) {
+  return story.walkthrough.layout == Layout::search && story.walkthrough.panels.algorithm;
+}
+
+std::string where(const Story& story, std::size_t index) {
+  const Frame& frame = story.frames[index];
+  std::string text = "Step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size());
+  if (!frame.moments.empty()) text += " · iteration " + std::to_string(frame.moments[0].iteration);
+  if (frame.moments.size() == 1 && story.tellings[0].scene.scalar == Scalar::binary32) text += ", in float";
+  if (frame.moments.size() == 1 && frame.moments[0].simplex.size() > 0)
+    text += " · simplex " + story.names(index, 0).list(frame.moments[0].simplex);
+  return text;
+}
+
+/// The class of its list item, which the style sheet gives a mark; words for who cannot see that.
+std::string fact(const Fact& fact) {
+  struct Kind {
+    const char *name, *words;
+  };
+  const auto kind = [&]() -> Kind {
+    switch (fact.mark) {
+      case Fact::Mark::yes: return {"yes", "true: "};
+      case Fact::Mark::no: return {"no", "not so: "};
+      case Fact::Mark::skipped: return {"skipped", "skipped: "};
+      case Fact::Mark::answer: return {"answer", ""};
+      case Fact::Mark::truth: return {"truth", ""};
+      case Fact::Mark::none: return {"plain", ""};
+    }
+    return {"plain", ""};
+  }();
+  const std::string words = kind.words;
+  return std::string("<li class=\"") + kind.name + "\">" + (words.empty() ? "" : "<i>" + words + "</i>") +
+         html_of(fact.text) + "</li>\n";
+}
+
+/// "Algorithm 4: else if ACn·AO > 0 (R7)"; scripts put the whole algorithm in its place.
+std::string running_line(const Story& story, std::size_t index) {
+  if (!shows_code(story)) return "";
+  const Running running(story, index);
+  const std::string title = title_of(running.number, running.names, running.now.processed);
+  const std::string line =
+      running.current ? line_in_letters(running.number, running.code[*running.current], running.names) : "";
+  return "<div class=\"code\">" + element("h3", html_of(title)) + element("code", html_of(line)) + "</div>\n";
+}
+
+std::string step(const Story& story, const PagePictures& pictures, std::size_t index) {
+  const Frame& frame = story.frames[index];
+  std::string facts;
+  for (const Fact& each : frame.facts) facts += fact(each);
+  const std::string url = escaped(pictures.url(index, 0));
+  return "<section class=\"step\" id=\"" + std::to_string(index + 1) + "\">\n<div class=\"shot\"><img src=\"" + url +
+         "\" alt=\"" + escaped(description(story, index)) + "\" loading=\"lazy\"></div>\n<div class=\"text\">\n" +
+         element("p class=\"where\"", html_of(where(story, index))) + element("h2", html_of(frame.caption)) +
+         element("ul", facts) + running_line(story, index) + "</div>\n</section>\n";
+}
+
+// -- What scripts need ------------------------------------------------------------------------------------------------
+
+/// One word for the marks on the slider.
+std::string kind_of(Focus focus) {
+  switch (focus) {
+    case Focus::crossing:
+    case Focus::region: return "decision";
+    case Focus::parting: return "parting";
+    case Focus::end: return "end";
+    default: return "";
+  }
+}
+
+/// Listings of algorithms, each once: title, and lines as [indent, text].
+class Listings {
+ public:
+  std::size_t place_of(const Running& running) {
+    Json lines = Json::array();
+    for (const CodeLine& line : running.code)
+      lines.push_back({line.indent, html_of(line_in_letters(running.number, line, running.names))});
+    const Json listing = {{"title", html_of(title_of(running.number, running.names, running.now.processed))},
+                          {"lines", lines}};
+    const auto known = std::find(listings_.begin(), listings_.end(), listing);
+    if (known != listings_.end()) return static_cast<std::size_t>(known - listings_.begin());
+    listings_.push_back(listing);
+    return listings_.size() - 1;
+  }
+  const Json& all() const { return listings_; }
+
+ private:
+  Json listings_ = Json::array();
+};
+
+Json code_of(const Running& running, Listings& listings) {
+  Json outcomes = Json::object();
+  for (std::size_t i = 0; i < running.code.size(); ++i)
+    if (const auto* test = test_of(running.code[i], running.now)) outcomes[std::to_string(i)] = outcome(*test, true);
+  return {listings.place_of(running), running.current ? Json(*running.current) : Json(nullptr), outcomes};
+}
+
+Json step_data(const Story& story, std::size_t index, Listings& listings) {
+  const Frame& frame = story.frames[index];
+  Json step = Json::object();
+  if (!frame.moments.empty()) step["iteration"] = frame.moments[0].iteration;
+  if (const std::string kind = kind_of(frame.focus); !kind.empty()) step["kind"] = kind;
+  if (shows_code(story)) step["code"] = code_of(Running(story, index), listings);
+  if (!frame.events.empty()) step["events"] = Json::array();
+  for (const EventRange& range : frame.events) step["events"].push_back({range.first, range.last});
+  return step;
+}
+
+/// Returns: the frame that answers the question about that event; nothing where the frame before it does not show what is asked
+/// about, as where there is one frame an iteration.
+std::optional<std::size_t> answering_frame(const Story& story, std::size_t event) {
+  for (std::size_t i = 1; i < story.frames.size(); ++i) {
+    const EventRange range = story.frames[i].events.at(0);
+    if (range.last != event) continue;
+    for (std::size_t e = range.first; e < event; ++e)
+      if (std::holds_alternative<gjk::SupportFound<double>>(story.tellings[0].trace.events[e])) return std::nullopt;
+    return i;
+  }
+  return std::nullopt;
+}
+
+std::string kind_of(Decision::Kind kind) {
+  switch (kind) {
+    case Decision::Kind::crossing: return "crossing";
+    case Decision::Kind::region: return "region";
+    case Decision::Kind::vertices: return "vertices";
+    case Decision::Kind::direction: return "direction";
+  }
+  return "";
+}
+
+/// Texts, each once: those of questions come again and again.
+class Texts {
+ public:
+  std::size_t place_of(const std::string& text) {
+    const auto known = std::ranges::find(all_, text);
+    if (known != all_.end()) return static_cast<std::size_t>(known - all_.begin());
+    all_.push_back(text);
+    return all_.size() - 1;
+  }
+  const std::vector<std::string>& all() const { return all_; }
+
+ private:
+  std::vector<std::string> all_;
+};
+
+/// Texts of questions, choices and reasons are HTML, told by their places in `texts`.
+Json questions(const Story& story, const PageSurroundings& surroundings, Texts& texts) {
+  Json list = Json::array();
+  for (const Question& question : questions_of(story)) {
+    const std::optional<std::size_t> frame = answering_frame(story, question.event);
+    if (!frame) continue;
+    const auto place_of = [&](const std::string& text) { return texts.place_of(html_of(text)); };
+    Json choices = Json::array();
+    for (const Choice& choice : question.choices) choices.push_back({place_of(choice.text), place_of(choice.reason)});
+    const std::string practice = practice_for(question.decision, story.walkthrough.name);
+    list.push_back({{"before", *frame},
+                    {"kind", kind_of(question.decision.kind)},
+                    {"text", place_of(question.text)},
+                    {"choices", choices},
+                    {"right", question.right},
+                    {"practice", {practice, surroundings.page_of(practice)}}});
+  }
+  return list;
+}
+
+std::string data(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
+  Listings listings;
+  Texts texts;
+  Json steps = Json::array(), scenes = Json::array();
+  for (std::size_t i = 0; i < story.frames.size(); ++i) steps.push_back(step_data(story, i, listings));
+  for (const Telling& telling : story.tellings) {
+    Json events = Json::array();
+    for (const auto& event : telling.trace.events) events.push_back(Json::parse(event_json(event)));
+    scenes.push_back({{"name", telling.scene.name}, {"events", events}});
+  }
+  Json turned = Json::array();
+  for (std::size_t i = 0; pictures.turns > 0 && i < story.frames.size(); ++i) {
+    turned.push_back(Json::array());
+    for (int turn = 1; turn <= pictures.turns; ++turn) turned.back().push_back(pictures.url(i, turn));
+  }
+  const Json asked = questions(story, surroundings, texts);
+  const Json all = {{"name", story.walkthrough.name},
+                    {"steps", steps},
+                    {"listings", listings.all()},
+                    {"scenes", scenes},
+                    {"turned", turned},
+                    {"questions", asked},
+                    {"texts", texts.all()}};
+  return json_for_html(all.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+// -- Around the steps -------------------------------------------------------------------------------------------------
+
+std::string origin(const Walkthrough& walkthrough, const PageSurroundings& surroundings) {
+  std::string html = element("p", escaped(walkthrough.summary));
+  if (!surroundings.command.empty()) html += "<p>Made by <code>" + escaped(surroundings.command) + "</code></p>\n";
+  for (const PageLink& source : surroundings.sources) html += "<p>Made from " + link(source) + "</p>\n";
+  return html;
+}
+
+std::string ways(const PageSurroundings& surroundings) {
+  std::string html;
+  for (const PageLink& way : surroundings.ways) html += link(way);
+  return html.empty() ? "" : "<nav aria-label=\"Walkthroughs\">\n" + html + "</nav>\n";
+}
+
+}  // namespace
+
+std::string cut_out(render::Size page, const render::Box& part) {
+  return "--width:" + percent(page.width / part.width()) + ";--left:" + percent(-part.min.x() / part.width()) +
+         ";--top:" + percent(-part.min.y() / part.height()) +
+         ";aspect-ratio:" + std::to_string(std::lround(part.width())) + "/" +
+         std::to_string(std::lround(part.height()));
+}
+
+std::string page_html(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
+  const Walkthrough& w = story.walkthrough;
+  std::string steps;
+  for (std::size_t i = 0; i < story.frames.size(); ++i) steps += step(story, pictures, i);
+  return filled(templates::page_html, {{"title", escaped(w.title)},
+                                       {"summary", escaped(w.summary)},
+                                       {"source", escaped(w.source)},
+                                       {"count", std::to_string(story.frames.size())},
+                                       {"cut", ".shot{" + cut_out(pictures.page, pictures.part) + "}"},
+                                       {"pictures", pictures.is_dark ? "dark-pictures" : "light-pictures"},
+                                       {"ways", ways(surroundings)},
+                                       {"origin", origin(w, surroundings)},
+                                       {"steps", steps},
+                                       {"data", data(story, pictures, surroundings)},
+                                       {"css", std::string(templates::colors_css) + std::string(templates::page_css)},
+                                       {"js", std::string(templates::page_js)}});
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,46 @@
+/// A walkthrough as one HTML page: all of its steps, each with its picture and what is said of it. With JavaScript one
+/// steps through them; without it they stand below each other.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/geometry.hpp"
+#include "walkthroughs/story/story.hpp"
+
+namespace walkthroughs {
+
+/// The pictures that a page shows, one a frame; drawn already, or to be drawn.
+struct PagePictures {
+  std::function<std::string(std::size_t frame, int turn)>
+      url;               ///< of a picture, seen from the page; `turn` 0: the usual view
+  render::Size page;     ///< on which they are laid out,
+  render::Box part;      ///< and what of it is shown
+  int turns = 0;         ///< further views of each, all around
+  bool is_dark = false;  ///< drawn on a dark ground
+};
+
+/// Something beside the page: a file or another page.
+struct PageLink {
+  std::string url, text;
+};
+
+/// Where a page comes from, and what is near. What is empty is left out.
+struct PageSurroundings {
+  std::string command;            ///< that made it
+  std::vector<PageLink> sources;  ///< what it was made of, such as a scene file
+  std::vector<PageLink> ways;     ///< to the index, and to the walkthroughs before and after
+  /// Returns: the URL of another walkthrough's page; empty where there is none.
+  std::function<std::string(const std::string& name)> page_of = [](const std::string&) { return std::string(); };
+};
+
+/// Returns: the page, in UTF-8. It asks for nothing but its pictures. Texts of the story are data: nothing in them is read as
+/// HTML.
+std::string page_html(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings);
+
+/// Returns: the style attribute of what shows only `part` of pictures that are laid out on `page`; style sheets say how.
+std::string cut_out(render::Size page, const render::Box& part);
+
+}  // namespace walkthroughs

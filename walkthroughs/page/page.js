@@ -1,0 +1,278 @@
+'use strict';
+(() => {
+  const data = JSON.parse(document.getElementById('data').textContent);
+  const steps = [...document.querySelectorAll('.step')];
+  const title = document.title;
+  const $ = id => document.getElementById(id);
+  const make = (tag, className, text) => Object.assign(document.createElement(tag), {className: className || '', textContent: text || ''});
+  const near = 4;  // pictures that are loaded ahead
+  let at = 0, timer = 0;
+
+  // -- One step -------------------------------------------------------------------------------------------------------
+
+  function fillCode(step, code) {
+    const box = step.querySelector('.code');
+    if (!box || !code || box.querySelector('ol')) return;
+    const [listing, current, outcomes] = code, list = make('ol');
+    data.listings[listing].lines.forEach(([indent, html], i) => {
+      const line = make('li');
+      line.style.setProperty('--indent', indent);
+      line.append(Object.assign(make('span'), {innerHTML: html}));  // made by the program, with <sub> for subscripts
+      if (outcomes[i]) line.append(make('b', outcomes[i].endsWith('✓') ? 'met' : 'unmet', outcomes[i]));
+      if (i === current) line.setAttribute('aria-current', 'step');
+      list.append(line);
+    });
+    box.querySelector('code')?.remove();
+    box.append(list);
+  }
+
+  function addEvents(step, ranges) {
+    if (!ranges || step.querySelector('.events')) return;
+    const details = make('details', 'events');
+    details.append(make('summary', '', 'Events as JSON'));
+    details.addEventListener('toggle', () => {
+      if (details.querySelector('pre')) return;
+      const lines = ranges.flatMap(([first, last], s) =>
+        data.scenes[s].events.slice(first, last + 1).map(event => JSON.stringify({scene: data.scenes[s].name, ...event})));
+      details.append(make('pre', '', lines.join('\n')));
+    });
+    step.querySelector('.text').append(details);
+  }
+
+  function complete(i) {
+    fillCode(steps[i], data.steps[i].code);
+    addEvents(steps[i], data.steps[i].events);
+    for (let j = Math.max(0, i - near); j <= Math.min(steps.length - 1, i + near); ++j)
+      steps[j].querySelector('img').loading = 'eager';
+  }
+
+  const said = i => [...steps[i].querySelectorAll('.where, h2, .text > ul > li')].map(e => e.textContent.trim()).join('. ');
+
+  // -- From step to step ----------------------------------------------------------------------------------------------
+
+  // `how`: whether the address gets an entry of its own in the browser's history, replaces the last one, or stays.
+  function show(i, how) {
+    i = Math.max(0, Math.min(steps.length - 1, i));
+    const moved = i !== at;
+    close();
+    steps[at].classList.remove('now');
+    steps[at = i].classList.add('now');
+    complete(i);
+    $('slider').value = i + 1;
+    $('slider').setAttribute('aria-valuetext', steps[i].querySelector('.where').textContent);
+    $('place').textContent = `${i + 1} / ${steps.length}`;
+    for (const [id, end] of [['first', 0], ['back', 0], ['next', steps.length - 1], ['last', steps.length - 1]])
+      $(id).disabled = i === end;
+    if (moved) $('live').textContent = said(i);
+    document.title = `${i + 1}/${steps.length} ${title}`;
+    if (predicting && i === steps.length - 1) showScore();
+    if (how !== 'stay' && moved) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', `#${i + 1}`);
+  }
+
+  const go = i => { pause(); show(i, 'push'); };
+  const back = () => { if (asked === null) go(at - 1); else close(); };
+  const forward = () => { pause(); if (!stopsToAsk()) show(at + 1, 'push'); };
+  const addressed = () => /^#\d+$/.test(location.hash) ? Number(location.hash.slice(1)) - 1 : 0;
+
+  // -- Playing --------------------------------------------------------------------------------------------------------
+
+  // As long as it takes to read what is said.
+  const readingTime = i => Math.min(9000, 1500 + 25 * said(i).length);
+
+  function playOn() {
+    timer = setTimeout(() => {
+      if (stopsToAsk()) return pause();
+      show(at + 1, 'replace');
+      if (at + 1 < steps.length) playOn(); else pause();
+    }, readingTime(at));
+  }
+  function pause() {
+    clearTimeout(timer);
+    timer = 0;
+    $('play').textContent = 'Play';
+    $('play').setAttribute('aria-pressed', 'false');
+  }
+  function play() {
+    if (timer) return pause();
+    if (at + 1 === steps.length) show(0, 'push');
+    $('play').textContent = 'Pause';
+    $('play').setAttribute('aria-pressed', 'true');
+    playOn();
+  }
+
+  // -- Predicting -----------------------------------------------------------------------------------------------------
+
+  // Texts of questions, choices and reasons are HTML that the program has made, with <sub> for subscripts.
+  const questions = data.questions.map(question => ({...question, text: data.texts[question.text],
+                                                     choices: question.choices.map(places => places.map(place => data.texts[place]))}));
+  const shelf = `gjkstep ${data.name} ${questions.length}`;
+  const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on'};
+  const nothing = () => questions.map(() => null);
+  let answers = nothing(), predicting = false, asked = null;
+
+  // The store of the browser, where it has one and allows it; else answers live as long as the page.
+  function store(act) { try { return act(localStorage); } catch { return null; } }
+  function restore() {
+    const kept = JSON.parse(store(shop => shop.getItem(shelf)) || 'null');
+    if (Array.isArray(kept) && kept.length === questions.length) answers = kept;
+  }
+
+  // Whether there is a question still to be answered before the next step; asks it.
+  function stopsToAsk() {
+    if (!predicting) return false;
+    const k = questions.findIndex((question, k) => question.before === at + 1 && answers[k] === null);
+    if (k >= 0) ask(k);
+    return k >= 0;
+  }
+
+  function ask(k) {
+    asked = k;
+    $('question').innerHTML = questions[k].text;
+    $('choices').replaceChildren(...questions[k].choices.map(([text], c) => {
+      const line = make('li'), button = Object.assign(make('button'), {type: 'button', innerHTML: text});
+      button.addEventListener('click', () => answer(c));
+      line.append(button);
+      return line;
+    }));
+    $('verdict').textContent = '';
+    $('onward').textContent = 'Skip';
+    steps[at].querySelector('.text').prepend($('quiz'));
+    steps[at].classList.add('asking');
+    $('quiz').hidden = false;
+    $('question').focus();
+  }
+
+  function answer(c) {
+    const {choices, right} = questions[asked], buttons = [...$('choices').querySelectorAll('button')];
+    if (!buttons[c] || buttons[c].disabled) return;
+    answers[asked] = c;
+    store(shop => shop.setItem(shelf, JSON.stringify(answers)));
+    for (const button of buttons) button.disabled = true;
+    buttons[c].classList.add('wrong');
+    buttons[right].className = 'right';
+    $('verdict').innerHTML = c === right ? `Right: ${choices[c][1]}.`
+      : `Not so: ${choices[c][1]}. It is <b>${choices[right][0]}</b>: ${choices[right][1]}.`;
+    $('onward').textContent = 'Go on';
+    $('onward').focus();
+  }
+
+  function close() {
+    asked = null;
+    $('quiz').hidden = $('score').hidden = true;
+    steps[at].classList.remove('asking');
+  }
+
+  const onward = () => { const k = asked, answered = answers[k] !== null; if (!answered || !stopsToAsk()) show(at + 1, 'push'); };
+
+  function showScore() {
+    const given = questions.filter((question, k) => answers[k] !== null);
+    const right = (question, k) => answers[k] === question.right;
+    $('points').textContent = given.length ? `${questions.filter(right).length} of ${questions.length} right` +
+      (given.length < questions.length ? `, ${questions.length - given.length} not answered` : '') : 'No question answered yet';
+    const list = make('ul');
+    for (const [kind, name] of Object.entries(kinds)) {
+      const ours = questions.map((question, k) => [question, k]).filter(([question, k]) => question.kind === kind && answers[k] !== null);
+      const wrong = ours.filter(([question, k]) => !right(question, k));
+      if (!ours.length) continue;
+      const line = make('li', wrong.length ? 'no' : 'yes', `${name}: ${ours.length - wrong.length} of ${ours.length}`);
+      const practice = new Map(wrong.map(([question]) => question.practice).filter(([name]) => name));
+      let between = '; practise with ';
+      for (const [name, url] of practice) {
+        line.append(between, url ? Object.assign(make('a', '', name), {href: url}) : make('code', '', `gjkstep render ${name} --page`));
+        between = ', ';
+      }
+      list.append(line);
+    }
+    $('kinds').replaceChildren(list);
+    steps[at].querySelector('.text').prepend($('score'));
+    $('score').hidden = false;
+    $('forget').hidden = !given.length;
+    if (given.length) $('live').textContent = $('points').textContent;
+  }
+
+  function predict() {
+    predicting = !predicting;
+    $('predict').setAttribute('aria-pressed', predicting);
+    close();
+    if (predicting && at === steps.length - 1) showScore();
+    $('live').textContent = predicting ? 'Before each decision a question will be asked.' : 'No questions will be asked.';
+  }
+
+  function forget() {
+    answers = nothing();
+    store(shop => shop.removeItem(shelf));
+    show(0, 'push');
+    $('next').focus();
+  }
+
+  restore();
+  $('predict').hidden = !questions.length;
+  $('onward').addEventListener('click', onward);
+  $('forget').addEventListener('click', forget);
+
+  // -- What one presses, drags and swipes ---------------------------------------------------------------------------------
+
+  const keys = {
+    ArrowLeft: back, ArrowRight: forward, Home: () => go(0), End: () => go(steps.length - 1), ' ': play,
+  };
+  const hasQuestions = () => questions.length && $('letters').checked;
+  function letter(key) {
+    if (!hasQuestions()) return null;
+    if (key.toLowerCase() === 'p') return predict;
+    return asked !== null && /^[1-9]$/.test(key) ? () => answer(key - 1) : null;
+  }
+  document.addEventListener('keydown', event => {
+    const act = keys[event.key] || letter(event.key);
+    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing || !act) return;
+    if (event.key === ' ' && event.target.closest('button, summary, a, input:not([type=range])')) return;
+    event.preventDefault();
+    act();
+  });
+  for (const [id, act] of [['first', keys.Home], ['back', keys.ArrowLeft], ['next', keys.ArrowRight], ['last', keys.End], ['play', play], ['predict', predict]])
+    $(id).addEventListener('click', act);
+  $('slider').addEventListener('input', () => { pause(); show($('slider').value - 1, 'replace'); });
+  addEventListener('popstate', () => { pause(); show(addressed(), 'stay'); });
+
+  // A swipe steps; where there are further views, it turns the picture.
+  let from = null;
+  const turns = data.turned.length ? data.turned[0].length : 0;
+  function turn(shot, x) {
+    const views = [shot.dataset.usual, ...data.turned[at]], width = shot.clientWidth / views.length;
+    shot.firstElementChild.src = views[((Math.round((x - from.x) / width) + from.view) % views.length + views.length) % views.length];
+  }
+  $('steps').addEventListener('pointerdown', event => {
+    const shot = event.target.closest('.shot');
+    from = null;
+    if (!shot || !event.isPrimary || event.button !== 0) return;
+    const img = shot.firstElementChild;
+    shot.dataset.usual ??= img.getAttribute('src');
+    from = {x: event.clientX, y: event.clientY, shot, view: turns ? 1 + data.turned[at].indexOf(img.getAttribute('src')) : 0};
+    if (turns) shot.setPointerCapture(event.pointerId);
+  });
+  addEventListener('pointermove', event => { if (from && turns) turn(from.shot, event.clientX); });
+  addEventListener('pointerup', event => {
+    if (!from) return;
+    const x = event.clientX - from.x, y = event.clientY - from.y;
+    from = null;
+    if (!turns && Math.abs(x) > 40 && Math.abs(x) > 2 * Math.abs(y)) (x < 0 ? forward : back)();
+  });
+  addEventListener('pointercancel', () => { from = null; });
+  $('steps').addEventListener('dragstart', event => event.preventDefault());
+
+  // -- Marks of iterations, decisions and the end ---------------------------------------------------------------------
+
+  if (steps.length <= 400) data.steps.forEach((step, i) => {
+    const isFirst = step.iteration && step.iteration !== data.steps[i - 1]?.iteration;
+    for (const kind of [isFirst && 'iteration', step.kind]) {
+      if (!kind) continue;
+      const mark = make('span', kind, kind === 'iteration' && steps.length <= 80 ? String(step.iteration) : '');
+      mark.style.left = `${100 * i / Math.max(1, steps.length - 1)}%`;
+      $('marks').append(mark);
+    }
+  });
+
+  // Before printing all is there, also what nobody has looked at.
+  addEventListener('beforeprint', () => steps.forEach((step, i) => complete(i)));
+
+  show(addressed(), 'stay');
+})();

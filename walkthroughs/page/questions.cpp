@@ -1,0 +1,292 @@
+#include "walkthroughs/page/questions.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/story/captions.hpp"
+#include "walkthroughs/story/pseudocode.hpp"
+#include "walkthroughs/story/storyboard.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Relation;
+using gjk::Verdict;
+using Kind = Decision::Kind;
+using Region = gjk::RegionTested<double>;
+
+// -- Choices ----------------------------------------------------------------------------------------------------------
+
+/// Returns: the question with its choices in the order of the alphabet; nothing where there is no choice, or none is right.
+std::optional<Question> asked(Decision decision, std::size_t event, std::string text, std::vector<Choice> choices,
+                              const std::string& right) {
+  std::ranges::sort(choices, {}, &Choice::text);
+  const auto found = std::ranges::find(choices, right, &Choice::text);
+  if (choices.size() < 2 || found == choices.end()) return std::nullopt;
+  const auto place = static_cast<std::size_t>(found - choices.begin());
+  return Question{std::move(decision), event, std::move(text), std::move(choices), place};
+}
+
+void add_once(std::vector<Choice>& choices, Choice choice) {
+  if (std::ranges::count(choices, choice.text, &Choice::text) == 0) choices.push_back(std::move(choice));
+}
+
+/// "R3: beyond edge AB". `relation`: where the algorithm has a line for each outcome of one test.
+std::string region_in_words(int size, const std::string& feature, const std::string& name,
+                            std::optional<Relation> relation) {
+  const bool is_zero = relation == Relation::zero;
+  if (size == 1) return name + (is_zero ? " is the origin" : " is not the origin");
+  if (size == 2) return is_zero ? "on segment " + name : "R3 or R4: to one side of " + name;
+  if (size == 3 && feature == "ABC")
+    return std::string("R1: ") +
+           (is_zero                          ? "in"
+            : relation == Relation::positive ? "above"
+                                             : "below") +
+           " triangle " + name;
+  if (size == 3) return std::string(feature == "AB" ? "R3" : "R7") + ": beyond edge " + name;
+  return feature.size() == 4 ? "inside: above none of them" : "above face " + name;
+}
+
+std::string skipped_in_words(const Region& region, const std::string& name) {
+  const std::string label = region.label.empty() ? "" : region.label + ": ";
+  if (region.feature.size() == 1) return label + "beyond " + name;
+  return label + (region.feature.size() == 2 ? "beyond edge " : "above face ") + name;
+}
+
+// -- One iteration ----------------------------------------------------------------------------------------------------
+
+/// What one iteration of a search asks. Events are counted from 0 in the trace.
+class Iteration {
+ public:
+  /// `tests`: the place of the first region test that was made; the following ones are looked for.
+  Iteration(const Story& story, std::size_t tests)
+      : story_(story),
+        telling_(story.tellings[0]),
+        events_(telling_.trace.events),
+        first_(tests),
+        end_(end_of_tests(tests)),
+        now_(replay(telling_.trace, end_)),
+        names_(story.walkthrough.naming, telling_.hull, now_),
+        size_(now_.processed.size()),
+        code_(algorithm(size_ + 1, telling_.scene.rules)) {}
+
+  void ask(std::vector<Question>& questions) const {
+    if (!last_chosen() || !chosen_without_face()) return;
+    for (const auto& question : {of_region(), of_edge(), of_vertices(), of_direction()})
+      if (question) questions.push_back(*question);
+  }
+
+ private:
+  std::size_t end_of_tests(std::size_t at) const {
+    while (at < events_.size() && std::holds_alternative<Region>(events_[at])) ++at;
+    return at;
+  }
+
+  const Region* last_chosen() const {
+    const auto found = std::find_if(now_.regions.rbegin(), now_.regions.rend(),
+                                    [](const Region& region) { return region.verdict == Verdict::chosen; });
+    return found == now_.regions.rend() ? nullptr : &*found;
+  }
+  /// Of a tetrahedron the face; else the region.
+  const Region* chosen_without_face() const {
+    const auto found = std::ranges::find_if(
+        now_.regions, [](const Region& region) { return region.verdict == Verdict::chosen && region.face.empty(); });
+    return found == now_.regions.end() ? nullptr : &*found;
+  }
+
+  Decision decision(Kind kind) const {
+    const Region& region = *last_chosen();
+    return {kind, size_,
+            (region.face.empty() ? "" : region.face + " ") + region.feature + " " +
+                std::string(words_of::of(region.relation))};
+  }
+
+  /// The number that decided, as the caption of that test says it. Requires: a test of now_, whose tests are the last events
+  /// before end_.
+  std::string value_of(const Region& region) const {
+    const auto behind = static_cast<std::size_t>(now_.regions.data() + now_.regions.size() - &region);
+    const std::size_t at = end_ - behind;
+    return caption(events_[at], story_, telling_, replay(telling_.trace, at + 1))->facts[0].text;
+  }
+
+  /// Why the search has not found what that line asks about, or that it has.
+  std::string reason_of(const CodeLine& line) const {
+    for (const Region& region : now_.regions)
+      if (region.verdict != Verdict::skipped && region.face == line.face && region.feature == line.feature)
+        return value_of(region);
+    return "not asked: what stands before it has decided, " + value_of(*last_chosen());
+  }
+
+  bool is_of(const CodeLine& line, const Region& region) const {
+    return line.kind == LineKind::test && line.face == region.face && line.feature == region.feature &&
+           (!line.relation || *line.relation == region.relation);
+  }
+
+  std::optional<Question> of_region() const {
+    std::vector<Choice> choices;
+    std::string right;
+    for (const CodeLine& line : code_) {
+      if (line.kind != LineKind::test || !line.face.empty()) continue;
+      const std::string text = region_in_words(size_, line.feature, names_.sorted(line.feature), line.relation);
+      if (is_of(line, *chosen_without_face())) right = text;
+      add_once(choices, {text, reason_of(line)});
+    }
+    for (const Region& region : now_.regions)
+      if (region.verdict == Verdict::skipped && (size_ < 4 || region.feature.size() == 3))
+        add_once(choices, {skipped_in_words(region, names_.sorted(region.feature)),
+                           "skipped: " + names_.translate(region.reason)});
+    const std::string text = size_ == 4   ? "Above which face does Algorithm 5 find the origin first?"
+                             : size_ == 1 ? "Is this vertex the origin?"
+                                          : "In which region does the origin lie?";
+    return asked(decision(Kind::region), first_, text, std::move(choices), right);
+  }
+
+  /// Of a tetrahedron's face.
+  std::optional<Question> of_edge() const {
+    const Region& face = *chosen_without_face();
+    if (size_ != 4 || face.feature.size() != 3) return std::nullopt;
+    const std::string name = names_.sorted(face.feature), neither = "beyond neither: above the face itself";
+    std::vector<Choice> choices;
+    std::string right = neither, values;
+    std::size_t event = end_;
+    for (const CodeLine& line : code_) {
+      if (line.kind != LineKind::test || line.face != face.feature) continue;
+      const std::string text = "beyond edge " + names_.sorted(line.feature);
+      if (is_of(line, *last_chosen())) right = text;
+      values += (values.empty() ? "" : "; ") + reason_of(line);
+      add_once(choices, {text, reason_of(line)});
+    }
+    choices.push_back({neither, values});
+    for (std::size_t i = end_; i-- > first_;)
+      if (std::get<Region>(events_[i]).face == face.feature) event = i;
+    if (event == end_) return std::nullopt;
+    return asked(decision(Kind::region), event,
+                 "The origin lies above face " + name + ". Beyond which of its edges does its foot lie?",
+                 std::move(choices), right);
+  }
+
+  /// Whether the search goes on, and from where.
+  const gjk::SimplexReduced<double>* reduction() const {
+    return end_ < events_.size() ? std::get_if<gjk::SimplexReduced<double>>(&events_[end_]) : nullptr;
+  }
+  std::size_t direction_at() const { return reduction() ? end_ + 1 : end_; }
+  const gjk::DirectionChosen<double>* direction() const {
+    const std::size_t at = direction_at();
+    return at < events_.size() ? std::get_if<gjk::DirectionChosen<double>>(&events_[at]) : nullptr;
+  }
+
+  std::string in_list(const std::string& roles) const {
+    std::string list;
+    for (const char role : roles) list += (list.empty() ? "" : ", ") + names_.of(static_cast<gjk::Role>(role - 'A'));
+    return "[" + list + "]";
+  }
+
+  /// Choices from the ways on of the running algorithm, each with what the test before it has found.
+  template <class Words>
+  std::vector<Choice> ways(const std::string& right, const std::string& why, const Words& words) const {
+    std::vector<Choice> choices;
+    const CodeLine* test = nullptr;
+    for (const CodeLine& line : code_) {
+      if (line.kind == LineKind::test) test = &line;
+      const std::optional<Way> way = way_of(line);
+      if (!way || !test) continue;
+      const std::string text = words(*way);
+      add_once(choices, {text, text == right ? why : reason_of(*test)});
+    }
+    return choices;
+  }
+
+  std::optional<Question> of_vertices() const {
+    if (size_ < 3 || (!reduction() && !direction())) return std::nullopt;
+    const std::string right = in_list(reduction() ? reduction()->kept : "CBA");
+    const std::string why = names_.translate(
+        reduction() ? reduction()->why : "the origin lies above the triangle, on the side of its normal");
+    return asked(decision(Kind::vertices), end_, "Which vertices stay, and in which order?",
+                 ways(right, why, [&](const Way& way) { return in_list(way.kept); }), right);
+  }
+
+  std::optional<Question> of_direction() const {
+    if (size_ < 3 || !direction()) return std::nullopt;
+    const std::string right = names_.translate(direction()->expression);
+    const std::string why =
+        caption(events_[direction_at()], story_, telling_, replay(telling_.trace, direction_at() + 1))->facts[0].text;
+    return asked(decision(Kind::direction), direction_at(), "Along which formula does the search go on?",
+                 ways(right, why, [&](const Way& way) { return names_.translate(way.direction); }), right);
+  }
+
+  const Story& story_;
+  const Telling& telling_;
+  const std::vector<gjk::Event<double>>& events_;
+  const std::size_t first_, end_;  ///< of the region tests that were made
+  const Moment now_;               ///< after them
+  const Names names_;
+  const int size_;
+  const std::vector<CodeLine>& code_;
+};
+
+// -- The crossing test ------------------------------------------------------------------------------------------------
+
+std::optional<Question> of_crossing(const Story& story, std::size_t at) {
+  const auto& event = std::get<gjk::CrossingTested<double>>(story.tellings[0].trace.events[at]);
+  if (!event.value) return std::nullopt;
+  const Telling& telling = story.tellings[0];
+  const std::string why =
+      caption(telling.trace.events[at], story, telling, replay(telling.trace, at + 1))->facts[0].text;
+  const bool is_crossed = event.verdict == gjk::Crossing::crossed;
+  const std::string yes = "yes, or just reached", no = "no";
+  return asked({Kind::crossing, 0, is_crossed ? "crossed" : "not crossed"}, at, "Was the origin crossed?",
+               {{yes, why}, {no, why}}, is_crossed ? yes : no);
+}
+
+}  // namespace
+
+std::vector<Question> questions_of(const Story& story) {
+  std::vector<Question> questions;
+  if (story.tellings.size() != 1) return questions;
+  const std::vector<gjk::Event<double>>& events = story.tellings[0].trace.events;
+  bool is_asked = false;  // about the regions of this iteration
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (std::holds_alternative<gjk::SupportFound<double>>(events[i])) is_asked = false;
+    if (std::holds_alternative<gjk::CrossingTested<double>>(events[i]))
+      if (const auto question = of_crossing(story, i)) questions.push_back(*question);
+    const auto* region = std::get_if<Region>(&events[i]);
+    if (!region || region->verdict == Verdict::skipped || is_asked) continue;
+    Iteration(story, i).ask(questions);
+    is_asked = true;
+  }
+  return questions;
+}
+
+std::string practice_for(const Decision& decision, const std::string& but) {
+  static const std::vector<std::pair<std::string, std::vector<Decision>>> known = [] {
+    std::vector<std::pair<std::string, std::vector<Decision>>> all;
+    for (const Walkthrough& w : catalogue()) {
+      if (!w.region_case) continue;
+      const Story story = tell(w);
+      all.emplace_back(w.name, std::vector<Decision>());
+      for (const Question& question : questions_of(story)) all.back().second.push_back(question.decision);
+    }
+    return all;
+  }();
+  // First those that are about such a simplex; and where no other decides likewise, one that decides about it at all.
+  const std::string about = "regions/" + std::to_string(decision.simplex_size - 1) + "-simplex-";
+  const auto find = [&](const std::string& prefix, const auto& is_likewise) {
+    const auto found = std::ranges::find_if(known, [&](const auto& each) {
+      return each.first != but && each.first.starts_with(prefix) && std::ranges::any_of(each.second, is_likewise);
+    });
+    return found == known.end() ? "" : found->first;
+  };
+  const auto is_same = [&](const Decision& other) { return other == decision; };
+  const auto is_of_a_kind = [&](const Decision& other) {
+    return other.kind == decision.kind && other.simplex_size == decision.simplex_size;
+  };
+  for (const std::string& name : {find(about, is_same), find("", is_same), find(about, is_of_a_kind)})
+    if (!name.empty()) return name;
+  return "";
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,44 @@
+/// What a page asks before it shows a decision, made from the trace alone: what the algorithm may find there is what its lines
+/// and the skipped regions say, and what it has found is the right answer.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "walkthroughs/story/story.hpp"
+
+namespace walkthroughs {
+
+struct Choice {
+  std::string text;    ///< here and below with the markup of render/font.hpp
+  std::string reason;  ///< why it is right, or why the search has not gone there: a value, or why it need not be asked
+};
+
+/// What a decision was about, so that walkthroughs with the same one can be found.
+struct Decision {
+  enum class Kind { crossing, region, vertices, direction };
+  Kind kind;
+  int simplex_size;   ///< 0 for a crossing test
+  std::string found;  ///< "crossed", or the last region that was chosen: "ABC positive", "ADB AD positive"
+  friend bool operator==(const Decision&, const Decision&) = default;
+};
+
+struct Question {
+  Decision decision;
+  std::size_t event;  ///< of the trace, which answers it; what was told before may be known
+  std::string text;
+  std::vector<Choice> choices;  ///< in the order of the alphabet, two or more, no two with the same text
+  std::size_t right;            ///< the one of them that is what the trace did
+};
+
+/// Returns: the questions about the search of a story, in the order of its events: at each crossing test that was applied, each
+/// simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one. None where the
+/// story has no scene or several.
+std::vector<Question> questions_of(const Story& story);
+
+/// Returns: the name of the first walkthrough of regions, `but` left out, in which the search decides likewise, or at least
+/// about such a simplex; empty where there is none.
+std::string practice_for(const Decision& decision, const std::string& but);
+
+}  // namespace walkthroughs

@@ -1,0 +1,89 @@
+#include "walkthroughs/program/pages.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <utility>
+
+#include "render/file.hpp"
+#include "render/html.hpp"
+#include "walkthroughs/page/page.hpp"
+#include "walkthroughs/text/shell_word.hpp"
+
+namespace walkthroughs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns: the way from the folder of a walkthrough up to that of all.
+std::string up_from(const std::string& name) {
+  std::string up = "../";
+  for (const char c : name) up += c == '/' ? "../" : "";
+  return up;
+}
+
+/// Returns: a path as a URL, its letters beyond ASCII left to the browser.
+std::string url_of(const fs::path& path) {
+  std::string url;
+  for (const char c : path.generic_string()) {
+    const bool is_plain = static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) ||
+                          std::string_view("/._-~").find(c) != std::string_view::npos;
+    char escape[8];
+    std::snprintf(escape, sizeof escape, "%%%02X", static_cast<unsigned char>(c));
+    url += is_plain ? std::string(1, c) : escape;
+  }
+  return url;
+}
+
+PageSurroundings surroundings(const std::vector<PageOrigin>& origins, const std::string& name, const fs::path& folder,
+                              Pages::Pictures pictures) {
+  const auto here = std::ranges::find(origins, name, &PageOrigin::name);
+  PageSurroundings all;
+  all.command = "gjkstep render " + here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file) +
+                (pictures == Pages::Pictures::inside ? " --page=single" : " --page");
+  if (pictures == Pages::Pictures::inside) return all;
+  if (!here->file.empty())
+    all.sources.push_back({url_of(fs::absolute(here->file).lexically_relative(fs::absolute(folder).lexically_normal())),
+                           here->file.filename().string()});
+  const std::string up = up_from(name);
+  const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
+  all.page_of = [=](const std::string& other) {
+    const auto found = std::ranges::find(origins, other, &PageOrigin::name);
+    return found == origins.end() ? "" : way_to(*found);
+  };
+  all.ways.push_back({up + page_file, "All walkthroughs"});
+  if (here != origins.begin()) all.ways.push_back({way_to(*(here - 1)), "← " + (here - 1)->name});
+  if (here + 1 != origins.end()) all.ways.push_back({way_to(*(here + 1)), "→ " + (here + 1)->name});
+  return all;
+}
+
+}  // namespace
+
+void Pages::add(std::shared_ptr<const StagedStory> story, const Output& output, Renderer& renderer,
+                const FileWritten& written) {
+  const Walkthrough& w = story->walkthrough;
+  const fs::path folder = output.folder / w.name;
+  const auto url = [folder, kind = pictures_](std::size_t frame, int turn) {
+    const std::string name = picture_name(frame, turn);
+    return kind == Pictures::beside ? name : render::data_url(render::read_file(folder / name));
+  };
+  const PagePictures pictures{.url = url,
+                              .page = page_of_frame(output.look.text),
+                              .part = pictures_of_frame(w, output.look.text),
+                              .turns = turns_of(w, output),
+                              .is_dark = output.look.style.theme.paper.r < 128};
+  IndexEntry entry = index_entry(*story);
+  entry.picture_url = w.name + "/" + picture_name(entry.picture);
+  entry.page = pictures.page;
+  entry.part = pictures.part;
+  entry.is_dark = pictures.is_dark;
+  entries_.push_back(std::move(entry));
+  renderer.then([=, around = surroundings(origins_, w.name, folder, pictures_)] {
+    render::write_file(folder / page_file, page_html(*story, pictures, around));
+    written(folder / page_file);
+  });
+}
+
+void Pages::write_index(const fs::path& folder) const { render::write_file(folder / page_file, index_html(entries_)); }
+
+}  // namespace walkthroughs
