@@ -46,7 +46,7 @@
       steps[j].querySelector('img').loading = 'eager';
   }
 
-  const said = i => [...steps[i].querySelectorAll('.where, h2, .text > ul > li')].map(e => e.textContent.trim()).join('. ');
+  const said = i => [...steps[i].querySelectorAll('.where, .text > h2, .text > ul > li')].map(e => e.textContent.trim()).join('. ');
 
   // -- From step to step ----------------------------------------------------------------------------------------------
 
@@ -236,6 +236,7 @@
   // A swipe steps; where there are further views, it turns the picture.
   let from = null;
   const turns = data.turned.length ? data.turned[0].length : 0;
+  $('steps').classList.toggle('turns', turns > 0);
   function turn(shot, x) {
     const views = [shot.dataset.usual, ...data.turned[at]], width = shot.clientWidth / views.length;
     shot.firstElementChild.src = views[((Math.round((x - from.x) / width) + from.view) % views.length + views.length) % views.length];
