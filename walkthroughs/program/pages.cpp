@@ -35,29 +35,28 @@ std::string url_of(const fs::path& path) {
   return url;
 }
 
-PageSurroundings surroundings(const std::vector<PageOrigin>& origins, const std::string& name, const fs::path& folder,
-                              Pages::Pictures pictures) {
-  const auto here = std::ranges::find(origins, name, &PageOrigin::name);
+}  // namespace
+
+PageSurroundings Pages::surroundings_of(const std::string& name, const fs::path& folder) const {
+  const auto here = std::ranges::find(origins_, name, &PageOrigin::name);
   PageSurroundings all;
   all.command = "gjkstep render " + here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file) +
-                (pictures == Pages::Pictures::inside ? " --page=single" : " --page");
-  if (pictures == Pages::Pictures::inside) return all;
+                (pictures_ == Pictures::inside ? " --page=single" : " --page") + options_;
+  if (pictures_ == Pictures::inside) return all;
   if (!here->file.empty())
     all.sources.push_back({url_of(fs::absolute(here->file).lexically_relative(fs::absolute(folder).lexically_normal())),
                            here->file.filename().string()});
   const std::string up = up_from(name);
   const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
-  all.page_of = [=](const std::string& other) {
+  all.page_of = [way_to, origins = origins_](const std::string& other) {
     const auto found = std::ranges::find(origins, other, &PageOrigin::name);
     return found == origins.end() ? "" : way_to(*found);
   };
   all.ways.push_back({up + page_file, "All walkthroughs"});
-  if (here != origins.begin()) all.ways.push_back({way_to(*(here - 1)), "← " + (here - 1)->name});
-  if (here + 1 != origins.end()) all.ways.push_back({way_to(*(here + 1)), "→ " + (here + 1)->name});
+  if (here != origins_.begin()) all.ways.push_back({way_to(*(here - 1)), "← " + (here - 1)->name});
+  if (here + 1 != origins_.end()) all.ways.push_back({way_to(*(here + 1)), "→ " + (here + 1)->name});
   return all;
 }
-
-}  // namespace
 
 void Pages::add(std::shared_ptr<const StagedStory> story, const Output& output, Renderer& renderer,
                 const FileWritten& written) {
@@ -78,7 +77,7 @@ void Pages::add(std::shared_ptr<const StagedStory> story, const Output& output, 
   entry.part = pictures.part;
   entry.is_dark = pictures.is_dark;
   entries_.push_back(std::move(entry));
-  renderer.then([=, around = surroundings(origins_, w.name, folder, pictures_)] {
+  renderer.then([=, around = surroundings_of(w.name, folder)] {
     render::write_file(folder / page_file, page_html(*story, pictures, around));
     written(folder / page_file);
   });

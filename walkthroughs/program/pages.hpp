@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "walkthroughs/page/index_page.hpp"
+#include "walkthroughs/page/page.hpp"
 #include "walkthroughs/picture/render_frames.hpp"
 
 namespace walkthroughs {
@@ -27,8 +29,10 @@ class Pages {
     inside,  ///< pages hold them, and can be moved and mailed; they have no links to others
   };
 
-  /// `origins`: one for each walkthrough of the run, in order.
-  Pages(Pictures pictures, std::vector<PageOrigin> origins) : pictures_(pictures), origins_(std::move(origins)) {}
+  /// `options`: what else was said on the command line about the pictures. `origins`: one for each walkthrough of the run, in
+  /// order.
+  Pages(Pictures pictures, std::string options, std::vector<PageOrigin> origins)
+      : pictures_(pictures), options_(std::move(options)), origins_(std::move(origins)) {}
 
   /// Asks for FOLDER/NAME/index.html, to be written after what has been asked of `renderer` so far.
   void add(std::shared_ptr<const StagedStory> story, const Output& output, Renderer& renderer,
@@ -37,7 +41,10 @@ class Pages {
   void write_index(const std::filesystem::path& folder) const;
 
  private:
+  PageSurroundings surroundings_of(const std::string& name, const std::filesystem::path& folder) const;
+
   Pictures pictures_;
+  std::string options_;
   std::vector<PageOrigin> origins_;
   std::vector<IndexEntry> entries_;
 };

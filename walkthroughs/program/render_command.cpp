@@ -20,10 +20,12 @@
 #include "walkthroughs/program/pages.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/frame_choice.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
+#include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
 
 namespace walkthroughs {
@@ -84,6 +86,7 @@ class Rendering {
   void run() const {
     const Output output = checked_output();
     const Selection selection = select();
+    expect_chosen_frames(selection);
     expect_apart(selection, output.folder);
     expect_writable_captions(selection, output.folder);
     if (is_asked_for_pages()) expect_writable_index(output.folder);
@@ -177,11 +180,30 @@ class Rendering {
 
   bool is_asked_for_pages() const { return !command_.page.empty(); }
 
+  /// What else the command says about the pictures that pages show.
+  std::string options_of_pictures() const {
+    const RenderCommand usual;
+    std::string options;
+    const auto add = [&options](const char* option, const std::string& value) {
+      options += option + shell_word(value);
+    };
+    if (command_.detail != usual.detail) add(" --detail ", command_.detail);
+    if (command_.frames) add(" --frames ", *command_.frames);
+    if (command_.letters) add(" --letters ", *command_.letters);
+    if (command_.theme != usual.theme) add(" --theme ", command_.theme);
+    if (command_.size) add(" --size ", *command_.size);
+    if (command_.turns != usual.turns) add(" --turn ", std::to_string(command_.turns));
+    if (command_.no_captions) options += " --no-captions";
+    if (command_.no_values) options += " --no-values";
+    return options;
+  }
+
   std::optional<Pages> pages_of(const Selection& selection) const {
     if (!is_asked_for_pages()) return std::nullopt;
     std::vector<PageOrigin> origins;
     for (const Selection::Chosen& each : selection.chosen()) origins.push_back(each.origin);
-    return Pages(command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside, std::move(origins));
+    return Pages(command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside, options_of_pictures(),
+                 std::move(origins));
   }
 
   static void expect_writable_index(const std::filesystem::path& folder) {
@@ -189,11 +211,34 @@ class Rendering {
     render::expect_writable(folder / page_file);
   }
 
+  Story tell_all(const Selection::Chosen& chosen, const Walkthrough& walkthrough) const {
+    const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
+    return chosen.traces ? tell(walkthrough, *chosen.traces, shown) : tell(walkthrough, shown);
+  }
+
+  /// The story with the frames that --frames chooses.
+  Story tell_chosen(const Selection::Chosen& chosen, const Walkthrough& walkthrough) const {
+    Story story = tell_all(chosen, walkthrough);
+    if (command_.frames) keep_only(story, places_of(frames_in(*command_.frames).value(), story.frames));
+    return story;
+  }
+
+  void expect_chosen_frames(const Selection& selection) const {
+    if (!command_.frames) return;
+    const std::optional<FrameChoice> choice = frames_in(*command_.frames);
+    if (!choice)
+      throw UsageError("--frames " + in_quotes(*command_.frames) +
+                       ": expected numbers of steps such as 4,10,18 or 3-7, and kinds of them: " + frame_kinds());
+    for (const Selection::Chosen& each : selection.chosen())
+      if (const std::string no = objection_to(*choice, tell_all(each, *each.walkthrough).frames); !no.empty())
+        throw UsageError("--frames " + in_quotes(*command_.frames) + ": in " + each.walkthrough->name + " " + no +
+                         "; choose others, or leave that walkthrough out");
+  }
+
   void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
     const Walkthrough& w = written.walkthroughs.emplace_back(in_letters(*chosen.walkthrough));
-    const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
     progress(w.name + ": searching");
-    Story told = chosen.traces ? tell(w, *chosen.traces, shown) : tell(w, shown);
+    Story told = tell_chosen(chosen, w);
     progress(w.name + ": looking for hulls and cameras");
     const auto story = std::make_shared<const StagedStory>(std::move(told));
     progress(w.name + ": drawing");
@@ -298,6 +343,8 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command->add_option("--detail", render.detail, "a frame for each decision, or for each step (iteration)")
       ->check(CLI::IsMember({"decision", "step"}))
       ->capture_default_str();
+  command->add_option("--frames", render.frames,
+                      "a choice of frames, numbered anew: steps such as 4,10,18 or 3-7, and kinds: " + frame_kinds());
   command->add_option("--theme", render.theme, "colours and weights: for a report, for slides, or on a dark ground")
       ->check(CLI::IsMember({"report", "slides", "dark"}))
       ->capture_default_str();

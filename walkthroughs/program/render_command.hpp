@@ -24,6 +24,7 @@ struct RenderCommand {
   std::string detail = "decision";
   std::string theme = "report";
   std::string out = "out";
+  std::optional<std::string> frames;
   std::optional<std::string> gl;
   std::optional<std::string> size;
   std::optional<std::string> movie;

@@ -173,14 +173,9 @@ void tell_diagrams(Story& story) {
 
 // -- All --------------------------------------------------------------------------------------------------------------
 
-void keep_last_of_each_iteration(std::vector<Frame>& frames) {
-  std::vector<Frame> kept;
-  for (const std::size_t i : last_of_each_iteration(frames)) kept.push_back(std::move(frames[i]));
-  frames = std::move(kept);
-}
-
-/// Each frame covers what has happened since the one before.
+/// Each frame covers what has happened since the one before, the first of them all from the beginning.
 void set_first_events(std::vector<Frame>& frames) {
+  for (EventRange& range : frames.at(0).events) range.first = 0;
   for (std::size_t i = 1; i < frames.size(); ++i)
     for (std::size_t s = 0; s < frames[i].events.size(); ++s)
       frames[i].events[s].first = std::min(frames[i - 1].events[s].last + 1, frames[i].events[s].last);
@@ -194,6 +189,18 @@ std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (i + 1 == frames.size() || frames[i].moments.empty() || iteration(i + 1) != iteration(i)) last.push_back(i);
   return last;
+}
+
+void keep_only(Story& story, const std::vector<std::size_t>& places) {
+  std::vector<Frame> frames;
+  std::vector<Diagram> diagrams;
+  for (const std::size_t i : places) {
+    frames.push_back(std::move(story.frames[i]));
+    if (!story.diagrams.empty()) diagrams.push_back(std::move(story.diagrams[i]));
+  }
+  story.frames = std::move(frames);
+  story.diagrams = std::move(diagrams);
+  set_first_events(story.frames);
 }
 
 Story tell(const Walkthrough& walkthrough, Detail detail) {
@@ -213,8 +220,8 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
     case Layout::until_they_part: tell_until_they_part(story); break;
     case Layout::diagrams: tell_diagrams(story); break;
   }
-  if (detail == Detail::step) keep_last_of_each_iteration(story.frames);
   set_first_events(story.frames);
+  if (detail == Detail::step) keep_only(story, last_of_each_iteration(story.frames));
   return story;
 }
 

@@ -22,6 +22,10 @@ Story tell(Walkthrough&&, std::vector<Trace>, Detail = Detail::decision) = delet
 Story tell(const Walkthrough& walkthrough, Detail detail = Detail::decision);
 Story tell(Walkthrough&&, Detail = Detail::decision) = delete;
 
+/// Keeps only these frames of a story, named by their places in order. Each then covers what has happened since the one kept
+/// before.
+void keep_only(Story& story, const std::vector<std::size_t>& places);
+
 /// Returns: the places of the last frame of each iteration.
 std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames);
 

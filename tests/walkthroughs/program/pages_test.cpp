@@ -25,7 +25,7 @@ TEST_CASE("gjkstep render --page writes a page beside the frames and one over al
   CHECK(has(first, "src=\"000.png\""));
   CHECK(has(first, "href=\"../index.html\""));
   CHECK(has(first, "href=\"../regions/2-simplex-r3/index.html\""));
-  CHECK(has(first, "gjkstep render figure-1 --page<"));
+  CHECK(has(first, "gjkstep render figure-1 --page --size 48x27<"));
   CHECK(has(bytes_of(folder.path() / "regions/2-simplex-r3/index.html"), "href=\"../../figure-1/index.html\""));
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("The page of a trace is that of its walkthrough, but for what it was m
   REQUIRE(run("render --from-trace " + quoted(trace) + " --page" + out_of(folder)).exit_code == 0);
   const std::string from_trace = bytes_of(folder.path() / "figure-4-left/index.html");
   CHECK(has(from_trace, "href=\"../a%20trace.jsonl\""));
-  CHECK(has(from_trace, "gjkstep render --from-trace '" + trace + "' --page<"));
+  CHECK(has(from_trace, "gjkstep render --from-trace '" + trace + "' --page --size 48x27<"));
   REQUIRE(run("render figure-4-left --page" + out_of(folder)).exit_code == 0);
   const std::string from_search = bytes_of(folder.path() / "figure-4-left/index.html");
   const auto steps = [](const std::string& page) { return page.substr(0, page.find("<footer>")); };
@@ -85,4 +85,20 @@ TEST_CASE(
   check_failure("render " + quoted(scene.string()) + " --page" + out_of(other), 2, {"index.html"});
   CHECK_FALSE(fs::exists(other.path() / "index.html"));
   check_failure("render figure-1 --page=nonsense" + out_of(other), 2, {"--page", "single"});
+}
+
+TEST_CASE(
+    "gjkstep render --frames draws a choice of frames, numbered anew, in every output, and refuses steps that are not "
+    "there") {
+  const Folder folder;
+  const Outcome outcome = run("render figure-4-left --frames regions,end --page --strip --sheet" + out_of(folder));
+  REQUIRE(outcome.exit_code == 0);
+  const std::string page = bytes_of(folder.path() / "figure-4-left/index.html");
+  CHECK(has(page, "Step 7 of 7"));
+  CHECK(has(page, "--frames regions,end"));
+  CHECK(fs::exists(folder.path() / "figure-4-left/006.png"));
+  CHECK_FALSE(fs::exists(folder.path() / "figure-4-left/007.png"));
+  const Untouched untouched;
+  check_failure("render figure-4-left figure-1 --frames 1,2" + untouched.option, 2, {"figure-1", "no step 2"});
+  check_failure("render figure-4-left --frames some" + untouched.option, 2, {"'some'", "regions"});
 }
