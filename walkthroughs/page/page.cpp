@@ -41,12 +41,14 @@ struct Running {
       : now(story.frames[index].moments[0]),
         names(story.names(index, 0)),
         number(running_algorithm(now, story.frames[index].focus)),
+        title(title_of(number, story.tellings[0].scene.rules, names, now.processed)),
         code(algorithm(number, story.tellings[0].scene.rules)),
         current(current_line(code, now, story.frames[index].focus)) {}
 
   const Moment& now;
   const Names names;
   const int number;
+  const std::string title;
   const std::vector<CodeLine>& code;
   const std::optional<std::size_t> current;
 };
@@ -90,10 +92,9 @@ std::string fact(const Fact& fact) {
 std::string running_line(const Story& story, std::size_t index) {
   if (!shows_code(story)) return "";
   const Running running(story, index);
-  const std::string title = title_of(running.number, running.names, running.now.processed);
   const std::string line =
       running.current ? line_in_letters(running.number, running.code[*running.current], running.names) : "";
-  return "<div class=\"code\">" + element("h3", html_of(title)) + element("code", html_of(line)) + "</div>\n";
+  return "<div class=\"code\">" + element("h3", html_of(running.title)) + element("code", html_of(line)) + "</div>\n";
 }
 
 std::string step(const Story& story, const PagePictures& pictures, std::size_t index) {
@@ -127,8 +128,7 @@ class Listings {
     Json lines = Json::array();
     for (const CodeLine& line : running.code)
       lines.push_back({line.indent, html_of(line_in_letters(running.number, line, running.names))});
-    const Json listing = {{"title", html_of(title_of(running.number, running.names, running.now.processed))},
-                          {"lines", lines}};
+    const Json listing = {{"title", html_of(running.title)}, {"lines", lines}};
     const auto known = std::find(listings_.begin(), listings_.end(), listing);
     if (known != listings_.end()) return static_cast<std::size_t>(known - listings_.begin());
     listings_.push_back(listing);

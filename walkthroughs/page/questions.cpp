@@ -76,6 +76,10 @@ class Iteration {
 
   void ask(std::vector<Question>& questions) const {
     if (!last_chosen() || !chosen_without_face()) return;
+    if (telling_.scene.rules == RuleSet::complete && size_ > 1) {
+      questions.push_back(*of_nearest());
+      return;
+    }
     for (const auto& question : {of_region(), of_edge(), of_vertices(), of_direction()})
       if (question) questions.push_back(*question);
   }
@@ -143,6 +147,25 @@ class Iteration {
                              : size_ == 1 ? "Is this vertex the origin?"
                                           : "In which region does the origin lie?";
     return asked(decision(Kind::region), first_, text, std::move(choices), right);
+  }
+
+  /// What was found out about a feature by the complete rules, which ask several things of it.
+  std::string reason_of(const std::string& feature) const {
+    for (auto region = now_.regions.rbegin(); region != now_.regions.rend(); ++region)
+      if (region->verdict != Verdict::skipped && region->feature == feature && !region->expression.empty())
+        return value_of(*region);
+    return "not asked: what was asked before has decided";
+  }
+
+  /// Of the complete rules, which decide for one feature among all that A belongs to.
+  std::optional<Question> of_nearest() const {
+    const auto words = [&](const std::string& feature) { return with_kind(names_.sorted(feature)); };
+    std::vector<Choice> choices;
+    for (const std::string feature : {"A", "AB", "AC", "AD", "ABC", "ACD", "ADB", "ABCD"})
+      if (std::ranges::all_of(feature, [&](char letter) { return letter - 'A' < size_; }))
+        choices.push_back({words(feature), reason_of(feature)});
+    return asked(decision(Kind::region), first_, "On which feature does the point nearest to the origin lie?",
+                 std::move(choices), words(last_chosen()->feature));
   }
 
   /// Of a tetrahedron's face.

@@ -37,6 +37,13 @@ std::string done(const Trace& trace, const Question& question) {
     case Kind::direction: return std::get<gjk::DirectionChosen<double>>(event).expression;
     case Kind::region: break;
   }
+  if (question.text.starts_with("On which feature")) {  // the complete rules
+    std::string feature;
+    for (std::size_t i = question.event; i < events.size() && std::holds_alternative<Region>(events[i]); ++i)
+      if (const Region& region = std::get<Region>(events[i]); region.verdict == Verdict::chosen)
+        feature = region.feature;
+    return with_kind(feature);
+  }
   const Region* chosen = nullptr;
   const std::string face = std::get<Region>(event).face;
   for (std::size_t i = question.event; i < events.size() && std::holds_alternative<Region>(events[i]); ++i)
@@ -87,7 +94,9 @@ int check_questions(Walkthrough walkthrough) {
 }
 
 /// How many decisions a trace has that leave a choice: what must be asked.
-int decisions_in(const Trace& trace) {
+int decisions_in(const Scene& scene) {
+  const bool is_complete = scene.rules == RuleSet::complete;  // of which one thing is asked about each simplex
+  const Trace trace = run(scene);
   int count = 0, size = 0;
   const Region* before = nullptr;
   for (const auto& event : trace.events) {
@@ -95,6 +104,10 @@ int decisions_in(const Trace& trace) {
     if (const auto* crossing = std::get_if<gjk::CrossingTested<double>>(&event)) count += crossing->value.has_value();
     if (const auto* added = std::get_if<gjk::VertexAdded<double>>(&event)) size = added->simplex.size();
     if (region && region->verdict != Verdict::skipped && (!before || before->verdict == Verdict::skipped)) ++count;
+    if (is_complete) {
+      before = region;
+      continue;
+    }
     if (region && !region->face.empty() && before && before->face.empty()) ++count;
     const bool is_reduced = std::holds_alternative<gjk::SimplexReduced<double>>(event);
     const bool is_direction = std::holds_alternative<gjk::DirectionChosen<double>>(event);
@@ -114,7 +127,7 @@ TEST_CASE(
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);
     const int count = check_questions(w);
-    if (w.layout == Layout::search) CHECK(count == decisions_in(run(w.scenes[0])));
+    if (w.layout == Layout::search) CHECK(count == decisions_in(w.scenes[0]));
     if (w.scenes.size() != 1) CHECK(count == 0);
     asked += count;
   }
@@ -130,7 +143,7 @@ TEST_CASE("Every question about 1,000 scenes at random has one right choice, whi
     try {
       const SceneFile scene = parse_scene(file.text, "scene.json");
       const int count = check_questions(scene.walkthrough);
-      CHECK(count == decisions_in(run(scene.walkthrough.scenes[0])));
+      CHECK(count == decisions_in(scene.walkthrough.scenes[0]));
       asked += count;
     } catch (const InputError&) {  // what cannot be asked at all, such as a center beyond all floats
     }
