@@ -29,6 +29,7 @@ floors = [
     ["tests/study/symmetries"],
     ["tests/study/corpus"],
     ["tests/study/judge"],
+    ["tests/study/steps"],
     ["tests/study/program"],
     ["tests/study"],
     ["tests/golden", "tests/bench", "tests/fuzz", "tests"],

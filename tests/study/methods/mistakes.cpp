@@ -33,6 +33,27 @@ Run ask(const Vec3& first_direction, const Set& a, const Set& b) {
   return {result.status, result.iterations, noting.way()};
 }
 
+template <class Rules>
+Processed process(gjk::Simplex<double> simplex) {
+  gjk::NobodyListens nobody;
+  gjk::detail::Teller<gjk::NobodyListens> tell(nobody, gjk::CrossingTest::on);
+  const gjk::Next<double> next = gjk::detail::process<Rules>(simplex, tell);
+  if (next.contains_origin()) return {true, simplex};
+  return {false, simplex, next.direction()};
+}
+
+template <class Rules>
+gjk::Trace<double> trace(const Set& a, const Set& b) {
+  gjk::Trace<double> told;
+  gjk::collision<double, Rules>(a, b, gjk::Options<double>{}, told);
+  return told;
+}
+
+template <class Rules>
+Mistake mistake_of(std::string name, std::string section) {
+  return {std::move(name), std::move(section), ask<Rules>, process<Rules>, trace<Rules>};
+}
+
 }  // namespace
 
 Run Mistake::ask(const Set& a, const Set& b) const { return ask_from(usual_first_direction, a, b); }
@@ -44,28 +65,30 @@ Run ask_faithfully(const Set& a, const Set& b, const Vec3& first_direction) {
 const std::vector<Mistake>& mistakes() {
   using namespace mistake;
   static const std::vector<Mistake> all{
-      {"support(B, d) in place of support(B, −d) (Eq. 8)", "2.4", ask<WrongSideOfB>},
-      {"the crossing test is applied to the first point, too", "3.1.3", ask<gjk::Eager<>>},
-      {"<= in place of < in Eq. 9", "3.1.3", ask<StopsWhereTouched>},
-      {"the simplex is processed after Eq. 9 has said no (Algorithm 1 as printed)", "3.1.4", ask<gjk::AsPrinted>},
-      {"the origin on the first vertex is not recognised", "3.2.1", ask<OriginAtVertexMissed>},
-      {"the origin on the segment is not recognised: a search along the zero vector", "3.2.2",
-       ask<OriginOnSegmentMissed>},
-      {"the direction is taken from the vertex (AO), not from the edge: ping-pong", "3.2.2", ask<DirectionFromVertex>},
-      {"ABCn of the triangle in the wrong order, and ABn, ACn with it", "3.2.3", ask<TriangleNormalReversed>},
-      {"ABn of the triangle points inward", "3.2.3", ask<TriangleABnInward>},
-      {"ACn of the triangle points inward", "3.2.3", ask<TriangleACnInward>},
-      {"ABn, ACn, ADn used as 3D search direction", "3.2.3", ask<EdgeNormalAsDirection>},
-      {"2D only: inside the three edges is inside", "3.2.3", ask<TwoDimensionsOnly>},
-      {"the origin in the triangle is not recognised", "3.2.3", ask<OriginInTriangleMissed>},
-      {"the order is not changed when moving below the triangle", "3.2.3", ask<OrderKeptBelowTriangle>},
-      {"ABCn of the tetrahedron points inward", "3.2.4", ask<ABCnInward>},
-      {"ACDn of the tetrahedron points inward", "3.2.4", ask<ACDnInward>},
-      {"ADBn of the tetrahedron points inward", "3.2.4", ask<ADBnInward>},
-      {"the edge normals of the face before are used again: ACn for ACD, ADn for ADB", "3.2.4", ask<EdgeNormalReused>},
-      {"ABn of ABC is used again for ADB", "3.2.4", ask<ABnReusedForADB>},
-      {"face ADB is kept in the wrong order", "3.2.4", ask<OrderOfADB>},
-      {"the origin in a face of the tetrahedron counts as outside", "3.2.4", ask<OriginInFaceSeenOutside>},
+      mistake_of<WrongSideOfB>("support(B, d) in place of support(B, −d) (Eq. 8)", "2.4"),
+      mistake_of<gjk::Eager<>>("the crossing test is applied to the first point, too", "3.1.3"),
+      mistake_of<StopsWhereTouched>("<= in place of < in Eq. 9", "3.1.3"),
+      mistake_of<gjk::AsPrinted>("the simplex is processed after Eq. 9 has said no (Algorithm 1 as printed)", "3.1.4"),
+      mistake_of<OriginAtVertexMissed>("the origin on the first vertex is not recognised", "3.2.1"),
+      mistake_of<OriginOnSegmentMissed>("the origin on the segment is not recognised: a search along the zero vector",
+                                        "3.2.2"),
+      mistake_of<DirectionFromVertex>("the direction is taken from the vertex (AO), not from the edge: ping-pong",
+                                      "3.2.2"),
+      mistake_of<TriangleNormalReversed>("ABCn of the triangle in the wrong order, and ABn, ACn with it", "3.2.3"),
+      mistake_of<TriangleABnInward>("ABn of the triangle points inward", "3.2.3"),
+      mistake_of<TriangleACnInward>("ACn of the triangle points inward", "3.2.3"),
+      mistake_of<EdgeNormalAsDirection>("ABn, ACn, ADn used as 3D search direction", "3.2.3"),
+      mistake_of<TwoDimensionsOnly>("2D only: inside the three edges is inside", "3.2.3"),
+      mistake_of<OriginInTriangleMissed>("the origin in the triangle is not recognised", "3.2.3"),
+      mistake_of<OrderKeptBelowTriangle>("the order is not changed when moving below the triangle", "3.2.3"),
+      mistake_of<ABCnInward>("ABCn of the tetrahedron points inward", "3.2.4"),
+      mistake_of<ACDnInward>("ACDn of the tetrahedron points inward", "3.2.4"),
+      mistake_of<ADBnInward>("ADBn of the tetrahedron points inward", "3.2.4"),
+      mistake_of<EdgeNormalReused>("the edge normals of the face before are used again: ACn for ACD, ADn for ADB",
+                                   "3.2.4"),
+      mistake_of<ABnReusedForADB>("ABn of ABC is used again for ADB", "3.2.4"),
+      mistake_of<OrderOfADB>("face ADB is kept in the wrong order", "3.2.4"),
+      mistake_of<OriginInFaceSeenOutside>("the origin in a face of the tetrahedron counts as outside", "3.2.4"),
   };
   return all;
 }

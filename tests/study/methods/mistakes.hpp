@@ -16,12 +16,21 @@ struct Run {
   std::uint64_t way = 0;  ///< a hash of all directions in which the first set was asked, in their order
 };
 
+/// What Algorithms 2-5 make of a simplex.
+struct Processed {
+  bool contains_origin = false;
+  gjk::Simplex<double> kept;
+  gjk::Vec3<double> direction = {0, 0, 0};  ///< of the next search
+};
+
 /// One line of the table: an implementation of the report with one mistake in it.
 struct Mistake {
   std::string name;     ///< "the order is not changed when moving below the triangle"
   std::string section;  ///< of the report, where it says how it is done
   Run (*ask_from)(const gjk::Vec3<double>& first_direction, const gjk::PointSet<double>& a,
                   const gjk::PointSet<double>& b);
+  Processed (*process)(gjk::Simplex<double> simplex);
+  gjk::Trace<double> (*trace)(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b);
 
   Run ask(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b) const;
 };

@@ -149,6 +149,8 @@ void Commands::add_to(CLI::App& app) {
   pairs_.add_to(*app.add_subcommand("pairs", "write pairs with their exact answers, a JSON line each"));
   judge_.add_to(
       *app.add_subcommand("judge", "is a program right? Asks it about pairs, and tells which mistake it may have"));
+  check_steps_.add_to(*app.add_subcommand(
+      "check-steps", "which is the first step of a program's search that the report's algorithm would not make?"));
   app.add_subcommand("list", "families and settings");
   all_ = {{app.get_subcommand("run"), [this] { run_.run(); }},
           {app.get_subcommand("merge"), [this] { merge_.run(); }},
@@ -156,6 +158,7 @@ void Commands::add_to(CLI::App& app) {
           {app.get_subcommand("symmetries"), [this] { symmetries_.run(); }},
           {app.get_subcommand("pairs"), [this] { pairs_.run(); }},
           {app.get_subcommand("judge"), [this] { judge_.run(); }},
+          {app.get_subcommand("check-steps"), [this] { check_steps_.run(); }},
           {app.get_subcommand("list"), list}};
 }
 

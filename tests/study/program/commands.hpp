@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/study/program/check_steps_command.hpp"
 #include "tests/study/program/claims_command.hpp"
 #include "tests/study/program/judge_command.hpp"
 #include "tests/study/program/pairs_command.hpp"
@@ -57,6 +58,7 @@ class Commands {
   SymmetriesCommand symmetries_;
   PairsCommand pairs_;
   JudgeCommand judge_;
+  CheckStepsCommand check_steps_;
   std::vector<std::pair<const CLI::App*, std::function<void()>>> all_;
 };
 

@@ -107,6 +107,25 @@ TEST_CASE("judge: the recipe says what happens", "[judge]") {
   CHECK(has(recipe, "in doubles is wrong on " + std::to_string(wrong) + " of these pairs"));
 }
 
+TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]") {
+  const Folder folder;
+  const std::string pair = in(folder, "pair.jsonl"), steps = in(folder, "steps.jsonl");
+  const std::string make = "grep '\"m14-1\"' " + quoted(GJKSTEP_CORPUS) + " >" + pair + " && (cat " + pair +
+                           "; JUDGE_STEPS=1 " + quoted(JUDGED_WRONG_GJK) + " <" + pair + ") >" + steps;
+  REQUIRE(std::system(make.c_str()) == 0);
+  const Outcome outcome = run("check-steps " + steps);
+  CHECK(outcome.exit_code == 1);
+  CHECK(has(outcome.err, "steps.jsonl: 1 of 1 search has a wrong step"));
+  const std::string recipe = bytes_of(JUDGE_ADAPTERS "/../README.md");
+  for (const std::string& line : lines(outcome.out)) CHECK(has(recipe, line + "\n"));
+  CHECK(lines(outcome.out).size() == 2);
+  check_failure("check-steps", 2, {"FILE"});
+  check_failure("check-steps " + in(folder, "nowhere"), 3, {"nowhere: cannot be read"});
+  check_failure("check-steps /dev/zero", 3, {"is not a regular file"});
+  std::ofstream(folder.path() / "bad") << "true\n";
+  check_failure("check-steps " + in(folder, "bad"), 3, {"bad:1: the first line must be a pair"});
+}
+
 TEST_CASE("judge: wrong usage ends with 2, what cannot be written with 5", "[judge]") {
   check_failure("judge", 2, {"PROGRAM"});
   check_failure("judge -- /nowhere/at/all", 2, {"the program '/nowhere/at/all' cannot be started: No such file"});

@@ -54,10 +54,12 @@ bool collide(const judge::Points& a, const judge::Points& b) {
   V d = {1, 0, 0};
   Simplex s;
   for (int i = 0; i < 50; ++i) {
-    const V w = support(a, d) - support(b, -d);
+    const V searched = d, w = support(a, d) - support(b, -d);
     if (!s.empty() && dot(w, d) < 0) return false;
     s.push_back(w);
-    if (contains_origin(s, d)) return true;
+    const bool found = contains_origin(s, d);
+    judge::step(searched, s);
+    if (found) return true;
   }
   return false;
 }

@@ -1,0 +1,61 @@
+#include "tests/study/program/check_steps_command.hpp"
+
+#include <iostream>
+#include <stdexcept>
+
+#include "tests/study/methods/mistakes.hpp"
+#include "tests/study/program/options.hpp"
+#include "tests/study/steps/check_steps.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace study {
+namespace {
+
+constexpr const char* footer =
+    R"(The file has a pair, as 'gjkstep query' reads it, then a line for each iteration, and perhaps the answer:
+  {"a": {"points": [[x, y, z], ...]}, "b": {"points": [[x, y, z], ...]}}
+  {"direction": [x, y, z], "simplex": [[x, y, z], ...]}
+  true
+the direction in which the iteration searched, and the simplex of points a - b after it was reduced, the newest last; the
+last one need not be reduced. Further searches may follow, each with its pair.
+Each step is made again from the simplex before it, as the file has it. Another face that sees the origin, directions of
+other length and vertices in other order are right, too, and told where the report chooses otherwise.
+Exit codes: 0 every step is right, 1 one is not, 3 the file cannot be read.)";
+
+constexpr std::size_t largest_file = std::size_t{64} << 20;
+
+void write(const std::string& name, const StepsChecked& checked) {
+  std::cout << name << ": ";
+  if (checked.iteration == 0)
+    std::cout << "every step is one that the report's algorithm may make\n";
+  else
+    std::cout << "iteration " << checked.iteration << ": " << checked.words << '\n';
+  for (const std::size_t mistake : checked.mistakes)
+    std::cout << "  that is what follows from M" << mistake + 1 << ": " << mistakes()[mistake].name << '\n';
+  for (const std::string& choice : checked.other_choices) std::cout << "  as right: " << choice << '\n';
+}
+
+}  // namespace
+
+void CheckStepsCommand::add_to(CLI::App& app) {
+  app.add_option("FILE", file, "searches, told step by step")->required();
+  app.footer(footer);
+}
+
+void CheckStepsCommand::run() const {
+  if (file.empty()) throw UsageError("check-steps '': name a file that tells searches step by step");
+  const std::string text = walkthroughs::read_text(file, {"file of steps", largest_file});
+  std::size_t all = 0, wrong = 0;
+  for (const ToldRun& run : read_told_runs(text, file)) {
+    const StepsChecked checked = check_steps(run);
+    write(run.named.name, checked);
+    ++all;
+    wrong += checked.iteration > 0;
+  }
+  std::cout.flush();
+  if (wrong > 0)
+    throw std::runtime_error(file + ": " + std::to_string(wrong) + " of " + std::to_string(all) +
+                             (all == 1 ? " search has a wrong step" : " searches have a wrong step"));
+}
+
+}  // namespace study

@@ -1,0 +1,456 @@
+#include "tests/study/steps/check_steps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "core/gjk.hpp"
+#include "tests/study/methods/mistakes.hpp"
+#include "tests/study/methods/question.hpp"
+#include "tests/study/truth/linear_program.hpp"
+#include "walkthroughs/model/number_text.hpp"
+
+namespace study {
+namespace {
+
+constexpr double same_place =
+    1e-9;  // of the sets' size: programs may compute in floats elsewhere, and print fewer digits
+constexpr double same_direction = 1e-4;  // 1 - cosine
+constexpr double flat = 1e-12;           // BC×BD·BA, of edges whose largest coordinate is 1
+
+using Vertices = std::vector<Vec>;  // oldest first
+using Indices = std::vector<int>;   // into such a list
+
+// -- What the rules make of a simplex ---------------------------------------------------------------------------------
+
+struct Outcome {
+  bool contains_origin = false;
+  Indices kept;  ///< oldest first
+  Vec direction = Vec::Zero();
+  std::string why;
+};
+
+template <class S>
+gjk::Simplex<S> simplex_of(const Vertices& vertices, const Indices& order) {
+  gjk::Simplex<S> simplex;
+  for (const int i : order) {
+    const Vec& w = vertices[static_cast<std::size_t>(i)];
+    gjk::Vertex<S> vertex;
+    vertex.w = gjk::Vec3<S>(S(w[0]), S(w[1]), S(w[2]));
+    vertex.a = {vertex.w, i};
+    vertex.b.point = gjk::Vec3<S>(S(0), S(0), S(0));
+    simplex.add(vertex);
+  }
+  return simplex;
+}
+
+template <class S>
+Indices indices_of(const gjk::Simplex<S>& simplex) {
+  Indices indices;
+  for (int i = 0; i < simplex.size(); ++i) indices.push_back(*simplex[i].a.index);
+  return indices;
+}
+
+/// Collects "ABCn·AO = 3 > 0" of what decided.
+template <class S>
+struct Reasons {
+  std::string text;
+  void operator()(const gjk::RegionTested<S>& event) {
+    const S* const value = std::get_if<S>(&event.value);
+    if (event.verdict != gjk::Verdict::chosen || !value) return;
+    const double number = static_cast<double>(*value);
+    text += (text.empty() ? "" : ", ") + event.expression + " = " + walkthroughs::number_text(number) +
+            (*value > 0   ? " > 0"
+             : *value < 0 ? " < 0"
+                          : "");
+  }
+  template <class E>
+  void operator()(const E&) {}
+};
+
+/// As fractions, so that a long one does not become infinite: only the ratios count.
+template <class S>
+Vec as_doubles(const gjk::Vec3<S>& direction) {
+  const S most = direction.cwiseAbs().maxCoeff();
+  if (most == S(0)) return Vec::Zero();
+  return {static_cast<double>(S(direction[0] / most)), static_cast<double>(S(direction[1] / most)),
+          static_cast<double>(S(direction[2] / most))};
+}
+
+template <class S>
+Outcome processed(const Vertices& vertices, const Indices& order) {
+  gjk::Simplex<S> simplex = simplex_of<S>(vertices, order);
+  Reasons<S> reasons;
+  gjk::detail::Teller<Reasons<S>> tell(reasons, gjk::CrossingTest::on);
+  const gjk::Next<S> next = gjk::detail::process<gjk::AsIntended>(simplex, tell);
+  if (next.contains_origin()) return {true, order, Vec::Zero(), reasons.text};
+  return {false, indices_of(simplex), as_doubles<S>(next.direction()), reasons.text};
+}
+
+/// Whether A lies in the direction BC×BD (Section 3.2.4), as far as rounding leaves that open: of a flat one any order is as good.
+bool points_outward(const Vertices& vertices, const Indices& order) {
+  if (order.size() < 4) return true;
+  const Vec B = vertices[static_cast<std::size_t>(order[2])];
+  std::array<Vec, 3> edges;
+  for (std::size_t i = 0; i < 3; ++i) {
+    edges[i] = vertices[static_cast<std::size_t>(order[i == 2 ? 3 : 1 - i])] - B;  // BC, BD, BA
+    if (const double most = edges[i].cwiseAbs().maxCoeff(); most > 0) edges[i] /= most;
+  }
+  return !(edges[0].cross(edges[1]).dot(edges[2]) < -flat);
+}
+
+/// Returns: all that is right, first what the report does with the vertices in their order.
+std::vector<Outcome> right_outcomes(const Vertices& vertices) {
+  Indices order;
+  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) order.push_back(i);
+  std::vector<Outcome> all;
+  const Indices as_told = order;
+  for (const bool others : {false, true}) {
+    order = as_told;
+    do {
+      if ((order != as_told) != others || !points_outward(vertices, order)) continue;
+      all.push_back(processed<double>(vertices, order));
+      all.push_back(processed<Exact>(vertices, order));
+    } while (std::next_permutation(order.begin(), order.end() - 1));
+  }
+  return all;
+}
+
+// -- Words ------------------------------------------------------------------------------------------------------------
+
+std::string words_of(const Vec& v) {
+  const auto number = [](double x) { return walkthroughs::number_text(x + 0.0); };  // 0 has no sign here
+  return "(" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + ")";
+}
+
+/// Returns: "[C, A]", the letters that vertices have in a simplex of that size.
+std::string letters_of(const Indices& indices, std::size_t size) {
+  std::string text;
+  for (const int i : indices)
+    text += (text.empty() ? "[" : ", ") + std::string(1, "ABCD"[static_cast<int>(size) - 1 - i]);
+  return text + "]";
+}
+
+std::string letters_and_places(const Vertices& vertices) {
+  std::string text;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    text +=
+        (text.empty() ? "" : ", ") + std::string(1, "ABCD"[vertices.size() - 1 - i]) + " = " + words_of(vertices[i]);
+  return text;
+}
+
+bool parallel(const Vec& x, const Vec& y) {
+  const double lengths = x.stableNorm() * y.stableNorm();
+  return lengths > 0 && x.dot(y) >= (1 - same_direction) * lengths;
+}
+
+// -- Following a search -----------------------------------------------------------------------------------------------
+
+class Following {
+ public:
+  explicit Following(const ToldRun& run)
+      : run_(run), a_(std::get<Points>(run.named.pair.a)), b_(std::get<Points>(run.named.pair.b)) {
+    Vec least = a_.front(), most = a_.front();
+    for (const Points* const points : {&a_, &b_})
+      for (const Vec& p : *points) {
+        least = least.cwiseMin(p);
+        most = most.cwiseMax(p);
+      }
+    size_ = (most - least).maxCoeff();
+  }
+
+  StepsChecked check() {
+    for (at_ = 0; at_ < run_.steps.size() && !is_done_; ++at_) follow();
+    return checked_;
+  }
+
+ private:
+  const ToldStep& step() const { return run_.steps[at_]; }
+  bool is_last() const { return at_ + 1 == run_.steps.size(); }
+  int iteration() const { return static_cast<int>(at_) + 1; }
+
+  /// Whether the vertices of these indices are at the same places: a vertex may have come twice.
+  bool are_same_set(const Indices& x, const Indices& y) const {
+    const auto holds = [this](const Indices& list, int i) {
+      return std::ranges::any_of(list, [&](int k) {
+        return are_same(vertices_[static_cast<std::size_t>(k)], vertices_[static_cast<std::size_t>(i)]);
+      });
+    };
+    return std::ranges::all_of(x, [&](int i) { return holds(y, i); }) &&
+           std::ranges::all_of(y, [&](int i) { return holds(x, i); });
+  }
+
+  bool are_same(const Vec& x, const Vec& y) const { return (x - y).cwiseAbs().maxCoeff() <= same_place * size_; }
+
+  /// The first that is wrong.
+  void blame(int iteration, const std::string& words, const std::vector<std::size_t>& mistakes) {
+    checked_.iteration = iteration;
+    checked_.words = words;
+    checked_.mistakes = mistakes;
+    is_done_ = true;
+  }
+
+  void follow() {
+    if (at_ > 0 && !direction_is_right()) return;
+    const std::optional<Vec> newest = newest_vertex();
+    if (!newest) return;
+    const double reach = newest->dot(step().direction);
+    if (at_ > 0 && reach < 0 && (is_sure(*newest, reach) || ends_with_no())) return end_outside(reach);
+    vertices_ = before_;
+    vertices_.push_back(*newest);
+    if (vertices_.size() > 4)
+      return blame(iteration(), "the simplex before it has four vertices and was not reduced", {});
+    look_at_simplex(reach);
+    before_ = step().simplex;
+  }
+
+  // -- The direction --------------------------------------------------------------------------------------------------
+
+  bool direction_is_right() {
+    const Vec& d = step().direction;
+    for (const Vec& each : directions_)
+      if (parallel(each, d)) return true;
+    std::vector<std::size_t> makers;
+    for (std::size_t m = 0; m < mistakes().size(); ++m) {
+      const Processed other = process_by(m);
+      const bool same_kept = !other.contains_origin && are_same_set(indices_of(other.kept), told_indices_);
+      if (same_kept && (parallel(other.direction, d) || (d == Vec(Vec::Zero()) && other.direction == d)))
+        makers.push_back(m);
+    }
+    blame(iteration() - 1,
+          "from " + letters_of(told_indices_, vertices_.size()) + ", rightly kept, the report searches along " +
+              words_of(directions_.front()) + " (only the ratios count), yours along " + words_of(d) + "; there " +
+              letters_and_places(vertices_),
+          makers);
+    return false;
+  }
+
+  Processed process_by(std::size_t mistake) const {
+    Indices order;
+    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) order.push_back(i);
+    return mistakes()[mistake].process(simplex_of<double>(vertices_, order));
+  }
+
+  // -- The new vertex -------------------------------------------------------------------------------------------------
+
+  static Vertices farthest(const Points& points, const Vec& d, double tolerance) {
+    double most = points[0].dot(d);
+    for (const Vec& p : points) most = std::max(most, p.dot(d));
+    Vertices all;
+    for (const Vec& p : points)
+      if (p.dot(d) >= most - tolerance) all.push_back(p);
+    return all;
+  }
+
+  /// Returns: all a - b of points that are farthest along these, up to rounding.
+  Vertices farthest_differences(const Vec& d, const Vec& d_of_b) const {
+    const double tolerance = same_place * size_ * d.stableNorm();
+    Vertices all;
+    for (const Vec& p : farthest(a_, d, tolerance))
+      for (const Vec& q : farthest(b_, d_of_b, tolerance)) all.push_back(p - q);
+    return all;
+  }
+
+  bool has(const Vertices& vertices, const Vec& v) const {
+    return std::ranges::any_of(vertices, [&](const Vec& each) { return are_same(each, v); });
+  }
+
+  /// Returns: the farthest; of those equally far one that it had before, as there is no other in its simplex.
+  Vec among(const Vertices& right, const Vec& d) const {
+    const auto by_reach = [&d](const Vec& v) { return v.dot(d); };
+    const Vec best = *std::ranges::max_element(right, {}, by_reach);
+    for (const Vec& each : right)
+      if (by_reach(each) == by_reach(best) && has(before_, each)) return each;
+    return best;
+  }
+
+  /// Of such a length that no product with it is beyond all doubles.
+  static Vec shortened(const Vec& d) {
+    const double most = d.cwiseAbs().maxCoeff();
+    return most > 0 ? Vec(d / most) : d;
+  }
+
+  std::optional<Vec> newest_vertex() {
+    const Vec d = shortened(step().direction);
+    const Vertices right = farthest_differences(d, -d);
+    Vertices added;
+    for (const Vec& v : step().simplex)
+      if (!has(before_, v)) added.push_back(v);
+    if (added.size() > 1) {
+      blame(iteration(), "its simplex has " + std::to_string(added.size()) + " vertices that the one before it has not",
+            {});
+      return std::nullopt;
+    }
+    if (added.empty()) return among(right, d);
+    if (has(right, added.front())) return added.front();
+    const bool is_m1 = has(farthest_differences(d, d), added.front());
+    blame(iteration(),
+          words_of(added.front()) + " is no point of a − b farthest along " + words_of(step().direction) +
+              ": it reaches " + walkthroughs::number_text(added.front().dot(step().direction)) + ", " +
+              words_of(right.front()) + " reaches " + walkthroughs::number_text(right.front().dot(step().direction)),
+          is_m1 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
+    return std::nullopt;
+  }
+
+  /// Whether every program finds that sign of P·d: it is far from 0, or 0 and nothing is rounded.
+  bool is_sure(const Vec& newest, double reach) const {
+    const Vec& d = step().direction;
+    if (std::abs(reach) > flat * newest.cwiseAbs().dot(d.cwiseAbs())) return true;
+    Rational sum = 0;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      if (Rational(newest[i]) * Rational(d[i]) != Rational(newest[i] * d[i])) return false;
+      sum += Rational(newest[i] * d[i]);
+    }
+    return sum == 0;
+  }
+
+  bool ends_with_no() const { return is_last() && run_.said != Said::intersecting; }
+
+  /// Eq. 9 says no: the search must end.
+  void end_outside(double reach) {
+    is_done_ = true;
+    if (!ends_with_no())
+      blame(iteration(),
+            "P·d = " + walkthroughs::number_text(reach) +
+                " < 0: the origin was not crossed, so the answer is no; yours goes on",
+            {3});
+  }
+
+  // -- The simplex ----------------------------------------------------------------------------------------------------
+
+  /// Returns: the vertices that it says are kept, by their places in `vertices_`.
+  Indices told_indices() const {
+    Indices indices;
+    for (const Vec& v : step().simplex) {
+      const auto found = std::ranges::find_if(vertices_, [&](const Vec& each) { return are_same(each, v); });
+      indices.push_back(static_cast<int>(found - vertices_.begin()));  // newest_vertex() has looked that it is there
+    }
+    return indices;
+  }
+
+  void look_at_simplex(double reach) {
+    const std::vector<Outcome> right = right_outcomes(vertices_);
+    told_indices_ = told_indices();
+    if (is_last()) return look_at_end(right, reach);
+    if (right.front().contains_origin) return blame_simplex(right.front(), "keeps " + told_letters() + " and goes on");
+    const auto found = std::ranges::find_if(
+        right, [&](const Outcome& each) { return !each.contains_origin && are_same_set(each.kept, told_indices_); });
+    if (found == right.end()) return blame_simplex(right.front(), "keeps " + told_letters());
+    if (!are_same_set(found->kept, right.front().kept))
+      checked_.other_choices.push_back(
+          "iteration " + std::to_string(iteration()) + " keeps " + told_letters() + " (" + found->why +
+          "), the report " + letters_of(right.front().kept, vertices_.size()) + " (" + right.front().why + ")");
+    directions_.clear();
+    for (const Outcome& each : right)
+      if (!each.contains_origin && are_same_set(each.kept, told_indices_)) directions_.push_back(each.direction);
+    note_order(*found);
+  }
+
+  std::string told_letters() const { return letters_of(told_indices_, vertices_.size()); }
+
+  void look_at_end(const std::vector<Outcome>& right, double reach) {
+    is_done_ = true;
+    const bool contains = std::ranges::any_of(right, &Outcome::contains_origin);
+    if (run_.said == Said::intersecting && !contains) return blame_simplex(right.front(), "says yes");
+    if (run_.said == Said::intersecting || !run_.said) return;
+    if (run_.said == Said::separated && at_ > 0 && !is_sure(vertices_.back(), reach)) return;
+    if (run_.said == Said::separated && at_ > 0 && reach == 0)
+      return blame(iteration(),
+                   "P·d = 0: the origin may lie on what was reached, and touching is no proof; yours says no",
+                   makers_of_no({2}));
+    if (right.front().contains_origin)
+      return blame_simplex(right.front(), run_.said == Said::separated ? "says no" : "says that it cannot tell");
+    if (run_.said == Said::separated)
+      blame(iteration(),
+            "the search was ended, and the answer is no, though P·d = " + walkthroughs::number_text(reach) +
+                " ≥ 0 proves nothing; it should be undecided",
+            makers_of_no({}));
+  }
+
+  /// Returns: also M1 where its vertex has P·d < 0.
+  std::vector<std::size_t> makers_of_no(std::vector<std::size_t> makers) const {
+    const Vec d = shortened(step().direction);
+    const Vertices backward = farthest_differences(d, d);
+    if (std::ranges::any_of(backward, [&](const Vec& v) { return v.dot(d) < 0; })) makers.push_back(0);
+    return makers;
+  }
+
+  /// An order from which the next faces get normals that point inward, unless the program looks at that itself: it is to blame if
+  /// the next step goes wrong by that.
+  void note_order(const Outcome& right) {
+    suspect_.reset();
+    if (told_indices_.size() != 3) return;
+    const auto at = [&](std::size_t i) { return step().simplex[i]; };
+    if ((at(1) - at(2)).cross(at(0) - at(2)).dot(right.direction) >= 0) return;
+    std::vector<std::size_t> makers;
+    for (std::size_t m = 0; m < mistakes().size(); ++m) {
+      const Processed other = process_by(m);
+      if (!other.contains_origin && indices_of(other.kept) == told_indices_) makers.push_back(m);
+    }
+    suspect_ =
+        Suspect{iteration(),
+                "keeps " + told_letters() + " where the report keeps " + letters_of(right.kept, vertices_.size()) +
+                    ": in this order the normals of the next faces point inward (" + letters_and_places(vertices_) +
+                    "), which shows in iteration " + std::to_string(iteration() + 1),
+                makers};
+  }
+
+  /// Whether what it does follows from the order of the vertices alone.
+  bool follows_from_order(const std::string& does) const {
+    if (!suspect_ || vertices_.size() != 4) return false;
+    const Outcome by_order = processed<double>(vertices_, {0, 1, 2, 3});
+    if (does == "says yes") return by_order.contains_origin;
+    return !by_order.contains_origin && (is_last() || are_same_set(by_order.kept, told_indices_));
+  }
+
+  void blame_simplex(const Outcome& right, const std::string& does) {
+    if (follows_from_order(does)) return blame(suspect_->iteration, suspect_->words, suspect_->makers);
+    std::vector<std::size_t> makers;
+    for (std::size_t m = 0; m < mistakes().size(); ++m) {
+      const Processed other = process_by(m);
+      const bool says_yes = does == "says yes";
+      if (other.contains_origin != says_yes) continue;
+      if (says_yes || is_last() || are_same_set(indices_of(other.kept), told_indices_)) makers.push_back(m);
+    }
+    if (does == "says no" && at_ > 0) makers = makers_of_no(makers);
+    std::erase_if(makers, [&](std::size_t m) { return m != 0 && !differs_from(right, process_by(m)); });
+    Indices all;
+    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) all.push_back(i);
+    blame(iteration(),
+          "from " + letters_of(all, vertices_.size()) + " the report finds " +
+              (right.why.empty() ? "" : right.why + ": ") +
+              (right.contains_origin ? "the origin lies in it, the answer is yes"
+                                     : "keep " + letters_of(right.kept, vertices_.size())) +
+              "; yours " + does + "; there " + letters_and_places(vertices_),
+          makers);
+  }
+
+  bool differs_from(const Outcome& right, const Processed& other) const {
+    return right.contains_origin != other.contains_origin ||
+           (!right.contains_origin && !are_same_set(right.kept, indices_of(other.kept)));
+  }
+
+  struct Suspect {
+    int iteration;
+    std::string words;
+    std::vector<std::size_t> makers;
+  };
+
+  const ToldRun& run_;
+  const Points &a_, &b_;
+  double size_ = 0;
+  std::size_t at_ = 0;
+  Vertices before_, vertices_;  ///< the simplex before this step, and with its new vertex
+  Indices told_indices_;
+  Vertices directions_;  ///< in which the next search may go
+  std::optional<Suspect> suspect_;
+  StepsChecked checked_;
+  bool is_done_ = false;
+};
+
+}  // namespace
+
+StepsChecked check_steps(const ToldRun& run) { return Following(run).check(); }
+
+}  // namespace study

@@ -1,0 +1,156 @@
+#include "tests/study/steps/check_steps.hpp"
+
+#include <algorithm>
+
+#include "tests/catch.hpp"
+#include "tests/study/corpus/shown.hpp"
+#include "tests/study/judge/pairs_file.hpp"
+#include "tests/study/methods/mistakes.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace study {
+namespace {
+
+/// The steps that a trace tells, as a program would write them: direction, and the simplex at the end of each iteration.
+ToldRun told(const NamedPair& named, const gjk::Trace<double>& trace) {
+  ToldRun run{named, {}, {}};
+  const auto take = [&](const gjk::Simplex<double>& simplex) {
+    run.steps.back().simplex.clear();
+    for (int i = 0; i < simplex.size(); ++i) run.steps.back().simplex.push_back(simplex[i].w);
+  };
+  for (const auto& event : trace.events) {
+    if (const auto* e = std::get_if<gjk::SupportFound<double>>(&event)) {
+      Points kept = run.steps.empty() ? Points{e->vertex.w} : run.steps.back().simplex;
+      run.steps.push_back({e->direction, std::move(kept)});
+    }
+    if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&event)) take(e->simplex);
+    if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&event)) take(e->after);
+    if (const auto* e = std::get_if<gjk::Finished<double>>(&event))
+      run.said = e->result.status == gjk::Status::intersecting ? Said::intersecting
+                 : e->result.status == gjk::Status::separated  ? Said::separated
+                                                               : Said::undecided;
+  }
+  return run;
+}
+
+std::vector<NamedPair> smallest() {
+  std::vector<NamedPair> all = kept_pairs();
+  std::erase_if(all,
+                [](const NamedPair& each) { return each.family != "smallest" && each.family != "grid-tetrahedra"; });
+  return all;
+}
+
+gjk::PointSet<double> set(const Body& body) { return gjk::PointSet<double>(std::get<Points>(body)); }
+
+TEST_CASE(
+    "Steps: of every mistake, wherever it shows, the first wrong step is told, and the mistake is among those that "
+    "make it",
+    "[steps]") {
+  int all = 0;
+  for (std::size_t m = 0; m < mistakes().size(); ++m)
+    for (const NamedPair& named : smallest()) {
+      if (!shows(named.pair, m)) continue;
+      const ToldRun run = told(named, mistakes()[m].trace(set(named.pair.a), set(named.pair.b)));
+      const StepsChecked found = check_steps(run);
+      INFO("M" << m + 1 << ", " << named.name << ", iteration " << found.iteration << ": " << found.words);
+      CHECK((found.iteration > 0 && found.iteration <= static_cast<int>(run.steps.size())));
+      CHECK(std::ranges::count(found.mistakes, m) == 1);
+      ++all;
+    }
+  CHECK(all > 1000);
+}
+
+TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
+  const NamedPair far{"far", "f", {Points{{0, 0, 0}, {1, 0, 0}}, Points{{5, 1, 0}, {5, -1, 0}}}};
+  const auto words = [&](const std::vector<ToldStep>& steps, Said said) {
+    const StepsChecked found = check_steps({far, steps, said});
+    return std::to_string(found.iteration) + ": " + found.words;
+  };
+  using Catch::Contains;
+  const ToldStep first{{1, 0, 0}, {{-4, -1, 0}}};
+  CHECK(words({first, {{4, 1, 0}, {{-4, -1, 0}}}}, Said::separated) == "0: ");
+  CHECK_THAT(words({{{1, 0, 0}, {{-5, 1, 0}}}}, Said::undecided),
+             Contains("1: (-5, 1, 0) is no point of a − b farthest"));
+  CHECK_THAT(words({first, {{0, 1, 0}, {{-4, -1, 0}}}}, Said::separated),
+             Contains("1: from [A], rightly kept, the report searches along (1, 0.25, 0)"));
+  CHECK_THAT(words({first, {{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated), Contains("yours along (0, 0, 0)"));
+  CHECK_THAT(words({first, {{4, 1, 0}, {{-4, -1, 0}, {-4, 1, 0}}}, {{1, 0, 0}, {{-4, 1, 0}}}}, Said::separated),
+             Contains("2: P·d = -15 < 0: the origin was not crossed"));
+  CHECK_THAT(words({first, {{4, 1, 0}, {{-4, 1, 0}, {-5, 1, 0}}}}, Said::separated),
+             Contains("2: its simplex has 2 vertices"));
+  CHECK(words({}, Said::separated) == "0: ");
+}
+
+/// Algorithm 5 with its faces looked at in another order: as right as the report's.
+struct FacesFromTheLast : gjk::AsIntended {
+  template <class Rules, class S, class Obs>
+  static gjk::Next<S> process_3simplex(gjk::detail::Step<Rules, S, Obs> step) {
+    const auto AO = step.AO();
+    const auto AB = step.AB(), AC = step.AC(), AD = step.AD();
+    const auto ABCn = Rules::ABCn(AB, AC).named("ABCn");
+    const auto ACDn = Rules::ACDn(AC, AD).named("ACDn");
+    const auto ADBn = Rules::ADBn(AD, AB).named("ADBn");
+    if (step.is_above_face({.feature = "ADB"}, ADBn.dot(AO)))
+      return Rules::process_face(step, gjk::Face::ADB, ADBn, AD, AB, ABCn, ABCn);
+    if (step.is_above_face({.feature = "ACD"}, ACDn.dot(AO)))
+      return Rules::process_face(step, gjk::Face::ACD, ACDn, AC, AD, ABCn, ABCn);
+    if (step.is_above_face({.feature = "ABC"}, ABCn.dot(AO)))
+      return Rules::process_face(step, gjk::Face::ABC, ABCn, AB, AC, ABCn, ABCn);
+    return step.contains_origin();
+  }
+};
+
+template <class Rules>
+ToldRun told_by(const NamedPair& named) {
+  gjk::Trace<double> trace;
+  const gjk::PointSet<double> a = set(named.pair.a), b = set(named.pair.b);
+  gjk::collision<double, Rules>(a, b, gjk::Options<double>{}, trace);
+  return told(named, trace);
+}
+
+/// Pairs of points whose answer is not lost in rounding, nor any product beyond all doubles.
+std::vector<NamedPair> plain_pairs() {
+  std::vector<NamedPair> all = kept_pairs();
+  std::erase_if(all, [](const NamedPair& each) {
+    return !std::holds_alternative<Points>(each.pair.a) || each.family.ends_with("100") ||
+           shown_by(each.pair).sound_fails;
+  });
+  return all;
+}
+
+TEST_CASE(
+    "Steps: the report's algorithm is not blamed, whatever the length of its directions and the order of its vertices",
+    "[steps]") {
+  for (const NamedPair& named : plain_pairs()) {
+    ToldRun run = told_by<gjk::AsIntended>(named);
+    StepsChecked found = check_steps(run);
+    INFO(named.name << ": " << found.words);
+    CHECK(found.iteration == 0);
+    CHECK(found.other_choices.empty());
+    if (named.family != "smallest") continue;
+    for (ToldStep& step : run.steps) {
+      step.direction /= step.direction.stableNorm();
+      std::ranges::reverse(step.simplex);
+    }
+    found = check_steps(run);
+    INFO(found.words);
+    CHECK(found.iteration == 0);
+  }
+}
+
+TEST_CASE("Steps: with its faces tested in another order it is not blamed, and told where it chose otherwise",
+          "[steps]") {
+  std::size_t other_choices = 0;
+  for (const NamedPair& named : plain_pairs()) {
+    const ToldRun run = told_by<FacesFromTheLast>(named);
+    if (run.said == Said::undecided) continue;
+    const StepsChecked found = check_steps(run);
+    INFO(named.name << ": " << found.words);
+    CHECK(found.iteration == 0);
+    other_choices += found.other_choices.size();
+  }
+  CHECK(other_choices >= 5);
+}
+
+}  // namespace
+}  // namespace study

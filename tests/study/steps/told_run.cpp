@@ -1,0 +1,86 @@
+#include "tests/study/steps/told_run.hpp"
+
+#include <cmath>
+
+#include "tests/study/judge/pairs_file.hpp"
+#include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace study {
+namespace {
+
+using walkthroughs::Document;
+using walkthroughs::DocumentError;
+using walkthroughs::Value;
+using Kind = Document::Kind;
+
+Vec vec_in(const Value& value) {
+  const std::vector<Value> numbers = value.children();
+  if (!value.is(Kind::list) || numbers.size() != 3) value.fail("must be [x, y, z]");
+  Vec v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!numbers[i].is(Kind::number)) numbers[i].fail("must be a number");
+    v[static_cast<Eigen::Index>(i)] = numbers[i].number();
+    if (!(std::abs(numbers[i].number()) <= walkthroughs::scene_limits::magnitude)) numbers[i].fail("is too large");
+  }
+  return v;
+}
+
+ToldStep step_in(const Value& root) {
+  const auto direction = root.member("direction"), simplex = root.member("simplex");
+  if (!direction || !simplex) root.fail("a step has a \"direction\" and a \"simplex\"");
+  ToldStep step{vec_in(*direction), {}};
+  const std::vector<Value> points = simplex->children();
+  if (!simplex->is(Kind::list) || points.empty() || points.size() > 4)
+    simplex->fail("must be a list of one to four points [x, y, z]");
+  for (const Value& point : points) step.simplex.push_back(vec_in(point));
+  return step;
+}
+
+bool is_of_points(const NamedPair& named) {
+  return std::holds_alternative<Points>(named.pair.a) && std::holds_alternative<Points>(named.pair.b);
+}
+
+/// What one line adds.
+void add_line(std::string_view line, std::vector<ToldRun>& runs) {
+  const Document document = Document::of_line(line);
+  const Value root = document.root();
+  if (root.member("a")) {
+    runs.push_back({read_pairs(line, "").front(), {}, {}});
+    if (!is_of_points(runs.back().named)) root.fail("only searches in sets of points can be followed");
+    return;
+  }
+  if (runs.empty()) root.fail("the first line must be a pair {\"a\": …, \"b\": …}");
+  ToldRun& run = runs.back();
+  if (run.said) root.fail("comes after the answer; the next search begins with its pair");
+  if (const ProgramAnswer answer = read_answer(line, run.named.pair); answer.said != Said::nothing)
+    run.said = answer.said;
+  else
+    run.steps.push_back(step_in(root));
+}
+
+}  // namespace
+
+std::vector<ToldRun> read_told_runs(std::string_view text, const std::string& file) {
+  std::vector<ToldRun> runs;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const auto fail = [&](const std::string& reason) {
+      throw walkthroughs::InputError(file + ":" + std::to_string(number) + ": " + reason);
+    };
+    try {
+      add_line(line, runs);
+    } catch (const DocumentError& error) {
+      fail((error.key.empty() ? "" : error.key + ": ") + error.what());
+    } catch (const walkthroughs::InputError& error) {
+      const std::string reason = error.what();
+      fail(reason.substr(reason.find(": ") + 2));
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  if (runs.empty()) throw walkthroughs::InputError(file + ": is empty; the first line must be a pair");
+  return runs;
+}
+
+}  // namespace study

@@ -1,0 +1,37 @@
+/// A search as somebody else's program tells it: a pair, a line for each iteration, and perhaps the answer.
+///
+///     {"a":{"points":[…]},"b":{"points":[…]}}
+///     {"direction":[1,0,0],"simplex":[[3,1,0]]}
+///     {"direction":[-3,-1,0],"simplex":[[3,1,0],[-2,0,1]]}
+///     true
+///
+/// A step says along which direction it searched, and the simplex after it was reduced, points a - b, the newest last. Its last
+/// simplex need not be reduced. A file holds as many such searches as it likes.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/study/corpus/answered_pair.hpp"
+#include "tests/study/judge/answer.hpp"
+
+namespace study {
+
+struct ToldStep {
+  Vec direction;
+  std::vector<Vec> simplex;  ///< one to four, oldest first
+};
+
+struct ToldRun {
+  NamedPair named;
+  std::vector<ToldStep> steps;
+  std::optional<Said> said = {};
+};
+
+/// Errors: walkthroughs::InputError, which names the line of `file`.
+std::vector<ToldRun> read_told_runs(std::string_view text, const std::string& file);
+
+}  // namespace study

@@ -1,0 +1,46 @@
+#include "tests/study/steps/told_run.hpp"
+
+#include "tests/catch.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace study {
+namespace {
+
+const std::string pair = R"({"name":"p","a":{"points":[[0,0,0]]},"b":{"points":[[1,0,0]]}})";
+const std::string step = R"({"direction":[1,0,0],"simplex":[[-1,0,0]]})";
+
+TEST_CASE("Told runs: searches are read with their steps and answers, several of a file", "[steps]") {
+  const auto runs = read_told_runs(pair + "\r\n" + step + "\n" + step + "\nfalse\n" + pair + "\n" + step, "f");
+  REQUIRE(runs.size() == 2);
+  CHECK((runs[0].named.name == "p" && runs[0].steps.size() == 2 && runs[0].said == Said::separated));
+  CHECK((runs[1].steps.size() == 1 && !runs[1].said));
+  CHECK(runs[0].steps[1].simplex == std::vector<Vec>{Vec(-1, 0, 0)});
+}
+
+TEST_CASE("Told runs: what is no step is refused with its line and the reason", "[steps]") {
+  const auto check_fails = [](const std::string& line, const std::string& words) {
+    INFO(line);
+    CHECK_THROWS_WITH(read_told_runs(pair + "\n" + line + "\n", "f"),
+                      Catch::Contains("f:2: ") && Catch::Contains(words));
+  };
+  check_fails("", "");
+  check_fails("{", "");
+  check_fails("[1]", "a step has");
+  check_fails("{}", "a step has");
+  check_fails(R"({"direction":[1,0,0]})", "a step has");
+  check_fails(R"({"direction":[1,0],"simplex":[[0,0,0]]})", "direction: must be [x, y, z]");
+  check_fails(R"({"direction":[1,0,"x"],"simplex":[[0,0,0]]})", "direction[2]: must be a number");
+  check_fails(R"({"direction":[1,0,1e300],"simplex":[[0,0,0]]})", "is too large");
+  check_fails(R"({"direction":[1,0,0],"simplex":[]})", "one to four points");
+  check_fails(R"({"direction":[1,0,0],"simplex":[[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]})", "one to four points");
+  check_fails(R"({"a":{"points":[[0,0,0]]}})", "b");
+  check_fails(R"({"a":{"sphere":{"center":[0,0,0],"radius":1}},"b":{"sphere":{"center":[0,0,0],"radius":1}}})",
+              "sets of points");
+  CHECK_THROWS_WITH(read_told_runs(pair + "\ntrue\n" + step, "f"), Catch::Contains("f:3: comes after the answer"));
+  CHECK_THROWS_WITH(read_told_runs("true\n" + step, "f"),
+                    Catch::Contains("f:1: ") && Catch::Contains("must be a pair"));
+  CHECK_THROWS_WITH(read_told_runs("", "f"), Catch::Contains("is empty"));
+}
+
+}  // namespace
+}  // namespace study
