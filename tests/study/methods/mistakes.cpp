@@ -43,9 +43,9 @@ Processed process(gjk::Simplex<double> simplex) {
 }
 
 template <class Rules>
-gjk::Trace<double> trace(const Set& a, const Set& b) {
+gjk::Trace<double> trace(const Vec3& first_direction, const Set& a, const Set& b) {
   gjk::Trace<double> told;
-  gjk::collision<double, Rules>(a, b, gjk::Options<double>{}, told);
+  gjk::collision<double, Rules>(a, b, gjk::Options<double>{.first_direction = first_direction}, told);
   return told;
 }
 

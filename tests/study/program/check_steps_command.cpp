@@ -3,9 +3,12 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "render/file.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/program/options.hpp"
-#include "tests/study/steps/check_steps.hpp"
+#include "tests/study/steps/parting.hpp"
+#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
@@ -20,7 +23,25 @@ the direction in which the iteration searched, and the simplex of points a - b a
 last one need not be reduced. Further searches may follow, each with its pair.
 Each step is made again from the simplex before it, as the file has it. Another face that sees the origin, directions of
 other length and vertices in other order are right, too, and told where the report chooses otherwise.
-Exit codes: 0 every step is right, 1 one is not, 3 the file cannot be read.)";
+What --draw shows is the mistake that would make the same step, on this pair and begun in the same direction.
+Exit codes: 0 every step is right, 1 one is not, 2 wrong usage, 3 the file cannot be read, 4 --draw finds no OpenGL to draw
+with, 5 cannot write.)";
+
+/// Pictures of both runs, side by side, until they part.
+void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::string& folder) {
+  const std::optional<Parting> parting = parting_of(run, checked);
+  if (!parting) {
+    std::cerr << "gjkstep-study: nothing is drawn: begun as this search is, no mistake of the study goes wrong in that "
+                 "step\n";
+    return;
+  }
+  const walkthroughs::StagedStory story(parting->story());
+  walkthroughs::Studio studio;
+  walkthroughs::render_frames(story, {.folder = folder, .size = walkthroughs::frame_page}, studio,
+                              [](const std::filesystem::path& file, std::size_t) {
+                                std::cout << walkthroughs::printable(file.string()) << '\n';
+                              });
+}
 
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 
@@ -39,11 +60,16 @@ void write(const std::string& name, const StepsChecked& checked) {
 
 void CheckStepsCommand::add_to(CLI::App& app) {
   app.add_option("FILE", file, "searches, told step by step")->required();
+  app.add_option("--draw", draw, "folder for pictures of the first wrong search beside the report's, until they part");
   app.footer(footer);
 }
 
 void CheckStepsCommand::run() const {
   if (file.empty()) throw UsageError("check-steps '': name a file that tells searches step by step");
+  if (draw) {
+    expect_named("--draw", *draw);
+    render::make_folder(*draw, "choose another with --draw");
+  }
   const std::string text = walkthroughs::read_text(file, {"file of steps", largest_file});
   std::size_t all = 0, wrong = 0;
   for (const ToldRun& run : read_told_runs(text, file)) {
@@ -51,6 +77,7 @@ void CheckStepsCommand::run() const {
     write(run.named.name, checked);
     ++all;
     wrong += checked.iteration > 0;
+    if (draw && checked.iteration > 0 && wrong == 1) draw_parting(run, checked, *draw);
   }
   std::cout.flush();
   if (wrong > 0)

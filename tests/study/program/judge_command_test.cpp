@@ -119,6 +119,11 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   const std::string recipe = bytes_of(JUDGE_ADAPTERS "/../README.md");
   for (const std::string& line : lines(outcome.out)) CHECK(has(recipe, line + "\n"));
   CHECK(lines(outcome.out).size() == 2);
+  const Outcome drawn = run("check-steps " + steps + " --draw " + in(folder, "pictures"));
+  CHECK(lines(drawn.out).size() == 2 + listing(folder.path() / "pictures").size());
+  CHECK(std::filesystem::exists(folder.path() / "pictures/parting/014.png"));
+  check_failure("check-steps " + steps + " --draw ''", 2, {"--draw '': name a folder"});
+  check_failure("check-steps " + steps + " --draw /dev/null/x", 5, {"/dev/null/x"});
   check_failure("check-steps", 2, {"FILE"});
   check_failure("check-steps " + in(folder, "nowhere"), 3, {"nowhere: cannot be read"});
   check_failure("check-steps /dev/zero", 3, {"is not a regular file"});

@@ -50,7 +50,8 @@ TEST_CASE(
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& named : smallest()) {
       if (!shows(named.pair, m)) continue;
-      const ToldRun run = told(named, mistakes()[m].trace(set(named.pair.a), set(named.pair.b)));
+      const ToldRun run =
+          told(named, mistakes()[m].trace_from(usual_first_direction, set(named.pair.a), set(named.pair.b)));
       const StepsChecked found = check_steps(run);
       INFO("M" << m + 1 << ", " << named.name << ", iteration " << found.iteration << ": " << found.words);
       CHECK((found.iteration > 0 && found.iteration <= static_cast<int>(run.steps.size())));
