@@ -1,5 +1,6 @@
 #include "tests/study/corpus/corpus.hpp"
 
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -138,6 +139,9 @@ TEST_CASE("Corpus: every family is in it, and at least ten published failures wi
   CHECK(count["published"] == static_cast<int>(published_failures().size()));
   CHECK(count["published"] >= 10);
   CHECK(count["smallest"] > 100);
+  const auto readme = walkthroughs::test::bytes_of(std::filesystem::path(GJKSTEP_CORPUS).parent_path() / "README.md");
+  CHECK(readme.find(std::to_string(kept_lines().size()) + " pairs that show") != std::string::npos);
+  CHECK(readme.find(std::to_string(count["published"]) + " failures of other libraries") != std::string::npos);
 }
 
 TEST_CASE("Corpus: a pair has its line, its answer and its notes by hand", "[corpus]") {
