@@ -17,6 +17,7 @@ floors = [
     ["walkthroughs/trace"],
     ["walkthroughs/catalogue"],
     ["walkthroughs/page"],
+    ["walkthroughs/output"],
     ["walkthroughs/program"],
     ["tests/catch.hpp", "tests/core", "tests/render"],
     ["tests/walkthroughs"],  # what its tests share

@@ -43,7 +43,8 @@
 
 #include "render/image.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/studio.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace {

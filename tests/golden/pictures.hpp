@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/studio.hpp"
 
 namespace golden {
 

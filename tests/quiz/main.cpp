@@ -6,7 +6,8 @@
 
 #include "render/file.hpp"
 #include "tests/quiz/quiz.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/studio.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/story/storyboard.hpp"

@@ -12,12 +12,15 @@
 #include "render/file.hpp"
 #include "render/rendered_by.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/output/animation.hpp"
+#include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/output/pages.hpp"
+#include "walkthroughs/output/sheet.hpp"
+#include "walkthroughs/output/strip.hpp"
 #include "walkthroughs/picture/movie.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/missing_letters.hpp"
 #include "walkthroughs/program/number_option.hpp"
-#include "walkthroughs/program/pages.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/frame_choice.hpp"
@@ -90,31 +93,60 @@ class Rendering {
     expect_apart(selection, output.folder);
     expect_writable_captions(selection, output.folder);
     if (is_asked_for_pages()) expect_writable_index(output.folder);
-    Written written{
-        .pages = pages_of(selection)};  // before the renderer, which writes what it was given even when it goes early
+    Written written;  // before the renderer, which writes what it was given even when it goes early
+    const Formats formats = formats_for(selection, written);
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
       Output sized = output;
       if (!command_.size && each.size) sized.size = *each.size;
-      render(each, sized, renderer, written);
+      render(each, sized, formats, renderer, written);
     }
     renderer.finish();
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
     if (command_.rendered_by) write_rendered_by(studio, output.folder);
     if (command_.captions) write_captions(written.frames);
     if (command_.movie) print_movies(selection, output);
-    if (is_asked_for_pages()) write_index(*written.pages, output.folder);
+    if (formats.pages) write_index(*formats.pages, output.folder);
   }
 
  private:
   /// What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
   struct Written {
-    std::vector<FrameFile> frames = {};
-    std::vector<std::shared_ptr<const Story>> stories = {};
-    std::deque<Walkthrough> walkthroughs = {};  ///< that they tell
-    std::optional<Pages> pages = {};            ///< where they are asked for
+    std::vector<FrameFile> frames;
+    std::vector<std::shared_ptr<const Story>> stories;
+    std::deque<Walkthrough> walkthroughs;  ///< that they tell
   };
+
+  /// The formats that are asked for, in the order in which each story is given to them.
+  struct Formats {
+    std::vector<std::unique_ptr<Sink>> sinks = {};
+    const Pages* pages = nullptr;  ///< where they are among them
+  };
+
+  Formats formats_for(const Selection& selection, Written& written) const {
+    const auto report_frame = [this, &written](const std::filesystem::path& file, const Story& story,
+                                               std::size_t index) {
+      const FrameFile frame{file, story, index};
+      if (command_.captions) written.frames.push_back(frame);
+      report(frame);
+    };
+    const auto report_file = [](const std::filesystem::path& file, const Story& story) {
+      std::cout << printable(file.string()) << "  " << story.walkthrough.title << std::endl;
+    };
+    Formats formats;
+    formats.sinks.push_back(std::make_unique<Frames>(report_frame));
+    if (command_.apng) formats.sinks.push_back(std::make_unique<AnimatedPng>(command_.frame_time, report_file));
+    if (command_.strip) formats.sinks.push_back(std::make_unique<Strip>(report_file));
+    if (command_.sheet) formats.sinks.push_back(std::make_unique<Sheet>(report_file));
+    if (is_asked_for_pages()) {
+      const auto pictures = command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside;
+      auto pages = std::make_unique<Pages>(pictures, options_of_pictures(), origins_of(selection), report_file);
+      formats.pages = pages.get();
+      formats.sinks.push_back(std::move(pages));
+    }
+    return formats;
+  }
 
   /// Corners of a planar hull have letters of their own anyway.
   Walkthrough in_letters(Walkthrough walkthrough) const {
@@ -198,12 +230,10 @@ class Rendering {
     return options;
   }
 
-  std::optional<Pages> pages_of(const Selection& selection) const {
-    if (!is_asked_for_pages()) return std::nullopt;
+  static std::vector<PageOrigin> origins_of(const Selection& selection) {
     std::vector<PageOrigin> origins;
     for (const Selection::Chosen& each : selection.chosen()) origins.push_back(each.origin);
-    return Pages(command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside, options_of_pictures(),
-                 std::move(origins));
+    return origins;
   }
 
   static void expect_writable_index(const std::filesystem::path& folder) {
@@ -235,7 +265,8 @@ class Rendering {
                          "; choose others, or leave that walkthrough out");
   }
 
-  void render(const Selection::Chosen& chosen, const Output& output, Renderer& renderer, Written& written) const {
+  void render(const Selection::Chosen& chosen, const Output& output, const Formats& formats, Renderer& renderer,
+              Written& written) const {
     const Walkthrough& w = written.walkthroughs.emplace_back(in_letters(*chosen.walkthrough));
     progress(w.name + ": searching");
     Story told = tell_chosen(chosen, w);
@@ -244,19 +275,7 @@ class Rendering {
     progress(w.name + ": drawing");
     for (const std::string& sentence : story->left_out()) note(w.name + ": " + sentence);
     if (command_.captions) written.stories.push_back(story);
-    const auto report_frame = [this, story, &written](const std::filesystem::path& file, std::size_t index) {
-      const FrameFile frame{file, *story, index};
-      if (command_.captions) written.frames.push_back(frame);
-      report(frame);
-    };
-    const auto report_file = [&w](const std::filesystem::path& file) {
-      std::cout << printable(file.string()) << "  " << w.title << std::endl;
-    };
-    renderer.frames(*story, output, report_frame, command_.apng ? std::optional(command_.frame_time) : std::nullopt,
-                    report_file);
-    if (command_.strip) renderer.strip(*story, output, report_file);
-    if (command_.sheet) renderer.sheet(*story, output, report_file);
-    if (written.pages) written.pages->add(story, output, renderer, report_file);
+    for (const std::unique_ptr<Sink>& sink : formats.sinks) sink->add(story, output, renderer);
   }
 
   /// One line for each file, and how far it is.

@@ -11,7 +11,7 @@
 #include "walkthroughs/picture/objects_panel.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/picture/studio.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -1,4 +1,4 @@
-#include "walkthroughs/program/pages.hpp"
+#include "walkthroughs/output/pages.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 
 #include "render/file.hpp"
 #include "render/html.hpp"
-#include "walkthroughs/page/page.hpp"
+#include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs {
@@ -58,8 +58,7 @@ PageSurroundings Pages::surroundings_of(const std::string& name, const fs::path&
   return all;
 }
 
-void Pages::add(std::shared_ptr<const StagedStory> story, const Output& output, Renderer& renderer,
-                const FileWritten& written) {
+void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
   const Walkthrough& w = story->walkthrough;
   const fs::path folder = output.folder / w.name;
   const auto url = [folder, kind = pictures_](std::size_t frame, int turn) {
@@ -77,9 +76,9 @@ void Pages::add(std::shared_ptr<const StagedStory> story, const Output& output, 
   entry.part = pictures.part;
   entry.is_dark = pictures.is_dark;
   entries_.push_back(std::move(entry));
-  renderer.then([=, around = surroundings_of(w.name, folder)] {
+  renderer.then([=, written = written_, around = surroundings_of(w.name, folder)] {
     render::write_file(folder / page_file, page_html(*story, pictures, around));
-    written(folder / page_file);
+    written(folder / page_file, *story);
   });
 }
 

@@ -1,15 +1,14 @@
-/// The pages that one run of gjkstep render writes beside its pictures.
+/// A page a walkthrough, and one over all walkthroughs of a run.
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "walkthroughs/output/sink.hpp"
 #include "walkthroughs/page/index_page.hpp"
 #include "walkthroughs/page/page.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
 
 namespace walkthroughs {
 
@@ -22,7 +21,8 @@ struct PageOrigin {
   std::filesystem::path file;  ///< empty where it is one of the catalogue
 };
 
-class Pages {
+/// FOLDER/NAME/index.html, beside the files of Frames, which must be given the story before; and FOLDER/index.html.
+class Pages : public Sink {
  public:
   enum class Pictures {
     beside,  ///< pages show the files
@@ -31,12 +31,10 @@ class Pages {
 
   /// `options`: what else was said on the command line about the pictures. `origins`: one for each walkthrough of the run, in
   /// order.
-  Pages(Pictures pictures, std::string options, std::vector<PageOrigin> origins)
-      : pictures_(pictures), options_(std::move(options)), origins_(std::move(origins)) {}
+  Pages(Pictures pictures, std::string options, std::vector<PageOrigin> origins, FileWritten written)
+      : pictures_(pictures), options_(std::move(options)), origins_(std::move(origins)), written_(std::move(written)) {}
 
-  /// Asks for FOLDER/NAME/index.html, to be written after what has been asked of `renderer` so far.
-  void add(std::shared_ptr<const StagedStory> story, const Output& output, Renderer& renderer,
-           const FileWritten& written);
+  void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
   /// Writes FOLDER/index.html over all that were added. Errors: render::FileError.
   void write_index(const std::filesystem::path& folder) const;
 
@@ -46,6 +44,7 @@ class Pages {
   Pictures pictures_;
   std::string options_;
   std::vector<PageOrigin> origins_;
+  FileWritten written_;
   std::vector<IndexEntry> entries_;
 };
 

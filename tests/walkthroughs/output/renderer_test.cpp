@@ -2,8 +2,9 @@
 
 #include "render/image.hpp"
 #include "tests/catch.hpp"
+#include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/output/animation.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr render::Size small{64, 36};
-const FrameWritten nobody = [](const fs::path&, std::size_t) {};
+const FrameTold nobody = [](const fs::path&, std::size_t) {};
 
 /// Two objects of the plane, drawn as if they were in space.
 Walkthrough in_space() {
@@ -31,17 +32,19 @@ TEST_CASE("Files are written and reported in the order asked for, whatever their
   Studio studio;
   Renderer renderer(studio);
   std::vector<std::string> files;
-  const auto add = [&](const fs::path& file) {
+  const auto add = [&](const fs::path& file, const Story& story) {
     CHECK(fs::exists(file));
+    CHECK(file.parent_path().filename() == story.walkthrough.name);
     files.push_back(file.lexically_relative(folder.path()).string());
   };
+  Frames frames([&](const fs::path& file, const Story& story, std::size_t) { add(file, story); });
+  AnimatedPng animation(1, add);
+  Strip strip(add);
+  Sheet sheet(add);
   for (const char* name : {"figure-5", "figure-4-right"}) {
-    const StagedStory story(tell(walkthrough(name)));  // gone before its last pictures are written
-    const Output output{folder.path(), small};
-    renderer.frames(
-        story, output, [=](const fs::path& file, std::size_t) { add(file); }, 1, add);
-    renderer.strip(story, output, add);
-    renderer.sheet(story, output, add);
+    const auto story = std::make_shared<const StagedStory>(tell(walkthrough(name)));  // here gone before all is written
+    for (Sink* sink : std::initializer_list<Sink*>{&frames, &animation, &strip, &sheet})
+      sink->add(story, {folder.path(), small}, renderer);
   }
   renderer.finish();
   std::vector<std::string> expected;
@@ -86,10 +89,9 @@ TEST_CASE("A file that cannot be written is reported once, those before it are t
   std::optional<std::string> error;
   try {
     Renderer renderer(studio);
-    renderer.frames(StagedStory(tell(walkthrough("figure-4-right"))), {folder.path(), small},
-                    [&](const fs::path&, std::size_t) { ++told; });
-    renderer.frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small},
-                    [&](const fs::path&, std::size_t) { ++told; });
+    Frames frames([&](const fs::path&, const Story&, std::size_t) { ++told; });
+    for (const char* name : {"figure-4-right", "figure-5"})
+      frames.add(std::make_shared<const StagedStory>(tell(walkthrough(name))), {folder.path(), small}, renderer);
     renderer.finish();
   } catch (const render::FileError& e) {
     error = e.what();
@@ -105,7 +107,8 @@ TEST_CASE("A renderer that goes before it has finished has written what it was a
   Studio studio;
   {
     Renderer renderer(studio);
-    renderer.frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, nobody);
+    Frames([](const fs::path&, const Story&, std::size_t) {
+    }).add(std::make_shared<const StagedStory>(tell(walkthrough("figure-5"))), {folder.path(), small}, renderer);
   }
   CHECK(listing(folder.path()).size() == 3);
 }

@@ -1,6 +1,6 @@
 // gjkstep render --page.
 
-#include "walkthroughs/program/pages.hpp"
+#include "walkthroughs/output/pages.hpp"
 
 #include "tests/walkthroughs/program/program.hpp"
 

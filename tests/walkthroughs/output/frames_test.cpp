@@ -7,9 +7,9 @@
 
 #include "render/image.hpp"
 #include "tests/catch.hpp"
+#include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -1,0 +1,43 @@
+/// One story in one format, for tests: each function returns when its files are written.
+#pragma once
+
+#include <functional>
+
+#include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/output/sheet.hpp"
+#include "walkthroughs/output/strip.hpp"
+
+namespace walkthroughs::test {
+
+using FrameTold = std::function<void(const std::filesystem::path& file, std::size_t index)>;
+
+/// Gives the story to a sink that is done with it before the story goes.
+inline void write(Sink& sink, const StagedStory& story, const Output& output, Studio& studio) {
+  Renderer renderer(studio);
+  sink.add(std::shared_ptr<const StagedStory>(std::shared_ptr<void>(), &story), output, renderer);
+  renderer.finish();
+}
+
+inline void render_frames(const StagedStory& story, const Output& output, Studio& studio, const FrameTold& told) {
+  Frames frames([&](const std::filesystem::path& file, const Story&, std::size_t index) { told(file, index); });
+  write(frames, story, output, studio);
+}
+
+/// Returns: the file.
+template <class Picture>
+std::filesystem::path write_picture(const StagedStory& story, const Output& output, Studio& studio) {
+  std::filesystem::path file;
+  Picture picture([&](const std::filesystem::path& written, const Story&) { file = written; });
+  write(picture, story, output, studio);
+  return file;
+}
+
+inline std::filesystem::path render_strip(const StagedStory& story, const Output& output, Studio& studio) {
+  return write_picture<Strip>(story, output, studio);
+}
+
+inline std::filesystem::path render_sheet(const StagedStory& story, const Output& output, Studio& studio) {
+  return write_picture<Sheet>(story, output, studio);
+}
+
+}  // namespace walkthroughs::test

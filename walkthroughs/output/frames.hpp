@@ -1,0 +1,33 @@
+/// A PNG file a frame.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "walkthroughs/output/sink.hpp"
+
+namespace walkthroughs {
+
+/// Returns: what the picture of a frame is called: "007.png", "007-turn-1.png"; `turn` 0 is the usual view.
+std::string picture_name(std::size_t index, int turn = 0);
+
+/// Returns: how many further views each frame of a walkthrough gets: none where no scene is in space.
+int turns_of(const Walkthrough& walkthrough, const Output& output);
+
+/// Told after each file: which frame of the story it shows.
+using FrameWritten = std::function<void(const std::filesystem::path& file, const Story& story, std::size_t index)>;
+
+/// FOLDER/NAME/000.png, 001.png, …; of a scene in space also 000-turn-1.png, … up to `turns` of the output, the camera moved on
+/// by equal angles all around. Removes what an earlier, longer run has left of these.
+class Frames : public Sink {
+ public:
+  explicit Frames(FrameWritten written) : written_(std::move(written)) {}
+  void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
+
+ private:
+  FrameWritten written_;
+};
+
+}  // namespace walkthroughs

@@ -1,0 +1,63 @@
+/// Draws pictures and writes them, and what else a format is made of, in the order in which it is asked for.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <thread>
+#include <utility>
+
+#include "render/worker.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/studio.hpp"
+
+namespace walkthroughs {
+
+/// Where, how large, and with what around the panels. The size is that of a frame with text; what has another page, such
+/// as a strip or a frame without text, is as wide and as high as it needs to be at the same scale.
+struct Output {
+  std::filesystem::path folder;
+  render::Size size;
+  Look look = {};
+  int turns = 0;  ///< views of each frame beside the usual one, around the vertical axis, of scenes in space
+};
+
+/// Returns: the size of a picture of `page` at the scale of `output`, smaller where it would not fit.
+render::Size pixels_of(render::Size page, const Output& output);
+
+/// Returns: the folder FOLDER/NAME of what is written of a walkthrough, which is there. Errors: render::FileError.
+std::filesystem::path folder_of(const Output& output, const Walkthrough& walkthrough);
+
+/// Draws on the thread that calls and encodes on further ones, as many as there are processors, so that the next picture is
+/// drawn while the last ones are compressed. Files are written, and told of there, in the order in which they were asked for.
+/// A few pictures are in memory at a time, however many there are.
+/// Errors of all functions: render::FileError, also of files asked for earlier; render::ContextError. Files asked for
+/// before the one that could not be written are there, later ones are not.
+class Renderer {
+ public:
+  using Written = std::function<void(const std::filesystem::path& file)>;
+
+  /// `studio` must outlive the renderer.
+  explicit Renderer(Studio& studio) : studio_(studio) {}
+
+  /// Returns: the frame of that story.
+  render::Image draw(const StagedStory& story, std::size_t index, const Output& output);
+  /// Returns: a picture of `page` that `paint` draws on its canvas.
+  render::Image draw(render::Size page, const Output& output, const std::function<void(render::Canvas&)>& paint);
+
+  /// Asks for a picture in a file. `written` is told when it is there.
+  void write(std::filesystem::path file, render::Image image, render::PngText text, Written written);
+  /// Asks for something else to be done, when all that was asked for before is written, where it is written.
+  void then(std::function<void()> job) { writer_.post(std::move(job)); }
+  /// Returns when all files are written.
+  void finish() { writer_.finish(); }
+
+ private:
+  static std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+  Studio& studio_;
+  render::Worker writer_{2 + processors(), processors()};
+};
+
+}  // namespace walkthroughs
