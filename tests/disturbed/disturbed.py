@@ -89,7 +89,8 @@ def cases(program, study, folder):
                              for i in range(10000)))
     found = [
         Case("render", [program, "render", "figure-4-left", "failures/vanished-product", "--detail", "step", "--size", "640x360",
-                        "--strip", "--sheet", "--apng", "--turn", "1", "--rendered-by", "--captions", "captions.json"]),
+                        "--strip", "--sheet", "--apng", "--turn", "1", "--rendered-by", "--captions", "captions.json",
+                        "--page=single"]),
         Case("compare", [program, "compare", folder / "expected", folder / "actual", "--report", "report"], code=1),
         Case("query", [program, "query"], input=pairs),
         Case("trace", [program, "trace", "figure-4-left"]),

@@ -11,7 +11,7 @@ void AnimatedPng::add(const std::shared_ptr<const StagedStory>& story, const Out
     render::Animation animation({story->walkthrough.title, story->walkthrough.summary});
     const std::size_t count = story->frames.size();
     for (std::size_t i = 0; i < count; ++i)
-      animation.add(render::read_file(folder / picture_name(i)), seconds * (i + 1 == count ? last_frame_times : 1));
+      animation.add(written_picture(folder, i), seconds * (i + 1 == count ? last_frame_times : 1));
     render::write_file(folder / "animation.png", animation.bytes());
     written(folder / "animation.png", *story);
   });

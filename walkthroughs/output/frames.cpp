@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "render/file.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 
 namespace walkthroughs {
@@ -42,6 +43,14 @@ std::string picture_name(std::size_t index, int turn) {
   else
     std::snprintf(name, sizeof name, "%03zu-turn-%d.png", index, turn);
   return name;
+}
+
+std::vector<std::uint8_t> written_picture(const fs::path& folder, std::size_t index, int turn) {
+  try {
+    return render::read_file(folder / picture_name(index, turn));
+  } catch (const render::ReadError& error) {
+    throw render::FileError(error.what());
+  }
 }
 
 int turns_of(const Walkthrough& walkthrough, const Output& output) { return in_space(walkthrough) ? output.turns : 0; }

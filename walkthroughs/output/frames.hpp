@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "walkthroughs/output/sink.hpp"
 
@@ -12,6 +14,10 @@ namespace walkthroughs {
 
 /// Returns: what the picture of a frame is called: "007.png", "007-turn-1.png"; `turn` 0 is the usual view.
 std::string picture_name(std::size_t index, int turn = 0);
+
+/// Returns: a picture that Frames has written to that folder, for formats that hold it as well.
+/// Errors: render::FileError: what has just been written is not there any more, which no input is to blame for.
+std::vector<std::uint8_t> written_picture(const std::filesystem::path& folder, std::size_t index, int turn = 0);
 
 /// Returns: how many further views each frame of a walkthrough gets: none where no scene is in space.
 int turns_of(const Walkthrough& walkthrough, const Output& output);

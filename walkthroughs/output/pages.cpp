@@ -37,16 +37,17 @@ std::string url_of(const fs::path& path) {
 
 }  // namespace
 
-PageSurroundings Pages::surroundings_of(const std::string& name, const fs::path& folder) const {
-  const auto here = std::ranges::find(origins_, name, &PageOrigin::name);
+PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs::path& folder) const {
+  const auto here = std::ranges::find(origins_, walkthrough.name, &PageOrigin::name);
+  const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
   PageSurroundings all;
-  all.command = "gjkstep render " + here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file) +
-                (pictures_ == Pictures::inside ? " --page=single" : " --page") + options_;
+  all.command = "gjkstep render " + what + (pictures_ == Pictures::inside ? " --page=single" : " --page") + options_;
+  if (!walkthrough.scenes.empty() && here->option.empty()) all.trace_command = "gjkstep trace " + what;
   if (pictures_ == Pictures::inside) return all;
   if (!here->file.empty())
     all.sources.push_back({url_of(fs::absolute(here->file).lexically_relative(fs::absolute(folder).lexically_normal())),
                            here->file.filename().string()});
-  const std::string up = up_from(name);
+  const std::string up = up_from(walkthrough.name);
   const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
   all.page_of = [way_to, origins = origins_](const std::string& other) {
     const auto found = std::ranges::find(origins, other, &PageOrigin::name);
@@ -62,8 +63,8 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   const Walkthrough& w = story->walkthrough;
   const fs::path folder = output.folder / w.name;
   const auto url = [folder, kind = pictures_](std::size_t frame, int turn) {
-    const std::string name = picture_name(frame, turn);
-    return kind == Pictures::beside ? name : render::data_url(render::read_file(folder / name));
+    return kind == Pictures::beside ? picture_name(frame, turn)
+                                    : render::data_url(written_picture(folder, frame, turn));
   };
   const PagePictures pictures{.url = url,
                               .page = page_of_frame(output.look.text),
@@ -76,7 +77,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   entry.part = pictures.part;
   entry.is_dark = pictures.is_dark;
   entries_.push_back(std::move(entry));
-  renderer.then([=, written = written_, around = surroundings_of(w.name, folder)] {
+  renderer.then([=, written = written_, around = surroundings_of(w, folder)] {
     render::write_file(folder / page_file, page_html(*story, pictures, around));
     written(folder / page_file, *story);
   });

@@ -39,7 +39,7 @@ class Pages : public Sink {
   void write_index(const std::filesystem::path& folder) const;
 
  private:
-  PageSurroundings surroundings_of(const std::string& name, const std::filesystem::path& folder) const;
+  PageSurroundings surroundings_of(const Walkthrough& walkthrough, const std::filesystem::path& folder) const;
 
   Pictures pictures_;
   std::string options_;

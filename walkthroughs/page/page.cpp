@@ -247,6 +247,8 @@ std::string data(const Story& story, const PagePictures& pictures, const PageSur
 std::string origin(const Walkthrough& walkthrough, const PageSurroundings& surroundings) {
   std::string html = element("p", escaped(walkthrough.summary));
   if (!surroundings.command.empty()) html += "<p>Made by <code>" + escaped(surroundings.command) + "</code></p>\n";
+  if (!surroundings.trace_command.empty())
+    html += "<p>Its trace: <code>" + escaped(surroundings.trace_command) + "</code></p>\n";
   for (const PageLink& source : surroundings.sources) html += "<p>Made from " + link(source) + "</p>\n";
   return html;
 }

@@ -30,6 +30,7 @@ struct PageLink {
 /// Where a page comes from, and what is near. What is empty is left out.
 struct PageSurroundings {
   std::string command;            ///< that made it
+  std::string trace_command;      ///< that prints its trace
   std::vector<PageLink> sources;  ///< what it was made of, such as a scene file
   std::vector<PageLink> ways;     ///< to the index, and to the walkthroughs before and after
   /// Returns: the URL of another walkthrough's page; empty where there is none.

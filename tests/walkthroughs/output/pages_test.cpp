@@ -23,10 +23,12 @@ TEST_CASE("gjkstep render --page writes a page beside the frames and one over al
   CHECK(has(index, "href=\"regions/2-simplex-r3/index.html\""));
   const std::string first = bytes_of(folder.path() / "figure-1/index.html");
   CHECK(has(first, "src=\"000.png\""));
+  CHECK_FALSE(has(first, "gjkstep trace"));  // it has no search
   CHECK(has(first, "href=\"../index.html\""));
   CHECK(has(first, "href=\"../regions/2-simplex-r3/index.html\""));
   CHECK(has(first, "gjkstep render figure-1 --page --size 48x27<"));
   CHECK(has(bytes_of(folder.path() / "regions/2-simplex-r3/index.html"), "href=\"../../figure-1/index.html\""));
+  CHECK(has(bytes_of(folder.path() / "regions/2-simplex-r3/index.html"), "gjkstep trace regions/2-simplex-r3<"));
 }
 
 TEST_CASE("Pages of --page=single hold their pictures and lead nowhere") {

@@ -112,3 +112,20 @@ TEST_CASE("A renderer that goes before it has finished has written what it was a
   }
   CHECK(listing(folder.path()).size() == 3);
 }
+
+TEST_CASE("An animation of frames that are not there is an error of writing, not of reading what a user has named") {
+  const Folder folder;
+  Studio studio;
+  AnimatedPng animation(1, [](const fs::path&, const Story&) {});
+  const auto add = [&] {
+    write(animation, StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio);
+  };
+  CHECK_THROWS_AS(add(), render::FileError);
+  try {
+    add();
+  } catch (const render::FileError& error) {
+    CHECK(dynamic_cast<const render::ReadError*>(&error) == nullptr);
+    CHECK(std::string(error.what()).find("000.png") != std::string::npos);
+  }
+  CHECK_FALSE(fs::exists(folder.path() / "figure-5/animation.png"));
+}

@@ -18,7 +18,7 @@ const PagePictures pictures{.url = [](std::size_t frame, int) { return std::to_s
                             .part = {{40, 72}, {1240, 520}}};
 
 std::string page_of(const Story& story) {
-  return page_html(story, pictures, {.command = "gjkstep", .sources = {}, .ways = {}});
+  return page_html(story, pictures, {.command = "gjkstep", .trace_command = {}, .sources = {}, .ways = {}});
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
