@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <system_error>
 #include <utility>
 
 #include "render/file.hpp"
 #include "render/html.hpp"
 #include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/page/compare_page.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs {
@@ -83,6 +85,15 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   });
 }
 
-void Pages::write_index(const fs::path& folder) const { render::write_file(folder / page_file, index_html(entries_)); }
+void Pages::write_index(const fs::path& folder) const {
+  const std::vector<IndexEntry> searches = comparable(entries_);
+  const bool is_pair = searches.size() >= 2;
+  std::error_code ignored;
+  if (is_pair)
+    render::write_file(folder / compare_file, compare_html(searches));
+  else
+    fs::remove(folder / compare_file, ignored);  // of an earlier run
+  render::write_file(folder / page_file, index_html(entries_, is_pair ? compare_file : ""));
+}
 
 }  // namespace walkthroughs

@@ -12,7 +12,7 @@
 
 namespace walkthroughs {
 
-inline constexpr const char* page_file = "index.html";
+inline constexpr const char *page_file = "index.html", *compare_file = "compare.html";
 
 /// A walkthrough of the run, and what it was read from.
 struct PageOrigin {
@@ -35,7 +35,8 @@ class Pages : public Sink {
       : pictures_(pictures), options_(std::move(options)), origins_(std::move(origins)), written_(std::move(written)) {}
 
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
-  /// Writes FOLDER/index.html over all that were added. Errors: render::FileError.
+  /// Writes FOLDER/index.html over all that were added, and where two of them show a search FOLDER/compare.html, where
+  /// not removes it. Errors: render::FileError.
   void write_index(const std::filesystem::path& folder) const;
 
  private:

@@ -7,6 +7,7 @@
 #include "render/html.hpp"
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/page/templates.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -84,20 +85,25 @@ IndexEntry index_entry(const Story& story) {
   entry.sentence = w.region_case ? html_of(w.region_case->text) : escaped(w.summary);
   entry.answer = answers(story);
   entry.steps = story.frames.size();
+  if (!story.frames[0].moments.empty()) entry.iteration_ends = last_of_each_iteration(story.frames);
   entry.picture = telling_frame(story);
   return entry;
 }
 
-std::string index_html(const std::vector<IndexEntry>& entries) {
+std::string index_html(const std::vector<IndexEntry>& entries, const std::string& compare_url) {
   std::string sections;
   for (std::size_t i = 0; i < groups.size(); ++i)
     if (i == 0 || groups[i].title != groups[i - 1].title) sections += section(groups[i].title, entries);
   const bool is_dark = std::ranges::any_of(entries, &IndexEntry::is_dark);
-  return filled(templates::index_html, {{"count", std::to_string(entries.size())},
-                                        {"sections", sections},
-                                        {"pictures", is_dark ? "dark-pictures" : "light-pictures"},
-                                        {"css", std::string(templates::colors_css) + std::string(templates::index_css)},
-                                        {"js", std::string(templates::index_js)}});
+  return filled(templates::index_html,
+                {{"count", std::to_string(entries.size())},
+                 {"compare", compare_url.empty() ? ""
+                                                 : "<p><a href=\"" + escaped(compare_url) +
+                                                       "\">Two searches beside each other</a></p>\n"},
+                 {"sections", sections},
+                 {"pictures", is_dark ? "dark-pictures" : "light-pictures"},
+                 {"css", std::string(templates::colors_css) + std::string(templates::index_css)},
+                 {"js", std::string(templates::index_js)}});
 }
 
 }  // namespace walkthroughs

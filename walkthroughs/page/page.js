@@ -6,6 +6,7 @@
   const $ = id => document.getElementById(id);
   const make = (tag, className, text) => Object.assign(document.createElement(tag), {className: className || '', textContent: text || ''});
   const near = 4;  // pictures that are loaded ahead
+  const isBare = location.hash.endsWith('&bare');  // beside another walkthrough, in a page that steps both
   let at = 0, timer = 0;
 
   // -- One step -------------------------------------------------------------------------------------------------------
@@ -72,7 +73,7 @@
   const go = i => { pause(); show(i, 'push'); };
   const back = () => { if (asked === null) go(at - 1); else close(); };
   const forward = () => { pause(); if (!stopsToAsk()) show(at + 1, 'push'); };
-  const addressed = () => /^#\d+$/.test(location.hash) ? Number(location.hash.slice(1)) - 1 : 0;
+  const addressed = () => /^#\d+(&bare)?$/.test(location.hash) ? parseInt(location.hash.slice(1), 10) - 1 : 0;
 
   // -- Playing --------------------------------------------------------------------------------------------------------
 
@@ -226,7 +227,7 @@
     if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing || !act) return;
     if (event.key === ' ' && event.target.closest('button, summary, a, input:not([type=range])')) return;
     event.preventDefault();
-    act();
+    if (isBare) parent.postMessage({key: event.key}, '*'); else act();
   });
   for (const [id, act] of [['first', keys.Home], ['back', keys.ArrowLeft], ['next', keys.ArrowRight], ['last', keys.End], ['play', play], ['predict', predict]])
     $(id).addEventListener('click', act);
@@ -275,5 +276,6 @@
   // Before printing all is there, also what nobody has looked at.
   addEventListener('beforeprint', () => steps.forEach((step, i) => complete(i)));
 
+  document.documentElement.classList.toggle('bare', isBare);
   show(addressed(), 'stay');
 })();

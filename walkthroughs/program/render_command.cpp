@@ -194,7 +194,10 @@ class Rendering {
       places.write_pictures(folder / each.walkthrough->name, "the pictures of " + each.walkthrough->name);
     if (command_.rendered_by) places.write(folder / render::rendered_by_file, "what --rendered-by notes");
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
-    if (is_asked_for_pages()) places.write(folder / page_file, "the page over all walkthroughs");
+    if (is_asked_for_pages()) {
+      places.write(folder / page_file, "the page over all walkthroughs");
+      places.write(folder / compare_file, "the page that compares two");
+    }
     for (const Selection::Chosen& each : selection.chosen())
       if (is_asked_for_pages())
         places.write(folder / each.walkthrough->name / page_file, "the page of " + each.walkthrough->name);

@@ -33,11 +33,13 @@ TEST_CASE("gjkstep render --page writes a page beside the frames and one over al
 
 TEST_CASE("Pages of --page=single hold their pictures and lead nowhere") {
   const Folder folder;
+  std::ofstream(folder.path() / "compare.html") << "of an earlier run";
   REQUIRE(run("render figure-2 figure-1 --page=single" + out_of(folder)).exit_code == 0);
   const std::string page = bytes_of(folder.path() / "figure-2/index.html");
   CHECK(has(page, "src=\"data:image/png;base64,"));
   CHECK_FALSE(has(page, ".png\""));
   CHECK_FALSE(has(page, "href="));
+  CHECK_FALSE(fs::exists(folder.path() / "compare.html"));  // neither shows a search
 }
 
 TEST_CASE("The same command writes the same pages") {

@@ -390,7 +390,7 @@ class Page(unittest.TestCase):
         self.open(".")
         cards = lambda: [card.find_element(By.TAG_NAME, "strong").text for card in self.all(".card") if card.is_displayed()]
         self.assertEqual(len(cards()), 5)
-        self.press(Keys.TAB)  # into the search field
+        self.press(Keys.TAB, Keys.TAB)  # past the page that compares two, into the search field
         self.press(*"adb ad")
         self.assertEqual(len(cards()), 1)
         self.assertEqual(self.find("#found").text, "1 shown")
@@ -401,6 +401,37 @@ class Page(unittest.TestCase):
         self.wait(lambda: self.all("#slider"))
         self.browser.back()
         self.wait(lambda: self.all(".card"))
+
+    def test_two_searches_step_together(self):
+        self.browser.get(f"file://{self.out / 'compare.html'}#{hit},{searched},2")
+        shown = {}
+
+        def steps():
+            for frame in self.all("iframe"):
+                title = frame.get_attribute("title")
+                self.browser.switch_to.frame(frame)
+                shown[title] = self.js("return [document.querySelector('.now h2')?.textContent, location.hash]")
+                self.browser.switch_to.default_content()
+            return [shown["Left walkthrough"][1], shown["Right walkthrough"][1]]
+
+        def end(name, iteration):
+            data = json.loads(re.search(r'id="data">(.*?)</script>', (self.out / name / "index.html").read_text(), re.DOTALL).group(1))
+            numbers = [i + 1 for i, step in enumerate(data["steps"]) if step["iteration"] <= iteration]
+            return f"#{numbers[-1]}&bare"
+
+        self.wait(lambda: steps() == [end(hit, 2), end(searched, 2)])
+        self.press(Keys.ARROW_RIGHT)
+        self.wait(lambda: steps() == [end(hit, 3), end(searched, 3)])
+        self.assertEqual(self.address(), f"#{hit},{searched},3")
+        self.find("#last").click()
+        self.wait(lambda: steps() == [end(hit, 9), end(searched, 9)])  # where each has ended, though one has fewer
+        self.browser.switch_to.frame(self.all("iframe")[1])
+        self.find(".now h2").click()
+        self.press(Keys.HOME)  # pressed in one walkthrough, it moves both
+        self.browser.switch_to.default_content()
+        self.wait(lambda: steps() == [end(hit, 1), end(searched, 1)])
+        self.find("#left").send_keys("Figure 4")
+        self.wait(lambda: steps() == [end(apart, 1), end(searched, 1)])
 
     def test_a_single_file_stands_alone(self):
         folder = self.folder / "single"
@@ -430,8 +461,8 @@ class Page(unittest.TestCase):
         self.assertTrue(self.find("#place").text.startswith("10000"))
 
     def test_tidy_has_no_complaint(self):
-        for name in (searched, apart, "mine", "figure-1", "."):
-            said = subprocess.run(["tidy", "-q", "-e", "-utf8", str(self.out / name / "index.html")], capture_output=True, text=True).stderr
+        for name in (f"{searched}/index.html", f"{apart}/index.html", "mine/index.html", "figure-1/index.html", "index.html", "compare.html"):
+            said = subprocess.run(["tidy", "-q", "-e", "-utf8", str(self.out / name)], capture_output=True, text=True).stderr
             complaints = [line for line in said.splitlines() if 'proprietary attribute "loading"' not in line]  # which is newer than tidy
             self.assertEqual(complaints, [], name)
 

@@ -1,7 +1,7 @@
 #include "walkthroughs/page/questions.hpp"
 
 #include <map>
-#include <random>
+#include <set>
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
