@@ -22,6 +22,7 @@ bool stands(double value, gjk::Relation relation) {
     case gjk::Relation::negative: return value < 0;
     case gjk::Relation::zero: return value == 0;
     case gjk::Relation::not_zero: return value != 0;
+    case gjk::Relation::not_negative: return value >= 0;
   }
   return false;
 }
