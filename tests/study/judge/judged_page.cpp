@@ -2,7 +2,8 @@
 
 #include "render/html.hpp"
 #include "tests/study/judge/judged_scenes.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/studio.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"

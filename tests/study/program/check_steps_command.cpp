@@ -7,7 +7,7 @@
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/steps/parting.hpp"
-#include "walkthroughs/picture/render_frames.hpp"
+#include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
@@ -35,12 +35,14 @@ void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::st
                  "step\n";
     return;
   }
-  const walkthroughs::StagedStory story(parting->story());
   walkthroughs::Studio studio;
-  walkthroughs::render_frames(story, {.folder = folder, .size = walkthroughs::frame_page}, studio,
-                              [](const std::filesystem::path& file, std::size_t) {
-                                std::cout << walkthroughs::printable(file.string()) << '\n';
-                              });
+  walkthroughs::Renderer renderer(studio);
+  walkthroughs::Frames frames([](const std::filesystem::path& file, const walkthroughs::Story&, std::size_t) {
+    std::cout << walkthroughs::printable(file.string()) << '\n';
+  });
+  frames.add(std::make_shared<const walkthroughs::StagedStory>(parting->story()),
+             {.folder = folder, .size = walkthroughs::frame_page}, renderer);
+  renderer.finish();
 }
 
 constexpr std::size_t largest_file = std::size_t{64} << 20;
