@@ -33,7 +33,7 @@ TEST_CASE("study: a run says its seed and leaves tables", "[program]") {
   const Outcome outcome = run("run --seed 5 " + small + "--out " + in(folder, "one"));
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
-  CHECK(has(outcome.err, "seed 5, 2 families, 16 methods"));
+  CHECK(has(outcome.err, "seed 5, 2 families, 20 methods"));
   for (const char* const name :
        {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md"}) {
     CHECK(has(outcome.out, name));

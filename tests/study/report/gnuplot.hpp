@@ -35,6 +35,7 @@ inline std::string small_print(const Settings& settings) {
 /// Colours that colour-blind readers tell apart as well (Okabe and Ito). They never stand alone.
 inline constexpr const char* blue = "'#0072B2'";
 inline constexpr const char* vermilion = "'#D55E00'";
+inline constexpr const char* orange = "'#E69F00'";
 inline constexpr const char* green = "'#009E73'";
 inline constexpr const char* purple = "'#CC79A7'";
 

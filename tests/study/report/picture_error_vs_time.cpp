@@ -217,6 +217,8 @@ class Panel {
       return std::string("lc rgb ") + green + " dt '.' lw 1.5 ps 1.4 pt " + (is_filled ? "13" : "12") + title;
     if (rules == "as-printed")
       return std::string("lc rgb ") + vermilion + " dt '-' lw 1.5 ps 1.4 pt " + (is_filled ? "9" : "8") + title;
+    if (rules == "complete")
+      return std::string("lc rgb ") + orange + " dt '_' lw 1.5 ps 1.4 pt " + (is_filled ? "11" : "10") + title;
     throw std::logic_error("rules '" + rules + "' have no line style");
   }
 
@@ -265,11 +267,11 @@ Picture error_vs_time(const Settings& settings) {
   if (top == 0) top = 1;  // nothing went wrong
   const std::string made = small_print(settings) + "; CPU time on " + processors_of(settings.study());
   script << "set logscale x\nset multiplot layout 1," << panels.size()
-         << " margins 0.06,0.985,0.135,0.735 spacing 0.045,0.1 title " << in_quotes(heading(settings, families.size()))
+         << " margins 0.06,0.985,0.135,0.705 spacing 0.045,0.1 title " << in_quotes(heading(settings, families.size()))
          << " font ',10'\nset label " << in_quotes(made)
          << " at screen 0.985,0.025 right font ',9'\nset grid\nset xzeroaxis lt 1 lc rgb 'black'\n"
          << "set ylabel 'share wrong or undecided, mean of families'\n"
-         << "set key at screen 0.5,0.935 center top vertical maxrows 4 samplen 4\n";
+         << "set key at screen 0.5,0.935 center top vertical maxrows 5 samplen 4\n";
   for (const Panel& panel : panels) script << panel.text(top) << "unset ylabel\nunset key\nunset label\n";
   script << "unset multiplot\n";
   return {"error-vs-time.png", script.str()};
