@@ -123,15 +123,15 @@ bool is_running(const std::string& process) {
 }
 
 TEST_CASE("Asking: of a program that starts others nothing is left, wherever these have gone", "[judge]") {
-  const std::string sleep = "sleep 1000.$$";  // by which it is known
-  for (const std::string& start : {sleep + " &", "setsid " + sleep + " &", "(setsid sh -c '" + sleep + " & wait' &);",
-                                   "trap '' TERM HUP; " + sleep + " &"})
+  const Folder folder;
+  const std::string pids = (folder.path() / "pids").string(), tell = " & echo $! >>" + pids + "; ";
+  for (const std::string& start :
+       {"sleep 1000" + tell, "setsid sleep 1000" + tell, "(setsid sh -c 'sleep 1000" + tell + "wait' &); ",
+        "trap '' TERM HUP; sleep 1000" + tell})
     for (const std::string& then : {echo + "echo got $x; done", std::string("exit 1"), std::string("sleep 100")}) {
-      INFO(start << " " << then);
-      const Folder folder;
-      const std::string pids = (folder.path() / "pids").string();
-      const std::string look = "ps -A -o pid=,args= | sed -n 's/^ *\\([0-9]*\\) sleep 1000[.].*$/\\1/p'";
-      ask_shell(start + " until " + look + " | grep -q .; do :; done; " + look + " >>'" + pids + "'; " + then, 2, 1000);
+      INFO(start << then);
+      std::filesystem::remove(pids);
+      ask_shell(start + "until [ -s " + pids + " ]; do :; done; " + then, 2, 1000);
       std::ifstream list(pids);
       int count = 0;
       for (std::string pid; list >> pid; ++count) CHECK_FALSE(is_running(pid));
