@@ -33,7 +33,8 @@
     const [left, right, number] = location.hash.slice(1).split(',');
     [left, right].forEach((name, s) => {
       const place = data.findIndex(each => each.name === decoded(name));
-      sides[s].select.selectedIndex = place >= 0 ? place : Math.min(s, data.length - 1);
+      const usual = data.findIndex(each => each.name === ['figure-4-left', 'figure-4-right'][s]);
+      sides[s].select.selectedIndex = place >= 0 ? place : usual >= 0 ? usual : Math.min(s, data.length - 1);
     });
     show(Number(number) - 1 || 0);
   }

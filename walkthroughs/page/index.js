@@ -2,7 +2,8 @@
 (() => {
   const words = document.getElementById('words'), answer = document.getElementById('answer');
   const groups = [...document.querySelectorAll('.group')];
-  const cards = [...document.querySelectorAll('.card')].map(card => [card, card.textContent.toLowerCase()]);
+  const cards = groups.flatMap(group => [...group.querySelectorAll('.card')].map(
+    card => [card, (group.querySelector('h2').textContent + ' ' + card.textContent).toLowerCase()]));
 
   function filter() {
     const wanted = words.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -12,10 +13,22 @@
       count += !card.hidden;
     }
     for (const group of groups) group.hidden = !group.querySelector('.card:not([hidden])');
-    document.getElementById('found').textContent = `${count} shown`;
+    document.getElementById('found').textContent = count ? `${count} shown` : 'none has all of these words: try fewer, or another answer';
   }
-  words.addEventListener('input', filter);
-  answer.addEventListener('change', filter);
+  // What is looked for stands in the address, so that one comes back to it.
+  function keep() {
+    const said = new URLSearchParams(Object.entries({words: words.value, answer: answer.value}).filter(([, value]) => value));
+    history.replaceState(null, '', '#' + said);
+    filter();
+  }
+  function restore() {
+    const said = new URLSearchParams(location.hash.slice(1));
+    words.value = said.get('words') || '';
+    answer.value = said.get('answer') || '';
+    filter();
+  }
+  words.addEventListener('input', keep);
+  answer.addEventListener('change', keep);
+  addEventListener('pageshow', restore);
   document.getElementById('filters').addEventListener('submit', event => event.preventDefault());
-  if (words.value || answer.value) filter();  // of a page that the browser has restored
 })();

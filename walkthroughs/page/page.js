@@ -3,6 +3,7 @@
   const data = JSON.parse(document.getElementById('data').textContent);
   const steps = [...document.querySelectorAll('.step')];
   const title = document.title;
+  const heading = document.querySelector('h1'), name = heading.textContent;
   const $ = id => document.getElementById(id);
   const make = (tag, className, text) => Object.assign(document.createElement(tag), {className: className || '', textContent: text || ''});
   const near = 4;  // pictures that are loaded ahead
@@ -114,7 +115,7 @@
   // The store of the browser, where it has one and allows it; else answers live as long as the page.
   function store(act) { try { return act(localStorage); } catch { return null; } }
   function restore() {
-    const kept = JSON.parse(store(shop => shop.getItem(shelf)) || 'null');
+    const kept = store(shop => JSON.parse(shop.getItem(shelf)));
     if (Array.isArray(kept) && kept.length === questions.length) answers = kept;
   }
 
@@ -151,8 +152,9 @@
     for (const button of buttons) button.disabled = true;
     buttons[c].classList.add('wrong');
     buttons[right].className = 'right';
+    const why = choices[c][1] === choices[right][1] ? 'Not so.' : `Not so: ${choices[c][1]}.`;
     $('verdict').innerHTML = c === right ? `Right: ${choices[c][1]}.`
-      : `Not so: ${choices[c][1]}. It is <b>${choices[right][0]}</b>: ${choices[right][1]}.`;
+      : `${why} It is <b>${choices[right][0]}</b>: ${choices[right][1]}.`;
     $('onward').textContent = 'Go on';
     $('onward').focus();
   }
@@ -194,6 +196,7 @@
   function predict() {
     predicting = !predicting;
     $('predict').setAttribute('aria-pressed', predicting);
+    heading.textContent = predicting ? 'What will the search find?' : name;  // titles tell
     close();
     if (predicting && at === steps.length - 1) showScore();
     $('live').textContent = predicting ? 'Before each decision a question will be asked.' : 'No questions will be asked.';

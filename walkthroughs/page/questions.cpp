@@ -122,7 +122,7 @@ class Iteration {
     for (const Region& region : now_.regions)
       if (region.verdict != Verdict::skipped && region.face == line.face && region.feature == line.feature)
         return value_of(region);
-    return "not asked: what stands before it has decided, " + value_of(*last_chosen());
+    return "not looked at, since an earlier test has decided: " + value_of(*last_chosen());
   }
 
   bool is_of(const CodeLine& line, const Region& region) const {

@@ -309,7 +309,10 @@ class Page(unittest.TestCase):
         texts = self.js("return JSON.parse(document.getElementById('data').textContent).texts")
         plain = lambda place: re.sub("<[^>]*>", "", texts[place]).replace("&gt;", ">")
         verdict = self.find("#verdict").get_attribute("textContent")
-        self.assertTrue(verdict.startswith("Not so: " + plain(question["choices"][wrong][1])), verdict)
+        reasons = [plain(question["choices"][choice][1]) for choice in (wrong, question["right"])]
+        self.assertTrue(verdict.startswith("Not so. " if reasons[0] == reasons[1] else "Not so: " + reasons[0]), verdict)
+        self.assertEqual(verdict.count(reasons[1]), 1)
+        self.assertEqual(self.find("h1").text, "What will the search find?")
         self.assertIn(plain(question["choices"][question["right"]][1]), verdict)
 
     def test_a_question_can_be_left_and_keys_be_switched_off(self):
@@ -401,6 +404,13 @@ class Page(unittest.TestCase):
         self.wait(lambda: self.all("#slider"))
         self.browser.back()
         self.wait(lambda: self.all(".card"))
+        self.wait(lambda: len(cards()) == 3)  # what was looked for is still there
+        self.browser.get(f"file://{self.out / 'index.html'}#words=tetrahedron+regions")  # of a heading
+        self.browser.refresh()
+        self.wait(lambda: 0 < len(cards()) < 5)
+        self.browser.get(f"file://{self.out / 'index.html'}#words=nowhere")
+        self.browser.refresh()
+        self.wait(lambda: self.find("#found").text.startswith("none has all"))
 
     def test_two_searches_step_together(self):
         self.browser.get(f"file://{self.out / 'compare.html'}#{hit},{searched},2")

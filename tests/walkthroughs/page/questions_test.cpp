@@ -165,7 +165,7 @@ TEST_CASE("A wrong choice is answered by the value that decided, or by why its r
   CHECK(found->choices[found->right].text == "R3: beyond edge AB");
   CHECK(reason("R3: beyond edge AB").starts_with("R3: AB_n·AO = "));
   CHECK(reason("R4: beyond B") == "skipped: ruled out when the search kept BC");
-  CHECK(reason("R7: beyond edge AC").starts_with("not asked: what stands before it has decided, R3: AB_n·AO = "));
+  CHECK(reason("R7: beyond edge AC").starts_with("not looked at, since an earlier test has decided: R3: AB_n·AO = "));
 }
 
 TEST_CASE("Practice is another walkthrough of regions in which the search decides likewise") {
