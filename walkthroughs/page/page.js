@@ -48,7 +48,7 @@
       steps[j].querySelector('img').loading = 'eager';
   }
 
-  const said = i => [...steps[i].querySelectorAll('.where, .text > h2, .text > ul > li')].map(e => e.textContent.trim()).join('. ');
+  const said = i => [...steps[i].querySelectorAll('.where, .text > h2, .text > ul > li')].map(e => e.textContent.trim().replace(/\.$/, '')).join('. ');
 
   // -- From step to step ----------------------------------------------------------------------------------------------
 
@@ -73,7 +73,11 @@
 
   const go = i => { pause(); show(i, 'push'); };
   const back = () => { if (asked === null) go(at - 1); else close(); };
-  const forward = () => { pause(); if (!stopsToAsk()) show(at + 1, 'push'); };
+  function forward() {
+    pause();
+    if (asked !== null && answers[asked] === null) $('verdict').textContent = 'Choose one, or skip.';
+    else if (!stopsToAsk()) show(at + 1, 'push');
+  }
   const addressed = () => /^#\d+(&bare)?$/.test(location.hash) ? parseInt(location.hash.slice(1), 10) - 1 : 0;
 
   // -- Playing --------------------------------------------------------------------------------------------------------
@@ -165,7 +169,12 @@
     steps[at].classList.remove('asking');
   }
 
-  const onward = () => { const k = asked, answered = answers[k] !== null; if (!answered || !stopsToAsk()) show(at + 1, 'push'); };
+  function onward() {
+    const isAnswered = answers[asked] !== null;
+    if (isAnswered && stopsToAsk()) return;
+    show(at + 1, 'push');
+    $(at + 1 < steps.length ? 'next' : 'first').focus();  // the button that was pressed is gone
+  }
 
   function showScore() {
     const given = questions.filter((question, k) => answers[k] !== null);
