@@ -151,6 +151,7 @@ class DifferencePicture {
   }
 
   void dropped() {
+    if (!now_.reduction) return;  // of two scenes side by side, only the other one drops
     for (const char letter : now_.reduction->dropped) {
       const auto role = static_cast<gjk::Role>(letter - 'A');
       const Vec2 at = pencil_.at(now_.reduction->before.point(role));
