@@ -14,13 +14,13 @@ Stage stage_of(const Telling& telling, const Placing& placing) {
     stage.b = body_of(scene.b, scene.dimension);
   }
   if (panels.hull) stage.difference = body_of_difference(scene, stage.a, stage.b);
-  if (scene.dimension == Dimension::space) stage.lens.camera = choose_camera(telling.trace);
   return stage;
 }
 
+/// Whether two searches are about the same points, so that their pictures can be compared.
 bool have_same_points(const Scene& one, const Scene& other) {
-  const auto points = [](const Scene& scene) { return std::pair{vertices_of(scene.a), vertices_of(scene.b)}; };
-  return !points(one).first.empty() && points(one) == points(other);
+  const std::vector<Point> a = vertices_of(one.a), b = vertices_of(one.b);
+  return !a.empty() && !b.empty() && a == vertices_of(other.a) && b == vertices_of(other.b);
 }
 
 }  // namespace
@@ -35,8 +35,11 @@ StagedStory::StagedStory(Story story) : Story(std::move(story)) {
           Telling{scene, placing.placed(telling.trace), placing.placed(telling.hull), telling.panels});
     }
     stages.push_back(stage_of(*drawn, placing));
-    if (have_same_points(tellings.front().scene, telling.scene))
-      stages.back().lens = stages.front().lens;  // to compare
+    const bool is_seen_already = stages.size() > 1 && have_same_points(tellings.front().scene, telling.scene);
+    if (is_seen_already)
+      stages.back().lens = stages.front().lens;
+    else if (telling.scene.dimension == Dimension::space)
+      stages.back().lens.camera = choose_camera(drawn->trace);
   }
 }
 
