@@ -31,7 +31,9 @@ std::string text_of(const walkthroughs::Value& root, const char* key, const std:
   return value && value->is(Document::Kind::string) && !value->text().empty() ? value->text() : otherwise;
 }
 
-NamedPair pair_in(std::string_view line, const std::string& name) {
+}  // namespace
+
+NamedPair pair_of_line(std::string_view line, const std::string& name) {
   const walkthroughs::QueryOptions any_magnitude{.evidence = walkthroughs::QueryEvidence::certificate};
   const walkthroughs::PairAsWritten written = walkthroughs::read_pair(line, any_magnitude);
   const Document document = Document::of_line(line);
@@ -42,17 +44,15 @@ NamedPair pair_in(std::string_view line, const std::string& name) {
   return named;
 }
 
-}  // namespace
-
-std::vector<NamedPair> read_pairs(std::string_view text, const std::string& file) {
-  std::vector<NamedPair> pairs;
+void for_each_line(std::string_view text, const std::string& file,
+                   const std::function<void(std::string_view, std::size_t)>& use) {
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = text.substr(0, text.find('\n'));
     const auto fail = [&](const std::string& reason) {
       throw walkthroughs::InputError(file + ":" + std::to_string(number) + ": " + reason);
     };
     try {
-      pairs.push_back(pair_in(line, "line-" + std::to_string(number)));
+      use(line, number);
     } catch (const DocumentError& error) {
       fail((error.key.empty() ? "" : error.key + ": ") + error.what());
     } catch (const std::invalid_argument& error) {
@@ -60,6 +60,13 @@ std::vector<NamedPair> read_pairs(std::string_view text, const std::string& file
     }
     text.remove_prefix(std::min(line.size() + 1, text.size()));
   }
+}
+
+std::vector<NamedPair> read_pairs(std::string_view text, const std::string& file) {
+  std::vector<NamedPair> pairs;
+  for_each_line(text, file, [&](std::string_view line, std::size_t number) {
+    pairs.push_back(pair_of_line(line, "line-" + std::to_string(number)));
+  });
   if (pairs.empty()) throw walkthroughs::InputError(file + ": holds no pair; 'gjkstep-study pairs' writes some");
   return pairs;
 }

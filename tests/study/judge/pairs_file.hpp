@@ -1,6 +1,8 @@
 /// Pairs of others: JSON Lines as `gjkstep query` reads them, with a name and a family if they say so.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +10,15 @@
 #include "tests/study/corpus/answered_pair.hpp"
 
 namespace study {
+
+/// Returns: the pair of that line. `name`: where the line says none.
+/// Errors: walkthroughs::DocumentError; std::invalid_argument where the oracle cannot judge it.
+NamedPair pair_of_line(std::string_view line, const std::string& name);
+
+/// Calls `use(line, number)` with each line, counted from 1. Errors: walkthroughs::InputError, which names `file` and line, in
+/// place of a DocumentError or a std::invalid_argument of `use`.
+void for_each_line(std::string_view text, const std::string& file,
+                   const std::function<void(std::string_view, std::size_t)>& use);
 
 /// Returns: the pairs. Answers that lines tell are not looked at. `file` stands in errors.
 /// Errors: walkthroughs::InputError, which names the line, where one is not a pair that the oracle can judge, or there is none.

@@ -11,7 +11,6 @@ namespace study {
 namespace {
 
 using walkthroughs::Document;
-using walkthroughs::DocumentError;
 using walkthroughs::Value;
 using Kind = Document::Kind;
 
@@ -43,11 +42,11 @@ bool is_of_points(const NamedPair& named) {
 }
 
 /// What one line adds.
-void add_line(std::string_view line, std::vector<ToldRun>& runs) {
+void add_line(std::string_view line, std::size_t number, std::vector<ToldRun>& runs) {
   const Document document = Document::of_line(line);
   const Value root = document.root();
   if (root.member("a")) {
-    runs.push_back({read_pairs(line, "").front(), {}, {}});
+    runs.push_back({pair_of_line(line, "line-" + std::to_string(number)), {}, {}});
     if (!is_of_points(runs.back().named)) root.fail("only searches in sets of points can be followed");
     return;
   }
@@ -64,21 +63,7 @@ void add_line(std::string_view line, std::vector<ToldRun>& runs) {
 
 std::vector<ToldRun> read_told_runs(std::string_view text, const std::string& file) {
   std::vector<ToldRun> runs;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    const auto fail = [&](const std::string& reason) {
-      throw walkthroughs::InputError(file + ":" + std::to_string(number) + ": " + reason);
-    };
-    try {
-      add_line(line, runs);
-    } catch (const DocumentError& error) {
-      fail((error.key.empty() ? "" : error.key + ": ") + error.what());
-    } catch (const walkthroughs::InputError& error) {
-      const std::string reason = error.what();
-      fail(reason.substr(reason.find(": ") + 2));
-    }
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-  }
+  for_each_line(text, file, [&](std::string_view line, std::size_t number) { add_line(line, number, runs); });
   if (runs.empty()) throw walkthroughs::InputError(file + ": is empty; the first line must be a pair");
   return runs;
 }
