@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <variant>
 
 #include "result.hpp"
@@ -59,5 +60,30 @@ using Certificate = std::variant<SeparatingDirection, SeparatingFeature, CommonS
 inline Status claim_of(const Certificate& certificate) {
   return std::holds_alternative<CommonSimplex>(certificate) ? Status::intersecting : Status::separated;
 }
+
+/// What an answer was proven by.
+enum class Proof {
+  direction,      ///< that of the first search separates the sets by more than all that was rounded (C1)
+  tetrahedron,    ///< that of the first search holds the origin, by more than all that was rounded (C2)
+  second_search,  ///< the signs that the second search took (C3)
+};
+
+constexpr std::string_view to_string(Proof proof) {
+  switch (proof) {
+    case Proof::direction: return "direction";
+    case Proof::tetrahedron: return "tetrahedron";
+    case Proof::second_search: return "second-search";
+  }
+  return "";
+}
+
+struct CertifiedResult {
+  Status status = Status::undecided;  ///< never that, once it is returned
+  Certificate certificate;
+  Proof proof = Proof::second_search;
+  int iterations = 0;         ///< of the first search
+  int second_iterations = 0;  ///< of the second; 0 where there was none
+  friend bool operator==(const CertifiedResult&, const CertifiedResult&) = default;
+};
 
 }  // namespace gjk

@@ -7,9 +7,9 @@
 ///
 /// What is proven, under which assumptions, as numbered properties; the tests quote them. The assumptions: IEEE arithmetic,
 /// rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no harm.)
-///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see proves().
+///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see DirectionProof.
 ///  C2. Four points are a proof where four determinants are larger than 64uM³, M being the largest coordinate of the points:
-///      see enclose_origin().
+///      see TetrahedronProof.
 ///  C3. Each sign that the second search goes by is that of the exact number: see ExactSimplex::sign() and AlongDirection.
 ///  C4. The second search ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
 ///      feature that is kept, and there are finitely many of them.
@@ -37,34 +37,11 @@
 
 #include "bounded.hpp"
 #include "certificate.hpp"
+#include "certified_telling.hpp"
 #include "gjk.hpp"
 #include "nearest.hpp"
 
 namespace gjk {
-
-/// What an answer was proven by.
-enum class Proof {
-  direction,      ///< that of the first search separates the sets by more than all that was rounded (C1)
-  tetrahedron,    ///< that of the first search holds the origin, by more than all that was rounded (C2)
-  second_search,  ///< the signs that the second search took (C3)
-};
-
-constexpr std::string_view to_string(Proof proof) {
-  switch (proof) {
-    case Proof::direction: return "direction";
-    case Proof::tetrahedron: return "tetrahedron";
-    case Proof::second_search: return "second-search";
-  }
-  return "";
-}
-
-struct CertifiedResult {
-  Status status = Status::undecided;  ///< never that, once it is returned
-  Certificate certificate;
-  Proof proof = Proof::second_search;
-  int iterations = 0;         ///< of the first search
-  int second_iterations = 0;  ///< of the second; 0 where there was none
-};
 
 namespace detail {
 
@@ -113,12 +90,26 @@ inline void expect_usual_arithmetic() {
 /// 16u·s is asked for, since s and this very product are rounded, too. Nine operations may underflow, each by half the least
 /// denormal number; where s is not tiny they are far below the 6u·s left over; and where s is not huge, nothing overflows.
 template <class S>
-bool proves(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, const Vec3<S>& extent_b) {
-  const Vec3<double> size = d.template cast<double>().cwiseAbs();
-  const double s = (extent_a.template cast<double>() + extent_b.template cast<double>()).dot(size);
-  return -static_cast<double>(support_value) > 16 * Rounding<S>::u * s && s > Rounding<S>::least_reach &&
-         s < Rounding<S>::largest_reach;
-}
+class DirectionProof {
+ public:
+  DirectionProof(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, const Vec3<S>& extent_b)
+      : gap_(-static_cast<double>(support_value)),
+        s_((extent_a.template cast<double>() + extent_b.template cast<double>())
+               .dot(d.template cast<double>().cwiseAbs())) {}
+
+  bool holds() const { return gap_ > bound() && can_be_tried(); }
+  ProofTried<S> told() const {
+    ProofTried<S> event{.proof = Proof::direction, .bound = bound(), .holds = holds()};
+    if (can_be_tried()) event.numbers = {{"−w·d", gap_}};
+    return event;
+  }
+
+ private:
+  double bound() const { return 16 * Rounding<S>::u * s_; }
+  bool can_be_tried() const { return s_ > Rounding<S>::least_reach && s_ < Rounding<S>::largest_reach; }
+
+  double gap_, s_;
+};
 
 /// C2. Returns: whether the origin lies strictly inside the tetrahedron.
 ///
@@ -128,22 +119,36 @@ bool proves(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, c
 /// Each of the six products of three components in v meets 8 roundings (three differences a − b, product, difference,
 /// product, two sums) and is at most M³, M being the largest component of all: 48uM³ is the error, and 64uM³ is asked for.
 template <class S>
-bool enclose_origin(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
-  const auto size_ab = a.cwiseAbs().cwiseMax(b.cwiseAbs()), size_cd = c.cwiseAbs().cwiseMax(d.cwiseAbs());
-  const double M = static_cast<double>(size_ab.cwiseMax(size_cd).maxCoeff());
-  if (!(M > Rounding<S>::least_norm && M < Rounding<S>::largest_norm)) return false;
-  const double error = 64 * Rounding<S>::u * (M * M * M);
-  const Vec3<S> cd = c.cross(d), ab = a.cross(b);
-  const double bcd = static_cast<double>(b.dot(cd)), acd = static_cast<double>(a.dot(cd));
-  const double abd = static_cast<double>(ab.dot(d)), abc = static_cast<double>(ab.dot(c));
-  return (bcd > error && acd < -error && abd > error && abc < -error) ||
-         (bcd < -error && acd > error && abd < -error && abc > error);
-}
+class TetrahedronProof {
+ public:
+  TetrahedronProof(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
+    const auto size_ab = a.cwiseAbs().cwiseMax(b.cwiseAbs()), size_cd = c.cwiseAbs().cwiseMax(d.cwiseAbs());
+    const double M = static_cast<double>(size_ab.cwiseMax(size_cd).maxCoeff());
+    can_be_tried_ = M > Rounding<S>::least_norm && M < Rounding<S>::largest_norm;
+    if (!can_be_tried_) return;
+    error_ = 64 * Rounding<S>::u * (M * M * M);
+    const Vec3<S> cd = c.cross(d), ab = a.cross(b);
+    bcd_ = static_cast<double>(b.dot(cd)), acd_ = static_cast<double>(a.dot(cd));
+    abd_ = static_cast<double>(ab.dot(d)), abc_ = static_cast<double>(ab.dot(c));
+  }
+
+  bool holds() const {
+    return can_be_tried_ && ((bcd_ > error_ && acd_ < -error_ && abd_ > error_ && abc_ < -error_) ||
+                             (bcd_ < -error_ && acd_ > error_ && abd_ < -error_ && abc_ > error_));
+  }
+  /// Of the simplex [D, C, B, A].
+  ProofTried<S> told() const {
+    ProofTried<S> event{.proof = Proof::tetrahedron, .bound = error_, .holds = holds()};
+    if (can_be_tried_) event.numbers = {{"C·(B×A)", bcd_}, {"D·(A×B)", -acd_}, {"A·(D×C)", abd_}, {"B·(C×D)", -abc_}};
+    return event;
+  }
+
+ private:
+  bool can_be_tried_ = false;
+  double error_ = 0, bcd_ = 0, acd_ = 0, abd_ = 0, abc_ = 0;
+};
 
 // -- The second search ------------------------------------------------------------------------------------------------
-
-/// Whole numbers of any length; those of ordinary coordinates fit 512 bits and need no heap.
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
 
 inline int sign_of(const Whole& x) { return x.sign(); }
 
@@ -188,6 +193,23 @@ class ExactDifference {
     const Vec3<S>& p = set.points()[static_cast<std::size_t>(i)];
     return {number<N>(p.x()), number<N>(p.y()), number<N>(p.z())};
   }
+  /// Returns: that point as a search in S has it.
+  Vertex<S> vertex(IndexPair pair) const {
+    const auto support_point = [](const PointSet<S>& set, int i) {
+      return SupportPoint<S>{set.points()[static_cast<std::size_t>(i)], i};
+    };
+    Vertex<S> vertex{support_point(a_, pair.a), support_point(b_, pair.b), {}};
+    vertex.w = vertex.a.point - vertex.b.point;
+    return vertex;
+  }
+  Simplex<S> simplex(const IndexPairs& pairs) const {
+    Simplex<S> simplex;
+    for (const IndexPair pair : pairs) simplex.add(vertex(pair));
+    return simplex;
+  }
+  /// Returns: of which powers of two times itself a polynomial of that degree is computed. Once whole numbers were made.
+  Powers powers(int degree) const { return {degree * exponent_, least_exponent_ ? -degree * *least_exponent_ : 0}; }
+
   /// Requires: a coordinate, or a radius.
   template <class N>
   N number(S coordinate) const {
@@ -245,10 +267,11 @@ Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
 
 /// A simplex, by the indices of its vertices, that tells where the origin is. The whole numbers are made where the first
 /// sign is in doubt.
-template <class S>
+template <class S, class Obs = const NobodyListens>
 class ExactSimplex {
  public:
-  explicit ExactSimplex(const ExactDifference<S>& difference) : difference_(difference) {}
+  explicit ExactSimplex(const ExactDifference<S>& difference, const SecondTeller<S, Obs>& tell = {})
+      : difference_(difference), tell_(tell) {}
 
   const IndexPairs& vertices() const { return vertices_; }
   int size() const { return vertices_.size(); }
@@ -258,6 +281,7 @@ class ExactSimplex {
     vertices_.add(vertex);
     bounded_ = from_A<Bounded>();
     whole_.reset();
+    if constexpr (tells) tell_.name_anew();
   }
   /// Requires: A is kept, and last.
   void keep(const Order& order) {
@@ -266,45 +290,82 @@ class ExactSimplex {
     vertices_ = kept;
     bounded_ = only(bounded_, order, size());
     if (whole_) whole_ = only(*whole_, order, size());
+    if constexpr (tells) tell_.keep(order);
   }
 
   /// C3. `polynomial`: of the vectors from A, in either number. Returns: −1, 0 or 1, taken of doubles that know their error
-  /// where that leaves no doubt, and of whole numbers where it does.
+  /// where that leaves no doubt, and of whole numbers where it does. `words`: makes what is told, of a polynomial of that
+  /// degree.
+  template <class Polynomial, class Words>
+  int sign(const Polynomial& polynomial, int degree, const Words& words) const {
+    const Bounded quick = polynomial(bounded_);
+    if (quick.has_certain_sign()) {
+      tell_.sign(words, difference_.powers(degree), quick, nullptr);
+      return sign_of(quick);
+    }
+    const Whole exact = polynomial(whole());
+    tell_.sign(words, difference_.powers(degree), quick, &exact);
+    return sign_of(exact);
+  }
+  /// That of one that is not told.
   template <class Polynomial>
   int sign(const Polynomial& polynomial) const {
     const Bounded quick = polynomial(bounded_);
     return quick.has_certain_sign() ? sign_of(quick) : sign_of(polynomial(whole()));
   }
 
+  const SecondTeller<S, Obs>& tell() const { return tell_; }
+
   // -- As nearest_with_A() asks
 
   bool is_toward(Role X) const {
-    return sign([=](const auto& A) { return dot(A[X], A.AO); }) > 0;
+    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2, [&] { return SignWords{tell_.edge(X) + "·AO"}; }) >
+           0;
   }
   bool is_beyond(Role X, Role Y) const {
     const auto AXn_AO = [=](const auto& A) {
       return dot(A[X], A.AO) * dot(A[X], A[Y]) - dot(A[Y], A.AO) * dot(A[X], A[X]);
     };
-    return sign(AXn_AO) >= 0;
+    return sign(AXn_AO, 4, [&] {
+             const std::string AX = tell_.edge(X), AY = tell_.edge(Y);
+             return SignWords{AX + "n·AO",
+                              "(" + AX + "·AO)(" + AX + "·" + AY + ") − (" + AY + "·AO)(" + AX + "·" + AX + ")"};
+           }) >= 0;
   }
   bool is_above(Role X, Role Y, Role Z) const {
-    return side_of_origin(X, Y) * sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); }) < 0;
+    const int of_origin = side_of_origin(X, Y);
+    const int of_fourth = sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); }, 3,
+                               [&] { return SignWords{tell_.normal(X, Y) + "·" + tell_.edge(Z)}; });
+    return of_origin * of_fourth < 0;
   }
 
   /// Returns: the sign of AXYn·AO.
   int side_of_origin(Role X, Role Y) const {
-    return sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); });
+    return sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); }, 3,
+                [&] { return SignWords{tell_.normal(X, Y) + "·AO"}; });
   }
 
   /// Requires: the point nearest to the origin in the interior of the simplex. Returns: whether that is the origin.
   bool contains_origin() const {
     switch (size()) {
-      case 1: return is_zero([](const auto& A) { return A.AO; });
-      case 2: return is_zero([](const auto& A) { return cross(A[Role::B], A.AO); });
+      case 1: return is_zero([](const auto& A) { return A.AO; }, 1, [] { return std::string("AO"); });
+      case 2:
+        return is_zero([](const auto& A) { return cross(A[Role::B], A.AO); }, 2,
+                       [&] { return "(" + tell_.edge(Role::B) + "×AO)"; });
       case 3: return side_of_origin(Role::B, Role::C) == 0;
       default: return true;
     }
   }
+
+  /// Returns: of toward_origin(), in the letters of before the others were dropped.
+  std::string words_of_direction() const {
+    const std::string AB = tell_.edge(Role::B);
+    if (size() == 1) return "AO";
+    if (size() == 2) return AB + "×AO×" + AB;
+    return (side_of_origin(Role::B, Role::C) > 0 ? "" : "−") + tell_.normal(Role::B, Role::C);
+  }
+  /// Returns: of the polynomials that its components are.
+  int degree_of_direction() const { return size() == 2 ? 3 : size() == 3 ? 2 : 1; }
 
   template <class N>
   Triple<N> toward_origin() const {
@@ -316,11 +377,13 @@ class ExactSimplex {
   }
 
  private:
-  template <class VectorOf>
-  bool is_zero(const VectorOf& vector_of) const {
-    return sign([&](const auto& A) { return vector_of(A).x; }) == 0 &&
-           sign([&](const auto& A) { return vector_of(A).y; }) == 0 &&
-           sign([&](const auto& A) { return vector_of(A).z; }) == 0;
+  static constexpr bool tells = SecondTeller<S, Obs>::somebody_listens;
+
+  template <class VectorOf, class Name>
+  bool is_zero(const VectorOf& vector_of, int degree, const Name& name) const {
+    return sign([&](const auto& A) { return vector_of(A).x; }, degree, [&] { return SignWords{name() + ".x"}; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).y; }, degree, [&] { return SignWords{name() + ".y"}; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).z; }, degree, [&] { return SignWords{name() + ".z"}; }) == 0;
   }
 
   const FromA<Whole>& whole() const {
@@ -347,24 +410,33 @@ class ExactSimplex {
   }
 
   const ExactDifference<S>& difference_;
+  SecondTeller<S, Obs> tell_;
   IndexPairs vertices_;
   FromA<Bounded> bounded_;
   mutable std::optional<FromA<Whole>> whole_;
 };
 
 /// Looks for points of the difference along a direction that is known exactly: that from a simplex toward the origin.
-template <class S>
+template <class S, class Obs = const NobodyListens>
 class AlongDirection {
  public:
-  AlongDirection(const ExactDifference<S>& difference, const ExactSimplex<S>& from)
-      : difference_(difference), from_(from), bounded_(from.template toward_origin<Bounded>()) {
+  AlongDirection(const ExactDifference<S>& difference, const ExactSimplex<S, Obs>& from)
+      : difference_(difference),
+        from_(from),
+        bounded_(from.template toward_origin<Bounded>()),
+        power_(difference.powers(from.degree_of_direction()).bounded) {
     if (!is_precise(bounded_)) bounded_ = rounded(whole());
     aim();
+    from_.tell()([&] { return DirectionChosen<S>{.expression = from_.words_of_direction(), .direction = told()}; });
   }
 
   /// C3. Returns: the sign of w·d.
   int sign(IndexPair vertex) const {
-    return sign_along([&]<class N>() { return difference_.template w<N>(vertex); });
+    const auto w = [&]<class N>() { return difference_.template w<N>(vertex); };
+    const Bounded quick = dot(w.template operator()<Bounded>(), bounded_);
+    if (quick.has_certain_sign()) return tell(vertex, "w·d", quick), sign_of(quick);
+    const Whole exact = dot(w.template operator()<Whole>(), whole());
+    return tell(vertex, "w·d", quick, &exact), sign_of(exact);
   }
 
   /// Returns: w·d, and its error.
@@ -373,12 +445,19 @@ class AlongDirection {
   /// Returns: a point of the difference with w·d >= 0, not always the farthest; none where there is none.
   std::optional<IndexPair> vertex_across() const {
     const IndexPair found = near_farthest();
+    from_.tell()([&] { return SupportFound<S>{.direction = told(), .vertex = difference_.vertex(found)}; });
     const Bounded w_d = reach(found);
-    if (w_d.has_certain_sign() && w_d.value >= 0) return found;
-    const double most = std::scalbn(w_d.value + w_d.error, -exponent_ - difference_.exponent());
-    if (most < -(slack(difference_.a()) + slack(difference_.b()))) return std::nullopt;
+    if (w_d.has_certain_sign() && w_d.value >= 0) return tell(found, "w·d", w_d), found;
+    const int power = exponent_ + difference_.exponent();
+    const double most = std::scalbn(w_d.value + w_d.error, -power);
+    const double missed = slack(difference_.a()) + slack(difference_.b());
+    if (most < -missed)
+      return tell(found, "max w·d", {w_d.value, w_d.error + std::scalbn(missed, power)}), std::nullopt;
     const IndexPair farthest = farthest_beside(found);
-    return sign(farthest) >= 0 ? std::optional(farthest) : std::nullopt;
+    const Whole exact = dot(difference_.template w<Whole>(farthest), whole());
+    const Bounded most_reach = reach(farthest);
+    tell(farthest, "max w·d", {most_reach.value, most_reach.error + std::scalbn(missed, power)}, &exact);
+    return sign_of(exact) >= 0 ? std::optional(farthest) : std::nullopt;
   }
 
   /// Returns: a point of the difference nearer to the origin than all of the simplex, (w − A)·d > 0; none where there is none.
@@ -393,6 +472,20 @@ class AlongDirection {
   bool is_nearer(IndexPair vertex) const {
     const IndexPair A = from_.vertices()[from_.size() - 1];
     return sign_along([&]<class N>() { return difference_.template w<N>(vertex) - difference_.template w<N>(A); }) > 0;
+  }
+
+  void tell(IndexPair vertex, const char* name, const Bounded& w_d, const Whole* exact = nullptr) const {
+    if constexpr (SecondTeller<S, Obs>::somebody_listens)
+      from_.tell().sign([&] { return SignWords{name}; },
+                        {power_ + difference_.exponent(), difference_.powers(from_.degree_of_direction() + 1).whole},
+                        w_d, exact, difference_.vertex(vertex));
+  }
+
+  /// Returns: the direction that the support functions are asked in; undone what it was divided by, where that is exact.
+  Vec3<S> told() const {
+    const Vec3<S> own = rough_.unaryExpr([this](S x) { return std::scalbn(x, exponent_ - power_); });
+    const auto is_kept = [](S before, S after) { return before == 0 || std::isnormal(after); };
+    return is_kept(rough_.x(), own.x()) && is_kept(rough_.y(), own.y()) && is_kept(rough_.z(), own.z()) ? own : rough_;
   }
 
   /// C3. `vector_in`: a vector in either number.
@@ -421,9 +514,10 @@ class AlongDirection {
   }
 
   /// The highest 60 bits of the largest component, and of the others what is as high: d, times some power of two.
-  static Triple<Bounded> rounded(const Triple<Whole>& d) {
+  Triple<Bounded> rounded(const Triple<Whole>& d) {
     const auto bits = [](const Whole& x) { return x == 0 ? 0U : static_cast<unsigned>(msb(abs(x))) + 1; };
     const unsigned most = std::max({bits(d.x), bits(d.y), bits(d.z)}), cut = most > 60 ? most - 60 : 0;
+    power_ = difference_.powers(from_.degree_of_direction()).whole - static_cast<int>(cut);
     const auto number = [cut](const Whole& x) {
       const double size = static_cast<double>(static_cast<std::int64_t>(Whole(abs(x)) >> cut));
       return Bounded{x < 0 ? -size : size, 1 + 2 * roundoff * size};
@@ -488,8 +582,9 @@ class AlongDirection {
   }
 
   const ExactDifference<S>& difference_;
-  const ExactSimplex<S>& from_;
+  const ExactSimplex<S, Obs>& from_;
   Triple<Bounded> bounded_;
+  int power_;  // of two, with which bounded_ is multiplied
   mutable std::optional<Triple<Whole>> whole_;
   Vec3<S> rough_;       // d, times 2^-exponent_
   Vec3<double> doubt_;  // how far the components of rough_ may mislead, for coordinates of 1
@@ -498,21 +593,27 @@ class AlongDirection {
 
 /// Walks to the feature of the difference that is nearest to the origin, or into the origin. Each vertex that it adds brings
 /// it nearer (C4), each decision is exact (C3). `offered`: at least one vertex, to begin with; good ones save scans.
-template <class S>
-void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered, CertifiedResult& result) {
+template <class S, class Obs>
+void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered, Teller<Obs>& tell,
+                  CertifiedResult& result) {
   const ExactDifference<S> difference(a, b);
-  ExactSimplex<S> simplex(difference);
+  ExactSimplex<S, Obs> simplex(difference, SecondTeller<S, Obs>(tell));
   IndexPair next = offered[0];
   while (true) {
-    ++result.second_iterations;
+    tell.enter_iteration(result.iterations + ++result.second_iterations);
     simplex.add(next);
-    simplex.keep(nearest_with_A(simplex, simplex.size()));
-    if (simplex.contains_origin()) {
+    tell([&] { return VertexAdded<S>{.simplex = difference.simplex(simplex.vertices())}; });
+    const IndexPairs before = simplex.vertices();
+    const Order order = nearest_with_A(simplex, simplex.size());
+    simplex.keep(order);
+    const bool contains_origin = simplex.contains_origin();
+    tell([&] { return kept<S>(difference.simplex(before), order, contains_origin); });
+    if (contains_origin) {
       result.status = Status::intersecting;
       result.certificate = CommonSimplex{simplex.vertices()};
       return;
     }
-    const AlongDirection<S> along(difference, simplex);
+    const AlongDirection<S, Obs> along(difference, simplex);
     const auto is_nearer = [&](IndexPair p, IndexPair q) { return along.reach(p).value < along.reach(q).value; };
     next = *std::max_element(offered.begin(), offered.end(), is_nearer);
     if (along.sign(next) >= 0) continue;
@@ -538,39 +639,64 @@ void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
   for (int i = 0; i < simplex.size(); ++i) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
 }
 
+/// certified_collision(), to its end.
+template <class S, class Rules, class Obs>
+CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options, Obs& observer) {
+  Teller<Obs> tell(observer, options.crossing_test);
+  CertifiedResult result;
+  const Result<S> guess = collision<S, Rules>(a, b, options, observer);
+  result.iterations = guess.iterations;
+  tell.enter_iteration(guess.iterations);
+  if (guess.separation) {
+    const DirectionProof<S> proof(guess.separation->direction, guess.separation->support_value, a.extent(), b.extent());
+    tell([&] { return proof.told(); });
+    if (proof.holds()) {
+      result.status = Status::separated;
+      result.proof = Proof::direction;
+      result.certificate = SeparatingDirection{guess.separation->direction.template cast<double>()};
+      return result;
+    }
+  }
+  const Simplex<S>& simplex = guess.simplex;
+  if (simplex.size() == 4) {
+    const TetrahedronProof<S> proof(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w);
+    tell([&] { return proof.told(); });
+    if (proof.holds()) {
+      result.status = Status::intersecting;
+      result.proof = Proof::tetrahedron;
+      add_vertices(result.certificate.template emplace<CommonSimplex>().of, simplex);
+      return result;
+    }
+  } else if (!guess.separation) {
+    tell([] { return ProofTried<S>{.proof = Proof::tetrahedron}; });
+  }
+  IndexPairs found;
+  add_vertices(found, simplex);
+  if (found.size() == 0) found.add({});
+  search_again(a, b, found, tell, result);
+  return result;
+}
+
 }  // namespace detail
 
 /// Do the convex hulls of two sets of points have a point in common? Asked by collision() with any rules; what it finds is
 /// proven in S, and where that fails decided anew, exactly. No iteration limit, no tolerance; touching is intersecting.
 ///
+/// `observer`: is told the events of collision(), then the proofs, the second search and the end. Nothing is made for one that
+/// is not there.
 /// Requires: finite coordinates; any S but float and double would need its own bounds.
 /// Returns: the answer with its certificate. Never undecided.
 /// Errors: std::runtime_error where denormal numbers are flushed to zero or rounding is not to nearest.
-template <class S, class Rules = AsIntended>
-requires((std::same_as<S, float> || std::same_as<S, double>)&&detail::AsksTheDifference<Rules, S>) CertifiedResult
-    certified_collision(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options = {}) {
+template <class S, class Rules = AsIntended, class Obs = const NobodyListens>
+requires((std::same_as<S, float> ||
+          std::same_as<S, double>)&&detail::AsksTheDifference<Rules, S>&& CertifiedObserver<Obs, S>) CertifiedResult
+    certified_collision(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options = {},
+                        Obs&& observer = NobodyListens{}) {
   detail::expect_usual_arithmetic();
-  CertifiedResult result;
-  const Result<S> guess = collision<S, Rules>(a, b, options);
-  result.iterations = guess.iterations;
-  if (guess.separation &&
-      detail::proves(guess.separation->direction, guess.separation->support_value, a.extent(), b.extent())) {
-    result.status = Status::separated;
-    result.proof = Proof::direction;
-    result.certificate = SeparatingDirection{guess.separation->direction.template cast<double>()};
-    return result;
-  }
-  const Simplex<S>& simplex = guess.simplex;
-  if (simplex.size() == 4 && detail::enclose_origin(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w)) {
-    result.status = Status::intersecting;
-    result.proof = Proof::tetrahedron;
-    detail::add_vertices(result.certificate.template emplace<CommonSimplex>().of, simplex);
-    return result;
-  }
-  IndexPairs found;
-  detail::add_vertices(found, simplex);
-  if (found.size() == 0) found.add({});
-  detail::search_again(a, b, found, result);
+  const CertifiedResult result = detail::certify<S, Rules, std::remove_reference_t<Obs>>(a, b, options, observer);
+  detail::Teller<std::remove_reference_t<Obs>> tell(observer, options.crossing_test);
+  tell.enter_iteration(result.iterations + result.second_iterations);
+  tell([&] { return Certified<S>{.result = result}; });
   return result;
 }
 

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "result.hpp"
+#include "certificate.hpp"
 
 namespace gjk {
 
@@ -101,9 +101,67 @@ struct Finished {
   friend bool operator==(const Finished&, const Finished&) = default;
 };
 
+// -- Of certified_collision() (certified.hpp), after those of its first search ----------------------------------------
+//
+// Its second search also tells VertexAdded, SupportFound where it asks the support functions, and DirectionChosen; its
+// iterations count on from those of the first. Directions are rounded there, what is decided with them is not.
+
+/// A number that a proof rests on.
+struct ProofNumber {
+  std::string expression;  ///< "−w·d", "(C×B)·A"
+  double value = 0;
+  friend bool operator==(const ProofNumber&, const ProofNumber&) = default;
+};
+
+/// It was tried to prove what the first search had found in the numbers of that search (C1, C2 of certified.hpp). The proof
+/// holds where all numbers are larger than `bound`, or all are smaller than -bound; of a direction the one larger.
+template <class S>
+struct ProofTried {
+  int iteration = 0;
+  Proof proof = Proof::direction;
+  std::vector<ProofNumber> numbers = {};  ///< none where the proof needs what was not found, or other numbers than these
+  double bound = 0;                  ///< more than all that was rounded
+  bool holds = false;
+  friend bool operator==(const ProofTried&, const ProofTried&) = default;
+};
+
+/// The second search goes by the sign of a polynomial in the coordinates.
+template <class S>
+struct SignTaken {
+  int iteration = 0;
+  std::string expression;                ///< "AB·AO", "ABn·AO", "ABCn·AO", "(AB×AO).x"; "w·d", "max w·d"
+  std::string formula = {};              ///< "(AB·AO)(AB·AC) − (AC·AO)(AB·AB)", of ABn·AO; else empty
+  std::optional<Vertex<S>> vertex = {};  ///< w of w·d; of max w·d the one that reaches farthest, as far as is known
+  double value = 0, error = 0;           ///< the polynomial lies within `error` of `value`, ...
+  std::optional<int> power = {};  ///< ... both times two to this power, where they would be no doubles without it
+  std::string exact = {};         ///< the fraction that it is: "-1/1024"; empty where its sign was not in doubt
+  int sign = 0;                   ///< -1, 0 or 1
+  friend bool operator==(const SignTaken&, const SignTaken&) = default;
+};
+
+/// The feature of the simplex that is nearest to the origin.
+template <class S>
+struct FeatureKept {
+  int iteration = 0;
+  Simplex<S> before, after;
+  std::string kept;     ///< roles in `before`, oldest first: "CA"
+  std::string dropped;  ///< roles in `before`
+  bool contains_origin = false;
+  friend bool operator==(const FeatureKept&, const FeatureKept&) = default;
+};
+
+/// The proven answer.
+template <class S>
+struct Certified {
+  int iteration = 0;
+  CertifiedResult result;
+  friend bool operator==(const Certified&, const Certified&) = default;
+};
+
 template <class S>
 using Event = std::variant<SearchStarted<S>, SupportFound<S>, CrossingTested<S>, VertexAdded<S>, RegionTested<S>,
-                           SimplexReduced<S>, DirectionChosen<S>, Finished<S>>;
+                           SimplexReduced<S>, DirectionChosen<S>, Finished<S>, ProofTried<S>, SignTaken<S>,
+                           FeatureKept<S>, Certified<S>>;
 
 /// An observer is called with each event as it happens. Anything that takes an Event will do.
 template <class T, class S>
@@ -111,6 +169,11 @@ concept Observer = std::invocable<T&, SearchStarted<S>> && std::invocable<T&, Su
     std::invocable<T&, CrossingTested<S>> && std::invocable<T&, VertexAdded<S>> &&
     std::invocable<T&, RegionTested<S>> && std::invocable<T&, SimplexReduced<S>> &&
     std::invocable<T&, DirectionChosen<S>> && std::invocable<T&, Finished<S>>;
+
+/// That of certified_collision() is called with these, too.
+template <class T, class S>
+concept CertifiedObserver = Observer<T, S> && std::invocable<T&, ProofTried<S>> && std::invocable<T&, SignTaken<S>> &&
+    std::invocable<T&, FeatureKept<S>> && std::invocable<T&, Certified<S>>;
 
 /// The default observer. Events meant for it are never made.
 struct NobodyListens {

@@ -18,10 +18,10 @@ TEMPLATE_TEST_CASE("C1: w·d = -16u·s is no proof, the next number is one", "[c
   using V = Vec3<S>;
   const V d(-1, 2, -4), extent_a(1, 2, 3), extent_b(4, 5, 6);
   const S bound = static_cast<S>(-16 * u<S> * (5 + 14 + 36));
-  REQUIRE_FALSE(detail::proves<S>(d, bound, extent_a, extent_b));
-  REQUIRE(detail::proves<S>(d, below(bound), extent_a, extent_b));
-  REQUIRE_FALSE(detail::proves<S>(d, -bound, extent_a, extent_b));
-  REQUIRE_FALSE(detail::proves<S>(d, S(55), extent_a, extent_b));
+  REQUIRE_FALSE(detail::DirectionProof<S>(d, bound, extent_a, extent_b).holds());
+  REQUIRE(detail::DirectionProof<S>(d, below(bound), extent_a, extent_b).holds());
+  REQUIRE_FALSE(detail::DirectionProof<S>(d, -bound, extent_a, extent_b).holds());
+  REQUIRE_FALSE(detail::DirectionProof<S>(d, S(55), extent_a, extent_b).holds());
 }
 
 TEMPLATE_TEST_CASE("C1: of two points 16 digits apart the direction is no proof, of 17 it is", "[certified]", float,
@@ -50,7 +50,9 @@ TEMPLATE_TEST_CASE("C1: a far point of either set makes a direction no proof", "
 template <class S>
 bool proves_at(S reach, S d) {
   using V = Vec3<S>;
-  return detail::proves<S>(V(0, d, 0), static_cast<S>(-static_cast<double>(reach) * d / 4), V(0, reach, 0), V(9, 0, 9));
+  return detail::DirectionProof<S>(V(0, d, 0), static_cast<S>(-static_cast<double>(reach) * d / 4), V(0, reach, 0),
+                                   V(9, 0, 9))
+      .holds();
 }
 
 TEST_CASE("C1: s is neither so small that what underflows counts nor so large that something overflows",
@@ -70,11 +72,11 @@ TEMPLATE_TEST_CASE("C1: what is infinite or not a number proves nothing", "[cert
   using V = Vec3<S>;
   const S infinity = std::numeric_limits<S>::infinity(), nan = std::numeric_limits<S>::quiet_NaN();
   const V one(1, 1, 1);
-  REQUIRE(detail::proves<S>(one, -1, one, one));
-  REQUIRE_FALSE(detail::proves<S>(V(1, infinity, 1), -1, one, one));
-  REQUIRE_FALSE(detail::proves<S>(V(1, nan, 1), -1, one, one));
-  REQUIRE_FALSE(detail::proves<S>(one, nan, one, one));
-  REQUIRE_FALSE(detail::proves<S>(one, -1, V(1, 1, infinity), one));
+  REQUIRE(detail::DirectionProof<S>(one, -1, one, one).holds());
+  REQUIRE_FALSE(detail::DirectionProof<S>(V(1, infinity, 1), -1, one, one).holds());
+  REQUIRE_FALSE(detail::DirectionProof<S>(V(1, nan, 1), -1, one, one).holds());
+  REQUIRE_FALSE(detail::DirectionProof<S>(one, nan, one, one).holds());
+  REQUIRE_FALSE(detail::DirectionProof<S>(one, -1, V(1, 1, infinity), one).holds());
 }
 
 // -- C2 ---------------------------------------------------------------------------------------------------------------
@@ -88,7 +90,8 @@ bool enclose(const Corners<S>& corners) {
   std::array<std::size_t, 4> order{0, 1, 2, 3};
   int yes = 0;
   do {
-    yes += detail::enclose_origin<S>(corners[order[0]], corners[order[1]], corners[order[2]], corners[order[3]]);
+    yes +=
+        detail::TetrahedronProof<S>(corners[order[0]], corners[order[1]], corners[order[2]], corners[order[3]]).holds();
   } while (std::next_permutation(order.begin(), order.end()));
   REQUIRE((yes == 0 || yes == 24));
   return yes == 24;

@@ -128,6 +128,7 @@ class Replay {
     direction_ = e.direction;
   }
 
+  void operator()(const auto&) {}  // of certified_collision()
   void operator()(const Finished<S>& e) {
     // Without the crossing test the rules may take a simplex on the near side for one that contains the origin; the run
     // ends there all the same, but separated.

@@ -1,0 +1,121 @@
+/// What the second search of certified_collision() tells, in which words. Nothing here decides anything.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bounded.hpp"
+#include "telling.hpp"
+
+namespace gjk::detail {
+
+/// Whole numbers of any length; those of ordinary coordinates fit 512 bits and need no heap.
+using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
+
+/// A polynomial as it is called.
+struct SignWords {
+  std::string expression, formula = {};
+};
+
+/// Of which power of two times themselves numbers were computed.
+struct Powers {
+  int bounded = 0;  ///< doubles that know their error
+  int whole = 0;    ///< whole numbers
+};
+
+/// Returns: x times 2^power, reduced: "-3/1024", "12".
+inline std::string fraction_text(Whole x, int power) {
+  if (x == 0) return "0";
+  if (power >= 0) return Whole(x << static_cast<unsigned>(power)).str();
+  const int common = std::min(static_cast<int>(lsb(Whole(abs(x)))), -power);
+  x /= Whole(1) << static_cast<unsigned>(common);
+  if (common == -power) return x.str();
+  return x.str() + "/" + Whole(Whole(1) << static_cast<unsigned>(-power - common)).str();
+}
+
+template <class S>
+FeatureKept<S> kept(const Simplex<S>& before, const Order& order, bool contains_origin) {
+  FeatureKept<S> event{
+      .before = before, .after = before.only(order), .kept = {}, .dropped = {}, .contains_origin = contains_origin};
+  for (const Role role : order) event.kept += letter(role);
+  for (int i = before.size(); i-- > 0;)
+    if (const char name = letter(static_cast<Role>(i)); event.kept.find(name) == std::string::npos)
+      event.dropped += name;
+  return event;
+}
+
+/// Tells what a second search does; each sign once a simplex, however often it is asked for.
+template <class S, class Obs = const NobodyListens>
+class SecondTeller {
+ public:
+  static constexpr bool somebody_listens = Teller<Obs>::somebody_listens;
+
+  SecondTeller() requires(!somebody_listens) = default;
+  explicit SecondTeller(Teller<Obs>& tell) : tell_(&tell) {}
+
+  template <class MakeEvent>
+  void operator()(MakeEvent&& make) const {
+    if constexpr (somebody_listens) (*tell_)(std::forward<MakeEvent>(make));
+  }
+
+  /// Makes the letters those of a new simplex.
+  void name_anew() {
+    letters_ = {'A', 'B', 'C', 'D'};
+    told_.clear();
+  }
+  /// Roles change with what is kept, letters do not until the next vertex comes.
+  void keep(const Order& order) {
+    const std::array<char, 4> before = letters_;
+    std::size_t i = static_cast<std::size_t>(order.end() - order.begin());
+    for (const Role role : order) letters_[--i] = before[static_cast<std::size_t>(role)];
+  }
+  /// "AX".
+  std::string edge(Role X) const { return {letter_of(Role::A), letter_of(X)}; }
+  /// "AXYn".
+  std::string normal(Role X, Role Y) const { return edge(X) + letter_of(Y) + 'n'; }
+
+  /// `exact`: where the sign was in doubt.
+  template <class Words>
+  void sign(const Words& words, const Powers& powers, const Bounded& value, const Whole* exact,
+            const std::optional<Vertex<S>>& vertex = {}) const {
+    if constexpr (somebody_listens) {
+      const SignWords told = words();
+      const std::string name = told.expression + told.formula;
+      if (!vertex && std::find(told_.begin(), told_.end(), name) != told_.end()) return;
+      told_.push_back(name);
+      (*tell_)([&] {
+        SignTaken<S> event{.expression = told.expression, .formula = told.formula, .vertex = vertex};
+        write(value, powers.bounded, event);
+        if (exact) event.exact = fraction_text(*exact, -powers.whole);
+        event.sign = exact ? exact->sign() : sign_of(value);
+        return event;
+      });
+    }
+  }
+
+ private:
+  char letter_of(Role role) const { return letters_[static_cast<std::size_t>(role)]; }
+
+  /// Divides by the power of two, unless that would lose digits.
+  static void write(const Bounded& x, int power, SignTaken<S>& event) {
+    const Bounded own{std::scalbn(x.value, -power), std::scalbn(x.error, -power)};
+    const auto is_kept = [](double before, double after) { return before == 0 || std::isnormal(after); };
+    const bool is_exact = is_kept(x.value, own.value) && is_kept(x.error, own.error);
+    event.value = (is_exact ? own.value : x.value) + 0.0;  // no −0
+    event.error = is_exact ? own.error : x.error;
+    if (!is_exact) event.power = power;
+  }
+
+  Teller<Obs>* tell_ = nullptr;
+  std::array<char, 4> letters_{'A', 'B', 'C', 'D'};  // by role
+  mutable std::vector<std::string> told_;
+};
+
+}  // namespace gjk::detail
