@@ -66,6 +66,11 @@ const std::vector<Picture>& pictures() {
       {"complete/cycle-separated", 12, "report", around, left_out, "an edge that leads away from it"},
       {"complete/cycle-separated", 15, "report", around, left_out, "the foot of the origin on an edge"},
       {"complete/cycle-separated", 33, "report", around, left_out, "a region that alone does not decide"},
+      // Proofs
+      {"certified/tetrahedron", 23, "report", around, left_out, "four numbers beside the bound of what was rounded"},
+      {"certified/one-step-apart", 28, "report", around, left_out, "a sign in doubt: computed and exact, to scale"},
+      {"certified/cycle-separated", 13, "report", around, left_out, "the feature kept by a second search, from below"},
+      {"certified/cycle-separated", 16, "report", around, left_out, "the gap that a second search ends with"},
   };
   return all;
 }

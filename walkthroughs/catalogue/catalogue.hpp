@@ -46,5 +46,6 @@ std::vector<Walkthrough> complete_rules();
 Walkthrough as_printed_spheres();
 Walkthrough eager_between_centers();
 std::vector<Walkthrough> failures();
+std::vector<Walkthrough> certified_answers();
 
 }  // namespace walkthroughs

@@ -18,7 +18,7 @@
 namespace walkthroughs {
 
 /// What a text or a whole number says, where its type does not tell.
-enum class Meaning { plain, sentence, simplex_size, iterations, position };
+enum class Meaning { plain, sentence, simplex_size, iterations, position, sign, power };
 
 /// One field of a record R.
 template <class R, class T>
@@ -164,6 +164,57 @@ struct FieldsOf<gjk::Finished<S>> {
   static constexpr std::tuple list{Inlined(&R::result)};
 };
 
+template <>
+struct FieldsOf<gjk::ProofNumber> {
+  using R = gjk::ProofNumber;
+  static constexpr std::tuple list{Field("expression", &R::expression), Field("value", &R::value)};
+};
+
+template <class S>
+struct FieldsOf<gjk::ProofTried<S>> {
+  using R = gjk::ProofTried<S>;
+  static constexpr std::string_view event = "proof-tried";
+  static constexpr std::tuple list{Field("proof", &R::proof), Field("numbers", &R::numbers), Field("bound", &R::bound),
+                                   Field("holds", &R::holds)};
+};
+
+template <class S>
+struct FieldsOf<gjk::SignTaken<S>> {
+  using R = gjk::SignTaken<S>;
+  static constexpr std::string_view event = "sign-taken";
+  static constexpr std::tuple list{Field("expression", &R::expression),
+                                   Field("formula", &R::formula).where_not_empty(),
+                                   Field("vertex", &R::vertex).where_not_empty(),
+                                   Field("value", &R::value),
+                                   Field("error", &R::error),
+                                   Field("power", &R::power, Meaning::power).where_not_empty(),
+                                   Field("exact", &R::exact).where_not_empty(),
+                                   Field("sign", &R::sign, Meaning::sign)};
+};
+
+template <class S>
+struct FieldsOf<gjk::FeatureKept<S>> {
+  using R = gjk::FeatureKept<S>;
+  static constexpr std::string_view event = "feature-kept";
+  static constexpr std::tuple list{Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
+                                   Field("dropped", &R::dropped), Field("contains_origin", &R::contains_origin)};
+};
+
+template <>
+struct FieldsOf<gjk::CertifiedResult> {
+  using R = gjk::CertifiedResult;
+  static constexpr std::tuple list{Field("status", &R::status), Field("certificate", &R::certificate),
+                                   Field("proof", &R::proof), Field("iterations", &R::iterations, Meaning::iterations),
+                                   Field("second_iterations", &R::second_iterations, Meaning::iterations)};
+};
+
+template <class S>
+struct FieldsOf<gjk::Certified<S>> {
+  using R = gjk::Certified<S>;
+  static constexpr std::string_view event = "certified";
+  static constexpr std::tuple list{Inlined(&R::result)};
+};
+
 // -- Visiting them ----------------------------------------------------------------------------------------------------
 
 /// Calls visit(field, value) for each field of `record`, in order; for those of an inlined record in its place.
@@ -186,10 +237,12 @@ bool is_empty(const T& value) {
     return value.empty();
   else if constexpr (requires { value.has_value(); })
     return !value.has_value();
-  else if constexpr (requires { std::get_if<std::monostate>(&value); })
-    return std::holds_alternative<std::monostate>(value);
   else
     return false;
+}
+template <class... Other>
+bool is_empty(const std::variant<std::monostate, Other...>& value) {
+  return value.index() == 0;
 }
 
 // -- Events -----------------------------------------------------------------------------------------------------------

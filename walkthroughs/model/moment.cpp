@@ -7,8 +7,9 @@ namespace walkthroughs {
 namespace {
 
 /// One overload for each event.
-struct Replay {
-  Moment& now;
+class Replay {
+ public:
+  explicit Replay(Moment& now) : now(now) {}
 
   void operator()(const gjk::SearchStarted<double>& event) {
     now.direction = {.expression = "", .value = event.direction, .from = {}};
@@ -24,6 +25,7 @@ struct Replay {
   }
   void operator()(const gjk::CrossingTested<double>& event) { now.crossing = event; }
   void operator()(const gjk::VertexAdded<double>& event) {
+    if (now.proof) begin_second_iteration(event);
     now.added = true;
     now.before = now.processed;
     now.simplex = now.processed = event.simplex;
@@ -40,14 +42,45 @@ struct Replay {
     now.found.reset();
   }
   void operator()(const gjk::Finished<double>& event) { now.result = event.result; }
+  void operator()(const gjk::ProofTried<double>& event) { now.proof = event; }
+  void operator()(const gjk::SignTaken<double>& event) { now.signs.push_back(event); }
+  void operator()(const gjk::FeatureKept<double>& event) {
+    now.kept = event;
+    now.simplex = event.after;
+  }
+  void operator()(const gjk::Certified<double>& event) { now.certified = event.result; }
+
+ private:
+  Moment& now;
+
+  /// Nothing is left of the first search but where it has been.
+  void begin_second_iteration(const gjk::VertexAdded<double>& event) {
+    if (now.result) now.guess = now.result->status;
+    now.is_second_search = true;
+    now.iteration = event.iteration;
+    now.result.reset();
+    now.crossing.reset();
+    now.regions.clear();
+    now.reduction.reset();
+    now.signs.clear();
+    now.kept.reset();
+    const Point& w = event.simplex.point(gjk::Role::A);
+    if (now.found && now.found->w != w) now.found.reset();
+    if (std::ranges::count(now.known, w) == 0) now.known.push_back(w);
+  }
 };
 
 }  // namespace
 
 Moment replay(const Trace& trace, std::size_t count) {
   Moment now;
-  for (std::size_t i = 0; i < count; ++i) std::visit(Replay{now}, trace.events[i]);
+  for (std::size_t i = 0; i < count; ++i) std::visit(Replay(now), trace.events[i]);
   return now;
+}
+
+gjk::Status answer_of(const Trace& trace) {
+  if (const auto* end = std::get_if<gjk::Certified<double>>(&trace.events.back())) return end->result.status;
+  return std::get<gjk::Finished<double>>(trace.events.back()).result.status;
 }
 
 }  // namespace walkthroughs

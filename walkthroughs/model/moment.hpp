@@ -34,10 +34,20 @@ struct Moment {
   std::vector<gjk::RegionTested<double>> regions;        ///< of this iteration so far, the skipped ones included
   std::optional<gjk::SimplexReduced<double>> reduction;  ///< of this iteration
   std::optional<gjk::Result<double>> result;
+  // Of a search whose answer is proven.
+  std::optional<gjk::ProofTried<double>> proof;  ///< the last that was tried
+  bool is_second_search = false;                 ///< which follows where none holds; `result` is empty again then
+  std::optional<gjk::Status> guess;              ///< what the first search had found, once the second has begun
+  std::vector<gjk::SignTaken<double>> signs;     ///< of this iteration of the second search
+  std::optional<gjk::FeatureKept<double>> kept;  ///< of that iteration
+  std::optional<gjk::CertifiedResult> certified;
   double scale = 1;  ///< of its points, where they are drawn in a unit of their own; its numbers stay the trace's
 };
 
 /// Returns: the moment after the first `count` events. Requires: count <= trace.events.size().
 Moment replay(const Trace& trace, std::size_t count);
+
+/// Returns: the answer with which a complete trace ends, the proven one where there is one.
+gjk::Status answer_of(const Trace& trace);
 
 }  // namespace walkthroughs

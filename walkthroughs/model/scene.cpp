@@ -5,14 +5,15 @@
 #include <stdexcept>
 
 #include "core/gjk.hpp"
-#include "core/rule_sets.hpp"
 #include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/model/number_text.hpp"
+#include "walkthroughs/model/run_certified.hpp"
+#include "walkthroughs/model/types_of_scene.hpp"
 #include "walkthroughs/model/widened.hpp"
 
 namespace walkthroughs {
 
-bool Object::is_at_rest() const {
+bool is_at_rest(const Pose& pose) {
   const Pose rest;
   return std::memcmp(pose.rotation.data(), rest.rotation.data(), sizeof(double[9])) == 0 &&
          std::memcmp(pose.translation.data(), rest.translation.data(), sizeof(double[3])) == 0;
@@ -23,7 +24,7 @@ AskedObject<S>::AskedObject(const Object& object)
     : object_(object),
       form_(converted<S>(object.form, Cast<S>{})),
       pose_{object.pose.rotation.cast<S>(), object.pose.translation.cast<S>()},
-      is_at_rest_(object.is_at_rest()) {}
+      is_at_rest_(walkthroughs::is_at_rest(object.pose)) {}
 
 template <class S>
 gjk::SupportPoint<S> AskedObject<S>::support(const gjk::Vec3<S>& d) const {
@@ -46,7 +47,7 @@ std::vector<Point> vertices_of(const Object& object) {
 
 Point center_of(const Object& object) {
   const Point own = middle<double>(object.form);
-  return object.is_at_rest() ? own : object.pose(own);
+  return is_at_rest(object.pose) ? own : object.pose(own);
 }
 
 Scene from_center_to_center(Scene scene) {
@@ -89,18 +90,6 @@ void round_to_float(Object& object) {
   object.pose.translation = nearest_float(object.pose.translation);
 }
 
-/// The one place where what a scene says becomes template arguments: calls run<S, Rules>().
-template <class Run>
-void with_types_of(const Scene& scene, Run&& run) {
-  const auto in = [&]<class S>(S) {
-    gjk::with_rules(scene.rules, scene.zero_test, [&]<class Rules>() { run.template operator()<S, Rules>(); });
-  };
-  switch (scene.scalar) {
-    case Scalar::binary64: return in(double{});
-    case Scalar::binary32: return in(float{});
-  }
-}
-
 }  // namespace
 
 Scene in_float(Scene scene) {
@@ -114,14 +103,24 @@ Scene in_float(Scene scene) {
   return scene;
 }
 
+std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const Pose& pose) {
+  if (!std::holds_alternative<Points>(form))
+    return ObjectionToProof{std::string(key_of(form)),
+                            "a " + kind_of(form, Dimension::space) +
+                                " cannot be certified, because its points are computed, and so rounded; give points"};
+  if (pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero())
+    return ObjectionToProof{"pose",
+                            "an object that its pose moves cannot be certified, because its points are rounded then; "
+                            "give the points where they are"};
+  return std::nullopt;
+}
+
 Trace run(const Scene& scene) {
+  if (scene.certified) return run_certified(scene);
   Trace trace;
   with_types_of(scene, [&]<class S, class Rules>() {
-    const gjk::Options<S> options{.first_direction = scene.options.first_direction.cast<S>(),
-                                  .iteration_limit = scene.options.iteration_limit,
-                                  .crossing_test = scene.options.crossing_test};
     const auto tell = [&](const auto& event) { trace(widened(event)); };
-    gjk::collision<S, Rules>(AskedObject<S>(scene.a), AskedObject<S>(scene.b), options, tell);
+    gjk::collision<S, Rules>(AskedObject<S>(scene.a), AskedObject<S>(scene.b), options_in<S>(scene), tell);
   });
   return trace;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,14 @@ namespace walkthroughs {
 using Point = gjk::Vec3<double>;
 using Pose = gjk::Pose<double>;
 
+/// Returns: whether the pose leaves everything where it is. The sign of zero counts: it decides that of the points found.
+bool is_at_rest(const Pose& pose);
+
 /// A convex object of a scene.
 struct Object {
   std::string name;  ///< as a caption calls it: "triangle"
   AnyShape form;
   Pose pose = {};
-
-  /// Returns: whether the pose leaves everything where it is. The sign of zero counts: it decides that of the points found.
-  bool is_at_rest() const;
 
   mutable std::size_t support_calls = 0;  ///< so that a test can see who asks
 };
@@ -68,6 +69,7 @@ struct Scene {
   RuleSet rules = RuleSet::as_intended;
   ZeroTest zero_test = ZeroTest::exact;
   Scalar scalar = Scalar::binary64;  ///< binary32: every number of the scene is a float, see in_float()
+  bool certified = false;  ///< proven, and where that fails decided by a second search; by certified_collision()
 };
 
 /// Returns: the scene with every number rounded to the nearest float, to be searched in float. So the objects that are
@@ -77,6 +79,13 @@ Scene in_float(Scene scene);
 
 /// Returns: the scene with the first direction from the center of a to that of b; with the usual one where there is none.
 Scene from_center_to_center(Scene scene);
+
+/// Why no answer about an object can be proven, and which key of it says so.
+struct ObjectionToProof {
+  std::string key, why;
+};
+/// Returns: nothing where it can be: of points that no pose moves.
+std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const Pose& pose);
 
 using Trace = gjk::Trace<double>;
 

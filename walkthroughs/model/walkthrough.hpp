@@ -90,6 +90,7 @@ struct Walkthrough {
   std::optional<CloseUp> close_up = {};                            ///< Layout::close_ups only
   std::function<std::vector<Diagram>()> diagrams = {};             ///< Layout::diagrams only
   std::optional<RegionCase> region_case = {};                      ///< walkthroughs regions/… only
+  bool begins_with_the_guess = false;  ///< certified/…: the first search is told elsewhere
 };
 
 /// Returns: the remarks of a walkthrough, and those that its findings make. Requires: the traces of its scenes.

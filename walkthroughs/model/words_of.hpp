@@ -35,6 +35,7 @@ inline constexpr std::array<std::string_view, 5> relation{"> 0", "< 0", "= 0", "
 inline constexpr std::array<std::string_view, 4> verdict{"chosen", "rejected", "skipped", "possible"};
 inline constexpr auto status = as_core_says<gjk::Status, 3>();
 inline constexpr auto reason = as_core_says<gjk::Reason, 6>();
+inline constexpr auto proof = as_core_says<gjk::Proof, 3>();
 
 // All words of a type, for readers and writers of fields of any type.
 constexpr const auto& all(gjk::Crossing) { return crossing; }
@@ -42,6 +43,7 @@ constexpr const auto& all(gjk::Relation) { return relation; }
 constexpr const auto& all(gjk::Verdict) { return verdict; }
 constexpr const auto& all(gjk::Status) { return status; }
 constexpr const auto& all(gjk::Reason) { return reason; }
+constexpr const auto& all(gjk::Proof) { return proof; }
 
 /// Returns: the word for an enumerator.
 template <std::size_t count, class E>

@@ -19,7 +19,7 @@ struct Group {
 };
 
 /// As the report goes; a walkthrough belongs to the first whose prefix its name has, and what has none is the user's own.
-constexpr std::array<Group, 12> groups{{{"figure-", "Figures of the report"},
+constexpr std::array<Group, 13> groups{{{"figure-", "Figures of the report"},
                                         {"regions/0-simplex", "Regions of a 0-simplex, a vertex"},
                                         {"regions/1-simplex", "Regions of a 1-simplex, a segment"},
                                         {"regions/2-simplex", "Regions of a 2-simplex, a triangle"},
@@ -29,6 +29,7 @@ constexpr std::array<Group, 12> groups{{{"figure-", "Figures of the report"},
                                         {"as-printed-", "Where it goes wrong"},
                                         {"failures/", "Where it goes wrong"},
                                         {"complete/", "Where it goes wrong"},
+                                        {"certified/", "Answers that are proven"},
                                         {"eager-", "A shortcut of ours"},
                                         {"", "Scenes of your own"}}};
 
@@ -38,11 +39,10 @@ std::string_view group_of(const IndexEntry& entry) {
 
 std::string answers(const Story& story) {
   std::string all;
-  for (const Telling& telling : story.tellings)
-    if (const auto* end = std::get_if<gjk::Finished<double>>(&telling.trace.events.back())) {
-      const std::string answer(to_string(end->result.status));
-      if (all.find(answer) == std::string::npos) all += (all.empty() ? "" : ", ") + answer;
-    }
+  for (const Telling& telling : story.tellings) {
+    const std::string answer(to_string(answer_of(telling.trace)));
+    if (all.find(answer) == std::string::npos) all += (all.empty() ? "" : ", ") + answer;
+  }
   return all;
 }
 

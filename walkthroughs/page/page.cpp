@@ -114,8 +114,12 @@ std::string step(const Story& story, const PagePictures& pictures, std::size_t i
 std::string kind_of(Focus focus) {
   switch (focus) {
     case Focus::crossing:
+    case Focus::proof:
+    case Focus::sign:
+    case Focus::kept:
     case Focus::region: return "decision";
     case Focus::parting: return "parting";
+    case Focus::proven:
     case Focus::end: return "end";
     default: return "";
   }

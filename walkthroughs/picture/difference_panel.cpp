@@ -27,8 +27,10 @@ KeyEntry key_beyond(const Shown& shown) {
 
 /// Of the view in space beside the plane pictures of a decision.
 std::vector<KeyEntry> key_beside(const Shown& shown) {
-  if (shown.focus == Focus::crossing || shown.now.processed.size() < 3) return {key_of_newest(shown.style)};
-  return key_of_origin(decision_views(shown.now, shown.focus), shown.style);
+  const std::vector<DecisionView> views = decision_views(shown.now, shown.focus);
+  if (shown.focus == Focus::crossing || views.empty() || shown.now.processed.size() < 3)
+    return {key_of_newest(shown.style)};
+  return key_of_origin(views, shown.style);
 }
 
 Stroke solid(Stroke stroke) {
@@ -151,10 +153,15 @@ class DifferencePicture {
   }
 
   void dropped() {
-    if (!now_.reduction) return;  // of two scenes side by side, only the other one drops
-    for (const char letter : now_.reduction->dropped) {
+    if (now_.reduction) dropped(now_.reduction->dropped, now_.reduction->before);
+    if (now_.kept) dropped(now_.kept->dropped, now_.kept->before);
+  }
+
+  /// `letters`: of roles in `before`.
+  void dropped(const std::string& letters, const Simplex& before) {
+    for (const char letter : letters) {
       const auto role = static_cast<gjk::Role>(letter - 'A');
-      const Vec2 at = pencil_.at(now_.reduction->before.point(role));
+      const Vec2 at = pencil_.at(before.point(role));
       pencil_.cross(at, 11);
       if (shown_.telling.hull.corners.empty())
         panel_.label(at, at - center_, shown_.names.of(role), style_.label(style_.theme.grey));
@@ -319,6 +326,12 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
 
 }  // namespace
 
+/// Whether the search has ended in front of the origin.
+bool shows_gap(const Moment& now) {
+  if (now.certified && now.is_second_search) return now.certified->status == gjk::Status::separated;
+  return now.result && now.result->separation;
+}
+
 int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Focus focus = shown.focus;
@@ -337,7 +350,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   DifferencePicture picture(panel, shown);
   picture.set();
   picture.triad(canvas, place.frame);  // behind the search, which it must not hide
-  const bool separated = shown.now.result && shown.now.result->separation;
+  const bool separated = shows_gap(shown.now);
   const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
   if (focus == Focus::region) picture.regions();
   if (shown.now.found && searching) picture.beyond_found();
@@ -346,7 +359,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
     picture.direction();
   if (focus == Focus::crossing) picture.crossing();
   picture.vertices();
-  if (focus == Focus::reduction) picture.dropped();
+  if (focus == Focus::reduction || focus == Focus::kept) picture.dropped();
   if (focus == Focus::repetition) picture.repetition();
   picture.origin();
   picture.names();

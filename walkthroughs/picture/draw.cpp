@@ -9,6 +9,7 @@
 #include "walkthroughs/picture/decision_panel.hpp"
 #include "walkthroughs/picture/difference_panel.hpp"
 #include "walkthroughs/picture/footer.hpp"
+#include "walkthroughs/picture/number_line_panel.hpp"
 #include "walkthroughs/picture/objects_panel.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/storyboard.hpp"
@@ -122,6 +123,14 @@ View view_of_difference(const Shown& what, const Box& room) {
                                  : fit(bounds_of_difference(what.telling, what.stage, what.lens), room);
 }
 
+/// The difference beside the picture of a decision, small.
+int draw_beside(Canvas& canvas, const Box& frame, const Shown& what) {
+  Shown beside = what;
+  beside.regions_beside = true;
+  const View view = view_of_difference(what, below_title(frame).grown(-decision_margin));
+  return draw_difference(canvas, {frame, "a − b", view}, beside);
+}
+
 /// The view in space beside the plane pictures of its decision, which are what to look at first. At the end the objects
 /// stand there: the gap that is seen in the plane is a gap between them.
 int draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vector<DecisionView>& views,
@@ -132,12 +141,7 @@ int draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vect
     return draw_objects(canvas, {*boxes.objects, "", objects}, what) +
            draw_decision(canvas, boxes.difference, views, what);
   }
-  Shown in_space = what;
-  in_space.regions_beside = true;
-  const Box &left = *boxes.objects, room = below_title(left).grown(-decision_margin);
-  const View view = view_of_difference(what, room);
-  return draw_difference(canvas, {left, "a − b", view}, in_space) +
-         draw_decision(canvas, boxes.difference, views, what);
+  return draw_beside(canvas, *boxes.objects, what) + draw_decision(canvas, boxes.difference, views, what);
 }
 
 int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
@@ -147,7 +151,15 @@ int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, dou
   const Shown what = scene.shown(lens, look);
   const std::vector<DecisionView> views =
       shows_decision(story) ? decision_views(what.now, what.focus) : std::vector<DecisionView>{};
-  const Columns boxes = columns(telling.panels, top, !views.empty());
+  const std::optional<NumberLine> line =
+      telling.panels.decision ? number_line(what.now, what.focus, what.names) : std::nullopt;
+  const Columns boxes = columns(telling.panels, top, !views.empty() || line);
+  if (line) {
+    const int crowded =
+        draw_beside(canvas, *boxes.objects, what) + draw_number_line(canvas, boxes.difference, *line, what);
+    if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);
+    return crowded;
+  }
   if (!views.empty()) {
     const int crowded = draw_decision_in_space(canvas, boxes, views, what);
     if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);

@@ -81,6 +81,10 @@ struct PlacedEvent {
     event.before = simplex(event.before);
     event.after = simplex(event.after);
   }
+  void operator()(gjk::FeatureKept<double>& event) const {
+    event.before = simplex(event.before);
+    event.after = simplex(event.after);
+  }
   void operator()(auto&) const {}
 };
 

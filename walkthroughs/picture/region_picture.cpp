@@ -126,7 +126,8 @@ class RegionPicture {
     const bool neither = now && now->verdict == Verdict::rejected && now->feature == std::string("A") + P;
     draw({beyond(Q), areas[6], find(face, std::string("A") + Q)});
     draw({beyond(P), areas[2], find(face, std::string("A") + P)});
-    draw({"above " + shown_.names.sorted(face), areas[0], neither ? find("", face) : nullptr});
+    const std::string above = shown_.now.is_second_search ? "" : "above ";  // which may lie below
+    draw({above + shown_.names.sorted(face), areas[0], neither ? find("", face) : nullptr});
     foot_of_origin();
   }
 

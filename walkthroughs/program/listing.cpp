@@ -38,8 +38,7 @@ using Row = std::array<std::string, 5>;
 std::string how_it_ends(const Story& story) {
   std::string ends;
   for (const Telling& telling : story.tellings)
-    if (const auto* end = std::get_if<gjk::Finished<double>>(&telling.trace.events.back()))
-      ends += (ends.empty() ? "" : ", ") + std::string(to_string(end->result.status));
+    ends += (ends.empty() ? "" : ", ") + std::string(to_string(answer_of(telling.trace)));
   return ends.empty() ? "-" : ends;
 }
 

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "core/certified.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/query/query_certificate.hpp"
 #include "walkthroughs/text/document.hpp"
 
@@ -11,26 +12,15 @@ namespace {
 
 using reading::ObjectAsWritten;
 
-bool moves(const Pose& pose) {
-  return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
-}
-
 /// `key`: of the object in its line. Errors: DocumentError.
 template <class S>
 gjk::PointSet<S> certifiable_set(const ObjectAsWritten& object, const std::string& key) {
-  const auto* const points = std::get_if<Points>(&object.form);
-  if (!points)
-    throw DocumentError(1, key + "." + std::string(key_of(object.form)),
-                        "a " + kind_of(object.form, Dimension::space) +
-                            " cannot be certified, because its points are computed, and so rounded; give points, or "
-                            "leave out --certified");
-  if (object.pose && moves(*object.pose))
-    throw DocumentError(1, key + ".pose",
-                        "an object that its pose moves cannot be certified, because its points are rounded then; give "
-                        "the points where they are, or leave out --certified");
+  if (const auto objection = objection_to_proof(object.form, object.pose.value_or(Pose{})))
+    throw DocumentError(1, key + "." + objection->key, objection->why + ", or leave out --certified");
+  const Points& points = std::get<Points>(object.form);
   std::vector<gjk::Vec3<S>> list;
-  list.reserve(points->size());
-  for (const Point& p : *points) list.push_back(Cast<S>{}.point(p));
+  list.reserve(points.size());
+  for (const Point& p : points) list.push_back(Cast<S>{}.point(p));
   return gjk::PointSet<S>(std::move(list));
 }
 

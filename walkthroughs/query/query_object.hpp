@@ -7,11 +7,12 @@
 
 #include "core/shapes.hpp"
 #include "walkthroughs/model/exact_number.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/scene_object.hpp"
 
 namespace walkthroughs {
 
-/// A shape of core/: a form and, where one is given, its pose.
+/// A shape of core/: a form and, where one moves it, its pose.
 template <class S>
 class QueryObject {
  public:
@@ -63,7 +64,7 @@ gjk::Pose<S> pose_in(const Pose& pose) {
 template <class S>
 QueryObject<S> query_object(reading::ObjectAsWritten&& object) {
   std::optional<gjk::Pose<S>> pose;
-  if (object.pose) pose = pose_in<S>(*object.pose);
+  if (object.pose && !is_at_rest(*object.pose)) pose = pose_in<S>(*object.pose);
   return {asked_form<S>(std::move(object.form)), std::move(pose)};
 }
 

@@ -44,7 +44,7 @@ PairAsWritten read_pair(std::string_view line, const QueryOptions& query) {
 
 Point center_of(const ObjectAsWritten& object) {
   const Point own = middle<double>(object.form);
-  return object.pose ? (*object.pose)(own) : own;
+  return object.pose && !is_at_rest(*object.pose) ? (*object.pose)(own) : own;
 }
 
 }  // namespace walkthroughs

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "walkthroughs/story/decision.hpp"
+#include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -79,6 +80,9 @@ std::string description(const Story& story, std::size_t index) {
     append((several ? "Of the two, " + story.tellings[s].scene.name + ": " : "") +
            described(story.tellings[s], story.names(index, s), frame.moments[s]));
   }
+  if (story.walkthrough.panels.decision && frame.moments.size() == 1)
+    if (const auto line = number_line(frame.moments[0], frame.focus, story.names(index, 0)))
+      append(plain(in_words(*line)));
   if (shows_decision(story))
     for (const DecisionView& view : decision_views(frame.moments[0], frame.focus))
       append(plain(in_words(view, frame.moments[0], story.names(index, 0))));

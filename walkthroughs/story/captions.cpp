@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "walkthroughs/story/captions_of_proof.hpp"
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -70,6 +71,7 @@ class Captions {
                    {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
                                     " = " + vec(event.vertex.w)}};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
+    if (now_.is_second_search) frame.facts.push_back({Mark::none, "no vertex of the first search reaches across"});
     return frame;
   }
 
@@ -102,6 +104,7 @@ class Captions {
 
   /// Corners keep their names, so there is nothing to tell; roles move on.
   std::optional<Frame> operator()(const gjk::VertexAdded<double>& event) const {
+    if (now_.is_second_search && event.simplex.size() == 1) return second_start();
     if (walkthrough_.naming == Naming::corners || event.simplex.size() == 1) return std::nullopt;
     const std::string newest = names_.of(event.simplex.point(gjk::Role::A));
     return frame_about(Focus::added,
@@ -145,7 +148,9 @@ class Captions {
     Frame frame = frame_about(
         Focus::direction, "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
         {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
-    if (now_.simplex.size() == 3 && !now_.reduction)
+    if (now_.is_second_search)
+      frame.facts.push_back({Mark::none, "this d is rounded; what is decided along it is not"});
+    else if (now_.simplex.size() == 3 && !now_.reduction)
       frame.facts.push_back({Mark::none, "the simplex stays " + names_.list(now_.simplex) +
                                              ": read from the list, its normal points to the origin already"});
     return frame;
@@ -158,10 +163,32 @@ class Captions {
     Frame frame = frame_about(Focus::end, answer_caption(result),
                               {{Mark::answer, std::string(gjk::to_string(result.status)) + count}});
     append_evidence(result, frame.facts);
+    if (scene_.certified) frame.facts.push_back({Mark::none, "rounding may have misled it: is it proven?"});
     return frame;
   }
 
+  std::optional<Frame> operator()(const gjk::ProofTried<double>& event) const {
+    return caption_of(event, names_, now_);
+  }
+  std::optional<Frame> operator()(const gjk::SignTaken<double>& event) const {
+    return caption_of(event, names_, scene_.dimension);
+  }
+  std::optional<Frame> operator()(const gjk::FeatureKept<double>& event) const {
+    return caption_of(event, names_, now_);
+  }
+  std::optional<Frame> operator()(const gjk::Certified<double>& event) const {
+    return caption_of(event, names_, now_, scene_.dimension);
+  }
+
  private:
+  Frame second_start() const {
+    return frame_about(Focus::added, "A second search begins with a vertex of the first: " + names_.of(gjk::Role::A),
+                       {{Mark::none, "it keeps the feature that is nearest to the origin"},
+                        {Mark::none,
+                         "each sign that it goes by is certain: doubles know their error, and where that "
+                         "leaves a doubt whole numbers decide"}});
+  }
+
   /// No move led to the first point, so none is told.
   static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name,
                               const std::string& value) {

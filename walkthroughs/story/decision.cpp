@@ -175,6 +175,20 @@ std::string face_in_question(const Moment& now, Focus focus) {
   return face.empty() || is_flat(now, face) ? "" : face;
 }
 
+namespace {
+
+/// Of what the second search keeps.
+std::vector<DecisionView> views_of_kept(const Moment& now) {
+  const std::string& kept = now.kept->kept;
+  const std::string feature(kept.rbegin(), kept.rend());  // A first
+  if (now.kept->contains_origin || (kept.size() != 2 && kept.size() != 3)) return {};
+  if (kept.size() == 2) return view_of_segment(now, feature);
+  if (is_flat(now, feature)) return {};
+  return {edge_on(now, feature), true_shape(now, feature, false)};
+}
+
+}  // namespace
+
 bool shows_decision(const Story& story) {
   return story.walkthrough.layout == Layout::search && story.walkthrough.panels.decision &&
          story.tellings[0].scene.dimension == Dimension::space;
@@ -183,7 +197,8 @@ bool shows_decision(const Story& story) {
 std::vector<DecisionView> decision_views(const Moment& now, Focus focus) {
   const bool is_gap = focus == Focus::end && now.result->separation && now.found && now.crossing;
   if (focus == Focus::crossing || is_gap) return view_of_crossing(now);
-  if (!is_about_processed(focus)) return {};
+  if (focus == Focus::kept) return views_of_kept(now);
+  if (!is_about_processed(focus) || now.is_second_search) return {};
   if (focus == Focus::region && is_about_edge(now.regions.back()))
     return view_of_segment(now, now.regions.back().feature);
   switch (now.processed.size()) {

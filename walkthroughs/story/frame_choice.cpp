@@ -13,11 +13,13 @@ struct Kind {
   Focus focus;
 };
 
-constexpr std::array<Kind, 6> kinds{{{"supports", Focus::support},
+constexpr std::array<Kind, 8> kinds{{{"supports", Focus::support},
                                      {"crossings", Focus::crossing},
                                      {"regions", Focus::region},
                                      {"reductions", Focus::reduction},
                                      {"directions", Focus::direction},
+                                     {"proofs", Focus::proof},
+                                     {"signs", Focus::sign},
                                      {"end", Focus::end}}};
 
 bool is_about(const Frame& frame, Focus focus) {

@@ -13,25 +13,23 @@ void append(std::vector<CodeLine>& code, const std::vector<CodeLine>& more) {
   code.insert(code.end(), more.begin(), more.end());
 }
 
-std::vector<CodeLine> algorithm_1(gjk::FirstPoint first_point, gjk::NotCrossed not_crossed) {
-  const std::string missed = first_point == gjk::FirstPoint::tested ? "P·d < 0" : "not the first and P·d < 0";
-  const bool ends = not_crossed == gjk::NotCrossed::answer_at_once;
+std::vector<CodeLine> algorithm_1(RuleSet rules) {
+  const std::string missed =
+      gjk::first_point(rules) == gjk::FirstPoint::tested ? "P·d < 0" : "not the first and P·d < 0";
+  const bool ends = gjk::not_crossed(rules) == gjk::NotCrossed::answer_at_once;
+  const bool is_complete = rules == RuleSet::complete;
   std::vector<CodeLine> code{{0, "d ← first direction, simplex ← [ ]"},
                              {0, "repeat, at most N times"},
                              {1, "P ← support(a, d) − support(b, −d)", Kind::support},
                              {1, (ends ? "if " : "missed ← ") + missed, Kind::crossing}};
   if (ends) code.push_back({2, "separated", Kind::separated});
   append(code, {{1, "P joins the simplex and becomes A", Kind::add},
-                {1, "process it by Algorithms 2 to 5", Kind::process},
+                {1, is_complete ? "keep its feature nearest to O" : "process it by Algorithms 2 to 5", Kind::process},
                 {1, "if it contains the origin"},
                 {2, "intersecting", Kind::intersecting}});
   if (!ends) append(code, {{1, "else if missed"}, {2, "separated", Kind::separated}});
   code.push_back({0, "undecided", Kind::undecided});
   return code;
-}
-
-std::vector<CodeLine> algorithm_1_of(RuleSet rules) {
-  return algorithm_1(gjk::first_point(rules), gjk::not_crossed(rules));
 }
 
 std::vector<CodeLine> algorithm_2() {
@@ -115,7 +113,45 @@ std::vector<CodeLine> nearest_feature() {
           {0, "else the origin is in ABCD", Kind::test, "", "ABCD"}};
 }
 
-bool is_nearest_feature(int number, RuleSet rules) { return rules == RuleSet::complete && number > 2; }
+/// What certified_collision() does.
+std::vector<CodeLine> proofs_and_second_search() {
+  return {{0, "guess by Algorithm 1"},
+          {0, "if separated and −P·d > bound", Kind::direction_proof},
+          {1, "separated, proven", Kind::direction_holds},
+          {0, "if ABCD holds O beyond a bound", Kind::tetrahedron_proof},
+          {1, "intersecting, proven", Kind::tetrahedron_holds},
+          {0, "P ← a vertex of the guess", Kind::second_start},
+          {0, "repeat"},
+          {1, "P joins the simplex and becomes A", Kind::add},
+          {1, "keep the feature nearest to O,", Kind::process},
+          {1, "   each sign exact", Kind::test},
+          {1, "if O is in it"},
+          {2, "intersecting, proven", Kind::intersecting},
+          {1, "d ← from it toward O", Kind::toward},
+          {1, "P ← a vertex with P·d ≥ 0", Kind::support},
+          {1, "if there is none"},
+          {2, "separated, proven", Kind::separated}};
+}
+
+bool is_nearest_feature(int number, RuleSet rules) {
+  return rules == RuleSet::complete && number > 2 && number < certifying;
+}
+
+LineKind kind_of_certifying(Focus focus, const Moment& now) {
+  switch (focus) {
+    case Focus::support: return Kind::support;
+    case Focus::added: return now.simplex.size() == 1 ? Kind::second_start : Kind::add;
+    case Focus::direction: return Kind::toward;
+    case Focus::kept: return Kind::process;
+    case Focus::sign: return now.kept ? Kind::support : Kind::test;
+    case Focus::proof:
+      return now.proof->proof == gjk::Proof::direction ? Kind::direction_proof : Kind::tetrahedron_proof;
+    default: break;
+  }
+  if (now.certified->proof == gjk::Proof::direction) return Kind::direction_holds;
+  if (now.certified->proof == gjk::Proof::tetrahedron) return Kind::tetrahedron_holds;
+  return now.certified->status == gjk::Status::separated ? Kind::separated : Kind::intersecting;
+}
 
 /// Returns: whether a feature is `form`, in which X and Y stand for B, C or D.
 bool is_of_form(const std::string& feature, const std::string& form) {
@@ -164,6 +200,7 @@ std::optional<std::size_t> action_after(const std::vector<CodeLine>& code, std::
 }
 
 std::string name_of_algorithm(int number, RuleSet rules) {
+  if (number == certifying) return "Certified";
   return is_nearest_feature(number, rules) ? "Nearest feature" : "Algorithm " + std::to_string(number);
 }
 
@@ -174,15 +211,18 @@ const std::vector<CodeLine>& algorithm(int number, RuleSet rules) {
                                                               algorithm_5()};
   static const auto first = [] {
     std::array<std::vector<CodeLine>, gjk::rule_sets.size()> each;
-    for (std::size_t i = 0; i < each.size(); ++i) each[i] = algorithm_1_of(gjk::rule_sets[i].value);
+    for (std::size_t i = 0; i < each.size(); ++i) each[i] = algorithm_1(gjk::rule_sets[i].value);
     return each;
   }();
   static const std::vector<CodeLine> complete = nearest_feature();
+  static const std::vector<CodeLine> certified = proofs_and_second_search();
   if (number == 1) return first.at(static_cast<std::size_t>(rules));
+  if (number == certifying) return certified;
   return is_nearest_feature(number, rules) ? complete : others.at(static_cast<std::size_t>(number - 2));
 }
 
 int running_algorithm(const Moment& now, Focus focus) {
+  if (now.is_second_search || now.certified || focus == Focus::proof) return certifying;
   const bool processing =
       focus == Focus::region || focus == Focus::reduction || focus == Focus::direction || focus == Focus::repetition;
   return processing ? now.processed.size() + 1 : 1;
@@ -200,7 +240,9 @@ const gjk::RegionTested<double>* test_of(const CodeLine& line, const Moment& now
 }
 
 std::optional<std::size_t> current_line(const std::vector<CodeLine>& code, const Moment& now, Focus focus) {
-  if (running_algorithm(now, focus) == 1) return place_of(code, kind_of(focus, now));
+  const int number = running_algorithm(now, focus);
+  if (number == certifying) return place_of(code, kind_of_certifying(focus, now));
+  if (number == 1) return place_of(code, kind_of(focus, now));
   const std::optional<std::size_t> tested = last_test(code, now);
   if (focus == Focus::region || !tested) return tested;
   return action_after(code, *tested, now);

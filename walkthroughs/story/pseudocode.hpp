@@ -13,7 +13,25 @@ namespace walkthroughs {
 
 /// What a line does. A test stands for the region test with its face, feature and relation; an action for what
 /// follows the test before it.
-enum class LineKind { plain, support, crossing, add, process, intersecting, separated, undecided, test, action };
+enum class LineKind {
+  plain,
+  support,
+  crossing,
+  add,
+  process,
+  intersecting,
+  separated,
+  undecided,
+  test,
+  action,
+  // Of proofs, and of the second search:
+  direction_proof,
+  direction_holds,
+  tetrahedron_proof,
+  tetrahedron_holds,
+  second_start,
+  toward
+};
 
 struct CodeLine {
   int indent;
@@ -25,7 +43,11 @@ struct CodeLine {
   int size = 0;                                ///< of the simplex, where the line is about one size
 };
 
-/// Returns: Algorithm 1 to 5, as these rules have it; the complete rules have one text for 3 to 5. Requires: 1 <= number <= 5.
+/// The number of what is not the report's: proofs, and the second search.
+inline constexpr int certifying = 6;
+
+/// Returns: Algorithm 1 to 5, as these rules have it, or what certifies; the complete rules have one text for 3 to 5.
+/// Requires: 1 <= number <= 6.
 const std::vector<CodeLine>& algorithm(int number, RuleSet rules);
 
 /// Returns: the number of the algorithm that was running when this was the last event, as `focus` tells it.
@@ -41,7 +63,8 @@ const gjk::RegionTested<double>* test_of(const CodeLine& line, const Moment& now
 std::string outcome(const gjk::RegionTested<double>& test, bool with_value);
 
 /// Returns: "Algorithm 4", and where the picture has its own letters, who is who in the simplex that is being processed:
-/// "Algorithm 4: A = G, B = E, C = A". That of the complete rules, which are not the report's, is "Nearest feature".
+/// "Algorithm 4: A = G, B = E, C = A". That of the complete rules, which are not the report's, is "Nearest feature", that
+/// of the proofs "Certified".
 std::string title_of(int number, RuleSet rules, const Names& names, const Simplex& simplex);
 
 /// Returns: the text of a line of that algorithm in the letters of the picture, with the markup of render/font.hpp.

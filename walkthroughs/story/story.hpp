@@ -13,7 +13,22 @@
 namespace walkthroughs {
 
 /// What a frame wants the reader to look at first.
-enum class Focus { support, crossing, added, region, reduction, direction, repetition, parting, end, diagram };
+enum class Focus {
+  support,
+  crossing,
+  added,
+  region,
+  reduction,
+  direction,
+  repetition,
+  parting,
+  end,
+  proof,   ///< of what the first search has found
+  sign,    ///< one that was in doubt
+  kept,    ///< the feature nearest to the origin
+  proven,  ///< the answer
+  diagram
+};
 
 /// A number that decides, or a reason, in one line.
 struct Fact {

@@ -23,13 +23,16 @@ Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene, Trace tra
 void tell_whole_search(Story& story) {
   const Telling& telling = story.tellings[0];
   const std::vector<gjk::Event<double>>& events = telling.trace.events;
-  const auto* const end = std::get_if<gjk::Finished<double>>(&events.back());
-  for (std::size_t i = 0; i < events.size(); ++i) {
+  const auto is_end = [](const auto& event) { return std::holds_alternative<gjk::Finished<double>>(event); };
+  const auto end = std::ranges::find_if(events, is_end);
+  const std::optional<int> cycle_start = std::get<gjk::Finished<double>>(*end).result.cycle_start;
+  const bool begins_late = story.walkthrough.begins_with_the_guess;
+  for (std::size_t i = begins_late ? static_cast<std::size_t>(end - events.begin()) : 0; i < events.size(); ++i) {
     Moment now = replay(telling.trace, i + 1);
     std::optional<Frame> frame = caption(events[i], story, telling, now);
     if (!frame) continue;
-    const bool is_back = end && end->result.cycle_start && i + 2 == events.size();
-    if (is_back) frame = repetition(std::move(*frame), *end->result.cycle_start - 1);
+    const bool is_back = cycle_start && end - events.begin() == static_cast<std::ptrdiff_t>(i) + 1;
+    if (is_back) frame = repetition(std::move(*frame), *cycle_start - 1);
     frame->moments = {std::move(now)};
     frame->events = {{0, i}};
     story.frames.push_back(std::move(*frame));
@@ -93,7 +96,9 @@ Frame last_frame_of(const Story& story, std::size_t scene, int iteration) {
   return std::move(last.value());
 }
 
-int iterations_of(const Trace& trace) { return std::get<gjk::Finished<double>>(trace.events.back()).result.iterations; }
+int iterations_of(const Trace& trace) {
+  return std::visit([](const auto& e) { return e.iteration; }, trace.events.back());
+}
 
 /// Two searches, iteration by iteration.
 void tell_in_step(Story& story) {

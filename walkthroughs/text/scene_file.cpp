@@ -76,7 +76,7 @@ Naming read_letters(const Value& root) {
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_object(root,
                 {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "zero_test", "scalar", "panels", "letters", "size"},
+                 "zero_test", "scalar", "certified", "panels", "letters", "size"},
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
@@ -88,7 +88,8 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   const gjk::Options<double> options = read_options(root, space);
   const RuleSet rules = read_rules(root);
   const ZeroTest zero_test = read_zero_test(root);
-  Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar};
+  const bool certified = certified_of(root, a, b);
+  Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified};
   if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
     scene = from_center_to_center(std::move(scene));
   const auto panels_given = root.member("panels");
@@ -163,6 +164,8 @@ std::string_view example_scene() {
                            // the search at the first point, too
   "zero_test": "exact",    // "relative": products that rounding may have made count as zero
   "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
+  "certified": false,      // true: the answer is proven, and where doubles cannot do that, found anew by a second
+                           // search; of objects that are points, without a pose
 
   // What is shown beside the search. What is left out is not computed. "close-up" magnifies what is around the origin
   // in all pictures of tests; without it only where marks would cover each other.
@@ -185,7 +188,8 @@ std::string summary(const SceneFile& file) {
   if (walkthrough.panels.close_up) panels += ", close-up";
   return "'" + walkthrough.title + "', " + (scene.dimension == Dimension::plane ? "plane" : "space") + ", " +
          object(scene.a) + " and " + object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
-         (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") + ", panels: search" + panels;
+         (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") +
+         (scene.certified ? ", certified" : "") + ", panels: search" + panels;
 }
 
 }  // namespace walkthroughs

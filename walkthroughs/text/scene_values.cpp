@@ -316,6 +316,17 @@ Scalar scalar_of(const Value& declared) {
   return scalar ? static_cast<Scalar>(choice(*scalar, words_of::scalar)) : Scalar::binary64;
 }
 
+bool certified_of(const Value& declared, const Object& a, const Object& b) {
+  const auto value = declared.member("certified");
+  if (!value) return false;
+  expect(*value, Kind::boolean, "true or false");
+  if (!value->is_true()) return false;
+  for (const auto& [key, object] : {std::pair("a", &a), std::pair("b", &b)})
+    if (const auto objection = objection_to_proof(object->form, object->pose))
+      declared.member(key)->member(objection->key)->fail(objection->why + ", or leave out 'certified'");
+  return true;
+}
+
 Scene in_its_scalar(Scene scene) { return scene.scalar == Scalar::binary32 ? in_float(std::move(scene)) : scene; }
 
 }  // namespace walkthroughs::reading

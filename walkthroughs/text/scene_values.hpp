@@ -87,6 +87,9 @@ gjk::Vec3<float> direction_in_float(const Point& direction);
 
 /// Returns: what `declared` says with its key "scalar"; double where there is none.
 Scalar scalar_of(const Value& declared);
+/// Returns: what `declared` says with its key "certified": whether the answer about its "a" and "b" is proven. Refused where
+/// it cannot be.
+bool certified_of(const Value& declared, const Object& a, const Object& b);
 /// Returns: the scene with its numbers rounded to its scalar, which can hold all of them.
 Scene in_its_scalar(Scene scene);
 

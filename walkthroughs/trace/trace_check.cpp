@@ -65,21 +65,29 @@ TraceCheck::TraceCheck(const Scene& scene) : scene_(scene) {}
 
 std::string TraceCheck::expected() const {
   std::string list;
-  for (const std::size_t kind : expected_) list += (list.empty() ? "" : " or ") + in_quotes(event_names[kind]);
+  for (const std::size_t kind : expected_now()) list += (list.empty() ? "" : " or ") + in_quotes(event_names[kind]);
   return list;
 }
 
 void TraceCheck::operator()(const gjk::Event<double>& event) {
   const auto kind = event.index();
-  if (std::ranges::count(expected_, kind) == 0)
+  if (std::ranges::count(expected_now(), kind) == 0)
     throw Contradiction(in_quotes(event_names[kind]) + (is_finished()
                                                             ? " follows, but the search of this scene has finished"
                                                             : " cannot follow here; expected " + expected()));
   const int iteration = std::visit([](const auto& e) { return e.iteration; }, event);
-  const int expected_iteration = kind == event_index<gjk::SupportFound> ? iteration_ + 1 : iteration_;
-  require(iteration == expected_iteration, "'iteration' is " + std::to_string(iteration) + "; expected " +
-                                               std::to_string(expected_iteration) + ", as they count up by one");
-  std::visit([this](const auto& e) { check(e); }, event);
+  require(iteration == expected_iteration(kind), "'iteration' is " + std::to_string(iteration) + "; expected " +
+                                                     std::to_string(expected_iteration(kind)) +
+                                                     ", as they count up by one");
+  if (certified_)
+    (*certified_)(event);
+  else
+    std::visit([this](const auto& e) { check(e); }, event);
+}
+
+int TraceCheck::expected_iteration(std::size_t kind) const {
+  if (certified_) return certified_->iteration_of_next(kind);
+  return kind == event_index<gjk::SupportFound> ? iteration_ + 1 : iteration_;
 }
 
 void TraceCheck::check(const gjk::SearchStarted<double>& event) {
@@ -290,6 +298,7 @@ void TraceCheck::check(const gjk::Finished<double>& event) {
   if (result.separation) check_separation(result);
   check_cycle(result);
   expected_.clear();
+  if (scene_.certified) certified_.emplace(scene_, result);
 }
 
 void TraceCheck::check_cycle(const gjk::Result<double>& result) const {

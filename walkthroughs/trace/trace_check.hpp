@@ -11,6 +11,8 @@
 ///  C7. The direction chosen, and what is kept, follow from the last region.
 ///  C8. Status and reason follow from how the search ended, and so does the proof of separation.
 ///
+///  Of a scene that is certified, C9 to C13 of trace_certified.hpp.
+///
 /// Numbers that only were copied must be identical; numbers that were computed may differ by what rounding can
 /// explain (trace_expression.hpp). The words in `why` and `reason` of regions are free.
 #pragma once
@@ -21,6 +23,7 @@
 
 #include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/trace/trace_certified.hpp"
 #include "walkthroughs/trace/trace_contradiction.hpp"
 #include "walkthroughs/trace/trace_expression.hpp"
 #include "walkthroughs/trace/trace_rules.hpp"
@@ -37,7 +40,7 @@ class TraceCheck {
   void operator()(const gjk::Event<double>& event);
 
   /// Returns: whether the search has finished, so that nothing may follow.
-  bool is_finished() const { return expected_.empty(); }
+  bool is_finished() const { return expected_now().empty(); }
   /// Returns: the kinds of event of which one must come next, in words.
   std::string expected() const;
 
@@ -53,6 +56,9 @@ class TraceCheck {
     std::size_t vertices_known;
   };
   using Vertex = gjk::Vertex<double>;
+
+  const std::vector<std::size_t>& expected_now() const { return certified_ ? certified_->expected() : expected_; }
+  int expected_iteration(std::size_t kind) const;
   using Simplex = gjk::Simplex<double>;
 
   void check(const gjk::SearchStarted<double>& event);
@@ -63,6 +69,7 @@ class TraceCheck {
   void check(const gjk::SimplexReduced<double>& event);
   void check(const gjk::DirectionChosen<double>& event);
   void check(const gjk::Finished<double>& event);
+  void check(const auto&) {}  // only what is certified tells others
 
   gjk::Crossing crossing_that_follows(const gjk::CrossingTested<double>& event) const;
   void decide_after_crossing(const gjk::CrossingTested<double>& event);
@@ -91,6 +98,7 @@ class TraceCheck {
   Simplex simplex_;
   std::vector<gjk::RegionTested<double>> told_;  ///< of simplex_ as it is being processed
   RuleStep step_;                                ///< how far the rule for simplex_ has come, or how it ended
+  std::optional<CertifiedCheck> certified_;      ///< of a scene that is certified, once its first search has finished
 };
 
 }  // namespace walkthroughs

@@ -48,6 +48,8 @@ void read(const Value& value, Meaning, std::variant<std::monostate, double, Poin
 void read(const Value& value, Meaning meaning, int& count) {
   switch (meaning) {
     case Meaning::simplex_size: count = whole_number(value, 1, 4); break;
+    case Meaning::sign: count = whole_number(value, -1, 1); break;
+    case Meaning::power: count = whole_number(value, -trace_limits::power, trace_limits::power); break;
     case Meaning::position: count = whole_number(value, 0, static_cast<int>(scene_limits::points) - 1); break;
     default: count = iteration(value);
   }
@@ -81,6 +83,40 @@ void read(const Value& value, Meaning, gjk::Simplex<double>& simplex) {
     read(each, Meaning::plain, vertex);
     simplex.add(vertex);
   }
+}
+
+void read(const Value& value, Meaning, std::vector<gjk::ProofNumber>& numbers) {
+  expect(value, Kind::list, "a list of numbers with their expressions");
+  for (const Value& each : value.children()) {
+    if (numbers.size() == 4) each.fail("is a fifth number; a proof has at most four");
+    read(each, Meaning::plain, numbers.emplace_back());
+  }
+}
+
+void read(const Value& value, Meaning, gjk::IndexPairs& pairs) {
+  expect(value, Kind::list, "a list of pairs of indices [i, j]");
+  for (const Value& each : value.children()) {
+    if (pairs.size() == 4) each.fail("is a fifth pair; a simplex has at most four vertices");
+    expect(each, Kind::list, "a pair of indices [i, j]");
+    const std::vector<Value> both = each.children();
+    if (both.size() != 2)
+      each.fail("expected a pair of indices [i, j], found a list of " + std::to_string(both.size()));
+    gjk::IndexPair pair;
+    read(both[0], Meaning::position, pair.a);
+    read(both[1], Meaning::position, pair.b);
+    pairs.add(pair);
+  }
+}
+
+void read(const Value& value, Meaning, gjk::Certificate& certificate) {
+  expect_object(value, {"direction", "nearest", "simplex"}, "an object with 'direction', 'nearest' or 'simplex'");
+  if (value.children().size() != 1) value.fail("is to have one of 'direction', 'nearest' and 'simplex'");
+  if (const auto direction = value.member("direction"))
+    read(*direction, Meaning::plain, certificate.emplace<gjk::SeparatingDirection>().d);
+  else if (const auto nearest = value.member("nearest"))
+    read(*nearest, Meaning::plain, certificate.emplace<gjk::SeparatingFeature>().of);
+  else
+    read(member(value, "simplex"), Meaning::plain, certificate.emplace<gjk::CommonSimplex>().of);
 }
 
 template <class T>

@@ -48,7 +48,7 @@ Object read_object(const Value& value, const Space& space, Scalar scalar) {
 Scene read_scene(const Value& value) {
   expect_object(value,
                 {"name", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "zero_test", "scalar"},
+                 "zero_test", "scalar", "certified"},
                 "an object that describes a scene");
   const std::string name = words(member(value, "name"), scene_limits::name);
   const Scalar scalar = scalar_of(value);
@@ -63,7 +63,9 @@ Scene read_scene(const Value& value) {
   const auto rules = enumerator<RuleSet>(member(value, "rules"), words_of::rules);
   const auto zero = value.member("zero_test");
   const ZeroTest zero_test = zero ? enumerator<ZeroTest>(*zero, words_of::zero_test) : ZeroTest::exact;
-  return in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar});
+  const bool certified = certified_of(value, a, b);
+  return in_its_scalar(
+      {name, std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified});
 }
 
 std::vector<Scene> read_scenes(const Value& value) {
@@ -113,7 +115,7 @@ void require_letters_for_corners(const Value& naming, const std::vector<Scene>& 
 }
 
 void read_presentation(const Value& value, Walkthrough& walkthrough) {
-  expect_object(value, {"title", "source", "summary", "layout", "panels", "naming", "remarks", "close_up"},
+  expect_object(value, {"title", "source", "summary", "layout", "panels", "naming", "begins", "remarks", "close_up"},
                 "an object that says how the trace is presented");
   walkthrough.title = words(member(value, "title"), scene_limits::title);
   walkthrough.source = sentence(member(value, "source"));
@@ -123,6 +125,10 @@ void read_presentation(const Value& value, Walkthrough& walkthrough) {
   walkthrough.panels = panels_in(member(value, "panels"));
   walkthrough.naming = enumerator<Naming>(naming, words_of::naming);
   if (walkthrough.naming == Naming::corners) require_letters_for_corners(naming, walkthrough.scenes);
+  if (const auto begins = value.member("begins")) {
+    choice(*begins, std::array{begins_with_the_guess});
+    walkthrough.begins_with_the_guess = true;
+  }
   if (const auto remarks = value.member("remarks")) walkthrough.remarks = read_remarks(*remarks);
   if (const auto move = value.member("close_up")) walkthrough.close_up = read_close_up(*move);
   const std::size_t scenes = walkthrough.layout == Layout::search ? 1 : 2;

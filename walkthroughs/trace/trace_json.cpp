@@ -5,6 +5,7 @@
 
 #include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/trace/trace_limits.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -48,7 +49,7 @@ Json json(const AnyShape& shape) {
 Json json(const Object& object) {
   Json j{{"name", object.name}};
   j.update(json(object.form));
-  if (!object.is_at_rest()) {
+  if (!is_at_rest(object.pose)) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
     j["pose"] = {{"rotation", rows}, {"translation", json(object.pose.translation)}};
@@ -67,6 +68,7 @@ Json json(const Scene& scene) {
          {"rules", words_of::of(words_of::rules, scene.rules)}};
   if (scene.zero_test != ZeroTest::exact) j["zero_test"] = words_of::of(words_of::zero_test, scene.zero_test);
   if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
+  if (scene.certified) j["certified"] = true;
   return j;
 }
 
@@ -91,6 +93,7 @@ Json presentation(const Walkthrough& walkthrough, const std::vector<Remark>& rem
   Json j{{"title", walkthrough.title},         {"source", walkthrough.source},
          {"summary", walkthrough.summary},     {"layout", words_of::of(words_of::layout, walkthrough.layout)},
          {"panels", json(walkthrough.panels)}, {"naming", words_of::of(words_of::naming, walkthrough.naming)}};
+  if (walkthrough.begins_with_the_guess) j["begins"] = begins_with_the_guess;
   if (!remarks.empty()) j["remarks"] = Json::array();
   for (const Remark& remark : remarks) j["remarks"].push_back(json(remark));
   if (const auto& move = walkthrough.close_up)
@@ -124,6 +127,25 @@ Json json(const gjk::Simplex<double>& simplex) {
   Json list = Json::array();
   for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
   return list;
+}
+
+Json json(const std::vector<gjk::ProofNumber>& numbers) {
+  Json list = Json::array();
+  for (const gjk::ProofNumber& number : numbers) list.push_back(json(number));
+  return list;
+}
+
+Json json(const gjk::IndexPairs& pairs) {
+  Json list = Json::array();
+  for (const gjk::IndexPair pair : pairs) list.push_back({pair.a, pair.b});
+  return list;
+}
+
+Json json(const gjk::Certificate& certificate) {
+  if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&certificate))
+    return {{"direction", json(direction->d)}};
+  if (const auto* feature = std::get_if<gjk::SeparatingFeature>(&certificate)) return {{"nearest", json(feature->of)}};
+  return {{"simplex", json(std::get<gjk::CommonSimplex>(certificate).of)}};
 }
 
 template <class T>

@@ -45,7 +45,18 @@ TEST_CASE("The catalogue has the figures in the order of the report, then the re
                                                        "failures/overflowed-product",
                                                        "failures/beyond-an-edge",
                                                        "failures/coplanar-askew",
-                                                       "failures/far-from-the-origin"});
+                                                       "failures/far-from-the-origin",
+                                                       "certified/separation",
+                                                       "certified/tetrahedron",
+                                                       "certified/touching",
+                                                       "certified/one-step-apart",
+                                                       "certified/vanished-product",
+                                                       "certified/overflowed-product",
+                                                       "certified/beyond-an-edge",
+                                                       "certified/coplanar-askew",
+                                                       "certified/far-from-the-origin",
+                                                       "certified/cycle-separated",
+                                                       "certified/cycle-intersecting"});
   std::string simplices;  // of the regions, by their dimension
   for (const Walkthrough* w : find_walkthroughs("regions")) simplices += w->name.at(std::string("regions/").size());
   CHECK(std::ranges::is_sorted(simplices));

@@ -13,11 +13,12 @@ using namespace walkthroughs::test;
 
 namespace {
 
-/// Every trace of the catalogue, and one that goes through tetrahedra.
+/// Every trace of the catalogue that has one search only, and one that goes through tetrahedra.
 std::vector<Told> searches() {
   std::vector<Told> list;
   for (const Walkthrough& w : catalogue())
-    for (const Scene& scene : w.scenes) list.emplace_back(scene);
+    for (const Scene& scene : w.scenes)
+      if (!scene.certified) list.emplace_back(scene);
   list.emplace_back(walkthrough_of({{5, 1, 2}, {-4, 3, 1}, {-1, -5, 2}, {0, 1, -6}, {1, 2, 5}}).scenes[0]);
   return list;
 }

@@ -49,7 +49,8 @@ bool has_round_objects(const Scene& scene) { return vertices_of(scene.a).empty()
 TEST_CASE("The search asks each object once for each point it finds") {
   for (const Walkthrough& w : catalogue()) {
     Calls expected;
-    for (const Scene& scene : w.scenes) expected.insert(expected.end(), 2, all<gjk::SupportFound>(run(scene)).size());
+    for (const Scene& scene : w.scenes)  // what is certified asks sets of its own
+      expected.insert(expected.end(), 2, scene.certified ? 0 : all<gjk::SupportFound>(run(scene)).size());
     CHECK(calls_of_search(w) == expected);
   }
 }

@@ -100,6 +100,7 @@ int decisions_in(const Scene& scene) {
   int count = 0, size = 0;
   const Region* before = nullptr;
   for (const auto& event : trace.events) {
+    if (std::holds_alternative<gjk::Finished<double>>(event)) break;  // nothing is asked about proofs
     const auto* region = std::get_if<Region>(&event);
     if (const auto* crossing = std::get_if<gjk::CrossingTested<double>>(&event)) count += crossing->value.has_value();
     if (const auto* added = std::get_if<gjk::VertexAdded<double>>(&event)) size = added->simplex.size();

@@ -90,7 +90,7 @@ TEST_CASE(
     for (const char role : view.face) CHECK(std::abs(view.plane(vertex(now, role)).y()) < 1e-9 * size);
     CHECK(normal.normalized().dot(view.plane.up) == Approx(1));
     CHECK(view.plane.right.dot(normal.normalized()) == Approx(0).margin(1e-12));
-    if (now.processed.size() == 4 && view.face != "BCD")
+    if (now.processed.size() == 4 && view.face != "BCD" && !now.is_second_search)  // which turns no normals outward
       for (const char role : {'B', 'C', 'D'})
         if (view.face.find(role) == std::string::npos) CHECK(view.plane(vertex(now, role)).y() < 1e-9 * size);
     CHECK(view.height == Approx(view.plane(Point::Zero()).y()).margin(1e-6 * size));

@@ -21,31 +21,11 @@ TEST_CASE("The example reads without complaint, runs, and shows every key", "[sc
   CHECK(file.walkthrough.scenes.size() == 1);
   CHECK(file.size == render::Size{1280, 720});
   CHECK(all<gjk::Finished>(run(file.walkthrough.scenes[0])).size() == 1);
-  for (const char* key : {"title",
-                          "dimension",
-                          "a",
-                          "b",
-                          "name",
-                          "points",
-                          "sphere",
-                          "cylinder",
-                          "sum",
-                          "center",
-                          "axis",
-                          "radius",
-                          "height",
-                          "pose",
-                          "translation",
-                          "rotation",
-                          "degrees",
-                          "first_direction",
-                          "iteration_limit",
-                          "crossing_test",
-                          "rules",
-                          "zero_test",
-                          "scalar",
-                          "panels",
-                          "size"})
+  for (const char* key : {"title",           "dimension",     "a",           "b",         "name",    "points",
+                          "sphere",          "cylinder",      "sum",         "center",    "axis",    "radius",
+                          "height",          "pose",          "translation", "rotation",  "degrees", "first_direction",
+                          "iteration_limit", "crossing_test", "rules",       "zero_test", "scalar",  "certified",
+                          "panels",          "size"})
     CHECK(example_scene().find("\"" + std::string(key) + "\"") != std::string_view::npos);
 }
 
@@ -66,6 +46,7 @@ TEST_CASE("The smallest scene is two objects and everything else has a default",
   CHECK(scene.rules == RuleSet::as_intended);
   CHECK(scene.scalar == Scalar::binary64);
   CHECK(scene.zero_test == ZeroTest::exact);
+  CHECK_FALSE(scene.certified);
   CHECK(scene.options.first_direction == Point(1, 0, 0));
   CHECK(scene.options.iteration_limit == 20);
   CHECK(scene.options.crossing_test == gjk::CrossingTest::on);

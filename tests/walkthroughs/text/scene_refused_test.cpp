@@ -234,8 +234,18 @@ TEST_CASE("Whole numbers and words are among those that there are", "[scene-file
   check_rest(R"("rules": "eagre")", "4: rules", {"did you mean 'eager'?"});
   check_rest(R"("scalar": "single")", "4: scalar", {"'single' is not known", "'double' and 'float'"});
   check_rest(R"("zero_test": "absolute")", "4: zero_test", {"did you mean", "'exact' and 'relative'"});
+  check_rest(R"("certified": "yes")", "4: certified", {"expected true or false"});
   check_rest(R"("panels": ["hull", "camera"])", "4: panels[1]", {"'camera' is not known"});
   check_rest(R"("panels": ["hull", "hull"])", "4: panels[1]", {"'hull' appears twice"});
+}
+
+TEST_CASE("What is not made of points at rest cannot be certified", "[scene-file]") {
+  check_complaint("{\"a\": " + corner + ",\n\"b\": " + ball + ",\n\"certified\": true}", "2: b.sphere",
+                  {"a sphere cannot be certified", "give points, or leave out 'certified'"});
+  const std::string moved = R"({"points": [[0, 0, 0]], "pose": {"translation": [1, 0, 0]}})";
+  check_complaint("{\"a\": " + moved + ",\n\"b\": " + corner + ",\n\"certified\": true}", "1: a.pose",
+                  {"an object that its pose moves cannot be certified", "leave out 'certified'"});
+  CHECK(parsed("{\"a\": " + moved + ",\n\"b\": " + ball + ",\n\"certified\": false}").walkthrough.scenes.size() == 1);
 }
 
 TEST_CASE("A size has two sides, each from 16 to 8192 pixels", "[scene-file]") {

@@ -106,6 +106,10 @@ class RandomSceneFiles {
     add_word(scene, "rules", words_of::rules);
     add_word(scene, "crossing_test", words_of::crossing_test);
     add_word(scene, "zero_test", words_of::zero_test);
+    const auto is_certifiable = [&](const char* key) {
+      return scene[key].contains("points") && !scene[key].contains("pose");
+    };
+    if (is_certifiable("a") && is_certifiable("b") && !one_in(4)) scene["certified"] = true;
     if (one_in(4)) scene["iteration_limit"] = 1 + pick(20);
     if (one_in(4)) scene["title"] = one_in(2) ? "A title" : std::string(120, 'W');
     if (one_in(2)) return;

@@ -148,6 +148,58 @@ struct CheckLine {
     check_same(json.at("separation").at("direction"), e.result.separation->direction);
     check_same(json.at("separation").at("support_value"), e.result.separation->support_value);
   }
+  void operator()(const gjk::ProofTried<double>& e) const {
+    CHECK(json.at("event") == "proof-tried");
+    CHECK(json.at("proof") == std::string(gjk::to_string(e.proof)));
+    REQUIRE(json.at("numbers").size() == e.numbers.size());
+    for (std::size_t i = 0; i < e.numbers.size(); ++i) {
+      check_text(json.at("numbers")[i], "expression", e.numbers[i].expression);
+      check_same(json.at("numbers")[i].at("value"), e.numbers[i].value);
+    }
+    check_same(json.at("bound"), e.bound);
+    CHECK(json.at("holds") == e.holds);
+  }
+  void operator()(const gjk::SignTaken<double>& e) const {
+    CHECK(json.at("event") == "sign-taken");
+    check_text(json, "expression", e.expression);
+    check_text(json, "formula", e.formula);
+    CHECK(json.contains("vertex") == e.vertex.has_value());
+    if (e.vertex) check_same(json.at("vertex"), *e.vertex);
+    check_same(json.at("value"), e.value);
+    check_same(json.at("error"), e.error);
+    CHECK(json.contains("power") == e.power.has_value());
+    if (e.power) CHECK(json.at("power") == *e.power);
+    check_text(json, "exact", e.exact);
+    CHECK(json.at("sign") == e.sign);
+  }
+  void operator()(const gjk::FeatureKept<double>& e) const {
+    CHECK(json.at("event") == "feature-kept");
+    check_same(json.at("before"), e.before);
+    check_same(json.at("after"), e.after);
+    check_text(json, "kept", e.kept);
+    check_text(json, "dropped", e.dropped);
+    CHECK(json.at("contains_origin") == e.contains_origin);
+  }
+  void operator()(const gjk::Certified<double>& e) const {
+    CHECK(json.at("event") == "certified");
+    CHECK(json.at("status") == std::string(gjk::to_string(e.result.status)));
+    CHECK(json.at("proof") == std::string(gjk::to_string(e.result.proof)));
+    CHECK(json.at("iterations") == e.result.iterations);
+    CHECK(json.at("second_iterations") == e.result.second_iterations);
+    const Json& certificate = json.at("certificate");
+    CHECK(certificate.size() == 1);
+    const auto check_pairs = [](const Json& list, const gjk::IndexPairs& pairs) {
+      REQUIRE(list.size() == static_cast<std::size_t>(pairs.size()));
+      for (int i = 0; i < pairs.size(); ++i)
+        CHECK(list[static_cast<std::size_t>(i)] == Json::array({pairs[i].a, pairs[i].b}));
+    };
+    if (const auto* d = std::get_if<gjk::SeparatingDirection>(&e.result.certificate))
+      check_same(certificate.at("direction"), d->d);
+    else if (const auto* feature = std::get_if<gjk::SeparatingFeature>(&e.result.certificate))
+      check_pairs(certificate.at("nearest"), feature->of);
+    else
+      check_pairs(certificate.at("simplex"), std::get<gjk::CommonSimplex>(e.result.certificate).of);
+  }
 };
 
 Point point(const Json& json) {
@@ -195,7 +247,8 @@ Scene scene(const Json& json) {
       .dimension = json.at("dimension") == 2 ? Dimension::plane : Dimension::space,
       .rules = rules(json.at("rules")),
       .zero_test = json.value("zero_test", "exact") == "exact" ? ZeroTest::exact : ZeroTest::relative,
-      .scalar = json.value("scalar", "double") == "double" ? Scalar::binary64 : Scalar::binary32};
+      .scalar = json.value("scalar", "double") == "double" ? Scalar::binary64 : Scalar::binary32,
+      .certified = json.value("certified", false)};
 }
 
 }  // namespace
@@ -247,7 +300,9 @@ TEST_CASE("On each line of a vertex w = a − b") {
   for (const Walkthrough& w : walkthroughs_to_trace())
     for (const Json& line : lines_of(w))
       if (line.value("event", "") == "support-found") {
-        CHECK(point(line.at("w")) == point(line.at("a").at("point")) - point(line.at("b").at("point")));
+        const Point w_exactly = point(line.at("a").at("point")) - point(line.at("b").at("point"));
+        const bool is_float = w.scenes[0].scalar == Scalar::binary32;
+        CHECK(point(line.at("w")) == (is_float ? Point(w_exactly.cast<float>().cast<double>()) : w_exactly));
         ++vertices;
       }
   CHECK(vertices > 0);
@@ -280,5 +335,6 @@ TEST_CASE("The walkthroughs use the whole vocabulary of events") {
   for (const Walkthrough& w : walkthroughs_to_trace())
     for (const Json& line : lines_of(w)) seen.insert(line.value("event", "header"));
   CHECK(seen == std::set<std::string>{"header", "search-started", "support-found", "crossing-tested", "vertex-added",
-                                      "region-tested", "simplex-reduced", "direction-chosen", "finished"});
+                                      "region-tested", "simplex-reduced", "direction-chosen", "finished", "proof-tried",
+                                      "sign-taken", "feature-kept", "certified"});
 }

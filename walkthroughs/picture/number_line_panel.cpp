@@ -1,0 +1,136 @@
+#include "walkthroughs/picture/number_line_panel.hpp"
+
+#include <algorithm>
+
+#include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using render::Box;
+using render::Vec2;
+
+// Page units.
+constexpr double margin = 26, top_margin = 12, below_zero = 44, zero_below = 24, row_of_words = 34, most_row = 130;
+constexpr double note_pitch = 1.3;  // in sizes of the note
+constexpr double radius = 8, half_diamond = 10, tick = 16;
+constexpr double room_at_ends = 0.1;  // of the line, beyond its outermost number
+constexpr double least_band = 2;      // a narrower one is drawn so wide
+
+/// Places numbers on the line, from left to right.
+class Scale {
+ public:
+  Scale(const NumberLine& line, const Box& room) : left_(room.min.x()), width_(room.width()) {
+    low_ = std::min(0.0, line.low), high_ = std::max(0.0, line.high);
+    for (const NumberLine::Number& each : line.numbers) {
+      low_ = std::min(low_, each.value);
+      high_ = std::max(high_, each.value);
+    }
+    const double more = room_at_ends * (high_ / 2 - low_ / 2);
+    if (!(more > 0)) low_ = -1, high_ = 1;
+    low_ -= 2 * more, high_ += 2 * more;
+  }
+  /// Halves, so that no difference of large numbers overflows.
+  double operator()(double value) const { return left_ + width_ * ((value / 2 - low_ / 2) / (high_ / 2 - low_ / 2)); }
+
+ private:
+  double left_, width_, low_, high_;
+};
+
+void draw_mark(render::Canvas& canvas, const Vec2& at, bool is_exact, const Style& style) {
+  if (!is_exact) return canvas.disc(at, radius, style.theme.vermillion);
+  const Vec2 diamond[] = {at + Vec2(0, -half_diamond), at + Vec2(half_diamond, 0), at + Vec2(0, half_diamond),
+                          at + Vec2(-half_diamond, 0)};
+  canvas.polygon(diamond, style.theme.green);
+}
+
+/// Larger text that does not fit is drawn smaller.
+void write(render::Canvas& canvas, const Vec2& at, const std::string& words, render::TextStyle text, double room) {
+  const double needed = canvas.text_box({0, 0}, words, text).width();
+  if (needed > room) text.size *= room / needed;
+  canvas.text(at, words, text);
+}
+
+std::vector<KeyEntry> key_of(const NumberLine& line, const Style& style) {
+  const auto entry = [&style](const char* words, bool is_exact) {
+    return KeyEntry{
+        words, [&style, is_exact](render::Canvas& canvas, const Vec2& at) { draw_mark(canvas, at, is_exact, style); }};
+  };
+  std::vector<KeyEntry> key{entry("computed", false)};
+  if (std::ranges::any_of(line.numbers, &NumberLine::Number::is_exact)) key.push_back(entry("exactly", true));
+  return key;
+}
+
+/// The numbers one below the other, each on a line of its own; the lines share their scale.
+class NumberLinePicture {
+ public:
+  NumberLinePicture(render::Canvas& canvas, const Box& inner, const NumberLine& line, const Shown& shown)
+      : canvas_(canvas), line_(line), shown_(shown), style_(shown.style), note_(style_.fact) {
+    note_.color = style_.support_line.color;
+    const double width = inner.width() - 2 * margin;
+    if (shown.values) note_lines_ = render::wrap(canvas, line.meaning, note_, width);
+    const double below = below_zero + note_pitch * note_.size * static_cast<double>(note_lines_.size());
+    room_ = {inner.min + Vec2(margin, top_margin), inner.max - Vec2(margin, below)};
+    const double rows = static_cast<double>(line.numbers.size());
+    pitch_ = std::min(most_row, room_.height() / rows);
+    top_ = room_.center().y() - pitch_ * rows / 2;
+    bottom_ = top_ + pitch_ * rows;
+  }
+
+  void draw() const {
+    const Scale at(line_, room_);
+    band(at(line_.low), at(line_.high));
+    double y = top_;
+    for (const NumberLine::Number& each : line_.numbers) {
+      row(each, y, at);
+      y += pitch_;
+    }
+    render::TextStyle zero = words();
+    zero.align = render::Align::center;
+    canvas_.text({at(0), bottom_ + zero_below}, "0", zero);
+    y = bottom_ + zero_below;
+    for (const std::string& text : note_lines_)
+      canvas_.text({room_.min.x(), y += note_pitch * note_.size}, text, note_);
+  }
+
+ private:
+  render::TextStyle words() const { return style_.label(style_.theme.ink, render::Weight::bold); }
+
+  /// What rounding may have made. A narrower one than can be seen is a line.
+  void band(double low, double high) const {
+    const double middle = (low + high) / 2, half = std::max(high - low, least_band) / 2;
+    canvas_.rectangle({{middle - half, top_}, {middle + half, bottom_}}, style_.out_of_reach);
+    for (const double side : {-half, half})
+      canvas_.line({middle + side, top_}, {middle + side, bottom_}, {style_.support_line.color, 1.2, {4, 4}});
+  }
+
+  void row(const NumberLine::Number& number, double top, const Scale& at) const {
+    const double level = top + (pitch_ + row_of_words) / 2;
+    canvas_.line({room_.min.x(), level}, {room_.max.x(), level}, {style_.theme.ink, 1.5});
+    canvas_.line({at(0), level - tick}, {at(0), level + tick}, {style_.theme.ink, 2.5});
+    draw_mark(canvas_, {at(number.value), level}, number.is_exact, style_);
+    const std::string text = shown_.values ? number.name + " = " + number.text : number.name;
+    write(canvas_, {room_.min.x(), top + row_of_words - 8}, text, words(), room_.width());
+  }
+
+  render::Canvas& canvas_;
+  const NumberLine& line_;
+  const Shown& shown_;
+  const Style& style_;
+  render::TextStyle note_;
+  std::vector<std::string> note_lines_;
+  Box room_;
+  double pitch_ = 0, top_ = 0, bottom_ = 0;
+};
+
+}  // namespace
+
+int draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
+  draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?", shown.style,
+                   key_of(line, shown.style));
+  NumberLinePicture(canvas, below_title(frame), line, shown).draw();
+  return 0;
+}
+
+}  // namespace walkthroughs

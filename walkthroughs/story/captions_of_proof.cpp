@@ -1,0 +1,195 @@
+#include "walkthroughs/story/captions_of_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "walkthroughs/story/number_line.hpp"
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using Mark = Fact::Mark;
+
+/// `caption`: without the full stop.
+Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
+  return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
+}
+
+/// "ABC", where the formula is (AB·AO)(AB·AC) − … and so in the plane of that face. Requires: a formula.
+std::string face_of(const gjk::SignTaken<double>& sign) {
+  std::string roles = "ABCD";
+  std::erase_if(roles, [&](char role) { return sign.formula.find(role) == std::string::npos; });
+  return roles;
+}
+
+const char* sign_words(int sign) { return sign > 0 ? " > 0" : sign < 0 ? " < 0" : " = 0"; }
+
+/// "w·d" with the name of w, where it has one; of ABn·AO also the face in whose plane ABn is.
+std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
+  const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
+  if (!w.empty()) return sign.expression == "w·d" ? w + "·d" : "the largest w·d";
+  const std::string name = names.translate(sign.expression);
+  return sign.formula.empty() ? name : name + " (" + names.sorted(face_of(sign)) + ")";
+}
+
+/// Returns: a number that is no smaller, with one digit.
+std::string error_text(double error) {
+  if (!(error > 0)) return "0";
+  const int exponent = static_cast<int>(std::floor(std::log10(error)));
+  const double unit = std::pow(10.0, exponent);
+  return unit > 0 ? number(std::ceil(error / unit) * unit) : number(error);
+}
+
+std::string with_error(const gjk::SignTaken<double>& sign) {
+  const std::string numbers = short_number(sign.value) + " ± " + error_text(sign.error);
+  return sign.power ? "(" + numbers + ") · 2^(" + short_number(-*sign.power) + ")" : numbers;
+}
+
+const std::string bounds_are_wide =
+    "the bound is derived, not measured: no rounding can exceed it, and it is wider than most";
+
+Frame caption_of_direction(const gjk::ProofTried<double>& event) {
+  if (event.numbers.empty())
+    return frame_about(Focus::proof,
+                       "The direction cannot be proven in these numbers: some are too large or too small");
+  const double gap = event.numbers[0].value;
+  const std::string numbers = "−w·d = " + short_number(gap);
+  if (event.holds)
+    return frame_about(Focus::proof,
+                       "The direction is a proof: nothing of the difference reaches the origin's level, whatever was "
+                       "rounded",
+                       {{Mark::yes, numbers + " > " + short_number(event.bound) + ", more than all that was rounded"},
+                        {Mark::none, bounds_are_wide}});
+  return frame_about(
+      Focus::proof, "The direction is no proof: rounding alone could have put the difference behind the origin's level",
+      {{Mark::no, numbers + " ≤ " + short_number(event.bound) + ", which rounding may make"},
+       {Mark::none, "the answer may be right or wrong: a second search decides"}});
+}
+
+Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& names, const Moment& now) {
+  if (event.numbers.empty() && now.simplex.size() < 4) {
+    const std::string found = now.simplex.size() == 0 ? "nothing" : names.simplex(now.simplex);
+    return frame_about(Focus::proof, "There is no proof in these numbers: the first search leaves " + found,
+                       {{Mark::none, "only a tetrahedron can hold the origin by more than rounding"},
+                        {Mark::none, "so a second search decides, from the vertices that were found"}});
+  }
+  if (event.numbers.empty())
+    return frame_about(Focus::proof,
+                       "The tetrahedron cannot be proven in these numbers: some are too large or too small");
+  std::string list;
+  for (const gjk::ProofNumber& each : event.numbers)
+    list += (list.empty() ? "" : ", ") + names.translate(each.expression) + " = " + short_number(each.value);
+  const std::string bound = short_number(event.bound);
+  if (event.holds)
+    return frame_about(Focus::proof,
+                       "The tetrahedron is a proof: the origin lies inside by more than all that was rounded",
+                       {{Mark::yes, "all four lie beyond ±" + bound + ", on one side of 0"},
+                        {Mark::none, list},
+                        {Mark::none, "each is the volume, six times, between the origin and one face"}});
+  return frame_about(Focus::proof,
+                     "The tetrahedron is no proof: the origin is nearer to a face than rounding can tell, or outside",
+                     {{Mark::no, "not all four lie beyond ±" + bound + ", on one side of 0"},
+                      {Mark::none, list},
+                      {Mark::none, "the answer may be right or wrong: a second search decides"}});
+}
+
+constexpr std::size_t signs_in_a_line = 3;
+
+/// Returns: the signs of this iteration of which doubles left no doubt, some in each line.
+std::vector<Fact> signs_without_doubt(const Moment& now, const Names& names) {
+  std::vector<Fact> facts;
+  std::size_t in_line = 0;
+  for (const gjk::SignTaken<double>& sign : now.signs) {
+    if (!sign.exact.empty()) continue;
+    if (in_line++ % signs_in_a_line == 0)
+      facts.push_back({Mark::none, sign_in_words(sign, names)});
+    else
+      facts.back().text += ",  " + sign_in_words(sign, names);
+  }
+  return facts;
+}
+
+/// "a₀ − b₂, a₁ − b₂", by the places of the points in their sets.
+std::string pairs_in_words(const gjk::Certificate& certificate) {
+  const gjk::IndexPairs* pairs = nullptr;
+  if (const auto* feature = std::get_if<gjk::SeparatingFeature>(&certificate)) pairs = &feature->of;
+  if (const auto* simplex = std::get_if<gjk::CommonSimplex>(&certificate)) pairs = &simplex->of;
+  std::string text;
+  if (pairs)
+    for (const gjk::IndexPair pair : *pairs)
+      text += (text.empty() ? "a[" : ", a[") + std::to_string(pair.a) + "] − b[" + std::to_string(pair.b) + "]";
+  return text;
+}
+
+}  // namespace
+
+std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names) {
+  return name_of(sign, names) + " = " + with_error(sign) + sign_words(sign.sign);
+}
+
+std::optional<Frame> caption_of(const gjk::ProofTried<double>& event, const Names& names, const Moment& now) {
+  return event.proof == gjk::Proof::direction ? caption_of_direction(event) : caption_of_tetrahedron(event, names, now);
+}
+
+std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, Dimension dimension) {
+  const bool is_across_plane = event.expression.ends_with(".x") || event.expression.ends_with(".y");
+  if (event.exact.empty() || (dimension == Dimension::plane && event.expression.starts_with('(') && is_across_plane))
+    return std::nullopt;  // in the plane these are 0, and nobody doubts it
+  const std::string name = name_of(event, names), exactly = short_fraction(event.exact);
+  const bool is_largest = event.expression != "w·d" && event.vertex;
+  Frame frame = frame_about(
+      Focus::sign,
+      is_largest
+          ? "Whether any point reaches across is in doubt: those that reach farthest are compared in whole numbers"
+          : "The sign of " + name + " is in doubt: 0 lies within its error, so it is taken of whole numbers",
+      {{Mark::none, name + " = " + with_error(event) + ": of either sign, or 0"},
+       {Mark::answer, "exactly " + exactly + (event.sign == 0 ? "" : sign_words(event.sign))}});
+  if (!event.formula.empty()) frame.facts.push_back({Mark::none, "computed as " + names.translate(event.formula)});
+  return frame;
+}
+
+std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now) {
+  const std::string kept = names.simplex(event.after);
+  const bool is_vertex = event.after.size() == 1, is_all = event.dropped.empty();
+  std::string caption;
+  if (event.contains_origin)
+    caption = is_vertex ? kept + " is the origin"
+                        : "The origin lies " + std::string(event.after.size() == 2 ? "on " : "in ") + kept;
+  else
+    caption =
+        is_vertex ? kept + " is the point nearest to the origin" : "The point nearest to the origin lies on " + kept;
+  Frame frame = frame_about(Focus::kept, caption, signs_without_doubt(now, names));
+  std::string dropped;
+  for (const char role : event.dropped) dropped += (dropped.empty() ? "" : ", ") + names.sorted(std::string(1, role));
+  if (!is_all)
+    frame.facts.insert(frame.facts.begin(),
+                       {Mark::none, names.list(event.before) + " becomes " + names.list(event.after) + ": without " +
+                                        dropped + " the simplex is as near"});
+  return frame;
+}
+
+std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names& names, const Moment& now,
+                                Dimension dimension) {
+  const gjk::CertifiedResult& result = event.result;
+  const bool is_apart = result.status == gjk::Status::separated;
+  Frame frame = frame_about(
+      Focus::proven, is_apart ? "It is proven: the objects do not intersect" : "It is proven: the objects intersect",
+      {{Mark::answer, std::string(gjk::to_string(result.status)) + ", proven"}});
+  if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&result.certificate))
+    frame.facts.push_back(
+        {Mark::none, "the certificate is d = " + vector(direction->d, dimension) + ": a·d < b·d for all their points"});
+  else
+    frame.facts.push_back({Mark::none, "the certificate is " + names.simplex(now.simplex) + ", of " +
+                                           pairs_in_words(result.certificate)});
+  if (!std::holds_alternative<gjk::SeparatingDirection>(result.certificate))
+    frame.facts.push_back(
+        {Mark::none,
+         is_apart ? "from its point nearest to the origin the way to the origin separates them: multiply to check"
+                  : "the origin lies in it: multiply to check"});
+  if (now.guess && *now.guess != result.status)
+    frame.facts.push_back({Mark::truth, "the first search had ended " + std::string(gjk::to_string(*now.guess))});
+  return frame;
+}
+
+}  // namespace walkthroughs

@@ -1,0 +1,99 @@
+#include "walkthroughs/story/number_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace walkthroughs {
+namespace {
+
+constexpr std::size_t longest_fraction = 24;
+constexpr std::size_t digits_looked_at = 15;
+
+/// A number of any size, mantissa · 10^exponent.
+struct Approximate {
+  double mantissa = 0;
+  int exponent = 0;
+
+  double value() const { return mantissa * std::pow(10.0, exponent); }
+};
+
+/// Requires: digits. Returns: them, with a decimal point behind the first.
+Approximate leading(const std::string& digits) {
+  const std::string first = digits.substr(0, digits_looked_at);
+  return {std::stod(first) / std::pow(10.0, static_cast<double>(first.size() - 1)),
+          static_cast<int>(digits.size()) - 1};
+}
+
+Approximate approximate(const std::string& fraction) {
+  const bool is_negative = fraction.starts_with('-');
+  const std::string size = fraction.substr(is_negative ? 1 : 0);
+  const std::size_t slash = size.find('/');
+  Approximate x = leading(size.substr(0, slash));
+  if (slash != std::string::npos) {
+    const Approximate divisor = leading(size.substr(slash + 1));
+    x.mantissa /= divisor.mantissa;
+    x.exponent -= divisor.exponent;
+    if (x.mantissa < 1 && x.mantissa > 0) x = {10 * x.mantissa, x.exponent - 1};
+  }
+  if (is_negative) x.mantissa = -x.mantissa;
+  return x;
+}
+
+NumberLine line_of(const gjk::ProofTried<double>& proof, const Names& names) {
+  NumberLine line{.numbers = {},
+                  .low = -proof.bound,
+                  .high = proof.bound,
+                  .meaning = "±" + short_number(proof.bound) + ": so much may be rounding"};
+  for (const gjk::ProofNumber& each : proof.numbers)
+    line.numbers.push_back({names.translate(each.expression), short_number(each.value), each.value});
+  return line;
+}
+
+NumberLine line_of(const gjk::SignTaken<double>& sign, const Names& names) {
+  const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
+  const std::string name = w.empty() || sign.expression != "w·d" ? names.translate(sign.expression) : w + "·d";
+  NumberLine line{.numbers = {{name, short_number(sign.value), sign.value}},
+                  .low = sign.value - sign.error,
+                  .high = sign.value + sign.error,
+                  .meaning = "±" + short_number(sign.error) + ": it lies somewhere here"};
+  if (!sign.exact.empty())
+    line.numbers.push_back({"exactly", short_fraction(sign.exact), approximate(sign.exact).value(), true});
+  return line;
+}
+
+bool is_drawable(const NumberLine& line) {
+  const auto is_finite = [](const NumberLine::Number& each) { return std::isfinite(each.value); };
+  return !line.numbers.empty() && std::ranges::all_of(line.numbers, is_finite) && std::isfinite(line.low) &&
+         std::isfinite(line.high);
+}
+
+}  // namespace
+
+std::string short_fraction(const std::string& fraction) {
+  std::string text = fraction;
+  if (fraction.size() > longest_fraction) {
+    const Approximate x = approximate(fraction);
+    char digits[64];
+    std::snprintf(digits, sizeof digits, "≈ %.4ge%d", x.mantissa, x.exponent);
+    text = digits;
+  }
+  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) text.replace(at, 1, "−");
+  return text;
+}
+
+std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Names& names) {
+  std::optional<NumberLine> line;
+  if (focus == Focus::proof) line = line_of(*now.proof, names);
+  if (focus == Focus::sign && !now.signs.back().power) line = line_of(now.signs.back(), names);
+  return line && is_drawable(*line) ? line : std::nullopt;
+}
+
+std::string in_words(const NumberLine& line) {
+  std::string text = "A number line shows ";
+  for (std::size_t i = 0; i < line.numbers.size(); ++i)
+    text += (i == 0 ? "" : ", ") + line.numbers[i].name + " = " + line.numbers[i].text;
+  return text + " and, to scale, " + line.meaning + ".";
+}
+
+}  // namespace walkthroughs
