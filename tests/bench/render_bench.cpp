@@ -43,6 +43,7 @@
 
 #include "render/image.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/picture/studio.hpp"
 #include "walkthroughs/story/storyboard.hpp"

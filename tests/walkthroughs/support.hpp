@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs::test {

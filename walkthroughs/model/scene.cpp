@@ -4,12 +4,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "core/gjk.hpp"
 #include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/model/number_text.hpp"
-#include "walkthroughs/model/run_certified.hpp"
-#include "walkthroughs/model/types_of_scene.hpp"
-#include "walkthroughs/model/widened.hpp"
 
 namespace walkthroughs {
 
@@ -113,16 +109,6 @@ std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const P
                             "an object that its pose moves cannot be certified, because its points are rounded then; "
                             "give the points where they are"};
   return std::nullopt;
-}
-
-Trace run(const Scene& scene) {
-  if (scene.certified) return run_certified(scene);
-  Trace trace;
-  with_types_of(scene, [&]<class S, class Rules>() {
-    const auto tell = [&](const auto& event) { trace(widened(event)); };
-    gjk::collision<S, Rules>(AskedObject<S>(scene.a), AskedObject<S>(scene.b), options_in<S>(scene), tell);
-  });
-  return trace;
 }
 
 }  // namespace walkthroughs

@@ -89,7 +89,4 @@ std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const P
 
 using Trace = gjk::Trace<double>;
 
-/// Returns: every event of GJK on the two objects, computed in the scene's scalar; a double holds every float.
-Trace run(const Scene& scene);
-
 }  // namespace walkthroughs

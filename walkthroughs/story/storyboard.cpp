@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/captions.hpp"
 
 namespace walkthroughs {

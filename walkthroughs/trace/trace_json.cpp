@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "walkthroughs/model/event_fields.hpp"
+#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/trace_limits.hpp"
 

@@ -6,6 +6,7 @@
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 #include "tests/walkthroughs/program/program.hpp"
+#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
 namespace study::test {

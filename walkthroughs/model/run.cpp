@@ -1,0 +1,20 @@
+#include "walkthroughs/model/run.hpp"
+
+#include "core/gjk.hpp"
+#include "walkthroughs/model/run_certified.hpp"
+#include "walkthroughs/model/types_of_scene.hpp"
+#include "walkthroughs/model/widened.hpp"
+
+namespace walkthroughs {
+
+Trace run(const Scene& scene) {
+  if (scene.certified) return run_certified(scene);
+  Trace trace;
+  with_types_of(scene, [&]<class S, class Rules>() {
+    const auto tell = [&](const auto& event) { trace(widened(event)); };
+    gjk::collision<S, Rules>(AskedObject<S>(scene.a), AskedObject<S>(scene.b), options_in<S>(scene), tell);
+  });
+  return trace;
+}
+
+}  // namespace walkthroughs
