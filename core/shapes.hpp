@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -63,30 +64,39 @@ class PointBlocks {
   /// which have no blocks, should not have this in their way.
   [[gnu::noinline]] std::size_t farthest(const Vec3<S>& d) const {
     std::size_t best = 0;
-    S most = reach(blocks_[0], d).maxCoeff();
+    Reaches reaches = reach(blocks_[0], d);
+    S most = reaches.maxCoeff();
     for (std::size_t i = 1; i < blocks_.size(); ++i) {
-      const S here = reach(blocks_[i], d).maxCoeff();
-      if (here > most) {
-        most = here;
+      const Reaches here = reach(blocks_[i], d);
+      const S most_here = here.maxCoeff();
+      if (most_here > most) {
+        most = most_here;
+        reaches = here;
         best = i;
       }
     }
-    // Compared with one another and not with `most`: a compiler that is allowed to contract products may round it otherwise.
-    const Eigen::Array<S, size, 1> reaches = reach(blocks_[best], d);
-    Eigen::Index row = 0;
-    for (Eigen::Index i = 1; i < reaches.size(); ++i)
-      if (reaches[i] > reaches[row]) row = i;
-    return best * size + static_cast<std::size_t>(row);
+    return best * size + first_equal(reaches, most);
   }
 
  private:
   static constexpr std::size_t size = 8;
   static constexpr bool fit_processor = std::same_as<S, float> || std::same_as<S, double>;
   using Block = Eigen::Array<S, size, 3>;
+  using Reaches = Eigen::Array<S, size, 1>;
 
   /// In the order of PointSet::reach(), so that the same point is farthest.
-  static auto reach(const Block& block, const Vec3<S>& d) {
+  static Reaches reach(const Block& block, const Vec3<S>& d) {
     return block.col(0) * d.x() + (block.col(1) * d.y() + block.col(2) * d.z());
+  }
+
+  /// Requires: `most` is the largest of `reaches`; kept, not computed again, for a compiler that is allowed to contract products
+  /// might then round them otherwise. All are compared: a loop that ends early would be guessed wrongly by the processor.
+  /// Returns: below `size`, whatever is not a number.
+  static std::size_t first_equal(const Reaches& reaches, const S& most) {
+    unsigned equal = 1U << (size - 1);
+    for (std::size_t i = 0; i + 1 < size; ++i)
+      equal |= static_cast<unsigned>(reaches[static_cast<Eigen::Index>(i)] == most) << i;
+    return static_cast<std::size_t>(std::countr_zero(equal));
   }
 
   std::vector<Block> blocks_;
@@ -102,6 +112,10 @@ class PointSet {
   explicit PointSet(std::vector<Vec3<S>> points) : points_(std::move(points)), blocks_(points_) {
     if (points_.empty()) throw std::invalid_argument("a point set needs at least one point");
     for (const Vec3<S>& p : points_) extent_ = extent_.cwiseMax(p).cwiseMax(-p);  // of scalars without abs(), too
+    if constexpr (std::floating_point<S>) {
+      for (const Vec3<S>& p : points_) mean_ += p;
+      mean_ /= static_cast<S>(points_.size());
+    }
   }
 
   /// Eq. 5: the point P with P·d >= Q·d for all Q. Among equals the first in the list.
@@ -115,6 +129,11 @@ class PointSet {
   /// Returns: the largest |x|, |y| and |z| of its points. What bounds on rounding need to know of a set; computed with each
   /// query it would cost as much as the query.
   const Vec3<S>& extent() const { return extent_; }
+
+  /// Returns: the mean of its n points, well inside, for searches to start from (Options::inside); not finite where the sum
+  /// overflows. It is off by at most nur in each component, r being the extent and u half the epsilon of S, and but for terms of
+  /// u²: n − 1 sums of at most nr are rounded, divided by n, and so is the quotient.
+  const Vec3<S>& mean() const requires std::floating_point<S> { return mean_; }
 
  private:
   std::size_t one_by_one(const Vec3<S>& d) const {
@@ -134,7 +153,7 @@ class PointSet {
   static S reach(const Vec3<S>& p, const Vec3<S>& d) { return p.x() * d.x() + (p.y() * d.y() + p.z() * d.z()); }
 
   std::vector<Vec3<S>> points_;
-  Vec3<S> extent_ = Vec3<S>::Zero();
+  Vec3<S> extent_ = Vec3<S>::Zero(), mean_ = Vec3<S>::Zero();
   detail::PointBlocks<S> blocks_;
 };
 
@@ -268,6 +287,9 @@ class MinkowskiSum {
     const SupportPoint<S> a = a_.support(d), b = b_.support(d);
     return {Vec3<S>(a.point + b.point)};
   }
+
+  const A& a() const { return a_; }
+  const B& b() const { return b_; }
 
  private:
   A a_;

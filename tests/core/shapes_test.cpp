@@ -44,10 +44,10 @@ TEMPLATE_TEST_CASE("Eq. 5: of many points the first of the farthest is the answe
   std::mt19937 random(7474);
   std::uniform_int_distribution<int> coordinate(-4, 4);
   const auto any_vector = [&] { return Vec3<S>(S(coordinate(random)), S(coordinate(random)), S(coordinate(random))); };
-  for (int count = 1; count <= 70; ++count) {
-    std::vector<Vec3<S>> list(static_cast<std::size_t>(count));
+  for (int count = 1; count <= 280; ++count) {
+    std::vector<Vec3<S>> list(static_cast<std::size_t>(count / 4 + 1));
     std::generate(list.begin(), list.end(), any_vector);
-    const Vec3<S> d = any_vector() + Vec3<S>(S(9), S(0), S(0));
+    const Vec3<S> d = any_vector() + (count % 2 ? Vec3<S>(S(9), S(0), S(0)) : Vec3<S>(S(0), S(0), S(-5)));
     const auto nearer = [&](const Vec3<S>& p, const Vec3<S>& q) { return p.dot(d) < q.dot(d); };
     const SupportPoint<S> found = PointSet<S>(list).support(d);
     INFO(count << " points");
@@ -70,6 +70,40 @@ TEMPLATE_TEST_CASE("Eq. 5: many points are added up as few are, to the last bit"
     const auto nearer = [&](const Vec3<S>& q, const Vec3<S>& r) { return reach(q) < reach(r); };
     REQUIRE(PointSet<S>(list).support(d).index == std::max_element(list.begin(), list.end(), nearer) - list.begin());
   }
+}
+
+TEMPLATE_TEST_CASE("Eq. 5: where products overflow or are no numbers, the answer is still one of the points",
+                   "[shapes]", float, double) {
+  using S = TestType;
+  const S most = std::numeric_limits<S>::max();
+  for (const std::size_t count : {3U, 16U, 40U})
+    for (const S sign : {S(1), S(-1)}) {
+      const PointSet<S> points(std::vector<Vec3<S>>(count, Vec3<S>(sign * most, -most, most)));
+      REQUIRE(points.support(Vec3<S>(most, most, 1)).index.value() < static_cast<int>(count));
+    }
+}
+
+TEMPLATE_TEST_CASE("The mean of a point set is off by at most nur, and not finite where the sum overflows", "[shapes]",
+                   float, double, long double) {
+  using S = TestType;
+  Dice dice(7474);
+  bool is_any_off = false;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Vec3<S>> list(static_cast<std::size_t>(dice.between(1, 40)));
+    for (Vec3<S>& p : list)
+      for (S& x : p) x = static_cast<S>(dice.between(-1.0, 1.0)) * std::scalbn(S(1), dice.between(-30, 30));
+    const PointSet<S> points(list);
+    for (int axis = 0; axis < 3; ++axis) {
+      Rational sum = 0;
+      for (const Vec3<S>& p : list) sum += Rational(p[axis]);
+      const Rational n(list.size()), off = abs(Rational(points.mean()[axis]) - sum / n);
+      is_any_off |= off > 0;
+      REQUIRE(off <= n * Rational(std::numeric_limits<S>::epsilon() / 2) * Rational(points.extent()[axis]));
+    }
+  }
+  REQUIRE(is_any_off);
+  const S most = std::numeric_limits<S>::max();
+  REQUIRE_FALSE(std::isfinite(PointSet<S>({Vec3<S>(most, 0, 0), Vec3<S>(most, 0, 0)}).mean().x()));
 }
 
 TEST_CASE("A point set needs at least one point", "[shapes]") {
