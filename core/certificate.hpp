@@ -13,6 +13,7 @@ namespace gjk {
 
 /// The point a − b of the difference, by the indices of a and b in their sets.
 struct IndexPair {
+  static constexpr int mean = -1;  ///< in place of an index: the exact mean of all points of the set
   int a = 0, b = 0;
   friend bool operator==(const IndexPair&, const IndexPair&) = default;
 };

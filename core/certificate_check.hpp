@@ -48,6 +48,20 @@ inline std::optional<Fractions> solution_of(std::vector<Fractions> rows, std::si
   return x;
 }
 
+/// Returns: the point of that index, or the mean of all; none where the index is none.
+template <class S>
+std::optional<Fractions> point_of(const PointSet<S>& set, int index) {
+  const auto& points = set.points();
+  if (index >= 0 && static_cast<std::size_t>(index) < points.size())
+    return fractions(points[static_cast<std::size_t>(index)]);
+  if (index != IndexPair::mean) return std::nullopt;
+  Fractions mean(3);
+  for (const Vec3<S>& p : points)
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += fractions(p)[i];
+  for (Fraction& x : mean) x /= points.size();
+  return mean;
+}
+
 /// Returns: these points of the difference; none where they are not 1 to `most`, or an index is none.
 template <class S>
 std::optional<std::vector<Fractions>> points_of(const IndexPairs& pairs, int most, const PointSet<S>& a,
@@ -55,12 +69,9 @@ std::optional<std::vector<Fractions>> points_of(const IndexPairs& pairs, int mos
   if (pairs.size() < 1 || pairs.size() > most) return std::nullopt;
   std::vector<Fractions> points;
   for (const auto& [i, j] : pairs) {
-    const auto has = [](const PointSet<S>& set, int index) {
-      return index >= 0 && static_cast<std::size_t>(index) < set.points().size();
-    };
-    if (!has(a, i) || !has(b, j)) return std::nullopt;
-    points.push_back(
-        minus(fractions(a.points()[static_cast<std::size_t>(i)]), fractions(b.points()[static_cast<std::size_t>(j)])));
+    const auto of_a = point_of(a, i), of_b = point_of(b, j);
+    if (!of_a || !of_b) return std::nullopt;
+    points.push_back(minus(*of_a, *of_b));
   }
   return points;
 }

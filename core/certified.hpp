@@ -9,30 +9,24 @@
 /// rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no harm.)
 ///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see DirectionProof.
 ///  C2. Four points are a proof where four determinants are larger than 64uM³, M being the largest coordinate of the points:
-///      see TetrahedronProof.
+///      see TetrahedronProof. One of them may be the difference of the means of the sets, which is known less well: larger than
+///      64uM³ + 8(n_A r_A + n_B r_B)uM², see error_of_mean().
 ///  C3. Each sign that the second search goes by is that of the exact number: see ExactSimplex::sign() and AlongDirection.
 ///  C4. The second search ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
 ///      feature that is kept, and there are finitely many of them.
 ///  C5. Whatever the first search does, wrong rules included, costs time and never truth: of it only points of the difference and
-///      one direction with its farthest point are taken, and what they prove is looked at anew.
+///      one direction with its farthest point are taken, and what they prove is looked at anew. Of a search that starts inside
+///      the first vertex is no such point, unless the caller has given the means of the sets: which these know themselves.
 #pragma once
-
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error \
-    "gjk::certified_collision proves what it says by the rules of IEEE arithmetic: compile without -ffast-math and its parts"
-#endif
 
 #include <array>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cfloat>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 
 #include "bounded.hpp"
@@ -40,13 +34,11 @@
 #include "certified_telling.hpp"
 #include "gjk.hpp"
 #include "nearest.hpp"
+#include "usual_arithmetic.hpp"
 
 namespace gjk {
 
 namespace detail {
-
-static_assert(FLT_EVAL_METHOD == 0, "bounds on rounding need doubles that are rounded to double at once");
-static_assert(std::numeric_limits<double>::is_iec559);
 
 // -- Proofs of what the first search has found ------------------------------------------------------------------------
 
@@ -64,24 +56,6 @@ struct Rounding<float> {
   static constexpr double u = 0x1p-24, least_reach = 0x1p-100, largest_reach = 0x1p126, least_norm = 0x1p-40,
                           largest_norm = 0x1p40;
 };
-
-/// Whether arithmetic is what the proofs assume; no compiler may know beforehand. One comparison finds denormal results that
-/// are flushed to zero as well as denormal operands that count as zero; the other two find rounding that is not to nearest.
-/// A difference, since a product that becomes denormal takes many processors a tenth of a query.
-inline bool arithmetic_is_usual() {
-  volatile double normal = 0x1.8p-1022, one = 1;
-  volatile double denormal = normal - 0x1p-1022;
-  const double x = one, quarter = 0x1p-54, three_quarters = 0x1.8p-53;
-  return denormal != 0 && x + quarter == 1 && x + three_quarters > 1;
-}
-
-/// Errors: std::runtime_error.
-inline void expect_usual_arithmetic() {
-  if (!arithmetic_is_usual())
-    throw std::runtime_error(
-        "nothing can be proven: this processor is set to flush denormal numbers to zero, or not to round to "
-        "nearest; compile and link without -ffast-math, and leave the floating-point environment as it was");
-}
 
 /// C1. Returns: whether d separates the sets, w·d having been found as `support_value` by their support functions.
 ///
@@ -118,15 +92,18 @@ class DirectionProof {
 ///
 /// Each of the six products of three components in v meets 8 roundings (three differences a − b, product, difference,
 /// product, two sums) and is at most M³, M being the largest component of all: 48uM³ is the error, and 64uM³ is asked for.
+///
+/// `mean_error`: how far the components of one of the points may be off beside that, see error_of_mean(). Each product has one
+/// of them at most, times M²: 6M² is the error that it makes, and 8M² is asked for.
 template <class S>
 class TetrahedronProof {
  public:
-  TetrahedronProof(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d) {
+  TetrahedronProof(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d, double mean_error = 0) {
     const auto size_ab = a.cwiseAbs().cwiseMax(b.cwiseAbs()), size_cd = c.cwiseAbs().cwiseMax(d.cwiseAbs());
     const double M = static_cast<double>(size_ab.cwiseMax(size_cd).maxCoeff());
     can_be_tried_ = M > Rounding<S>::least_norm && M < Rounding<S>::largest_norm;
     if (!can_be_tried_) return;
-    error_ = 64 * Rounding<S>::u * (M * M * M);
+    error_ = (64 * Rounding<S>::u * M + 8 * mean_error) * (M * M);
     const Vec3<S> cd = c.cross(d), ab = a.cross(b);
     bcd_ = static_cast<double>(b.dot(cd)), acd_ = static_cast<double>(a.dot(cd));
     abd_ = static_cast<double>(ab.dot(d)), abc_ = static_cast<double>(ab.dot(c));
@@ -147,6 +124,15 @@ class TetrahedronProof {
   bool can_be_tried_ = false;
   double error_ = 0, bcd_ = 0, acd_ = 0, abd_ = 0, abc_ = 0;
 };
+
+/// C2. Returns: by how much the components of the mean of n points of that extent may be off, see PointSet::mean(). What terms
+/// of u² add is less than what TetrahedronProof asks for beyond, if nu is at most a quarter; and a denormal quotient is off by
+/// less than the least number, which is nothing beside what M has to be.
+template <class S>
+double error_of_mean(std::size_t n, S extent) {
+  const double nu = static_cast<double>(n) * Rounding<S>::u;
+  return nu <= 0.25 ? nu * static_cast<double>(extent) : std::numeric_limits<double>::infinity();
+}
 
 // -- The second search ------------------------------------------------------------------------------------------------
 
@@ -634,9 +620,38 @@ concept AsksTheDifference = std::same_as<decltype(Rules::template difference<S>(
                                                                                 std::declval<const PointSet<S>&>())),
                                          MinkowskiDifference<S, PointSet<S>, PointSet<S>>>;
 
+/// Returns: those vertices that support functions have found.
 template <class S>
-void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
-  for (int i = 0; i < simplex.size(); ++i) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
+IndexPairs vertices_with_indices(const Simplex<S>& simplex) {
+  IndexPairs pairs;
+  for (int i = 0; i < simplex.size(); ++i)
+    if (simplex[i].a.index) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
+  return pairs;
+}
+
+/// Vertices as a certificate has them, and how far the one that is a difference of means may be off.
+struct Named {
+  IndexPairs vertices;
+  double mean_error = 0;
+};
+
+/// Returns: nothing where the search has started from points that are not the means: these have no name.
+template <class S>
+std::optional<Named> named(const Simplex<S>& simplex, const PointSet<S>& a, const PointSet<S>& b) {
+  Named names;
+  for (int i = 0; i < simplex.size(); ++i) {
+    const auto& [of_a, of_b, w] = simplex[i];
+    if (of_a.index) {
+      names.vertices.add({*of_a.index, *of_b.index});
+    } else if (of_a.point == a.mean() && of_b.point == b.mean()) {
+      names.vertices.add({IndexPair::mean, IndexPair::mean});
+      names.mean_error = error_of_mean(a.points().size(), a.extent().maxCoeff()) +
+                         error_of_mean(b.points().size(), b.extent().maxCoeff());
+    } else {
+      return std::nullopt;
+    }
+  }
+  return names;
 }
 
 /// certified_collision(), to its end.
@@ -658,20 +673,19 @@ CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Option
     }
   }
   const Simplex<S>& simplex = guess.simplex;
-  if (simplex.size() == 4) {
-    const TetrahedronProof<S> proof(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w);
+  if (const auto names = simplex.size() == 4 ? named(simplex, a, b) : std::nullopt) {
+    const TetrahedronProof<S> proof(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w, names->mean_error);
     tell([&] { return proof.told(); });
     if (proof.holds()) {
       result.status = Status::intersecting;
       result.proof = Proof::tetrahedron;
-      add_vertices(result.certificate.template emplace<CommonSimplex>().of, simplex);
+      result.certificate = CommonSimplex{names->vertices};
       return result;
     }
   } else if (!guess.separation) {
     tell([] { return ProofTried<S>{.proof = Proof::tetrahedron}; });
   }
-  IndexPairs found;
-  add_vertices(found, simplex);
+  IndexPairs found = vertices_with_indices(simplex);
   if (found.size() == 0) found.add({});
   search_again(a, b, found, tell, result);
   return result;

@@ -8,7 +8,7 @@
 /// What the algorithm rests on (Section 3.4), as numbered properties; the tests quote them:
 ///  P1. The support function returns a point farthest in the direction given, and is never given the zero vector.
 ///  P2. Every vertex of the simplex lies on the hull of the Minkowski difference: no point of the difference lies
-///      farther in the direction in which it was found.
+///      farther in the direction in which it was found. (A search that starts inside has one vertex that need not.)
 ///  P3. A is the vertex added last. The others stay in the order in which they were added, except where Algorithm 4
 ///      moves below a triangle and where Algorithm 5 keeps a face.
 ///  P4. Normals point away from the simplex: no vertex of the triangle or tetrahedron lies on their side of A.
@@ -82,7 +82,7 @@ class Search {
       : difference_(Rules::template difference<S>(a, b)),
         options_(options),
         tell_(observer, options.crossing_test),
-        direction_(options.first_direction),
+        direction_(options.inside ? Vec3<S>(options.inside->b - options.inside->a) : options.first_direction),
         result_(result) {}
 
   void run() {
@@ -107,6 +107,8 @@ class Search {
 
   void search() {
     tell_([&] { return SearchStarted<S>{.direction = direction_, .why = why_first_direction()}; });
+    if (options_.inside && is_found_at(*options_.inside))
+      return finish(Status::intersecting, Reason::simplex_contains_origin);
     while (result_.iterations < options_.iteration_limit) {
       if (!is_usable_direction(direction_)) return finish(Status::undecided, Reason::unusable_direction);
       if (result_.iterations >= first_to_compare && comes_back()) return finish(Status::undecided, Reason::cycle);
@@ -128,6 +130,18 @@ class Search {
       if (reason) return finish_outside(vertex, w_d, *reason);
     }
     return finish(Status::undecided, Reason::iteration_limit);
+  }
+
+  /// Algorithm 2 about a vertex that no support function has found. Returns: whether the origin is there.
+  ///
+  /// Here we differ: it lies within the difference, not on its hull (P2). No rule minds, since each rests on the moves: the first
+  /// leads from this vertex toward the origin, as it would from one of the hull.
+  bool is_found_at(const PointOfEach<S>& inside) {
+    const Vertex<S> start{inside.a, inside.b, inside.a - inside.b};
+    if (remembers()) remember(start.w);
+    result_.simplex.add(start);
+    tell_([&] { return VertexAdded<S>{.simplex = result_.simplex}; });
+    return Rules::process_0simplex(Step<Rules, S, Obs>(result_.simplex, tell_)).contains_origin();
   }
 
   /// Where nobody listens, most searches have ended before anything is compared.
@@ -235,6 +249,7 @@ class Search {
   }
 
   const char* why_first_direction() const {
+    if (options_.inside) return "from a point inside A to one inside B; their difference is the first vertex";
     return direction_ == Options<S>{}.first_direction ? "any first direction will do; +x is the usual one"
                                                       : "the caller asked for this first direction";
   }

@@ -25,11 +25,22 @@ enum class CrossingTest {
   off,  ///< go on until the support function has no new vertex to offer (Section 3.1.2)
 };
 
+/// A point of each set, best well inside, such as PointSet::mean(). Answers that a search gives are about the sets with these
+/// points added: where one lies outside by rounding, as it may of flat sets, so much may be found that the sets do not have.
+template <class S>
+struct PointOfEach {
+  Vec3<S> a, b;
+};
+
 template <class S>
 struct Options {
-  Vec3<S> first_direction = Vec3<S>(S(1), S(0), S(0));  ///< any length but zero
-  int iteration_limit = 20;                             ///< Algorithm 1; below 1 nothing is tried
+  Vec3<S> first_direction =
+      Vec3<S>(S(1), S(0), S(0));  ///< any length but zero; not looked at where a search starts inside
+  int iteration_limit = 20;       ///< Algorithm 1; below 1 nothing is tried
   CrossingTest crossing_test = CrossingTest::on;
+  /// Where given, the search starts inside: with the vertex inside->a − inside->b, which has no indices and for which no
+  /// support function is asked. It spares half an iteration to a whole one.
+  std::optional<PointOfEach<S>> inside = {};
 };
 
 /// Returns: a first direction that often separates sets that are apart: from a point inside A to one inside B, such as
@@ -66,7 +77,7 @@ struct Result {
   int iterations = 0;                       ///< how many times each of the two support functions was called
   Simplex<S> simplex;                       ///< the last one; the claim is that it contains the origin, if intersecting
   std::optional<Separation<S>> separation;  ///< present exactly when separated
-  std::optional<int> cycle_start;           ///< present exactly at a cycle: the next iteration would begin as this one did
+  std::optional<int> cycle_start;  ///< present exactly at a cycle: the next iteration would begin as this one did
   friend bool operator==(const Result&, const Result&) = default;
 };
 

@@ -132,6 +132,33 @@ TEMPLATE_TEST_CASE("C2: M is the largest coordinate of all four points", "[certi
   }
 }
 
+TEMPLATE_TEST_CASE("C2: where a mean is off by δ, a determinant of 64uM³ + 8δM² is no proof, the next number is one",
+                   "[certified]", float, double) {
+  using S = TestType;
+  const double delta = 0x1p-20;
+  const S bound = static_cast<S>(64 * u<S> + 8 * delta);
+  const auto enclose_with = [=](S z, S M) {
+    const Corners<S> corners = around_origin<S>(M, M, z);
+    return detail::TetrahedronProof<S>(corners[0], M * corners[1], M * corners[2], M * corners[3], delta * double(M))
+        .holds();
+  };
+  for (const S M : {S(1), S(4)}) {
+    REQUIRE_FALSE(enclose_with(bound * M, M));
+    REQUIRE(enclose_with(above(bound * M), M));
+  }
+  const auto [a, b, c, d] = around_origin<S>();
+  REQUIRE_FALSE(detail::TetrahedronProof<S>(a, b, c, d, std::numeric_limits<double>::infinity()).holds());
+}
+
+TEMPLATE_TEST_CASE("C2: the mean of n points is known to nur, of a quarter of 1/u points and no more", "[certified]",
+                   float, double) {
+  using S = TestType;
+  REQUIRE(detail::error_of_mean<S>(7, 3) == 21 * u<S>);
+  const auto most = static_cast<std::size_t>(0.25 / u<S>);
+  REQUIRE(detail::error_of_mean<S>(most, 3) == 0.75);
+  REQUIRE(std::isinf(detail::error_of_mean<S>(most + 1, 3)));
+}
+
 TEMPLATE_TEST_CASE("C2: points that leave the origin outside, or on their hull, are no proof", "[certified]", float,
                    double) {
   using S = TestType;
@@ -187,12 +214,14 @@ template <class SetBack>
 Tried tried_then(const SetBack& set_back) {
   const PointSet<double> a({Vec3<double>(0, 0, 0)});
   volatile bool is_usual = detail::arithmetic_is_usual(), has_thrown = false;  // known before anything is set back
+  volatile bool behaves = detail::arithmetic_behaves_as_usual();
   try {
     certified_collision(a, a);
   } catch (const std::runtime_error&) {
     has_thrown = true;
   }
   set_back();
+  REQUIRE(behaves == is_usual);
   return {is_usual, has_thrown};
 }
 
