@@ -1,0 +1,284 @@
+/// Collision tests of shapes whose points are computed, such as cylinders, sums, and what a pose moves: never wrong, and where
+/// their points are known too badly for an answer undecided, with a bound on how near the shapes are. Needs Eigen only.
+///
+///     const gjk::ShapesResult result = gjk::certified_shapes(can, gjk::Posed(box, pose));
+///     result.status;  // intersecting, separated, or undecided
+///     result.gap;     // undecided: no farther apart than that, and no deeper in each other
+///
+/// A point w of the difference is known to ε: the errors of both shapes, see C6 in support_error.hpp, and what w itself and its
+/// product with a direction are rounded by. The assumptions are those of certified.hpp.
+///  C7. Apart: a direction d with −w·d > ε|d|, w being the point found along it. For no point of the difference is farther
+///      along d than w by more than that.
+///  C8. Together: a closed surface of triangles between points that were found, which goes around the origin, and of which no
+///      triangle comes as near to it as ε. Were every point where it truly is, no triangle would have passed the origin on the
+///      way there; so the surface still goes around it, and the origin is in the hull of its points.
+///  C9. No farther apart than the triangle of that surface that is nearest to the origin, and ε; of a flat difference, which has
+///      none, than g where it surrounds the origin once grown by a ball of radius g. And no deeper in each other than the
+///      difference reaches along the direction in which it reaches least, and ε.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "bounded.hpp"
+#include "result.hpp"
+#include "support_error.hpp"
+#include "usual_arithmetic.hpp"
+
+namespace gjk {
+
+struct ShapesResult {
+  Status status = Status::undecided;
+  /// Where undecided: the shapes are at most so far apart, and to part them takes a move of at most so much (C9). Else 0.
+  double gap = 0;
+  int iterations = 0;               ///< how many times each of the two support functions was called
+  Vec3<double> direction{0, 0, 0};  ///< where separated: a·d < b·d for all points a and b
+};
+
+namespace detail {
+
+using Place = Vec3<double>;
+
+/// The difference of two shapes, grown by a ball, asked about points; keeps what directions prove.
+template <class S, class A, class B>
+class DoubtfulDifference {
+ public:
+  /// ε: w = a − b is rounded by u|w|, w·d is off by 3u|w||d|; all in doubles.
+  DoubtfulDifference(const A& a, const B& b) : a_(a), b_(b) {
+    const Doubt of_a = doubt(a), of_b = doubt(b);
+    size_ = of_a.size + of_b.size;
+    error_ = (of_a.error + of_b.error + 8 * roundoff * size_) * (1 + 0x1p-20);
+  }
+
+  double error() const { return error_; }
+  int times_asked() const { return times_asked_; }
+  /// The difference itself reaches at most so far along some direction: to part the shapes takes no more than that.
+  double least_reach() const { return least_reach_; }
+  /// C7.
+  const std::optional<Place>& separation() const { return separation_; }
+
+  /// Requires: a vector with a largest component near 1. Returns: a point far along it of the difference grown by `radius`.
+  Place far_along(const Place& direction, double radius) {
+    const Vec3<S> d = direction.cast<S>();
+    const Place along = d.template cast<double>();
+    const double length = along.norm();
+    const Place w = near_support(a_, d).template cast<double>() - near_support(b_, Vec3<S>(-d)).template cast<double>();
+    ++times_asked_;
+    const double reach = w.dot(along) / length;
+    if (reach + error_ * (1 + 0x1p-20) < 0) separation_ = along;
+    least_reach_ = std::min(least_reach_, reach + 2 * error_);
+    return w + along * (radius / length);
+  }
+
+ private:
+  const A& a_;
+  const B& b_;
+  double size_, error_;
+  int times_asked_ = 0;
+  double least_reach_ = std::numeric_limits<double>::infinity();
+  std::optional<Place> separation_;
+};
+
+/// A closed surface of triangles, each counter-clockwise seen from outside, which points are added to.
+class Surface {
+ public:
+  struct Face {
+    std::array<std::size_t, 3> corners;
+    Place normal;   ///< of length 1, outward; any other vector would be as true, and of less use
+    double height;  ///< the least of corner·normal: so far from the origin is the triangle, where that is positive
+  };
+
+  /// Requires: four points that are in no plane.
+  explicit Surface(const std::array<Place, 4>& corners) : points_(corners.begin(), corners.end()) {
+    const bool is_right_handed =
+        (points_[1] - points_[0]).cross(points_[2] - points_[0]).dot(points_[3] - points_[0]) > 0;
+    for (const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+      is_right_handed ? add_face(i, k, j) : add_face(i, j, k);
+  }
+
+  const Face& lowest() const { return *std::ranges::min_element(faces_, {}, &Face::height); }
+
+  /// Returns: whether p lies beyond the face, above all of its corners.
+  bool is_below(const Face& face, const Place& p) const {
+    return std::ranges::all_of(face.corners,
+                               [&](std::size_t i) { return face.normal.dot(p) > face.normal.dot(points_[i]); });
+  }
+
+  /// Takes away the faces that p is beyond, and joins p to the edges of what is left. It stays closed, whatever rounds: each edge
+  /// that is left open has two triangles again.
+  void add(const Place& p) {
+    std::vector<std::array<std::size_t, 2>> open;
+    std::vector<Face> kept;
+    for (const Face& face : faces_) {
+      if (!is_below(face, p)) {
+        kept.push_back(face);
+        continue;
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::array edge{face.corners[i], face.corners[(i + 1) % 3]};
+        const auto other_side = std::ranges::find(open, std::array{edge[1], edge[0]});
+        if (other_side != open.end())
+          open.erase(other_side);
+        else
+          open.push_back(edge);
+      }
+    }
+    faces_ = std::move(kept);
+    points_.push_back(p);
+    for (const auto& [i, j] : open) add_face(i, j, points_.size() - 1);
+  }
+
+  /// Returns: how far from the origin some point of it is: of each triangle that below the origin, or one on its rim.
+  double nearness() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Face& face : faces_) {
+      const auto &a = points_[face.corners[0]], &b = points_[face.corners[1]], &c = points_[face.corners[2]];
+      const Place n = (b - a).cross(c - a);
+      const auto part = [&](const Place& x, const Place& y) { return std::max(0.0, n.dot(x.cross(y))); };
+      const double of_a = part(b, c), of_b = part(c, a), of_c = part(a, b), sum = of_a + of_b + of_c;
+      if (sum > 0) least = std::min(least, ((of_a / sum) * a + (of_b / sum) * b + (of_c / sum) * c).norm());
+      least = std::min({least, nearness_of_edge(a, b), nearness_of_edge(b, c), nearness_of_edge(c, a)});
+    }
+    return least;
+  }
+
+  /// C8. Returns: whether it goes around the origin. It does where a ray from there crosses it from inside to outside more often
+  /// than the other way, each crossing being certain. A ray through each face is tried, beside its middle: across from that many
+  /// a shape has a corner.
+  bool goes_around_origin() const {
+    return std::ranges::any_of(faces_, [this](const Face& face) {
+      const auto& [i, j, k] = face.corners;
+      const std::optional<int> crossings = crossings_of(points_[i] + 2 * points_[j] + 4 * points_[k]);
+      return crossings && *crossings > 0;
+    });
+  }
+
+ private:
+  void add_face(std::size_t i, std::size_t j, std::size_t k) {
+    const Place n = (points_[j] - points_[i]).cross(points_[k] - points_[i]), normal = n / n.norm();
+    faces_.push_back(
+        {{i, j, k}, normal, std::min({normal.dot(points_[i]), normal.dot(points_[j]), normal.dot(points_[k])})});
+  }
+
+  static double nearness_of_edge(const Place& a, const Place& b) {
+    const Place along = b - a;
+    const double squared = along.squaredNorm();
+    return squared > 0 ? (a + std::clamp(-a.dot(along) / squared, 0.0, 1.0) * along).norm() : a.norm();
+  }
+
+  /// With det(x, y, z) = (x×y)·z, the line along g crosses the triangle abc where det(g, a, b), det(g, b, c) and det(g, c, a) have
+  /// one sign, and that on the side of g where it is the one of det(a, b, c), which says which way. Returns: nothing where that
+  /// is in doubt.
+  std::optional<int> crossings_of(const Place& g) const {
+    int sum = 0;
+    for (const Face& face : faces_) {
+      const auto &a = points_[face.corners[0]], &b = points_[face.corners[1]], &c = points_[face.corners[2]];
+      const auto [least, most] = std::minmax({sign(g, a, b), sign(g, b, c), sign(g, c, a)});
+      if (least < 0 && most > 0) continue;
+      const int way = sign(a, b, c);
+      if (least != most || least == 0 || way == 0) return std::nullopt;
+      if (way == least) sum += way;
+    }
+    return sum;
+  }
+  /// Returns: that of det(x, y, z); 0 where it is in doubt.
+  static int sign(const Place& x, const Place& y, const Place& z) {
+    const auto bounded = [](const Place& v) { return Triple<Bounded>{{v.x()}, {v.y()}, {v.z()}}; };
+    const Bounded det = dot(cross(bounded(x), bounded(y)), bounded(z));
+    return std::abs(det.value) > det.error ? sign_of(det) : 0;
+  }
+
+  std::vector<Place> points_;
+  std::vector<Face> faces_;
+};
+
+constexpr int most_points = 200;  // 60 were seen
+
+/// Returns: four points of the grown difference in no plane, found where they are far from those found before; nothing where
+/// the difference is flat, or apart.
+template <class Difference>
+std::optional<std::array<Place, 4>> first_corners(Difference& difference, double radius) {
+  std::array<Place, 4> w;
+  const auto farther = [&](const Place& d, const Place& from) {
+    const Place up = difference.far_along(d, radius), down = difference.far_along(-d, radius);
+    return std::abs(d.dot(up - from)) > std::abs(d.dot(down - from)) ? up : down;
+  };
+  const auto normalized = [](const Place& v) { return Place(v / v.cwiseAbs().maxCoeff()); };
+  w[0] = difference.far_along(Place(1, 0, 0), radius);
+  w[1] = difference.far_along(Place(-1, 0, 0), radius);
+  Place edge = w[1] - w[0];
+  if (edge == Place::Zero()) return std::nullopt;
+  edge = normalized(edge);
+  Eigen::Index least;
+  edge.cwiseAbs().minCoeff(&least);
+  w[2] = farther(normalized(edge.cross(Place::Unit(least))), w[0]);
+  const Place normal = edge.cross(w[2] - w[0]);
+  if (normal == Place::Zero() || !normal.allFinite()) return std::nullopt;
+  w[3] = farther(normalized(normal), w[0]);
+  if (normal.dot(w[3] - w[0]) == 0) return std::nullopt;
+  return w;
+}
+
+struct Surrounded {
+  bool is_origin = false;  ///< C8
+  double nearness =
+      std::numeric_limits<double>::infinity();  ///< of what does not surround it; infinite where that is flat
+};
+
+/// Expands a surface of points of the difference grown by `radius` toward the origin, until it goes around it farther than ε
+/// (C8), or a direction separates (C7), or nothing more is found.
+template <class Difference>
+Surrounded surrounded(Difference& difference, double radius) {
+  const auto corners = first_corners(difference, radius);
+  if (!corners) return {};
+  Surface surface(*corners);
+  for (int i = 4; i < most_points && !difference.separation(); ++i) {
+    const Surface::Face lowest = surface.lowest();
+    if (lowest.height > difference.error() * (1 + 0x1p-20) && surface.goes_around_origin()) return {true, 0};
+    if (!lowest.normal.allFinite()) break;
+    const Place w = difference.far_along(lowest.normal, radius);
+    if (!surface.is_below(lowest, w)) break;
+    surface.add(w);
+  }
+  return {false, surface.nearness()};
+}
+
+/// C9. Requires: neither apart nor together by what was found. Returns: a bound on the distance.
+template <class Difference>
+double distance_at_most(Difference& difference, double nearness) {
+  double distance = nearness + 2 * difference.error();
+  for (double radius = 4 * difference.error(); radius < distance; radius *= 4)
+    if (surrounded(difference, radius).is_origin) distance = radius;
+  return distance;
+}
+
+}  // namespace detail
+
+/// Do they have a point in common? Touching is intersecting, but seldom decided.
+///
+/// Requires: finite shapes. S, float or double, is what their points are computed in.
+/// Errors: std::runtime_error as certified_collision(); what a support function throws passes through.
+template <class S = double, class A, class B>
+requires DoubtfulShape<A, S> && DoubtfulShape<B, S> ShapesResult certified_shapes(const A& a, const B& b) {
+  detail::expect_usual_arithmetic();
+  detail::DoubtfulDifference<S, A, B> difference(a, b);
+  ShapesResult result;
+  if (!std::isfinite(difference.error())) {
+    result.gap = difference.error();
+    return result;
+  }
+  const auto [is_together, nearness] = detail::surrounded(difference, 0);
+  if (is_together)
+    result.status = Status::intersecting;
+  else if (!difference.separation())
+    result.gap = std::max(detail::distance_at_most(difference, nearness), difference.least_reach());
+  if (difference.separation()) result = {Status::separated, 0, 0, *difference.separation()};
+  result.iterations = difference.times_asked();
+  return result;
+}
+
+}  // namespace gjk

@@ -1,0 +1,239 @@
+/// certified_shapes(): shapes whose points are known to ε. Never wrong, and decided but where they all but touch.
+#include "core/certified_shapes.hpp"
+
+#include <map>
+
+#include "core/certified.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/support.hpp"
+
+namespace gjk::test {
+namespace {
+
+using V = Vec3<double>;
+constexpr auto apart = Status::separated, together = Status::intersecting, undecided = Status::undecided;
+
+/// Points that are each said to be off by `error`; and are, to that length, in a direction of its own each time.
+struct Blurred {
+  PointSet<double> points;
+  double error;
+  bool is_off = false;
+  mutable Dice dice{7474};
+};
+Doubt doubt(const Blurred& blurred) { return {gjk::doubt(blurred.points).size + blurred.error, blurred.error}; }
+V near_support(const Blurred& blurred, const V& d) {
+  const V p = blurred.points.support(d).point;
+  if (!blurred.is_off) return p;
+  auto& dice = blurred.dice;
+  return p + V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)).normalized() * blurred.error;
+}
+
+const std::vector<V> cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
+                          {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+
+ShapesResult beside_cube(double error, const V& center) {
+  return certified_shapes(Blurred{PointSet<double>(cube), error}, Blurred{PointSet<double>({center}), 0});
+}
+
+}  // namespace
+
+// -- C7, C8 -----------------------------------------------------------------------------------------------------------
+
+TEST_CASE("C7: a gap of ε separates nothing, a wider one does", "[certified]") {
+  // ε is 0.25, what is rounded in w, 8u(6.5 + 3·2), and a millionth part of both for how it was rounded itself.
+  const double rounded = 8 * 0x1p-53 * 6.5, epsilon = 0.25 + rounded;
+  REQUIRE(beside_cube(0.25, V(1 + epsilon, 0, 0)).status == undecided);
+  REQUIRE(beside_cube(0.25, V(1 + epsilon * (1 + 0x1p-18), 0, 0)).status == apart);
+  REQUIRE(beside_cube(0.25, V(0, -1 - epsilon, 0)).status == undecided);
+  REQUIRE(beside_cube(0.25, V(0, -1 - epsilon * (1 + 0x1p-18), 0)).status == apart);
+}
+
+TEST_CASE("C7: the direction separates by more than what is in doubt", "[certified]") {
+  const ShapesResult result = beside_cube(0.25, V(2, 3, -2));
+  REQUIRE(result.status == apart);
+  REQUIRE(result.gap == 0);
+  for (const V& p : cube)
+    REQUIRE(p.dot(result.direction) < V(2, 3, -2).dot(result.direction) - 0.25 * result.direction.norm());
+}
+
+TEST_CASE("C8: a point ε deep in a cube proves nothing, one that is deeper does", "[certified]") {
+  const double epsilon = 0.25 + 8 * 0x1p-53 * 6;
+  for (const V& side : {V(1, 0, 0), V(0, -1, 0), V(0, 0, 1)}) {
+    REQUIRE(beside_cube(0.25, side * (1 - epsilon)).status == undecided);
+    REQUIRE(beside_cube(0.25, side * (1 - epsilon * (1 + 0x1p-18))).status == together);
+  }
+}
+
+TEST_CASE("C7, C8: where points are off by as much as they may be, no answer is wrong", "[certified]") {
+  Dice dice(11);
+  std::map<Status, int> seen;
+  for (int i = 0; i < 3000; ++i) {
+    const PairOfHulls hulls = random_pair(dice);
+    const auto a = point_set<double>(hulls.a), b = point_set<double>(hulls.b);
+    const double error = std::ldexp(1.0, -dice.between(1, 20));
+    const ShapesResult result =
+        certified_shapes(Blurred{a, error, true, Dice(dice.between(0, 1000000))}, Blurred{b, error, true, Dice(i)});
+    INFO("pair " << i);
+    ++seen[result.status];
+    if (result.status != undecided) REQUIRE(result.status == certified_collision(a, b).status);
+  }
+  for (const Status each : {apart, together, undecided}) REQUIRE(seen[each] > 100);
+}
+
+TEST_CASE("C8: a surface that does not go around the origin is no proof", "[certified]") {
+  const auto around = [](const V& moved) {
+    return detail::Surface({V(1, 1, 1) + moved, V(1, -1, -1) + moved, V(-1, 1, -1) + moved, V(-1, -1, 1) + moved});
+  };
+  REQUIRE(around(V(0, 0, 0)).goes_around_origin());
+  REQUIRE(around(V(0.1, -0.2, 0.1)).goes_around_origin());
+  REQUIRE_FALSE(around(V(2, 0, 0)).goes_around_origin());
+  REQUIRE_FALSE(around(V(5, 5, 5)).goes_around_origin());
+  REQUIRE_FALSE(around(V(-1, -1, -1)).goes_around_origin());  // which is a corner
+  // Either hand, and with a corner more.
+  REQUIRE(detail::Surface({V(1, -1, -1), V(1, 1, 1), V(-1, 1, -1), V(-1, -1, 1)}).goes_around_origin());
+  detail::Surface more = around(V(0, 0, 0));
+  more.add(V(3, 3, -3));
+  REQUIRE(more.goes_around_origin());
+  REQUIRE(more.lowest().height > 0);
+}
+
+// -- C9 ---------------------------------------------------------------------------------------------------------------
+
+TEST_CASE("C9: what touches is undecided, with a bound that is true and small", "[certified]") {
+  const Cylinder<double> can(V(0, 0, 0), V(0, 0, 1), 1, 2);
+  for (const double gap : {0.0, 1e-15, -1e-15}) {
+    INFO("gap " << gap);
+    for (const ShapesResult& result :
+         {certified_shapes(can, Cylinder<double>(V(0.3, 0.2, 2 + gap), V(0, 0, -1), 0.5, 2)),
+          certified_shapes(can, Sphere<double>(V(3 + gap, 0, 0), 2)),
+          certified_shapes(Sphere<double>(V(0, 3 + gap, 0), 2), can),
+          certified_shapes(can, PointSet<double>({V(0, 0, 1 + gap), V(1, 2, 9)}))}) {
+      REQUIRE(result.status == undecided);
+      REQUIRE(result.gap >= std::abs(gap));
+      REQUIRE(result.gap < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("C9: of points known to a quarter the bound holds for what is no nearer and no deeper", "[certified]") {
+  for (const double x : {0.8, 0.9, 1.0, 1.1, 1.2}) {
+    const ShapesResult result = beside_cube(0.25, V(x, 0.1, -0.2));
+    INFO("x " << x << ", gap " << result.gap);
+    REQUIRE(result.status == undecided);
+    REQUIRE(result.gap >= std::abs(1 - x));
+    REQUIRE(result.gap >= 0.25);
+    REQUIRE(result.gap <= 1);
+  }
+}
+
+TEST_CASE("C9: a flat difference has a bound, too; the same point twice has one that is next to nothing",
+          "[certified]") {
+  const Pose<double> turned{Eigen::AngleAxisd(1, V(1, -2, 3).normalized()).toRotationMatrix(), V(1, 2, 3)};
+  const PointSet<double> a({V(0, 0, 0), V(2, 0, 0), V(0, 2, 0)}), b({V(0.5, 0.5, 0), V(3, 3, 0)}),
+      far({V(5, 5, 0), V(3, 3, 0)});
+  using Turned = Posed<double, PointSet<double>>;
+  const ShapesResult flat = certified_shapes(Turned(a, turned), Turned(b, turned));
+  REQUIRE(flat.status == undecided);
+  REQUIRE(flat.gap < 1e-5);
+  REQUIRE(certified_shapes(Turned(a, turned), Turned(far, turned)).status == apart);
+  const PointSet<double> point({V(1, 2, 3)});
+  const ShapesResult same = certified_shapes(Turned(point, turned), Turned(point, turned));
+  REQUIRE(same.status == undecided);
+  REQUIRE(same.gap < 1e-12);
+}
+
+TEST_CASE("C9: of what might overflow nothing is known", "[certified]") {
+  const ShapesResult result = certified_shapes(Sphere<double>(V(1e307, 0, 0), 1), Sphere<double>(V(0, 0, 0), 1));
+  REQUIRE(result.status == undecided);
+  REQUIRE(std::isinf(result.gap));
+  REQUIRE(result.iterations == 0);
+}
+
+// -- Right answers ----------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Two cylinders with axes along z, so made that their numbers are exact. `gap`: of caps, or of sides.
+template <class S>
+struct Cans {
+  Cylinder<S> a, b;
+};
+template <class S>
+Cans<S> cans_in_flat_contact(Dice& dice, S gap) {
+  const auto quarter = [&](int low, int high) { return static_cast<S>(dice.between(low, high)) / 4; };
+  const S r = quarter(1, 4), other_r = quarter(1, 4), h = quarter(2, 8) * 2, other_h = quarter(2, 8) * 2;
+  const Vec3<S> axis(0, 0, dice.between(0, 1) ? 1 : -1);
+  if (dice.between(0, 1))  // end to end, somewhere over the other
+    return {{Vec3<S>(0, 0, 0), axis, r, h},
+            {Vec3<S>(quarter(-1, 1), quarter(-1, 1), (h + other_h) / 2 + gap), axis, other_r, other_h}};
+  return {{Vec3<S>(0, 0, 0), axis, r, h}, {Vec3<S>(0, -(r + other_r + gap), quarter(-1, 1)), axis, other_r, other_h}};
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("Cylinders in flat contact are decided, rightly, down to gaps of some hundred roundings",
+                   "[certified]", float, double) {
+  using S = TestType;
+  Dice dice(12);
+  const int finest = std::same_as<S, float> ? 13 : 42;
+  for (const int digits : {4, 10, finest - 8, finest})
+    for (int i = 0; i < 500; ++i) {
+      const S gap = std::scalbn(S(1), -digits);
+      for (const S signed_gap : {gap, -gap}) {
+        const auto [a, b] = cans_in_flat_contact<S>(dice, signed_gap);
+        INFO("pair " << i << ", gap " << signed_gap);
+        REQUIRE(certified_shapes<S>(a, b).status == (signed_gap > 0 ? apart : together));
+        REQUIRE(certified_shapes<S>(b, a).status == (signed_gap > 0 ? apart : together));
+      }
+    }
+}
+
+TEST_CASE("A can in a posed box's way, a capsule, and a sum of sums are found where they are", "[certified]") {
+  const Pose<double> pose{Eigen::AngleAxisd(0.7, V(1, 1, 1).normalized()).toRotationMatrix(), V(4, 0, 0)};
+  const Posed<double, PointSet<double>> box(PointSet<double>(cube), pose);
+  const auto can_at = [](double x) { return Cylinder<double>(V(x, 0, 0), V(0, 1, 0), 1, 2); };
+  REQUIRE(certified_shapes(can_at(0), box).status == apart);
+  REQUIRE(certified_shapes(can_at(2.5), box).status == together);
+  const MinkowskiSum<double, PointSet<double>, Sphere<double>> capsule(PointSet<double>({V(0, 0, -1), V(0, 0, 1)}),
+                                                                       Sphere<double>(V(0, 0, 0), 1));
+  using Capsule = MinkowskiSum<double, PointSet<double>, Sphere<double>>;
+  const MinkowskiSum<double, Capsule, PointSet<double>> longer(capsule, PointSet<double>({V(0, 0, 0), V(0, 5, 0)}));
+  for (const double gap : {1e-3, 1e-9, 1e-12}) {
+    REQUIRE(certified_shapes(capsule, Sphere<double>(V(2 + gap, 0, 0.5), 1)).status == apart);
+    REQUIRE(certified_shapes(capsule, Sphere<double>(V(2 - gap, 0, 0.5), 1)).status == together);
+    REQUIRE(certified_shapes(longer, Sphere<double>(V(2 + gap, 3, 0.5), 1)).status == apart);
+    REQUIRE(certified_shapes(longer, Sphere<double>(V(2 - gap, 3, 0.5), 1)).status == together);
+  }
+}
+
+TEST_CASE("Sets of points are never answered otherwise than exactly", "[certified]") {
+  Dice dice(13);
+  std::map<Status, int> found;
+  for (int i = 0; i < 2000; ++i) {
+    const PairOfHulls hulls = random_pair(dice);
+    const PointSet<double> a(seen(hulls.a, skew("1/7", 1.0 / 7))), b(seen(hulls.b, skew("1/7", 1.0 / 7)));
+    const ShapesResult result = certified_shapes(a, b);
+    INFO("pair " << i);
+    ++found[result.status];
+    if (result.status != undecided) REQUIRE(result.status == certified_collision(a, b).status);
+  }
+  REQUIRE(found[apart] > 500);
+  REQUIRE(found[together] > 300);
+}
+
+TEST_CASE("Other arithmetic is refused for shapes, too", "[certified]") {
+#if defined(__SSE2__)
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | 1U << 15);
+  bool has_thrown = false;
+  try {
+    certified_shapes(Sphere<double>(V(0, 0, 0), 1), Sphere<double>(V(0, 0, 0), 1));
+  } catch (const std::runtime_error&) {
+    has_thrown = true;
+  }
+  _mm_setcsr(before);
+  REQUIRE(has_thrown);
+#endif
+}
+
+}  // namespace gjk::test
