@@ -92,6 +92,7 @@ class AskedSum {
  public:
   explicit AskedSum(SumOf<S> sum);
   gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const;
+  const auto& sum() const;
 
  private:
   struct Both;
@@ -324,6 +325,7 @@ class Asked {
   gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
     return std::visit([&](const auto& form) { return form.support(d); }, form_);
   }
+  const auto& form() const { return form_; }
 
  private:
   typename AskedForms<AnyShapeOf<S>>::type form_;
@@ -342,6 +344,10 @@ AskedSum<S>::AskedSum(SumOf<S> sum)
 template <class S>
 gjk::SupportPoint<S> AskedSum<S>::support(const gjk::Vec3<S>& d) const {
   return both_->sum.support(d);
+}
+template <class S>
+const auto& AskedSum<S>::sum() const {
+  return both_->sum;
 }
 
 }  // namespace walkthroughs

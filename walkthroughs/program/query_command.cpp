@@ -44,17 +44,23 @@ shortest that read back the same in the scalar. Strings are: the fractions of ex
 doubles, "inf", "-inf" and "nan".
 Where differences of points are beyond about 1e±75 (double) or 1e±8 (float), products of them overflow or vanish, and
 the answer is arbitrary; long-double and exact have room for all numbers that a line may hold.
-With --certified every answer is true, whatever rounds or overflows, and none is "undecided": of points only, without a
-pose that moves them, each coordinate any finite number that --scalar float or double has. Rules, zero test, start and
-iterations steer the first search only.
+With --start inside the first vertex is the difference of these centers; in "simplex" it is the one without indices.
+With --certified every answer is true, whatever rounds or overflows, in --scalar float or double, for any finite numbers.
+About points and spheres that no pose moves none is "undecided". Of points, where rules, zero test, start and iterations
+steer the first search only:
   {"status": "...", "iterations": n, "second_iterations": m, "proof": "...", "certificate": {...}}
 Proof: "direction" or "tetrahedron", where what the first search found is proof enough; else "second-search", m iterations
 that no rounding misleads. A certificate is about the numbers as read and converted, multiplied without rounding:
   {"direction": [x, y, z]}     separated: this d has a·d < b·d for all points a and b
   {"nearest": [[i, j], ...]}   separated: so has d = -v, v being the point nearest to 0 of the hull of these a[i] - b[j]
-  {"simplex": [[i, j], ...]}   intersecting: 0 is in the hull of these a[i] - b[j]
+  {"simplex": [[i, j], ...]}   intersecting: 0 is in the hull of these a[i] - b[j]; index -1 is the mean of all points
 With --fractions each number is "p/q", and there are those to check with: "direction" beside "nearest"; beside "simplex"
 "weights" w[k] >= 0, whose sum is 1, and the common "point", the sum of all w[k] a[i] and also that of all w[k] b[j].
+If a sphere is one of the two, {"status": "...", "proof": "distance"}: squared distances, compared exactly. Points of cylinders,
+of sums and of what a pose moves are computed, and known to some roundings:
+  {"status": "separated", "iterations": n, "proof": "direction", "certificate": {"direction": [x, y, z]}}
+  {"status": "intersecting", "iterations": n, "proof": "surface"}, one of points found that goes around 0
+  {"status": "undecided", "iterations": n, "gap": g}: no farther apart than g, and no deeper in each other
 A bad line, also a blank one, gives {"error": "...", "line": n}, and the others are answered.
 Answers are written before more is read, so a program may ask one pair and wait.
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
@@ -153,12 +159,14 @@ CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
           ->capture_default_str(),
       1, scene_limits::iterations);
   CLI::Option* const start = command->add_option(
-      "--start", query.start, "search first between: from the center of a to that of b, as eager rules do anyway");
+      "--start", query.start,
+      "search first between: from the center of a to that of b, as eager rules do anyway; or start inside: with the "
+      "difference of the centers as the first vertex");
   CLI::Option* const first_direction =
       command->add_option("--first-direction", query.first_direction, "search first along x,y,z")->excludes(start);
   expect_direction(first_direction);
-  CLI::Option* const certified =
-      command->add_flag("--certified", query.certified, "prove each answer about sets of points, with its certificate");
+  CLI::Option* const certified = command->add_flag("--certified", query.certified,
+                                                   "prove each answer, with a certificate where it is about points");
   command
       ->add_flag("--fractions", query.fractions,
                  "write certificates in exact fractions, with what it takes to check them")

@@ -25,7 +25,7 @@ void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out
 }
 
 void answer(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
-  if (query.evidence != QueryEvidence::of_the_search) return answer_certified(pair, query, out);
+  if (query.evidence != QueryEvidence::of_the_search) return answer_certified(std::move(pair), query, out);
   switch (query.scalar) {
     case QueryScalar::binary32: return answer_in<float>(std::move(pair), query, out);
     case QueryScalar::binary64: return answer_in<double>(std::move(pair), query, out);

@@ -7,6 +7,7 @@
 
 #include "core/certificate_check.hpp"
 #include "core/certified.hpp"
+#include "core/certified_shapes.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_options.hpp"
 
@@ -75,7 +76,7 @@ struct CertificateWriter {
   Fractions weighted(const gjk::IndexPairs& pairs, const Fractions& weights) const {
     Fractions sum(3);
     for (int k = 0; k < pairs.size(); ++k) {
-      const Fractions p = gjk::detail::fractions(a.points()[static_cast<std::size_t>(pairs[k].a)]);
+      const Fractions p = *gjk::detail::point_of(a, pairs[k].a);
       for (std::size_t i = 0; i < 3; ++i) sum[i] += weights[static_cast<std::size_t>(k)] * p[i];
     }
     return sum;
@@ -91,6 +92,29 @@ void write_answer(const gjk::CertifiedResult& result, const CertificateWriter<S>
   out.append(",\"proof\":\"").append(to_string(result.proof)).append("\",\"certificate\":{");
   std::visit(writer, result.certificate);
   out += "}}\n";
+}
+
+/// What is decided exactly needs no more words.
+inline void write_answer_of_balls(gjk::Status status, std::string& out) {
+  out.append("{\"status\":\"").append(words_of::of(words_of::status, status)).append("\",\"proof\":\"distance\"}\n");
+}
+
+inline void write_answer(const gjk::ShapesResult& result, QueryEvidence evidence, std::string& out) {
+  out.append("{\"status\":\"").append(words_of::of(words_of::status, result.status));
+  out.append("\",\"iterations\":").append(std::to_string(result.iterations));
+  switch (result.status) {
+    case gjk::Status::intersecting: out += ",\"proof\":\"surface\""; break;
+    case gjk::Status::separated:
+      out += ",\"proof\":\"direction\",\"certificate\":{\"direction\":";
+      if (evidence == QueryEvidence::fractions)
+        write_list(gjk::detail::fractions(result.direction), out, [&](const auto& number) { write(number, out); });
+      else
+        write(result.direction, out);
+      out += '}';
+      break;
+    case gjk::Status::undecided: write(result.gap, out += ",\"gap\":");
+  }
+  out += "}\n";
 }
 
 }  // namespace walkthroughs

@@ -1,45 +1,68 @@
 #include "walkthroughs/query/query_certified.hpp"
 
+#include <optional>
 #include <variant>
 
 #include "core/certified.hpp"
-#include "walkthroughs/model/scene.hpp"
+#include "core/certified_balls.hpp"
+#include "core/certified_shapes.hpp"
 #include "walkthroughs/query/query_certificate.hpp"
-#include "walkthroughs/text/document.hpp"
+#include "walkthroughs/query/query_doubt.hpp"
 
 namespace walkthroughs {
 namespace {
 
 using reading::ObjectAsWritten;
 
-/// `key`: of the object in its line. Errors: DocumentError.
+bool moves(const Pose& pose) {
+  return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
+}
+
+/// What is decided exactly.
 template <class S>
-gjk::PointSet<S> certifiable_set(const ObjectAsWritten& object, const std::string& key) {
-  if (const auto objection = objection_to_proof(object.form, object.pose.value_or(Pose{})))
-    throw DocumentError(1, key + "." + objection->key, objection->why + ", or leave out --certified");
-  const Points& points = std::get<Points>(object.form);
-  std::vector<gjk::Vec3<S>> list;
-  list.reserve(points.size());
-  for (const Point& p : points) list.push_back(Cast<S>{}.point(p));
-  return gjk::PointSet<S>(std::move(list));
+using ExactShape = std::variant<gjk::PointSet<S>, gjk::Sphere<S>>;
+
+/// Returns: nothing where its points are computed: of cylinders, of sums, and where a pose moves it.
+template <class S>
+std::optional<ExactShape<S>> exact_shape(const ObjectAsWritten& object) {
+  if (object.pose && moves(*object.pose)) return std::nullopt;
+  const auto shape = converted<S>(object.form, InScalar<S>{});
+  if (const auto* points = std::get_if<PointsOf<S>>(&shape)) return gjk::PointSet<S>(*points);
+  if (const auto* ball = std::get_if<BallOf<S>>(&shape)) return gjk::Sphere<S>(ball->center, ball->radius);
+  return std::nullopt;
 }
 
 template <class S>
-void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
-  const gjk::PointSet<S> a = certifiable_set<S>(pair.a, "a"), b = certifiable_set<S>(pair.b, "b");
-  const gjk::Options<S> options = search_options<S>(pair, query);
-  const gjk::CertifiedResult result = gjk::with_rules(
-      query.rules, query.zero_test, [&]<class Rules>() { return gjk::certified_collision<S, Rules>(a, b, options); });
-  write_answer(result, CertificateWriter<S>{a, b, query.evidence, out});
+struct Answer {
+  const PairAsWritten& pair;
+  const QueryOptions& query;
+  std::string& out;
+
+  void operator()(const gjk::PointSet<S>& a, const gjk::PointSet<S>& b) const {
+    const gjk::Options<S> options = search_options<S>(pair, query);
+    const gjk::CertifiedResult result = gjk::with_rules(
+        query.rules, query.zero_test, [&]<class Rules>() { return gjk::certified_collision<S, Rules>(a, b, options); });
+    write_answer(result, CertificateWriter<S>{a, b, query.evidence, out});
+  }
+  /// One of them is a ball.
+  void operator()(const auto& a, const auto& b) const { write_answer_of_balls(gjk::certified_status(a, b), out); }
+};
+
+template <class S>
+void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
+  const auto a = exact_shape<S>(pair.a), b = exact_shape<S>(pair.b);
+  if (a && b) return std::visit(Answer<S>{pair, query, out}, *a, *b);
+  const QueryObject<S> one = query_object<S>(std::move(pair.a)), other = query_object<S>(std::move(pair.b));
+  write_answer(gjk::certified_shapes<S>(one, other), query.evidence, out);
 }
 
 }  // namespace
 
-void answer_certified(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
+void answer_certified(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
   if (query.scalar == QueryScalar::binary32)
-    answer_in<float>(pair, query, out);
+    answer_in<float>(std::move(pair), query, out);
   else
-    answer_in<double>(pair, query, out);
+    answer_in<double>(std::move(pair), query, out);
 }
 
 }  // namespace walkthroughs

@@ -7,8 +7,8 @@
 
 namespace walkthroughs {
 
-/// Appends the answer. Requires: a pair read for a query in float or double whose evidence is a certificate.
-/// Errors: DocumentError where an object is no list of points: the points of others are rounded before anything is proven.
-void answer_certified(const PairAsWritten& pair, const QueryOptions& query, std::string& out);
+/// Appends the answer to a pair, which is used up. Of points and balls it is exact; of shapes whose points are computed it may be
+/// undecided. Requires: a pair read for a query in float or double whose evidence is a certificate.
+void answer_certified(PairAsWritten&& pair, const QueryOptions& query, std::string& out);
 
 }  // namespace walkthroughs

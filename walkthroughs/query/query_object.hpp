@@ -4,6 +4,7 @@
 #include <concepts>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "core/shapes.hpp"
 #include "walkthroughs/model/exact_number.hpp"
@@ -12,23 +13,22 @@
 
 namespace walkthroughs {
 
-/// A shape of core/: a form and, where one moves it, its pose.
+/// A shape of core/: a form and, where one moves it, its pose. Without that nothing is turned, so that the answer is that of
+/// the form itself to the last bit.
 template <class S>
 class QueryObject {
  public:
-  QueryObject(Asked<S> form, std::optional<gjk::Pose<S>> pose) : form_(std::move(form)), pose_(std::move(pose)) {}
+  QueryObject(Asked<S> form, const std::optional<gjk::Pose<S>>& pose)
+      : shape_(pose ? Shape(gjk::Posed<S, Asked<S>>(std::move(form), *pose)) : Shape(std::move(form))) {}
 
-  /// Without a pose nothing is turned, so that the answer is that of the form itself to the last bit.
   gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
-    if (!pose_) return form_.support(d);
-    gjk::SupportPoint<S> found = form_.support(pose_->turned_back(d));
-    found.point = (*pose_)(found.point);
-    return found;
+    return std::visit([&](const auto& shape) { return shape.support(d); }, shape_);
   }
+  const auto& shape() const { return shape_; }
 
  private:
-  Asked<S> form_;
-  std::optional<gjk::Pose<S>> pose_;
+  using Shape = std::variant<Asked<S>, gjk::Posed<S, Asked<S>>>;
+  Shape shape_;
 };
 
 /// Turns what was read into a scalar, number by number. Requires: that it was read for that scalar (reading::Numbers).
@@ -65,7 +65,14 @@ template <class S>
 QueryObject<S> query_object(reading::ObjectAsWritten&& object) {
   std::optional<gjk::Pose<S>> pose;
   if (object.pose && !is_at_rest(*object.pose)) pose = pose_in<S>(*object.pose);
-  return {asked_form<S>(std::move(object.form)), std::move(pose)};
+  return {asked_form<S>(std::move(object.form)), pose};
+}
+
+/// Returns: a point inside, in the scalar: of points without a pose gjk::PointSet::mean(). Requires: as InScalar.
+template <class S>
+gjk::Vec3<S> point_inside(const reading::ObjectAsWritten& object) {
+  const gjk::Vec3<S> own = middle<S>(converted<S>(object.form, InScalar<S>{}));
+  return object.pose && !is_at_rest(*object.pose) ? pose_in<S>(*object.pose)(own) : own;
 }
 
 }  // namespace walkthroughs

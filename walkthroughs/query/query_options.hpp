@@ -14,8 +14,11 @@ enum class QueryScalar { binary32, binary64, long_double, exact };
 inline constexpr std::array<std::string_view, 4> query_scalars{"float", "double", "long-double", "exact"};
 
 /// Where a search begins; the position of its word in query_starts.
-enum class QueryStart { between };  ///< along the direction from the center of a to that of b
-inline constexpr std::array<std::string_view, 1> query_starts{"between"};
+enum class QueryStart {
+  between,  ///< along the direction from the center of a to that of b
+  inside,   ///< with the difference of the centers as the first vertex
+};
+inline constexpr std::array<std::string_view, 2> query_starts{"between", "inside"};
 
 enum class QueryEvidence {
   of_the_search,  ///< what collision() returns

@@ -6,6 +6,7 @@
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
 #include "walkthroughs/model/first_direction.hpp"
+#include "walkthroughs/query/query_object.hpp"
 #include "walkthroughs/query/query_options.hpp"
 #include "walkthroughs/text/scene_object.hpp"
 
@@ -28,6 +29,8 @@ gjk::Options<S> search_options(const PairAsWritten& pair, const QueryOptions& qu
   options.iteration_limit = query.iteration_limit;
   if (query.first_direction)
     options.first_direction = Cast<S>{}.point(*query.first_direction);
+  else if (query.start == QueryStart::inside)
+    options.inside = gjk::PointOfEach<S>{point_inside<S>(pair.a), point_inside<S>(pair.b)};
   else if (query.start == QueryStart::between || gjk::first_point(query.rules) == gjk::FirstPoint::tested)
     options.first_direction = direction_between_centers<S>(center_of(pair.a), center_of(pair.b));
   return options;
