@@ -580,8 +580,8 @@ class AlongDirection {
 /// Walks to the feature of the difference that is nearest to the origin, or into the origin. Each vertex that it adds brings
 /// it nearer (C4), each decision is exact (C3). `offered`: at least one vertex, to begin with; good ones save scans.
 template <class S, class Obs>
-void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered, Teller<Obs>& tell,
-                  CertifiedResult& result) {
+[[gnu::noinline]] void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered,
+                                    Teller<Obs>& tell, CertifiedResult& result) {
   const ExactDifference<S> difference(a, b);
   ExactSimplex<S, Obs> simplex(difference, SecondTeller<S, Obs>(tell));
   IndexPair next = offered[0];
@@ -620,38 +620,32 @@ concept AsksTheDifference = std::same_as<decltype(Rules::template difference<S>(
                                                                                 std::declval<const PointSet<S>&>())),
                                          MinkowskiDifference<S, PointSet<S>, PointSet<S>>>;
 
-/// Returns: those vertices that support functions have found.
+/// Of a search that started inside. Returns: how far the components of the vertex that it started from may be off: 0 where that
+/// is dropped; infinite where it is not the difference of the means, and so has no name.
 template <class S>
-IndexPairs vertices_with_indices(const Simplex<S>& simplex) {
-  IndexPairs pairs;
-  for (int i = 0; i < simplex.size(); ++i)
-    if (simplex[i].a.index) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
-  return pairs;
+double error_of_start(const Simplex<S>& simplex, const PointSet<S>& a, const PointSet<S>& b) {
+  for (int i = 0; i < simplex.size(); ++i) {
+    if (simplex[i].a.index) continue;
+    if (simplex[i].a.point != a.mean() || simplex[i].b.point != b.mean())
+      return std::numeric_limits<double>::infinity();
+    return error_of_mean(a.points().size(), a.extent().maxCoeff()) +
+           error_of_mean(b.points().size(), b.extent().maxCoeff());
+  }
+  return 0;
 }
 
-/// Vertices as a certificate has them, and how far the one that is a difference of means may be off.
-struct Named {
-  IndexPairs vertices;
-  double mean_error = 0;
-};
-
-/// Returns: nothing where the search has started from points that are not the means: these have no name.
 template <class S>
-std::optional<Named> named(const Simplex<S>& simplex, const PointSet<S>& a, const PointSet<S>& b) {
-  Named names;
-  for (int i = 0; i < simplex.size(); ++i) {
-    const auto& [of_a, of_b, w] = simplex[i];
-    if (of_a.index) {
-      names.vertices.add({*of_a.index, *of_b.index});
-    } else if (of_a.point == a.mean() && of_b.point == b.mean()) {
-      names.vertices.add({IndexPair::mean, IndexPair::mean});
-      names.mean_error = error_of_mean(a.points().size(), a.extent().maxCoeff()) +
-                         error_of_mean(b.points().size(), b.extent().maxCoeff());
-    } else {
-      return std::nullopt;
-    }
-  }
-  return names;
+void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
+  for (int i = 0; i < simplex.size(); ++i)
+    pairs.add({simplex[i].a.index.value_or(IndexPair::mean), simplex[i].b.index.value_or(IndexPair::mean)});
+}
+
+/// Adds those that support functions have found; one at least, whichever.
+template <class S>
+void add_found_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
+  for (int i = 0; i < simplex.size(); ++i)
+    if (simplex[i].a.index) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
+  if (pairs.size() == 0) pairs.add({});
 }
 
 /// certified_collision(), to its end.
@@ -673,20 +667,21 @@ CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Option
     }
   }
   const Simplex<S>& simplex = guess.simplex;
-  if (const auto names = simplex.size() == 4 ? named(simplex, a, b) : std::nullopt) {
-    const TetrahedronProof<S> proof(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w, names->mean_error);
+  if (simplex.size() == 4) {
+    const double mean_error = options.inside ? error_of_start(simplex, a, b) : 0;
+    const TetrahedronProof<S> proof(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w, mean_error);
     tell([&] { return proof.told(); });
     if (proof.holds()) {
       result.status = Status::intersecting;
       result.proof = Proof::tetrahedron;
-      result.certificate = CommonSimplex{names->vertices};
+      add_vertices(result.certificate.template emplace<CommonSimplex>().of, simplex);
       return result;
     }
   } else if (!guess.separation) {
     tell([] { return ProofTried<S>{.proof = Proof::tetrahedron}; });
   }
-  IndexPairs found = vertices_with_indices(simplex);
-  if (found.size() == 0) found.add({});
+  IndexPairs found;
+  add_found_vertices(found, simplex);
   search_again(a, b, found, tell, result);
   return result;
 }

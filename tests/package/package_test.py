@@ -103,7 +103,7 @@ class Readme(InAFolder):
 
     def test_what_it_shows_of_code_builds_and_runs(self):
         self.install()
-        code = self.code("cpp", blocks=2)
+        code = self.code("cpp", blocks=3)
         includes, statements = ("".join(line for line in code if line.startswith("#include") == is_one) for is_one in (True, False))
         project = self.folder / "project"
         project.mkdir()

@@ -19,6 +19,11 @@ gjk::Options<double> between_centers(const study::Pair& pair) {
   return {.first_direction = gjk::first_direction_between(center(pair.a), center(pair.b))};
 }
 
+/// The centers of points are their means, as gjk::PointSet computes them.
+gjk::Options<double> inside(const study::Pair& pair) {
+  return {.inside = gjk::PointOfEach<double>{center(pair.a), center(pair.b)}};
+}
+
 template <class Rules, auto options_for = by_default>
 class Query {
  public:
@@ -46,6 +51,10 @@ std::vector<Contender> gjkstep_contenders() {
               "is told the centers, too) and tests the first point",
        .prepare = batch_of<Query<gjk::Eager<>, between_centers>>,
        .is_peer = false},
+      {.name = "gjkstep inside",
+       .how = "`gjk::collision<double>(a, b, options)`, the plain call that starts with the difference of the centers",
+       .prepare = batch_of<Query<gjk::AsIntended, inside>>,
+       .is_peer = false},
       {.name = "gjkstep relative",
        .how = "`gjk::collision<double, gjk::Intended<gjk::RelativeZeroTest>>(a, b)`, the plain call with the relative "
               "zero test",
@@ -61,7 +70,13 @@ std::vector<Contender> gjkstep_contenders() {
               "proven; sets of points only",
        .prepare = batch_of<Query<Certified<gjk::Eager<>>, between_centers>>,
        .is_peer = false,
-       .proves = "gjkstep eager"}};
+       .proves = "gjkstep eager"},
+      {.name = "gjkstep certified inside",
+       .how = "`gjk::certified_collision(a, b, options)`, which starts inside, with an answer that is proven; sets of "
+              "points only",
+       .prepare = batch_of<Query<Certified<gjk::AsIntended>, inside>>,
+       .is_peer = false,
+       .proves = "gjkstep inside"}};
 }
 
 }  // namespace peers

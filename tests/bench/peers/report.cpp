@@ -154,16 +154,21 @@ void write_proof_aim(std::ostream& out, const std::vector<Match>& matches, const
 
 // -- Aims -----------------------------------------------------------------------------------------------------------------
 
-/// On which families is the fastest peer slower by the factor that is aimed at?
+/// On which families is the fastest peer slower by the factor that is aimed at? Of those that the aim is about, also by which it
+/// is on the others.
 void write_aim(std::ostream& out, const std::vector<Match>& matches, const std::vector<Contender>& contenders) {
-  for (std::size_t i = 0; i < compared; ++i) {
-    std::string met;
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    if (contenders[i].is_peer || contenders[i].name == exact_peer) continue;
+    std::string met, missed;
     for (const Match& match : matches) {
-      const std::optional<double> peer = fastest_peer(match, contenders);
-      if (peer && *peer >= aim * match.scores[i].nanoseconds) met += (met.empty() ? "" : ", ") + match.family;
+      const auto ratio = quotient(fastest_peer(match, contenders), time_of(match, i));
+      if (!ratio || (*ratio < aim && !proof_aim(match.family))) continue;
+      std::string& list = *ratio >= aim ? met : missed;
+      list += (list.empty() ? "" : ", ") + match.family + " (" + fixed(*ratio, 2) + ")";
     }
     out << "* " << contenders[i].name << " is at least " << fixed(aim, 1)
-        << " times as fast as the fastest peer on: " << (met.empty() ? "none" : met) << "\n";
+        << " times as fast as the fastest peer on: " << (met.empty() ? "none" : met)
+        << (missed.empty() ? "" : "; less on: " + missed) << "\n";
   }
 }
 

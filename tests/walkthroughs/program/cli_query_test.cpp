@@ -75,6 +75,7 @@ TEST_CASE("gjkstep query begins a search where it is told") {
   CHECK(direction("--start between") == "[1.5,7,-0.5]");
   CHECK(has(query(line, "--max-iterations 1").out, "\"b\":[1,9,0]"));
   CHECK(has(query(line, "--max-iterations 1 --start between").out, "\"b\":[2,5,0]"));
+  CHECK(has(query(line, "--start inside").out, "\"iterations\":1,"));
   for (const char* given : {"--first-direction 0,1.5,0", "--first-direction=0,15e-1,-0"})
     CHECK(has(direction(given), "[0,1.5,"));
   CHECK(has(query(line, "--rules eager --scalar exact --first-direction 0.5,1,0").out, R"(["1/2","1","0"])"));
@@ -82,17 +83,21 @@ TEST_CASE("gjkstep query begins a search where it is told") {
   CHECK(query(line, "--first-direction -1,-2,-3").exit_code == 0);
 }
 
-TEST_CASE("gjkstep query --certified proves its answers, and those that it cannot prove are bad lines") {
+TEST_CASE("gjkstep query --certified proves its answers about points, balls and other shapes") {
   const std::string far = pair_of(dot, R"({"points":[[1.7976931348623157e308,0,0]]})");
-  const Outcome outcome = query(far + "\n" + pair_of(ball, dot) + "\n" + pair_of(dot, dot), "--certified");
-  CHECK(outcome.exit_code == 3);
-  REQUIRE(lines(outcome.out).size() == 3);
+  const std::string can = R"({"cylinder":{"center":[0,0,5],"axis":[0,0,1],"radius":1,"height":8}})";
+  const Outcome outcome =
+      query(far + "\n" + pair_of(ball, dot) + "\n" + pair_of(dot, dot) + "\n" + pair_of(ball, can), "--certified");
+  CHECK(outcome.exit_code == 0);
+  REQUIRE(lines(outcome.out).size() == 4);
   CHECK(has(lines(outcome.out)[0], R"("certificate":{"nearest":[[0,0]]}})"));
-  CHECK(has(lines(outcome.out)[1], R"({"error":"a.sphere: a sphere cannot be certified)"));
+  CHECK(lines(outcome.out)[1] == R"({"status":"intersecting","proof":"distance"})");
   CHECK(has(lines(outcome.out)[2], R"("certificate":{"simplex":[[0,0]]}})"));
+  CHECK(has(lines(outcome.out)[3], R"({"status":"undecided")"));
+  CHECK(has(lines(outcome.out)[3], R"("gap":)"));
   CHECK(has(query(pair_of(dot, dot), "--certified --fractions").out, R"("weights":["1"],"point":["0","0","0"])"));
   for (const char* options : {"--scalar float", "--rules eager", "--rules as-printed --zero-test relative",
-                              "--start between", "--first-direction 1,2,3", "--max-iterations 1"})
+                              "--start between", "--start inside", "--first-direction 1,2,3", "--max-iterations 1"})
     CHECK(has(query(far, std::string("--certified ") + options).out, "\"separated\"") ==
           !has(options, "float"));  // which has no such number
 }
@@ -251,7 +256,9 @@ TEST_CASE("Options of gjkstep query that do not go together are exit code 2") {
                 {"--certified is for --scalar float and double; exact does not"});
   check_failure("query --scalar long-double --certified", 2, {"--certified is for --scalar float and double, whose"});
   check_failure("query --fractions", 2, {"--fractions requires --certified"});
-  check_failure("query --start between --first-direction 1,0,0", 2, {"--start excludes --first-direction"});
+  for (const char* start : {"between", "inside"})
+    check_failure(std::string("query --start ") + start + " --first-direction 1,0,0", 2,
+                  {"--start excludes --first-direction"});
 }
 
 TEST_CASE("A first direction is three finite numbers in decimal, not all 0") {
@@ -269,10 +276,29 @@ TEST_CASE("A first direction is three finite numbers in decimal, not all 0") {
 
 TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
   const std::string help = shell("$program query --help").out;
-  for (const char* part :
-       {"--scalar", "--rules", "--max-iterations", "\"points\"", "\"sphere\"", "\"cylinder\"", "\"sum\"",
-        "\"evidence\"", "\"error\"", "16 MiB", "1e±75", "Exit codes", "--start", "--first-direction", "--certified",
-        "\"certificate\"", "\"nearest\"", "\"weights\"", "a·d < b·d"})
+  for (const char* part : {"--scalar",
+                           "--rules",
+                           "--max-iterations",
+                           "\"points\"",
+                           "\"sphere\"",
+                           "\"cylinder\"",
+                           "\"sum\"",
+                           "\"evidence\"",
+                           "\"error\"",
+                           "16 MiB",
+                           "1e±75",
+                           "Exit codes",
+                           "--start",
+                           "--first-direction",
+                           "--certified",
+                           "\"certificate\"",
+                           "\"nearest\"",
+                           "\"weights\"",
+                           "a·d < b·d",
+                           "\"gap\"",
+                           "\"surface\"",
+                           "--start inside",
+                           "index -1 is the mean"})
     CHECK(has(help, part));
 }
 

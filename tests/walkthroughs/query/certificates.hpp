@@ -49,7 +49,7 @@ bool make(const gjk::detail::Fractions& point, const gjk::detail::Fractions& wei
           const gjk::PointSet<S>& set, int gjk::IndexPair::*index) {
   gjk::detail::Fractions sum(3);
   for (int k = 0; k < pairs.size(); ++k) {
-    const auto p = gjk::detail::fractions(set.points()[static_cast<std::size_t>(pairs[k].*index)]);
+    const auto p = *gjk::detail::point_of(set, pairs[k].*index);
     for (std::size_t i = 0; i < 3; ++i) sum[i] += weights[static_cast<std::size_t>(k)] * p[i];
   }
   return sum == point;

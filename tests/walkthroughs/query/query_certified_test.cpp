@@ -152,11 +152,12 @@ TEST_CASE("What the first search begins with, and how far it may go, changes no 
     const Corners a = random_corners(dice, 1), b = random_corners(dice, 1);
     const std::string line = pair_of(text_of(a), text_of(b));
     const Json expected = Json::parse(answer_text(line))["status"];
-    QueryOptions one = certified(), between = certified(), along = certified();
+    QueryOptions one = certified(), between = certified(), inside = certified(), along = certified();
     one.iteration_limit = 1;
     between.start = QueryStart::between;
+    inside.start = QueryStart::inside;
     along.first_direction = Point(5e-324, 0, -1.7976931348623157e308);
-    for (const QueryOptions& options : {one, between, along}) {
+    for (const QueryOptions& options : {one, between, inside, along}) {
       check_proven(line, options);
       CHECK(Json::parse(answer_text(line, options))["status"] == expected);
     }
@@ -205,18 +206,8 @@ TEST_CASE("Certified in float, every number that rounds to a finite float is one
 
 // -- Bad lines --------------------------------------------------------------------------------------------------------
 
-TEST_CASE("What cannot be certified is told, and what to do") {
-  const std::string sum = R"({"sum":[{"points":[[0,0,0]]},)" + std::string(ball) + "]}";
-  const std::string can = R"({"cylinder":{"center":[0,0,0],"axis":[0,0,1],"radius":1,"height":1}})";
-  const auto posed = [](const std::string& pose) { return R"({"points":[[0,0,0]],"pose":)" + pose + "}"; };
+TEST_CASE("Lines that hold no pair are told, certified as else") {
   for (const auto& [object, part] : std::vector<std::pair<std::string, std::string>>{
-           {ball,
-            ".sphere: a sphere cannot be certified, because its points are computed, and so rounded; give points"},
-           {can, ".cylinder: a cylinder cannot be certified"},
-           {sum, ".sum: a sum of a point set and a sphere cannot be certified"},
-           {posed(R"({"translation":[5e-324,0,0]})"), ".pose: an object that its pose moves cannot be certified"},
-           {posed(R"({"rotation":{"axis":[0,0,1],"degrees":90}})"),
-            "give the points where they are, or leave out --cert"},
            {"{}", ": has no shape"},
            {points(""), ".points: has no point"},
            {points("[1e400,0,0]"), ".points[0][0]: the number '1e400' is too large for floating point"},
@@ -234,6 +225,109 @@ TEST_CASE("What cannot be certified is told, and what to do") {
   CHECK(has(answer_text(pair_of(points("[3.5e38,0,0]"), dot), certified(QueryScalar::binary32)),
             "a.points[0][0]: 3.5e+38 is beyond the largest float, 3.4e38"));
   CHECK(has(answer_text("", certified()), "the line is blank"));
+}
+
+// -- Starting inside --------------------------------------------------------------------------------------------------
+
+TEST_CASE("From inside, the mean of all points may be one of the points that hold the origin, and has the index -1") {
+  const std::string line = pair_of(points("[0,0,0],[4,0,0],[0,4,0],[0,0,4]"), points("[0.5,0.5,0.5],[5,1,1],[1,5,2]"));
+  QueryOptions inside = certified();
+  inside.start = QueryStart::inside;
+  const Json said = Json::parse(answer_text(line, inside));
+  INFO(said);
+  CHECK(said["status"] == "intersecting");
+  CHECK(said["proof"] == "tetrahedron");
+  CHECK(said["certificate"]["simplex"][0] == Json::array({-1, -1}));
+  check_proven(line, inside);
+}
+
+TEST_CASE("From inside, a simplex that is no certificate shows its first vertex without indices") {
+  QueryOptions inside;
+  inside.start = QueryStart::inside;
+  const Json met = Json::parse(answer_text(pair_of(points("[0,0,0],[2,0,0]"), points("[1,0,0]")), inside));
+  CHECK(met["status"] == "intersecting");
+  CHECK(met["iterations"] == 0);
+  CHECK(met["evidence"]["simplex"].dump() == R"([{"w":[0,0,0],"a":[1,0,0],"b":[1,0,0]}])");
+  for (const QueryScalar scalar : {QueryScalar::binary32, QueryScalar::long_double, QueryScalar::exact}) {
+    inside.scalar = scalar;
+    const std::string apart =
+        answer_text(pair_of(points("[0,0,0],[1,0,0],[0,1,0]"), points("[3,3,1],[4,4,4]")), inside);
+    CHECK(Json::parse(apart)["status"] == "separated");
+    CHECK(Json::parse(apart)["iterations"] == 1);
+  }
+  inside.scalar = QueryScalar::exact;  // the mean of three points of a segment is no double
+  const Json third =
+      Json::parse(answer_text(pair_of(points("[0,0,0],[0,0,0],[1,1,1]"), points("[0.5,0.5,0.5]")), inside));
+  CHECK(third["status"] == "intersecting");
+  CHECK(third["evidence"]["simplex"][0]["a"].dump() == R"(["1/3","1/3","1/3"])");
+}
+
+// -- Other shapes -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string ball_at(const std::string& center, const std::string& radius) {
+  return R"({"sphere":{"center":)" + center + R"(,"radius":)" + radius + "}}";
+}
+std::string can_at(const std::string& center) {
+  return R"({"cylinder":{"center":)" + center + R"(,"axis":[0,0,2],"radius":1,"height":2}})";
+}
+std::string posed(const std::string& object, const std::string& pose) {
+  return object.substr(0, object.size() - 1) + R"(,"pose":)" + pose + "}";
+}
+
+}  // namespace
+
+TEST_CASE("Balls, and balls and points, are decided exactly, to the last digit") {
+  const auto said = [](const std::string& a, const std::string& b, QueryScalar scalar = QueryScalar::binary64) {
+    const std::string answer = answer_text(pair_of(a, b), certified(scalar));
+    CHECK(answer_text(pair_of(b, a), certified(scalar)) == answer);
+    CHECK(answer_text(pair_of(b, a), in_fractions(certified(scalar))) == answer);
+    return answer;
+  };
+  const std::string together = R"({"status":"intersecting","proof":"distance"})",
+                    apart = R"({"status":"separated","proof":"distance"})";
+  CHECK(said(ball, ball_at("[3,4,12]", "12")) == together);
+  CHECK(said(ball, ball_at("[3,4,12]", "11.999999999999998")) == apart);
+  CHECK(said(ball, ball_at("[3,4,12]", "11.999999999999998"), QueryScalar::binary32) == together);  // the float 12
+  CHECK(said(ball, ball_at("[3,4,12]", "11.999999"), QueryScalar::binary32) == apart);
+  CHECK(said(points("[-1,3,4],[1,3,4]"), ball_at("[0,0,0]", "5")) == together);
+  CHECK(said(points("[-1,3,4],[1,3,4]"), ball_at("[0,0,0]", "4.999999999999999")) == apart);
+  CHECK(said(posed(points("[3,4,0]"), R"({"translation":[0,0,0]})"), ball_at("[0,0,0]", "5")) == together);
+}
+
+TEST_CASE("Cylinders, sums and what a pose moves are proven, or undecided with a bound on the gap") {
+  const std::string capsule = R"({"sum":[{"points":[[0,0,-1],[0,0,1]]},)" + std::string(ball) + "]}";
+  const std::string box = posed(points("[-1,-1,-1],[1,-1,-1],[-1,1,-1],[1,1,-1],[-1,-1,1],[1,-1,1],[-1,1,1],[1,1,1]"),
+                                R"({"translation":[0,0,-3],"rotation":{"axis":[0,0,1],"degrees":30}})");
+  for (const QueryScalar scalar : floating_scalars)
+    for (const std::string& object : {can_at("[0,0,0]"), capsule, box, posed(ball, R"({"translation":[0,0.5,0]})")}) {
+      INFO(object);
+      const Json met = Json::parse(answer_text(pair_of(object, can_at("[0.3,0.2,-1.5]")), certified(scalar)));
+      CHECK(met["status"] == "intersecting");
+      CHECK(met["proof"] == "surface");
+      CHECK(met.size() == 3);
+      const Json apart = Json::parse(answer_text(pair_of(object, can_at("[0,7,0]")), certified(scalar)));
+      CHECK(apart["status"] == "separated");
+      CHECK(apart["proof"] == "direction");
+      CHECK(apart["certificate"]["direction"].size() == 3);
+      CHECK(apart.size() == 4);
+      const Json exact = Json::parse(answer_text(pair_of(object, can_at("[0,7,0]")), in_fractions(certified(scalar))));
+      CHECK(exact["certificate"]["direction"][1].is_string());
+    }
+  for (const std::string& touching : {can_at("[0.25,0,2]"), posed(capsule, R"({"translation":[0,0,3]})")}) {
+    const Json said = Json::parse(answer_text(pair_of(can_at("[0,0,0]"), touching)));
+    INFO(said);
+    CHECK(said["status"] == "undecided");
+    CHECK((said["gap"] > 0 && said["gap"] < 1e-6));
+    CHECK(said.size() == 3);
+  }
+}
+
+TEST_CASE("Shapes too large for their products are undecided, and nothing is known of their gap") {
+  const Json said = Json::parse(answer_text(pair_of(can_at("[1e308,0,0]"), can_at("[0,0,0]"))));
+  CHECK(said["status"] == "undecided");
+  CHECK(said["gap"] == "inf");
 }
 
 TEST_CASE("A pose that moves nothing does no harm to what is certified, nor do a name and points of the plane") {
