@@ -74,9 +74,11 @@ TEST_CASE("The certified call allocates nothing for ordinary numbers, whatever p
     const PointSet<double> a(seen(t.a, frame)), b(seen(t.b, frame));
     const std::size_t before = allocations();
     const CertifiedResult result = certified_collision(a, b);
+    const CertifiedResult from_inside = certified_collision(a, b, {.inside = PointOfEach<double>{a.mean(), b.mean()}});
     const std::size_t made = allocations() - before;
     INFO("pair " << i);
     REQUIRE(made == 0);
+    REQUIRE(from_inside.status == result.status);
     ++proofs[result.proof];
   }
   for (const Proof proof : {Proof::direction, Proof::tetrahedron, Proof::second_search}) REQUIRE(proofs[proof] > 50);

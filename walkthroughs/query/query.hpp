@@ -7,7 +7,8 @@
 /// and the two points that reach so far, with their indices in "points"; else the simplex, oldest vertex first, newest
 /// (A) last: the one that contains the origin where intersecting, the last one where undecided.
 ///
-/// Asked for certificates, each answer is proven, and "certificate" takes the place of "reason" and "evidence".
+/// Asked for certificates, each answer is proven, and "certificate" takes the place of "reason" and "evidence": of points always, of
+/// balls there is none, and about shapes whose points are computed an answer may be undecided, with a bound on the gap.
 ///
 /// Numbers are the shortest that read back the same in the scalar; -0.0 keeps its sign. In exact numbers they are strings,
 /// "p/q" in lowest terms or "p". What is not finite is "inf", "-inf" or "nan", and a long double beyond all doubles a string.
