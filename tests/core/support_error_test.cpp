@@ -209,6 +209,19 @@ TEMPLATE_TEST_CASE("C6: cylinders, also along their axes and beside them", "[cer
   REQUIRE(needed.reach > 0.02);
 }
 
+TEMPLATE_TEST_CASE("C6: a cylinder asked within sixteen roundings of its axis answers with the middle of a cap",
+                   "[certified]", float, double) {
+  using S = TestType;
+  using V = Vec3<S>;
+  const Cylinder<S> can(V(0, 0, 0), V(0, 0, 1), S(1), S(2));
+  const S bound = 8 * std::numeric_limits<S>::epsilon();
+  for (const S side : {S(1), S(-1)}) {
+    REQUIRE(near_support(can, V(bound, 0, side)) == V(0, 0, side));
+    REQUIRE(near_support(can, V(0, -bound, side)) == V(0, 0, side));
+    REQUIRE(near_support(can, V(std::nextafter(bound, S(1)), 0, side)) == V(1, 0, side));
+  }
+}
+
 TEMPLATE_TEST_CASE("C6: what a pose moves", "[certified]", float, double) {
   using S = TestType;
   Dice dice(4);
