@@ -153,6 +153,7 @@ void Canvas::rectangle(const Box& box, Color fill) {
 void Canvas::text(const Vec2& position, std::string_view text, const TextStyle& style) {
   if (!drawable(to_pixels(position))) return;
   const PlacedText placed = place(position, text, style);
+  if (!placed.line.glyphs.empty()) smallest_text_ = std::min(smallest_text_, style.size);
   if (style.halo.a > 0) {
     constexpr int copies = 16;
     for (int i = 0; i < copies; ++i) {

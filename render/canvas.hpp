@@ -4,6 +4,7 @@
 /// Edges are anti-aliased by coverage computed from the distance to the edge (256 levels, no multisampling).
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -93,6 +94,9 @@ class Canvas {
   /// Returns: the height of capitals.
   double cap_height(const TextStyle& style) const;
 
+  /// Returns: the em size of the smallest text so far, in page units; infinity where there is none.
+  double smallest_text() const { return smallest_text_; }
+
   /// Nothing outside `box` is drawn until unclip().
   void clip(const Box& box);
   void unclip();
@@ -136,6 +140,7 @@ class Canvas {
   Font& font_;
   double scale_;  // pixels per page unit
   Vec2 offset_;   // of the page in the image, in pixels
+  double smallest_text_ = std::numeric_limits<double>::infinity();
   std::vector<CanvasVertex> vertices_;
   std::vector<Run> runs_;
 };

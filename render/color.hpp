@@ -28,6 +28,9 @@ inline constexpr Color orange{230, 159, 0};
 inline constexpr Color sky{86, 180, 233};
 }  // namespace palette
 
+/// Beyond the larger one there would be no room for pictures beside their text.
+inline constexpr double least_text_scale = 0.75, most_text_scale = 1.5;
+
 /// The colours and weights that pictures are drawn with. Drawing code names what a colour is for, not the colour.
 /// On the paper of every theme ink, grey and blue have a contrast of at least 4.5 (WCAG 2, text of any size), vermillion
 /// and green of at least 3 (large text and lines): on white, Okabe and Ito's vermillion has 3.9 and their green 3.4.
@@ -40,14 +43,14 @@ struct Theme {
         green = palette::green;                        ///< lines, large text and fills
   Color orange = palette::orange, sky = palette::sky;  ///< fills with an outline
   double line = 1;                                     ///< factor for line widths
-  double label = 1;                                    ///< factor for labels in panels
+  double text = 1;                                     ///< factor for all text, in that range
 };
 
 namespace themes {
 inline constexpr Theme report;  ///< on white paper
-/// For a projector: stronger lines, larger labels.
+/// For a projector: stronger lines, larger text.
 inline constexpr Theme slides{
-    .ink = palette::black, .grey = {80, 80, 80}, .faint = {205, 205, 205}, .line = 1.4, .label = 1.2};
+    .ink = palette::black, .grey = {80, 80, 80}, .faint = {205, 205, 205}, .line = 1.4, .text = 1.25};
 /// On a dark ground; the colours are lightened until each has a contrast of at least 4.5 there.
 inline constexpr Theme dark{.paper = {22, 25, 31},
                             .ink = {240, 240, 240},

@@ -25,6 +25,7 @@ constexpr double anchor_radius = 8;                   // of what usually stands 
 constexpr double min_grid_spacing = 3;
 constexpr double least_obstacle = 2;     // the width of a line that labels must keep clear of
 constexpr double small_area_name = 0.8;  // the size of a name that would not fit else
+constexpr double next_smaller = 0.93;    // the sizes in which labels are tried
 constexpr double beside_area_gap = 34;   // between the middle of an area and its name outside: far enough for a leader
 
 constexpr int directions = 32;
@@ -39,6 +40,7 @@ constexpr double cost_near_label = 30;  // within its comfort: rather that than 
 constexpr double cost_near = 10;        // for the name of an area: less than any overlap
 constexpr double cost_fine_line = 4, most_fine_lines = 5;
 constexpr double cost_elsewhere = 20;  // nearer to what another label names
+constexpr double cost_across = 60;     // a line between the label and its anchor: less than over the line
 constexpr double cost_gap = 1.5;
 constexpr double cost_turn = 0.5;
 
@@ -104,6 +106,13 @@ Vec2 middle_of(std::span<const Vec2> corners) {
 TextStyle centered(TextStyle style) {
   style.align = Align::center;
   return style;
+}
+
+/// Whether two points lie on either side of the line through `from` and `to`.
+bool are_apart(const Vec2& from, const Vec2& to, const Vec2& p, const Vec2& q) {
+  const Vec2 along = to - from;
+  const auto side = [&](const Vec2& point) { return along.x() * (point - from).y() - along.y() * (point - from).x(); };
+  return side(p) * side(q) < 0;
 }
 
 Box moved(const Box& box, const Vec2& by) { return {box.min + by, box.max + by}; }
@@ -233,6 +242,11 @@ void Panel::label(const Vec2& anchor, const Vec2& toward, std::string text, cons
   labels_.push_back({view_.page(anchor), wanted.isZero() ? up_right : wanted, std::move(text), centered(style), gap});
 }
 
+void Panel::label_on_its_side(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style) {
+  label(anchor, toward, std::move(text), style);
+  labels_.back().stays_on_its_side = true;
+}
+
 void Panel::name_area(std::span<const Vec2> corners, std::string text, const TextStyle& style,
                       std::vector<std::string> shorter) {
   area_names_.push_back({to_page(corners), std::move(text), std::move(shorter), centered(style)});
@@ -243,31 +257,55 @@ void Panel::drop_labels() {
   area_names_.clear();
 }
 
+int Panel::place_labels(double smallest) {
+  Arrangement best = arranged(1, smallest);
+  for (double size = 1; best.crowded > 0 && size > smallest;) {
+    size = std::max(smallest, next_smaller * size);
+    Arrangement smaller = arranged(size, smallest);
+    if (smaller.crowded < best.crowded) best = std::move(smaller);
+  }
+  for (const std::vector<PlacedLabel>& group : best.groups) {
+    for (const PlacedLabel& label : group)
+      if (label.leader) canvas_.line(label.leader->first, label.leader->second, {label.style.color, leader_width});
+    for (const PlacedLabel& label : group) canvas_.text(label.baseline, label.text, label.style);
+  }
+  drop_labels();
+  return best.crowded;
+}
+
 // Points first: their names have the least choice.
-int Panel::place_labels() {
+Panel::Arrangement Panel::arranged(double size, double smallest) {
+  Arrangement all;
   std::vector<Box> taken = kept_clear_;
-  int crowded = 0;
+  const std::size_t drawn = obstacles_.size();
   const auto place_all = [&](const auto& labels) {
-    std::vector<Place> places;
+    std::vector<PlacedLabel>& group = all.groups.emplace_back();
     for (const auto& label : labels) {
-      places.push_back(best_place(label, taken));
-      taken.push_back(places.back().box);
-      crowded += places.back().clear ? 0 : 1;
-      draw_leader(label, places.back().box);
+      const Place place = best_place(label, taken);
+      taken.push_back(place.box);
+      all.crowded += place.clear ? 0 : 1;
+      group.push_back({leader(label, place.box), place.baseline, label.text, label.style});
+      if (const auto& line = group.back().leader) obstacles_.push_back({line->first, line->second, leader_width / 2});
     }
-    for (std::size_t i = 0; i < places.size(); ++i) canvas_.text(places[i].baseline, labels[i].text, labels[i].style);
   };
-  place_all(labels_);
-  for (AreaName& area : area_names_) {
-    const bool fits = shorten(area, taken);
+  const auto sized = [size](auto label) {
+    label.style.size *= size;
+    return label;
+  };
+  std::vector<Label> labels;
+  for (const Label& label : labels_) labels.push_back(sized(label));
+  place_all(labels);
+  for (const AreaName& usual : area_names_) {
+    AreaName area = sized(usual);
+    const bool fits = shorten(area, taken, smallest / size);
     if (area.text.empty()) continue;
     if (fits)
       place_all(std::span(&area, 1));
     else
       place_all(std::vector{Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap}});
   }
-  drop_labels();
-  return crowded;
+  obstacles_.erase(obstacles_.begin() + static_cast<std::ptrdiff_t>(drawn), obstacles_.end());
+  return all;
 }
 
 std::optional<std::pair<Vec2, Vec2>> Panel::leader(const Label& label, const Box& box) const {
@@ -277,23 +315,17 @@ std::optional<std::pair<Vec2, Vec2>> Panel::leader(const Label& label, const Box
   return std::pair{label.anchor + unit * (anchor_radius + leader_gap), end - unit * leader_gap};
 }
 
-void Panel::draw_leader(const Label& label, const Box& box) {
-  const auto line = leader(label, box);
-  if (!line) return;
-  canvas_.line(line->first, line->second, {label.style.color, leader_width});
-  obstacles_.push_back({line->first, line->second, leader_width / 2});
-}
-
-bool Panel::shorten(AreaName& area, std::span<const Box> taken) const {
-  if (area.shorter.empty() || best_place(area, taken).clear) return true;
+bool Panel::shorten(AreaName& area, std::span<const Box> taken, double smallest) const {
   const double usual = area.style.size;
+  const auto fits = [&](double size) {
+    area.style.size = usual * size;
+    return best_place(area, taken).clear;
+  };
+  if (area.shorter.empty() || fits(1) || (smallest < 1 && fits(smallest))) return true;
   for (const std::string& text : area.shorter) {
     area.text = text;
-    if (text.empty()) return true;
-    for (const double size : {usual, usual * small_area_name}) {
-      area.style.size = size;
-      if (best_place(area, taken).clear) return true;
-    }
+    if (text.empty() || fits(1) || fits(small_area_name) || (smallest < 1 && fits(smallest * small_area_name)))
+      return true;
   }
   area.text = area.shorter.front();
   return false;
@@ -344,7 +376,8 @@ Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) c
       const Vec2 baseline = middle + Vec2(0, rise);
       Place place{baseline, moved(ink, baseline)};
       const double cost = cost_of(place.box, taken) + cost_of_leader(label, place.box, taken) + astray +
-                          (is_nearer_elsewhere(label, place.box) ? cost_elsewhere : 0);
+                          (is_nearer_elsewhere(label, place.box) ? cost_elsewhere : 0) +
+                          (label.stays_on_its_side ? cost_across * lines_between(label, place.box) : 0);
       if (cost >= least) continue;
       least = cost;
       place.clear = cost < cost_obstacle;
@@ -359,6 +392,14 @@ bool Panel::is_nearer_elsewhere(const Label& label, const Box& box) const {
   return std::ranges::any_of(labels_, [&](const Label& other) {
     return (other.anchor - label.anchor).norm() > anchor_radius && (box.center() - other.anchor).norm() < own;
   });
+}
+
+int Panel::lines_between(const Label& label, const Box& box) const {
+  const Vec2 middle = box.center();
+  return static_cast<int>(std::ranges::count_if(obstacles_, [&](const Obstacle& line) {
+    return distance_to_segment(label.anchor, line.from, line.to) > anchor_radius + line.radius &&
+           are_apart(line.from, line.to, label.anchor, middle) && are_apart(label.anchor, middle, line.from, line.to);
+  }));
 }
 
 double Panel::cost_of(const Box& box, std::span<const Box> taken) const {

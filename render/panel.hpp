@@ -67,6 +67,8 @@ class Panel {
   /// `gap`: page units between label and anchor, if that place is free; the usual one clears a ring around a point. Where
   /// only a place farther away is free, a thin line leads from there to the anchor.
   void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap = 18);
+  /// As label(), and rather on that side of each line on which the anchor is, where the line does not lead to it.
+  void label_on_its_side(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style);
   /// Names a convex area: the label stands inside it, well clear of everything else where there is room.
   /// `shorter`: what to write instead where it does not fit, the first that does; nothing where an empty one is reached. Where
   /// none fits the first of them stands beside the area, with a thin line to its middle.
@@ -77,9 +79,11 @@ class Panel {
   /// No label is to stand there. `box`: page units.
   void keep_clear(const Box& box) { kept_clear_.push_back(box); }
   /// Draws all labels in the order in which they came, those of points before those of areas. Deterministic. Call once,
-  /// after everything else.
+  /// after everything else. Where they do not all find a clear place in their size they are tried in smaller ones, all in the
+  /// same, down to `smallest` of it.
+  /// Requires: 0 < smallest <= 1.
   /// Returns: how many of them could not be kept clear of lines, of each other, and of the frame.
-  int place_labels();
+  int place_labels(double smallest = 1);
 
   const View& view() const { return view_; }
   /// Returns: whether a point is in the frame, at least `margin` page units from its border.
@@ -98,6 +102,7 @@ class Panel {
     std::string text;
     TextStyle style;
     double gap;
+    bool stays_on_its_side = false;
   };
   struct AreaName {
     std::vector<Vec2> corners;  ///< page units
@@ -111,20 +116,37 @@ class Panel {
     bool clear = false;            ///< of everything else
   };
 
+  /// A label where it is to be drawn.
+  struct PlacedLabel {
+    std::optional<std::pair<Vec2, Vec2>> leader;
+    Vec2 baseline;
+    std::string text;
+    TextStyle style;
+  };
+  /// All labels; of a group the leaders are drawn before the letters.
+  struct Arrangement {
+    std::vector<std::vector<PlacedLabel>> groups = {};
+    int crowded = 0;
+  };
+
+  /// Returns: all labels at `size` of their own, of areas perhaps smaller.
+  Arrangement arranged(double size, double smallest);
   std::vector<Vec2> to_page(std::span<const Vec2> scene) const;
   void avoid_outline(std::span<const Vec2> page, double radius);
   Place best_place(const Label& label, std::span<const Box> taken) const;
   /// Returns: the thin line that ties a label to its anchor where it stands far from it.
   std::optional<std::pair<Vec2, Vec2>> leader(const Label& label, const Box& box) const;
+  std::optional<std::pair<Vec2, Vec2>> leader(const AreaName&, const Box&) const {
+    return {};
+  }  // it stands in its area
   bool is_nearer_elsewhere(const Label& label, const Box& box) const;
   double cost_of_leader(const Label& label, const Box& box, std::span<const Box> taken) const;
-  void draw_leader(const Label& label, const Box& box);
-  void draw_leader(const AreaName&, const Box&) {}  // that stands in its area
   Place best_place(const AreaName& area, std::span<const Box> taken) const;
-  /// Makes the name fit. Returns: whether it does.
-  bool shorten(AreaName& area, std::span<const Box> taken) const;
+  /// Makes the name fit, rather down to `smallest` of its size than with fewer words. Returns: whether it does.
+  bool shorten(AreaName& area, std::span<const Box> taken, double smallest) const;
   double cost_of(const Box& box, std::span<const Box> taken) const;
   int obstacles_near(const Box& box, double clearance) const;
+  int lines_between(const Label& label, const Box& box) const;
   int fine_lines_near(const Box& box) const;
   void avoid(const Obstacle& obstacle);
 

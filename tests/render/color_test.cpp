@@ -57,7 +57,7 @@ TEST_CASE("grid lines are to be seen on the paper of every theme, and stand back
   }
 }
 
-TEST_CASE("the theme for slides has stronger lines and larger labels than the one for reports") {
+TEST_CASE("the theme for slides has stronger lines and larger text than the one for reports") {
   CHECK(themes::slides.line > themes::report.line);
-  CHECK(themes::slides.label > themes::report.label);
+  CHECK(themes::slides.text > themes::report.text);
 }

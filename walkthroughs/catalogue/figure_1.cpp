@@ -96,7 +96,7 @@ int draw_part(render::Canvas& canvas, const render::Box& frame, const Part& part
     const Vec2 along = chord.to - chord.from;
     panel.label(*part.search.witness, {std::abs(along.y()), -along.x()}, "outside", outside, 12);
   }
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 std::string tried(const Part& part) {

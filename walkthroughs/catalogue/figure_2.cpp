@@ -91,7 +91,7 @@ int draw_board(render::Canvas& canvas, const render::Box& box, const Style& styl
   draw_band(panel, board, band, style);
   draw_pins(panel, board, band, style);
   name_parts(panel, board, band, style);
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 Diagram frame(const Pinboard& board, Band band, std::string caption, std::vector<std::string> facts,

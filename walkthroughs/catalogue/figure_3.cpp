@@ -88,7 +88,7 @@ int draw_sets(render::Canvas& canvas, const render::Box& frame, const Style& sty
   if (step != Step::sets) draw_supports(panel, example, style);
   panel.name_area(c, "C", style.label(style.theme.ink, render::Weight::bold));
   panel.name_area(d, "D", style.label(style.theme.ink, render::Weight::bold));
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 int draw_difference(render::Canvas& canvas, const render::Box& frame, const Style& style, const Example& example,
@@ -110,7 +110,7 @@ int draw_difference(render::Canvas& canvas, const render::Box& frame, const Styl
     draw_point(panel, w, style.theme.vermillion, style);
     panel.label(w, {-1, 0.2}, "w", style.label(style.theme.vermillion, render::Weight::bold));
   }
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 int draw_example(render::Canvas& canvas, const render::Box& box, const Style& style, const Example& example,
@@ -118,7 +118,7 @@ int draw_example(render::Canvas& canvas, const render::Box& box, const Style& st
   const std::vector<render::Box> frames = side_by_side(box, 2);
   // One scale for both, so that a length in one panel is the same length in the other.
   const auto scale_of = [&](const Vec2& low, const Vec2& high) {
-    return render::View::fit(low, high, below_title(frames[0]).grown(-margin), any_scale).scale();
+    return render::View::fit(low, high, below_title(frames[0], style).grown(-margin), any_scale).scale();
   };
   const double scale = std::min(scale_of(objects_low, objects_high), scale_of(difference_low, difference_high));
   return draw_sets(canvas, frames[0], style, example, step, scale) +

@@ -62,7 +62,7 @@ int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::
   panel.name_area(sketch.beyond(panel, "A"), "R2" + skipped, style.label(style.theme.ink));
   panel.name_area(sketch.beyond(panel, "AB", 1), "R3", style.label(style.theme.ink));
   panel.name_area(sketch.beyond(panel, "AB", -1), "R4", style.label(style.theme.ink));
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 std::vector<Diagram> figure_6_diagrams() {

@@ -106,7 +106,7 @@ int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::
     panel.arrow(normal.from, tip, style.normal);
     panel.label(tip, normal.direction, normal.name, style.label(style.theme.blue, render::Weight::bold), 8);
   }
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 std::vector<Diagram> figure_7_diagrams() {

@@ -186,7 +186,7 @@ int draw_space(render::Canvas& canvas, const render::Box& box, const Style& styl
   draw_normals(panel, Side::front, show == Show::slice ? Names::left_out : Names::shown, sketch, style);
   draw_vertices(panel, sketch, style);
   draw_axes(panel, room, sketch, style);
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 // -- The slice --------------------------------------------------------------------------------------------------------
@@ -226,7 +226,7 @@ int draw_slice(render::Canvas& canvas, const render::Box& box, const Style& styl
     panel.name_area(corners, name, name.size() == 2 ? edge_label(style) : style.small_label());
   }
   panel.outline(sketch.cut(), {style.theme.ink, 3 * style.theme.line});
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {

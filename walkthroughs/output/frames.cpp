@@ -45,12 +45,16 @@ std::string picture_name(std::size_t index, int turn) {
   return name;
 }
 
-std::vector<std::uint8_t> written_picture(const fs::path& folder, std::size_t index, int turn) {
+std::vector<std::uint8_t> read_back(const fs::path& file) {
   try {
-    return render::read_file(folder / picture_name(index, turn));
+    return render::read_file(file);
   } catch (const render::ReadError& error) {
     throw render::FileError(error.what());
   }
+}
+
+std::vector<std::uint8_t> written_picture(const fs::path& folder, std::size_t index, int turn) {
+  return read_back(folder / picture_name(index, turn));
 }
 
 int turns_of(const Walkthrough& walkthrough, const Output& output) { return in_space(walkthrough) ? output.turns : 0; }

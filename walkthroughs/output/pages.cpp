@@ -56,8 +56,8 @@ PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs
     return found == origins.end() ? "" : way_to(*found);
   };
   all.ways.push_back({up + page_file, "All walkthroughs"});
-  if (here != origins_.begin()) all.ways.push_back({way_to(*(here - 1)), "← " + (here - 1)->name});
-  if (here + 1 != origins_.end()) all.ways.push_back({way_to(*(here + 1)), "→ " + (here + 1)->name});
+  if (here != origins_.begin()) all.ways.push_back({way_to(*(here - 1)), "← " + (here - 1)->title});
+  if (here + 1 != origins_.end()) all.ways.push_back({way_to(*(here + 1)), "→ " + (here + 1)->title});
   return all;
 }
 
@@ -70,7 +70,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   };
   const PagePictures pictures{.url = url,
                               .page = page_of_frame(output.look.text),
-                              .part = pictures_of_frame(w, output.look.text),
+                              .part = pictures_of_frame(w, output.look),
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
   IndexEntry entry = index_entry(*story);

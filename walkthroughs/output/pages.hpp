@@ -16,7 +16,7 @@ inline constexpr const char *page_file = "index.html", *compare_file = "compare.
 
 /// A walkthrough of the run, and what it was read from.
 struct PageOrigin {
-  std::string name;
+  std::string name, title;
   std::string option;          ///< of the command line, before the file: "--from-trace "
   std::filesystem::path file;  ///< empty where it is one of the catalogue
 };

@@ -28,7 +28,12 @@ render::Image Renderer::draw(const StagedStory& story, std::size_t index, const 
 
 render::Image Renderer::draw(render::Size page, const Output& output,
                              const std::function<void(render::Canvas&)>& paint) {
-  render::Canvas canvas(pixels_of(page, output), page, output.look.style.theme.paper, studio_.font);
+  return draw_page(pixels_of(page, output), page, output.look.style.theme.paper, paint);
+}
+
+render::Image Renderer::draw_page(render::Size pixels, render::Size page, render::Color paper,
+                                  const std::function<void(render::Canvas&)>& paint) {
+  render::Canvas canvas(pixels, page, paper, studio_.font);
   paint(canvas);
   return studio_.rasterizer.draw(canvas);
 }

@@ -45,6 +45,11 @@ class Renderer {
   render::Image draw(const StagedStory& story, std::size_t index, const Output& output);
   /// Returns: a picture of `page` that `paint` draws on its canvas.
   render::Image draw(render::Size page, const Output& output, const std::function<void(render::Canvas&)>& paint);
+  /// Returns: a picture of `pixels` that `paint` draws on its canvas, whose page is `page`.
+  render::Image draw_page(render::Size pixels, render::Size page, render::Color paper,
+                          const std::function<void(render::Canvas&)>& paint);
+  /// What pictures are lettered with.
+  render::Font& font() { return studio_.font; }
 
   /// Asks for a picture in a file. `written` is told when it is there.
   void write(std::filesystem::path file, render::Image image, render::PngText text, Written written);

@@ -114,7 +114,7 @@
   const shelf = `gjkstep ${data.name} ${questions.length}`;
   const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on'};
   const nothing = () => questions.map(() => null);
-  let answers = nothing(), predicting = false, asked = null;
+  let answers = nothing(), predicting = false, asked = null, isTold = false;
 
   // The store of the browser, where it has one and allows it; else answers live as long as the page.
   function store(act) { try { return act(localStorage); } catch { return null; } }
@@ -133,6 +133,7 @@
 
   function ask(k) {
     asked = k;
+    isTold = false;
     $('question').innerHTML = questions[k].text;
     $('choices').replaceChildren(...questions[k].choices.map(([text], c) => {
       const line = make('li'), button = Object.assign(make('button'), {type: 'button', innerHTML: text});
@@ -148,17 +149,33 @@
     $('question').focus();
   }
 
+  // The first answer counts. Who is wrong may try once more where that is no sure thing, or look.
   function answer(c) {
     const {choices, right} = questions[asked], buttons = [...$('choices').querySelectorAll('button')];
     if (!buttons[c] || buttons[c].disabled) return;
-    answers[asked] = c;
-    store(shop => shop.setItem(shelf, JSON.stringify(answers)));
+    const isFirst = answers[asked] === null;
+    if (isFirst) {
+      answers[asked] = c;
+      store(shop => shop.setItem(shelf, JSON.stringify(answers)));
+    }
+    const why = choices[c][1] === choices[right][1] ? 'Not so.' : `Not so: ${choices[c][1]}.`;
+    if (c !== right && isFirst && choices.length > 2) {
+      buttons[c].classList.add('wrong');
+      buttons[c].disabled = true;
+      $('verdict').innerHTML = `${why} Try once more.`;
+      $('onward').textContent = 'Show the answer';
+    } else {
+      tell(buttons, c, c === right ? 'Right' : `${why} It is <b>${choices[right][0]}</b>`);
+    }
+  }
+
+  function tell(buttons, c, said) {
+    const {choices, right} = questions[asked];
+    isTold = true;
     for (const button of buttons) button.disabled = true;
     buttons[c].classList.add('wrong');
     buttons[right].className = 'right';
-    const why = choices[c][1] === choices[right][1] ? 'Not so.' : `Not so: ${choices[c][1]}.`;
-    $('verdict').innerHTML = c === right ? `Right: ${choices[c][1]}.`
-      : `${why} It is <b>${choices[right][0]}</b>: ${choices[right][1]}.`;
+    $('verdict').innerHTML = `${said}: ${choices[right][1]}.`;
     $('onward').textContent = 'Go on';
     $('onward').focus();
   }
@@ -170,8 +187,10 @@
   }
 
   function onward() {
-    const isAnswered = answers[asked] !== null;
-    if (isAnswered && stopsToAsk()) return;
+    const first = answers[asked];
+    if (first !== null && !isTold)
+      return tell([...$('choices').querySelectorAll('button')], first, `It is <b>${questions[asked].choices[questions[asked].right][0]}</b>`);
+    if (first !== null && stopsToAsk()) return;
     show(at + 1, 'push');
     $(at + 1 < steps.length ? 'next' : 'first').focus();  // the button that was pressed is gone
   }

@@ -24,6 +24,7 @@ using render::View;
 // Page units.
 constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, flat_margin = 46, least_height = 24,
                  wanted_height = 40;
+constexpr double most_margin = 0.32;  // above and below, of the room
 constexpr double right_angle_side = 9, normal_length = 40;
 constexpr double narrow = 300, narrow_text = 0.8;  // a view that has no room for words
 constexpr double share_of_true_shape = 0.58;       // of the panel, where it decides
@@ -87,15 +88,16 @@ class DecisionPicture {
   }
 
   View fit(const Bounds& box) const {
-    const Box room = below_title(frame_);
-    const double across = frame_.width() < narrow ? narrow_margin : margin, upright = margin_below();
+    const Box room = below_title(frame_, style_);
+    const double across = frame_.width() < narrow ? narrow_margin : margin;
+    const double upright = std::min(margin_below(), most_margin * room.height());
     return View::fit(box.low, box.high, {room.min + Vec2(across, upright), room.max - Vec2(across, upright)},
                      std::numeric_limits<double>::infinity());
   }
 
   int draw(render::Canvas& canvas, const View& view) {
     draw_panel_title(canvas, frame_, title(), style_, key());
-    render::Panel panel(canvas, below_title(frame_), view);
+    render::Panel panel(canvas, below_title(frame_, style_), view);
     Pencil pencil(panel, lens_, in_plane_);
     switch (view_.kind) {
       case Kind::crossing: crossing(pencil); break;
@@ -105,7 +107,7 @@ class DecisionPicture {
     }
     const std::optional<Inset> inset = inset_in(view);
     if (inset) panel.keep_clear(inset->frame);
-    const int crowded = panel.place_labels();
+    const int crowded = panel.place_labels(style_.smallest_label());
     if (inset)
       draw_inset(canvas, *inset, view, style_, [this](render::Panel& magnified) {
         Pencil fine(magnified, lens_, in_plane_);
@@ -152,7 +154,7 @@ class DecisionPicture {
     std::vector<Segment> edges;
     for (std::size_t i = 0; i < view_.face.size(); ++i)
       edges.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
-    return inset_of(at_origin(), edges, edges, below_title(frame_), view, shown_.telling.panels.close_up);
+    return inset_of(at_origin(), edges, edges, below_title(frame_, style_), view, shown_.telling.panels.close_up);
   }
 
   void regions(Pencil& pencil) {

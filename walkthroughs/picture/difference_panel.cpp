@@ -104,7 +104,11 @@ class DifferencePicture {
       panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
     else
       drop(face);
-    panel_.label(pencil_.at(Point::Zero()), center_ - pencil_.at(Point::Zero()), "O", style_.label(style_.theme.ink));
+    const Vec2 at = pencil_.at(Point::Zero()), toward = center_ - at;
+    if (pencil_.in_space())
+      panel_.label(at, toward, "O", style_.label(style_.theme.ink));
+    else  // where lines have sides
+      panel_.label_on_its_side(at, toward, "O", style_.label(style_.theme.ink));
   }
 
   void regions() { draw_regions(pencil_, shown_); }
@@ -321,7 +325,7 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
     asked = {{P, P + Vec2(-d.y(), d.x())}};
     shape.emplace_back(P, O);
   }
-  return inset_of(O, asked, shape, below_title(frame), view, shown.telling.panels.close_up);
+  return inset_of(O, asked, shape, below_title(frame, shown.style), view, shown.telling.panels.close_up);
 }
 
 }  // namespace
@@ -346,7 +350,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
                                      : is_skipping ? key_of_skipped(style)
                                                    : key_of_line("earlier", style.former)});
   if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
-  render::Panel panel(canvas, below_title(place.frame), place.view);
+  render::Panel panel(canvas, below_title(place.frame, style), place.view);
   DifferencePicture picture(panel, shown);
   picture.set();
   picture.triad(canvas, place.frame);  // behind the search, which it must not hide
@@ -366,7 +370,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   if (focus == Focus::region) picture.name_rejected_faces();
   const std::optional<Inset> inset = inset_in(shown, place.frame, place.view);
   if (inset) panel.keep_clear(inset->frame);
-  const int crowded = panel.place_labels();
+  const int crowded = panel.place_labels(shown.style.smallest_label());
   if (inset)
     draw_inset(canvas, *inset, place.view, style,
                [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
@@ -375,7 +379,7 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
 
 int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   draw_panel_title(canvas, place.frame, place.title, shown.style, {key_of_newest(shown.style), key_beyond(shown)});
-  render::Panel panel(canvas, below_title(place.frame), place.view);
+  render::Panel panel(canvas, below_title(place.frame, shown.style), place.view);
   DifferencePicture picture(panel, shown);
   picture.set();
   if (shown.now.found) picture.beyond_found();
@@ -389,7 +393,7 @@ int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   picture.origin();
   for (const Point& corner : points_of(shown.now.simplex)) picture.name(corner);
   if (shown.now.found) picture.name(shown.now.found->w);
-  return panel.place_labels();
+  return panel.place_labels(shown.style.smallest_label());
 }
 
 }  // namespace walkthroughs

@@ -20,14 +20,15 @@ namespace {
 
 using render::Box;
 using render::Canvas;
+using render::Interval;
 using render::TextStyle;
 using render::Vec2;
 using render::View;
 
 // The page, in page units.
 constexpr double left_margin = 40, right_margin = 1240, panel_gap = 14;
-constexpr double panels_top = 72, panels_height = 448, margin_without_text = 20;
-constexpr double objects_width = 300, algorithm_width = 372;
+constexpr double panels_height = 448, margin_without_text = 20;
+constexpr double title_top = 18, below_title_line = 24;  // around the line of the title
 constexpr double share_of_space = 0.4, decision_margin = 34;
 constexpr double line_pitch = 30;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -36,7 +37,20 @@ constexpr double most_page_units =
 constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
 constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
 
-Box panel_box(double left, double right, double top) { return {{left, top}, {right, top + panels_height}}; }
+/// A length at the usual size of text, and what half as large text again adds.
+double with_text(const Style& style, double usual, double added) { return usual + 2 * added * (style.theme.text - 1); }
+
+double objects_width(const Style& style) { return with_text(style, 300, -30); }
+double algorithm_width(const Style& style) { return with_text(style, 372, 120); }
+double footer_height(const Style& style) { return with_text(style, 200, 75); }
+
+/// From where to where the panels of a frame reach down.
+Interval rows_of_panels(const Look& look) {
+  if (look.text == Text::none) return {margin_without_text, margin_without_text + panels_height};
+  return {title_top + look.style.scaled(30) + below_title_line, frame_page.height - footer_height(look.style)};
+}
+
+Box panel_box(double left, double right, const Interval& rows) { return {{left, rows.from}, {right, rows.to}}; }
 
 /// One scene of one frame, as it is drawn.
 struct SceneOfFrame {
@@ -68,13 +82,14 @@ Lens turned(const Lens& lens, double degrees) {
 void draw_header(Canvas& canvas, const Walkthrough& walkthrough, const Style& style) {
   const std::string title = literal(walkthrough.title);
   TextStyle heading = style.title;
+  const double baseline = title_top + heading.size;
   const double width = canvas.text_box({0, 0}, title, heading).width(), room = right_margin - left_margin;
   if (width > room) heading.size *= room / width;
-  canvas.text({left_margin, 48}, title, heading);
+  canvas.text({left_margin, baseline}, title, heading);
   TextStyle source = style.small;
   source.align = render::Align::right;
-  if (canvas.text_box({right_margin, 48}, walkthrough.source, source).min.x() > left_margin + width + panel_gap)
-    canvas.text({right_margin, 48}, walkthrough.source, source);
+  if (canvas.text_box({right_margin, baseline}, walkthrough.source, source).min.x() > left_margin + width + panel_gap)
+    canvas.text({right_margin, baseline}, walkthrough.source, source);
 }
 
 // -- One scene --------------------------------------------------------------------------------------------------------
@@ -86,19 +101,19 @@ struct Columns {
 };
 
 /// `is_decision`: the view in space stands where the objects are in other frames.
-Columns columns(const Panels& panels, double top, bool is_decision) {
+Columns columns(const Panels& panels, const Interval& rows, bool is_decision, const Style& style) {
   double left = left_margin, right = right_margin;
   Columns all;
   if (panels.objects || is_decision) {
-    const double width = panels.algorithm || !is_decision ? objects_width : share_of_space * (right - left);
-    all.objects = panel_box(left, left + width, top);
+    const double width = panels.algorithm || !is_decision ? objects_width(style) : share_of_space * (right - left);
+    all.objects = panel_box(left, left + width, rows);
     left += width + panel_gap;
   }
   if (panels.algorithm) {
-    all.algorithm = panel_box(right - algorithm_width, right, top);
-    right -= algorithm_width + panel_gap;
+    all.algorithm = panel_box(right - algorithm_width(style), right, rows);
+    right -= algorithm_width(style) + panel_gap;
   }
-  all.difference = panel_box(left, right, top);
+  all.difference = panel_box(left, right, rows);
   return all;
 }
 
@@ -136,15 +151,21 @@ int draw_beside(Canvas& canvas, const Box& frame, const Shown& what) {
 int draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vector<DecisionView>& views,
                            const Shown& what) {
   if (what.focus == Focus::end && what.telling.panels.objects) {
-    const View objects =
-        fit(bounds_of_objects(what.telling, what.stage, what.lens), below_title(*boxes.objects).grown(-objects_margin));
+    const View objects = fit(bounds_of_objects(what.telling, what.stage, what.lens),
+                             below_title(*boxes.objects, what.style).grown(-objects_margin));
     return draw_objects(canvas, {*boxes.objects, "", objects}, what) +
            draw_decision(canvas, boxes.difference, views, what);
   }
   return draw_beside(canvas, *boxes.objects, what) + draw_decision(canvas, boxes.difference, views, what);
 }
 
-int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
+/// Short where the letters are large: the key stands beside it.
+std::string title_of_difference(bool is_close_up, const Style& style) {
+  if (style.theme.text > 1) return is_close_up ? "close up" : "a − b";
+  return is_close_up ? "a − b, close up" : "difference a − b";
+}
+
+int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   const Telling& telling = *story.stages[0].telling;
   const Lens lens = turned(story.stages[0].lens, look.turn);
   const SceneOfFrame scene(story, index, 0);
@@ -153,24 +174,24 @@ int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, dou
       shows_decision(story) ? decision_views(what.now, what.focus) : std::vector<DecisionView>{};
   const std::optional<NumberLine> line =
       telling.panels.decision ? number_line(what.now, what.focus, what.names) : std::nullopt;
-  const Columns boxes = columns(telling.panels, top, !views.empty() || line);
+  const Columns boxes = columns(telling.panels, rows_of_panels(look), !views.empty() || line, look.style);
   if (line) {
     const int crowded =
         draw_beside(canvas, *boxes.objects, what) + draw_number_line(canvas, boxes.difference, *line, what);
-    if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);
+    if (boxes.algorithm && look.code) draw_algorithm(canvas, *boxes.algorithm, what);
     return crowded;
   }
   if (!views.empty()) {
     const int crowded = draw_decision_in_space(canvas, boxes, views, what);
-    if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);
+    if (boxes.algorithm && look.code) draw_algorithm(canvas, *boxes.algorithm, what);
     return crowded;
   }
-  const Box room = below_title(boxes.difference).grown(-difference_margin);
+  const Box room = below_title(boxes.difference, look.style).grown(-difference_margin);
   View view = view_of_difference(what, room);
   int crowded = 0;
   if (boxes.objects) {
     const Bounds objects = bounds_of_objects(telling, story.stages[0], lens);
-    const Box room_left = below_title(*boxes.objects).grown(-objects_margin);
+    const Box room_left = below_title(*boxes.objects, look.style).grown(-objects_margin);
     View left = fit(objects, room_left);
     if (!lens.camera &&
         !is_close_up(what,
@@ -181,9 +202,9 @@ int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, dou
     }
     crowded += draw_objects(canvas, {*boxes.objects, "", left}, what);
   }
-  crowded += draw_difference(
-      canvas, {boxes.difference, is_close_up(what, room) ? "a − b, close up" : "difference a − b", view}, what);
-  if (boxes.algorithm) draw_algorithm(canvas, *boxes.algorithm, what);
+  crowded +=
+      draw_difference(canvas, {boxes.difference, title_of_difference(is_close_up(what, room), look.style), view}, what);
+  if (boxes.algorithm && look.code) draw_algorithm(canvas, *boxes.algorithm, what);
   return crowded;
 }
 
@@ -208,14 +229,15 @@ int draw_scene(Canvas& canvas, const StagedStory& story, const Place& place, con
   return shows_a_move(story) ? draw_move(canvas, place, what) : draw_difference(canvas, place, what);
 }
 
-int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
+int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   const double middle = (left_margin + right_margin) / 2;
-  const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, top),
-                       panel_box(middle + panel_gap / 2, right_margin, top)};
+  const Interval rows = rows_of_panels(look);
+  const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, rows),
+                       panel_box(middle + panel_gap / 2, right_margin, rows)};
   const auto view = [&](std::size_t s, const Lens& lens, double scale) {
     const Bounds box =
         bounds_of_scene(story, s, story.frames.size() - 1, lens);  // of the last frame, so that nothing jumps
-    return fit(box, below_title(boxes[s]).grown(-difference_margin), scale);
+    return fit(box, below_title(boxes[s], look.style).grown(-difference_margin), scale);
   };
   const Lens lenses[] = {turned(story.stages[0].lens, look.turn), turned(story.stages[1].lens, look.turn)};
   const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());
@@ -232,7 +254,7 @@ int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, doubl
 // -- The strip --------------------------------------------------------------------------------------------------------
 
 // In page units.
-constexpr int cell_width = 420, cell_height = 490;
+constexpr int cell_width = 420, caption_height = 104;
 constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
 
 /// One panel of the strip: its picture fills the box and `caption` stands below.
@@ -269,7 +291,7 @@ int draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cell
   const Lens lens = turned(story.stages[cell.scene].lens, look.turn);
   const SceneOfFrame scene(story, cell.frame, cell.scene);
   const Bounds box = bounds_of_scene(story, cell.scene, cell.frame, lens);
-  const Place place{frame, cell.title, fit(box, below_title(frame).grown(-cell_margin))};
+  const Place place{frame, cell.title, fit(box, below_title(frame, look.style).grown(-cell_margin))};
   return draw_scene(canvas, story, place, scene.shown(lens, look));
 }
 
@@ -283,22 +305,22 @@ double bottom_of_panel(const StagedStory& story) {
 int draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, double left, const Look& look) {
   const Box frame{{left + cell_gap, cell_gap}, {left + width_of_cell(story) - cell_gap, bottom_of_panel(story)}};
   const int crowded = draw_cell_picture(canvas, story, cell, frame, look);
-  double y = frame.max.y() + line_pitch;
+  double y = frame.max.y() + look.style.scaled(line_pitch);
   for (const std::string& line : render::wrap(canvas, cell.caption, look.style.fact, frame.width())) {
     canvas.text({frame.min.x(), y}, line, look.style.fact);
-    y += line_pitch * 0.95;
+    y += look.style.scaled(line_pitch * 0.95);
   }
   return crowded;
 }
 
 // -- The frame --------------------------------------------------------------------------------------------------------
 
-int draw_panels(Canvas& canvas, const StagedStory& story, std::size_t index, double top, const Look& look) {
+int draw_panels(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   switch (story.walkthrough.layout) {
-    case Layout::search: return draw_search(canvas, story, index, top, look);
+    case Layout::search: return draw_search(canvas, story, index, look);
     case Layout::diagrams:
-      return story.diagrams[index].draw(canvas, panel_box(left_margin, right_margin, top), look.style);
-    default: return draw_pair(canvas, story, index, top, look);
+      return story.diagrams[index].draw(canvas, panel_box(left_margin, right_margin, rows_of_panels(look)), look.style);
+    default: return draw_pair(canvas, story, index, look);
   }
 }
 
@@ -309,24 +331,24 @@ render::Size page_of_frame(Text text) {
   return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
 }
 
-Box pictures_of_frame(const Walkthrough& walkthrough, Text text) {
+Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look) {
   const bool has_code = walkthrough.layout == Layout::search && walkthrough.panels.algorithm;
-  const double right = has_code ? right_margin - algorithm_width - panel_gap : right_margin;
-  const double top = text == Text::around ? panels_top : margin_without_text;
-  return panel_box(left_margin, right, top).grown(panel_gap / 2 - 1);
+  const double right = has_code ? right_margin - algorithm_width(look.style) - panel_gap : right_margin;
+  return panel_box(left_margin, right, rows_of_panels(look)).grown(panel_gap / 2 - 1);
 }
 
 int draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
-  if (look.text != Text::around) return draw_panels(canvas, story, index, margin_without_text, look);
+  if (look.text != Text::around) return draw_panels(canvas, story, index, look);
   draw_header(canvas, story.walkthrough, look.style);
-  const Box below{{left_margin, panels_top + panels_height}, {right_margin, frame_page.height}};
+  const Box below{{left_margin, rows_of_panels(look).to}, {right_margin, frame_page.height}};
   const int left_out = draw_footer(canvas, below, story, index, look.style);
-  return draw_panels(canvas, story, index, panels_top, look) + left_out;
+  return draw_panels(canvas, story, index, look) + left_out;
 }
 
-render::Size strip_page(const StagedStory& story) {
-  const int extra = static_cast<int>(bottom_of_panel(story) - cell_panel_bottom);
-  return {width_of_cell(story) * static_cast<int>(cells(story).size()), cell_height + extra};
+render::Size strip_page(const StagedStory& story, const Look& look) {
+  const double larger = look.style.theme.text * look.style.theme.text;  // higher lines, and more of them
+  const int height = static_cast<int>(bottom_of_panel(story) + caption_height * larger);
+  return {width_of_cell(story) * static_cast<int>(cells(story).size()), height};
 }
 
 int draw_strip(Canvas& canvas, const StagedStory& story, const Look& look) {

@@ -22,6 +22,7 @@ struct Look {
   Style style{render::themes::report};
   Text text = Text::around;
   bool values = true;  ///< whether the panels show the numbers that decide
+  bool code = true;    ///< whether the pseudo-code is written; without it its place is empty, for who cuts it off
   double turn = 0;     ///< degrees by which the camera of a scene in space is moved around the vertical axis
 };
 
@@ -32,7 +33,7 @@ inline constexpr render::Size frame_page{1280, 720};
 render::Size page_of_frame(Text text);
 
 /// Returns: the part of that page that holds the panels but for the pseudo-code, for who writes all words himself.
-render::Box pictures_of_frame(const Walkthrough& walkthrough, Text text);
+render::Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look);
 
 /// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper;
 /// index < story.frames.size().
@@ -41,9 +42,9 @@ int draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t ind
 
 /// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
 /// picture of each.
-render::Size strip_page(const StagedStory& story);
+render::Size strip_page(const StagedStory& story, const Look& look = {});
 
-/// Requires: a canvas with the page strip_page(story), in the colour of the paper.
+/// Requires: a canvas with the page strip_page(story, look), in the colour of the paper.
 int draw_strip(render::Canvas& canvas, const StagedStory& story, const Look& look = {});
 
 }  // namespace walkthroughs

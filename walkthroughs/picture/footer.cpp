@@ -1,5 +1,6 @@
 #include "walkthroughs/picture/footer.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -15,7 +16,9 @@ using render::Vec2;
 // Page units.
 constexpr double progress_width = 196, text_left = 210, mark_width = 34;
 constexpr double first_line = 36, line_pitch = 30, small_pitch = 26, below_last_line = 6;
-constexpr double sizes[] = {1, 0.88, 0.78, 0.68};  // of facts, the first that lets all of them fit
+constexpr double top_of_column = 22;  // to its first line
+// The first that let all lines fit: of facts beside the caption, and of both where larger text than usual was asked for.
+constexpr double sizes_of_facts[] = {1, 0.88, 0.78, 0.68}, sizes_of_all[] = {1, 0.87, 0.76, 0.67};
 
 struct Line {
   std::string text;
@@ -38,7 +41,7 @@ std::vector<Line> lines_of_facts(Canvas& canvas, const Frame& frame, const Style
     const bool is_skipped = fact.mark == Fact::Mark::skipped;
     const bool is_bold = fact.mark == Fact::Mark::answer || fact.mark == Fact::Mark::truth;
     Line line{is_skipped ? "skipped " + fact.text : fact.text, is_skipped ? style.skipped : style.fact,
-              size * (is_skipped ? small_pitch : line_pitch), mark_width};
+              size * style.scaled(is_skipped ? small_pitch : line_pitch), style.scaled(mark_width)};
     line.style.size *= size;
     if (is_bold) line.style.weight = render::Weight::bold;
     const std::size_t first = lines.size();
@@ -49,7 +52,7 @@ std::vector<Line> lines_of_facts(Canvas& canvas, const Frame& frame, const Style
 }
 
 void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark, const Style& style) {
-  TextStyle text{.size = 24, .weight = render::Weight::bold};
+  TextStyle text{.size = style.scaled(24), .weight = render::Weight::bold};
   text.color = mark == Fact::Mark::yes ? style.theme.green : style.theme.vermillion;
   if (mark == Fact::Mark::yes) canvas.text(at, "✓", text);
   if (mark == Fact::Mark::no) canvas.text(at, "✗", text);
@@ -63,7 +66,7 @@ double height_of(const std::vector<Line>& lines) {
 
 /// Returns: how many did not fit.
 int draw_lines(Canvas& canvas, const Box& room, const std::vector<Line>& lines, const Style& style) {
-  Vec2 at = room.min + Vec2(0, first_line);
+  Vec2 at = room.min + Vec2(0, style.scaled(first_line));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (at.y() > room.max.y() - below_last_line) return static_cast<int>(lines.size() - i);
     draw_mark(canvas, at, lines[i].mark, style);
@@ -73,40 +76,73 @@ int draw_lines(Canvas& canvas, const Box& room, const std::vector<Line>& lines, 
   return 0;
 }
 
-/// "step n of N", the iteration and the simplex.
-int draw_progress(Canvas& canvas, const Box& room, const StagedStory& story, std::size_t index, const Style& style) {
+/// The iteration and the simplex.
+std::vector<std::string> state_of_search(const StagedStory& story, std::size_t index) {
   const Frame& frame = story.frames[index];
-  const TextStyle bold{.size = 24, .weight = render::Weight::bold, .color = style.theme.ink};
-  std::vector<Line> lines;
-  const auto write = [&](const std::string& text, const TextStyle& how) {
-    append(lines, canvas, {text, how, line_pitch}, progress_width);
-  };
-  write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold);
+  std::vector<std::string> words;
   if (!frame.moments.empty()) {
     const bool in_float = story.tellings[0].scene.scalar == Scalar::binary32;
-    write("iteration " + std::to_string(frame.moments[0].iteration) + (in_float ? ", in float" : ""), style.small);
+    words.push_back("iteration " + std::to_string(frame.moments[0].iteration) + (in_float ? ", in float" : ""));
   }
   if (frame.moments.size() == 1) {
     const Simplex& simplex = frame.moments[0].simplex;
-    write(simplex.size() == 0 ? "no simplex yet" : "simplex " + story.names(index, 0).list(simplex), style.small);
+    words.push_back(simplex.size() == 0 ? "no simplex yet" : "simplex " + story.names(index, 0).list(simplex));
   }
+  return words;
+}
+
+/// "step n of N", the iteration and the simplex.
+int draw_progress(Canvas& canvas, const Box& room, const StagedStory& story, std::size_t index, const Style& style) {
+  const TextStyle bold{.size = style.scaled(24), .weight = render::Weight::bold, .color = style.theme.ink};
+  std::vector<Line> lines;
+  const auto write = [&](const std::string& text, const TextStyle& how) {
+    append(lines, canvas, {text, how, style.scaled(line_pitch)}, style.scaled(progress_width));
+  };
+  write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold);
+  for (const std::string& words : state_of_search(story, index)) write(words, style.small);
   return draw_lines(canvas, room, lines, style);
+}
+
+/// The caption and the facts, as large as they fit, but not smaller than at the usual scale of text.
+std::vector<Line> fitting_lines(Canvas& canvas, const Box& room, const Frame& frame, const Style& style) {
+  std::vector<Line> lines;
+  for (const double size_of_all : sizes_of_all) {
+    const double size = std::min(1.0, std::max(size_of_all, 1 / style.theme.text));
+    Line caption{frame.caption, style.caption, size * style.scaled(line_pitch)};
+    caption.style.size *= size;
+    for (const double size_of_facts : sizes_of_facts) {
+      lines.clear();
+      append(lines, canvas, caption, room.width());
+      const std::vector<Line> facts = lines_of_facts(canvas, frame, style, size * size_of_facts, room.width());
+      lines.insert(lines.end(), facts.begin(), facts.end());
+      if (height_of(lines) - lines.back().pitch <= room.height() - style.scaled(first_line) - below_last_line)
+        return lines;
+    }
+  }
+  return lines;
 }
 
 }  // namespace
 
 int draw_footer(Canvas& canvas, const Box& room, const StagedStory& story, std::size_t index, const Style& style) {
+  const Box text{room.min + Vec2(style.scaled(text_left), 0), room.max};
+  const std::vector<Line> lines = fitting_lines(canvas, text, story.frames[index], style);
+  return draw_progress(canvas, room, story, index, style) + draw_lines(canvas, text, lines, style);
+}
+
+double draw_words(Canvas& canvas, double width, const StagedStory& story, std::size_t index, const Style& style) {
   const Frame& frame = story.frames[index];
-  const Box text{room.min + Vec2(text_left, 0), room.max};
-  std::vector<Line> caption, facts;
-  append(caption, canvas, {frame.caption, style.caption, line_pitch}, text.width());
-  const double for_facts = text.height() - first_line - below_last_line - height_of(caption);
-  for (const double size : sizes) {
-    facts = lines_of_facts(canvas, frame, style, size, text.width());
-    if (height_of(facts) - (facts.empty() ? 0 : facts.back().pitch) <= for_facts) break;
-  }
-  caption.insert(caption.end(), facts.begin(), facts.end());
-  return draw_progress(canvas, room, story, index, style) + draw_lines(canvas, text, caption, style);
+  std::string state = "step " + std::to_string(index + 1);
+  for (const std::string& words : state_of_search(story, index)) state += " · " + words;
+  std::vector<Line> lines;
+  append(lines, canvas, {state, style.small, style.scaled(line_pitch)}, width);
+  append(lines, canvas, {frame.caption, style.caption, style.scaled(line_pitch)}, width);
+  const std::vector<Line> facts = lines_of_facts(canvas, frame, style, 1, width);
+  lines.insert(lines.end(), facts.begin(), facts.end());
+  const double height = height_of(lines) + below_last_line;
+  draw_lines(canvas, {{0, style.scaled(top_of_column - first_line)}, {width, height + style.scaled(line_pitch)}}, lines,
+             style);
+  return height;
 }
 
 }  // namespace walkthroughs

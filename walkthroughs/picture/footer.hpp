@@ -13,4 +13,10 @@ namespace walkthroughs {
 int draw_footer(render::Canvas& canvas, const render::Box& room, const StagedStory& story, std::size_t index,
                 const Style& style);
 
+/// Draws the same words, without the number of frames, in one column that begins at the top left corner of the page, each at
+/// its full size.
+/// Returns: how high the column is.
+double draw_words(render::Canvas& canvas, double width, const StagedStory& story, std::size_t index,
+                  const Style& style);
+
 }  // namespace walkthroughs

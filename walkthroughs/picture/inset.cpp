@@ -95,7 +95,7 @@ void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, co
     render::Panel panel(canvas, inset.frame, magnified(inset.at, inset.frame, view, inset.factor));
     panel.keep_clear(inset.label);
     draw(panel);
-    panel.place_labels();
+    panel.place_labels(style.smallest_label());
   }
   const Vec2 low = inset.frame.min, high = inset.frame.max;
   const Vec2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};

@@ -129,7 +129,7 @@ class NumberLinePicture {
 int draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
   draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?", shown.style,
                    key_of(line, shown.style));
-  NumberLinePicture(canvas, below_title(frame), line, shown).draw();
+  NumberLinePicture(canvas, below_title(frame, shown.style), line, shown).draw();
   return 0;
 }
 

@@ -16,7 +16,7 @@ KeyEntry swatch(const std::string& text, render::Color fill, const render::Strok
             canvas.polygon(corners, fill);
             canvas.outline(corners, {outline.color, 2.5});
           },
-          true};
+          10, true};
 }
 
 /// The flat parts of a round object: those in sight whole, the others as far as they lie behind thin and dashed.
@@ -57,7 +57,7 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   draw_panel_title(canvas, place.frame, place.title, style,
                    {swatch(literal(scene.a.name), style.object_a_fill, style.object_a),
                     swatch(literal(scene.b.name), style.object_b_fill, style.object_b)});
-  render::Panel panel(canvas, below_title(place.frame), place.view);
+  render::Panel panel(canvas, below_title(place.frame, style), place.view);
   Pencil pencil(panel, shown.lens, style);
   const Placing& placing = shown.stage.placing;
   if (!pencil.in_space()) panel.grid(placing.scale, style.grid, pencil.at(Point(-placing.center * placing.scale)));
@@ -68,7 +68,7 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   if (!shown.now.found) {
     pencil.direction(middle_of_object(scene.a, shown.stage.a), d, style.direction, "d");
     pencil.direction(middle_of_object(scene.b, shown.stage.b), -d, style.direction, "−d");
-    return panel.place_labels();
+    return panel.place_labels(style.smallest_label());
   }
   const Point &a = shown.now.found->a.point, &b = shown.now.found->b.point;
   if ((shown.focus == Focus::support || shown.focus == Focus::crossing) && !pencil.in_space()) {
@@ -82,7 +82,7 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   pencil.direction(b, -d, style.direction, "−d");
   pencil.point(a, style.object_a.color);
   pencil.point(b, style.object_b.color);
-  return panel.place_labels();
+  return panel.place_labels(style.smallest_label());
 }
 
 }  // namespace walkthroughs

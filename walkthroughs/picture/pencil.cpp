@@ -130,7 +130,7 @@ void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
   if (!in_space()) return;
   const Vec2 start(frame.min.x() + triad_margin, frame.max.y() - triad_margin);
   panel_.disc(panel_.view().scene(start), triad_margin - 2, style_.theme.paper.with_alpha(170));
-  const render::TextStyle text{.size = 17, .color = style_.theme.grey, .align = render::Align::center};
+  const render::TextStyle text{.size = style_.scaled(17), .color = style_.theme.grey, .align = render::Align::center};
   const char* const names[] = {"x", "y", "z"};
   Triad axes{start, {}};
   for (int axis = 0; axis < 3; ++axis) {
@@ -141,7 +141,7 @@ void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
   for (int axis = 0; axis < 3; ++axis) {
     canvas.arrow(start, axes.tips[axis], {style_.theme.grey, 2});
     if ((axes.tips[axis] - start).norm() <= least_named_axis * triad_length) continue;
-    Vec2 at = axes.place_of_name(axis) + Vec2(0, name_rise);
+    Vec2 at = axes.place_of_name(axis) + Vec2(0, style_.scaled(name_rise));
     for (const Vec2& other : named)
       if ((at - other).norm() < least_between_names)
         at = other + Vec2(0, at.y() < other.y() ? -1 : 1) * least_between_names;

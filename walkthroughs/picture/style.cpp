@@ -41,17 +41,17 @@ Style::Style(const render::Theme& t)
       chosen_fill(t.green.with_alpha(64)),
       tested_fill(t.sky.with_alpha(80)),
       rejected_fill(t.grey.with_alpha(44)),
-      title{.size = 30, .weight = render::Weight::bold, .color = t.ink},
-      panel_title{.size = 18, .color = t.grey},
-      caption{.size = 26, .color = t.ink},
-      fact{.size = 23, .color = t.ink},
-      small{.size = 20, .color = t.grey},
-      skipped{.size = 18, .color = t.grey} {}
+      title{.size = scaled(30), .weight = render::Weight::bold, .color = t.ink},
+      panel_title{.size = scaled(18), .color = t.grey},
+      caption{.size = scaled(26), .color = t.ink},
+      fact{.size = scaled(23), .color = t.ink},
+      small{.size = scaled(20), .color = t.grey},
+      skipped{.size = scaled(18), .color = t.grey} {}
 
 TextStyle Style::label(render::Color color, render::Weight weight) const {
-  return {.size = 26 * theme.label, .weight = weight, .color = color, .halo = theme.paper};
+  return {.size = scaled(26), .weight = weight, .color = color, .halo = theme.paper};
 }
 
-TextStyle Style::small_label() const { return {.size = 22 * theme.label, .color = theme.ink, .halo = theme.paper}; }
+TextStyle Style::small_label() const { return {.size = scaled(22), .color = theme.ink, .halo = theme.paper}; }
 
 }  // namespace walkthroughs

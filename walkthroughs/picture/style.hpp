@@ -11,6 +11,7 @@ namespace walkthroughs {
 const render::Theme& theme_named(const std::string& name);
 
 struct Style {
+  /// Requires: render::least_text_scale <= theme.text <= render::most_text_scale.
   explicit Style(const render::Theme& theme);
 
   render::Theme theme;
@@ -37,6 +38,8 @@ struct Style {
   double hatch_spacing = 11;
 
   // Text.
+  double scaled(double page_units) const { return theme.text * page_units; }  ///< of what is as high as a line of text
+  double smallest_label() const { return theme.text > 1 ? 1 / theme.text : 1; }  ///< for Panel::place_labels()
   render::TextStyle title, panel_title, caption, fact, small, skipped;
   render::TextStyle label(render::Color color, render::Weight weight = render::Weight::regular) const;
   render::TextStyle small_label() const;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <deque>
 #include <iostream>
 #include <memory>
@@ -12,9 +13,11 @@
 #include "render/file.hpp"
 #include "render/rendered_by.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/output/animation.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/pages.hpp"
+#include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
 #include "walkthroughs/output/strip.hpp"
 #include "walkthroughs/picture/movie.hpp"
@@ -40,6 +43,7 @@ class Selection {
   struct Chosen {
     const Walkthrough* walkthrough;
     std::optional<render::Size> size = {};       ///< that its file asks for
+    std::optional<double> text_scale = {};       ///< the same
     const std::vector<Trace>* traces = nullptr;  ///< where they have been read
     PageOrigin origin = {};
   };
@@ -49,19 +53,19 @@ class Selection {
     if (!files_read_.insert(word).second) return;
     const SceneFile& file = files_.emplace_back(read_scene(word));
     refuse_name_twice(file.walkthrough, word);
-    chosen_.push_back({&file.walkthrough, file.size, nullptr, {file.walkthrough.name, "", word}});
+    chosen_.push_back({&file.walkthrough, file.size, file.text_scale, nullptr, {file.walkthrough.name, file.walkthrough.title, "", word}});
   }
   void add_trace(const std::string& file) {
     if (!files_read_.insert(file).second) return;
     const TraceFile& read = traces_.emplace_back(read_trace(file));
     refuse_name_twice(read.walkthrough, file);
-    chosen_.push_back({&read.walkthrough, {}, &read.traces, {read.walkthrough.name, "--from-trace ", file}});
+    chosen_.push_back({&read.walkthrough, {}, {}, &read.traces, {read.walkthrough.name, read.walkthrough.title, "--from-trace ", file}});
   }
   void add(const std::vector<const Walkthrough*>& several) {
     for (const Walkthrough* w : several) {
       if (std::ranges::count(chosen_, w, &Chosen::walkthrough) > 0) continue;
       refuse_name_twice(*w, w->name);
-      chosen_.push_back({w, {}, nullptr, {w->name, "", {}}});
+      chosen_.push_back({w, {}, {}, nullptr, {w->name, w->title, "", {}}});
     }
   }
   const std::vector<Chosen>& chosen() const { return chosen_; }
@@ -98,9 +102,7 @@ class Rendering {
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
-      Output sized = output;
-      if (!command_.size && each.size) sized.size = *each.size;
-      render(each, sized, formats, renderer, written);
+      render(each, output_of(each, output), formats, renderer, written);
     }
     renderer.finish();
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
@@ -111,6 +113,19 @@ class Rendering {
   }
 
  private:
+  /// With what the file of a scene asks for and the command does not.
+  Output output_of(const Selection::Chosen& chosen, Output output) const {
+    if (!command_.size && chosen.size) output.size = *chosen.size;
+    if (!command_.text_scale && chosen.text_scale) output.look.style = style_of(chosen.text_scale);
+    return output;
+  }
+
+  Style style_of(std::optional<double> text_scale) const {
+    render::Theme theme = theme_named(command_.theme);
+    theme.text = text_scale.value_or(theme.text);
+    return Style(theme);
+  }
+
   /// What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
   struct Written {
     std::vector<FrameFile> frames;
@@ -138,7 +153,10 @@ class Rendering {
     formats.sinks.push_back(std::make_unique<Frames>(report_frame));
     if (command_.apng) formats.sinks.push_back(std::make_unique<AnimatedPng>(command_.frame_time, report_file));
     if (command_.strip) formats.sinks.push_back(std::make_unique<Strip>(report_file));
-    if (command_.sheet) formats.sinks.push_back(std::make_unique<Sheet>(report_file));
+    if (command_.sheet == "one") formats.sinks.push_back(std::make_unique<Sheet>(report_file));
+    if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
+      formats.sinks.push_back(
+          std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
     if (is_asked_for_pages()) {
       const auto pictures = command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside;
       auto pages = std::make_unique<Pages>(pictures, options_of_pictures(), origins_of(selection), report_file);
@@ -159,7 +177,7 @@ class Rendering {
     expect_named("--out", command_.out, "a folder to write to, for example --out pictures");
     if (command_.captions)
       expect_named("--captions", *command_.captions, "a file to write, for example --captions captions.json");
-    const Look look{.style = Style(theme_named(command_.theme)),
+    const Look look{.style = style_of(command_.text_scale),
                     .text = command_.no_captions ? Text::none : Text::around,
                     .values = !command_.no_values};
     return {.folder = command_.out,
@@ -227,6 +245,7 @@ class Rendering {
     if (command_.letters) add(" --letters ", *command_.letters);
     if (command_.theme != usual.theme) add(" --theme ", command_.theme);
     if (command_.size) add(" --size ", *command_.size);
+    if (command_.text_scale) add(" --text-scale ", number_text(*command_.text_scale));
     if (command_.turns != usual.turns) add(" --turn ", std::to_string(command_.turns));
     if (command_.no_captions) options += " --no-captions";
     if (command_.no_values) options += " --no-values";
@@ -303,6 +322,13 @@ class Rendering {
     std::cerr << "gjkstep: " + sentence + "\n";
   }
 
+  static void note_small_letters(const Story& story, double points) {
+    char size[32];
+    std::snprintf(size, sizeof size, "%.1f", points);
+    note(story.walkthrough.name + ": the smallest letters of its sheets have " + size +
+         " points; choose paper held across, or --no-captions");
+  }
+
   static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {
     const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
     const std::filesystem::path file = folder / render::rendered_by_file;
@@ -347,7 +373,12 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--all", render.all, "render every walkthrough");
   command->add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
-  command->add_flag("--sheet", render.sheet, "write OUT/NAME/sheet.png as well: all frames on one page");
+  command
+      ->add_flag("--sheet{one}", render.sheet,
+                 "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
+                 "letter-across fills pages of "
+                 "paper that can be read in print, OUT/NAME/sheet-1.png, ... and all of them in sheet.pdf")
+      ->check(CLI::IsMember({"one", "a4", "letter", "a4-across", "letter-across"}));
   command->add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
   command
       ->add_flag("--page{beside}", render.page,
@@ -367,7 +398,9 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
       ->capture_default_str();
   command->add_option("--frames", render.frames,
                       "a choice of frames, numbered anew: steps such as 4,10,18 or 3-7, and kinds: " + frame_kinds());
-  command->add_option("--theme", render.theme, "colours and weights: for a report, for slides, or on a dark ground")
+  command
+      ->add_option("--theme", render.theme,
+                   "colours and weights: for a report, for slides with larger text, or on a dark ground")
       ->check(CLI::IsMember({"report", "slides", "dark"}))
       ->capture_default_str();
   expect_number(
@@ -389,6 +422,12 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command->add_option("--out", render.out, "folder to write to")->capture_default_str();
   command->add_option("--size", render.size,
                       "width and height in pixels; if not given, what the scene file says, or 1280x720");
+  expect_number(command->add_option(
+                    "--text-scale", render.text_scale,
+                    "all text so many times as large, and the pictures in what room is left; if not given, what the "
+                    "scene file says, else 1, for slides " +
+                        number_text(render::themes::slides.text)),
+                render::least_text_scale, render::most_text_scale);
   add_backend_option(*command, render.gl);
   return command;
 }

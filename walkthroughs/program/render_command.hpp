@@ -13,9 +13,9 @@ struct RenderCommand {
   std::vector<std::string> traces;  ///< files
   bool all = false;
   bool strip = false;
-  bool sheet = false;
   bool apng = false;
-  std::string page;  ///< "beside" or "single"; empty: none
+  std::string page;   ///< "beside" or "single"; empty: none
+  std::string sheet;  ///< "one" picture, or a paper: "a4" or "letter"; empty: none
   bool no_captions = false, no_values = false;
   std::optional<std::string> letters;
   bool rendered_by = false;
@@ -27,6 +27,7 @@ struct RenderCommand {
   std::optional<std::string> frames;
   std::optional<std::string> gl;
   std::optional<std::string> size;
+  std::optional<double> text_scale;  ///< of the theme, if nothing else is said
   std::optional<std::string> movie;
   std::optional<std::string> captions;
 

@@ -83,7 +83,8 @@ class Captions {
     if (event.verdict == Crossing::not_crossed)
       return frame_about(
           Focus::crossing,
-          "The move to " + name + " did not cross the origin: nothing of the difference reaches that far along d",
+          "The move to " + name + " did not cross the origin" +
+              (in_float() ? ", as far as floats tell" : ": nothing of the difference reaches that far along d"),
           {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}});
     if (!(*event.value > 0))
       return frame_about(Focus::crossing,
@@ -288,7 +289,7 @@ class Captions {
     if (scene_.options.crossing_test == gjk::CrossingTest::off) return "this run does without the crossing test";
     return gjk::first_point(scene_.rules) == gjk::FirstPoint::tested
                ? "these rules apply the crossing test to the first point, too"
-               : "the crossing test is of moves, and none has led to the first point";
+               : "no crossing test yet: it judges the move from one point to the next";
   }
 
   bool without_crossing_test() const { return now_.crossing && now_.crossing->verdict == Crossing::switched_off; }
@@ -313,11 +314,17 @@ class Captions {
                                         : " are no longer needed and leave the simplex");
   }
 
+  /// Where rounded numbers decide an answer is what the search concludes, and may be wrong.
+  bool in_float() const { return scene_.scalar == Scalar::binary32; }
+
   std::string answer_caption(const gjk::Result<double>& result) const {
     switch (result.status) {
       case gjk::Status::intersecting:
-        return "The origin lies in " + names_.simplex(result.simplex) + ", so the objects intersect";
-      case gjk::Status::separated: return "The difference does not contain the origin, so the objects do not intersect";
+        return (in_float() ? "The search concludes that the origin lies in " : "The origin lies in ") +
+               names_.simplex(result.simplex) + ", so the objects intersect";
+      case gjk::Status::separated:
+        return in_float() ? "The search concludes that the objects do not intersect"
+                          : "The difference does not contain the origin, so the objects do not intersect";
       case gjk::Status::undecided: return "The search ends without an answer";
     }
     return "";
@@ -337,7 +344,7 @@ class Captions {
       facts.push_back({Mark::none, "with d = " + vec(result.separation->direction) + ": w·d ≤ " +
                                        names_.of(result.separation->vertex.w) +
                                        "·d = " + number(result.separation->support_value) + " < 0 for every w" +
-                                       (scene_.scalar == Scalar::binary32 ? ", as far as floats tell" : "")});
+                                       (in_float() ? ", as far as floats tell" : "")});
     if (result.status != gjk::Status::intersecting) return;
     if (is_complete() && now_.regions.back().feature.size() == 4)
       return facts.push_back(

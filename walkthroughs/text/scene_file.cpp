@@ -1,5 +1,7 @@
 #include "walkthroughs/text/scene_file.hpp"
 
+#include "render/color.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/names.hpp"
@@ -68,6 +70,16 @@ std::optional<render::Size> read_size(const Value& root) {
   return render::Size{side(sides[0]), side(sides[1])};
 }
 
+std::optional<double> read_text_scale(const Value& root) {
+  const auto value = root.member("text_scale");
+  if (!value) return std::nullopt;
+  const double scale = number(*value);
+  if (scale < render::least_text_scale || scale > render::most_text_scale)
+    value->fail("expected a number from " + number_text(render::least_text_scale) + " to " +
+                number_text(render::most_text_scale) + ", found " + number_text(scale));
+  return scale;
+}
+
 Naming read_letters(const Value& root) {
   const auto value = root.member("letters");
   return value && choice(*value, words_of::letters) == 1 ? Naming::fixed : Naming::roles;
@@ -76,7 +88,7 @@ Naming read_letters(const Value& root) {
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_object(root,
                 {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "zero_test", "scalar", "certified", "panels", "letters", "size"},
+                 "zero_test", "scalar", "certified", "panels", "letters", "size", "text_scale"},
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
@@ -95,9 +107,11 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   const auto panels_given = root.member("panels");
   const Panels panels = panels_given ? panels_in(*panels_given) : Panels{};
   const std::optional<render::Size> size = read_size(root);
+  const std::optional<double> text_scale = read_text_scale(root);
 
   SceneFile file;
   file.size = size;
+  file.text_scale = text_scale;
   file.walkthrough.name = name_from_file(file_name);
   file.walkthrough.title = file.walkthrough.summary = heading;
   file.walkthrough.source = "scene file";
@@ -171,7 +185,8 @@ std::string_view example_scene() {
   // in all pictures of tests; without it only where marks would cover each other.
   "panels": ["objects", "hull", "algorithm", "decision"],
   "letters": "roles",  // A is always the newest vertex; "fixed": each keeps its letter for the whole search
-  "size": "1280x720"       // or [1280, 720]; pixels
+  "size": "1280x720",      // or [1280, 720]; pixels
+  "text_scale": 1          // 0.75 to 1.5: all text so many times as large
 }
 )";
 }

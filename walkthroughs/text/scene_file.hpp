@@ -16,6 +16,7 @@
 ///                      and "close-up", which magnifies what is around the origin
 ///     letters          "roles" (A is always the newest vertex), "fixed" (each keeps its own)           "roles"
 ///     size             "1280x720" or [1280, 720], in pixels                                            up to the reader
+///     text_scale       0.75 to 1.5: all text so many times as large                                    up to the theme
 ///
 /// Eager rules, which test the first point, too, begin in the direction from the center of a to that of b: the mean of a
 /// point set's points, the sum of the centers of a sum.
@@ -55,6 +56,7 @@ struct SceneError : InputError {
 struct SceneFile {
   Walkthrough walkthrough;
   std::optional<render::Size> size;
+  std::optional<double> text_scale;
 };
 
 /// Errors: SceneError, about the first thing that is wrong. Reads regular files of at most scene_limits::bytes, and never

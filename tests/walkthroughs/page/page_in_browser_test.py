@@ -269,6 +269,8 @@ class Page(unittest.TestCase):
                 at = self.step()
                 self.assertEqual(questions[count]["before"], at)
                 self.press(str(1 + choose(questions[count])))
+                if self.find("#onward").text == "Show the answer":
+                    self.find("#onward").click()
                 self.assertEqual(len(self.all("#choices .right")), 1)
                 self.assertTrue(self.find("#verdict").text)
                 count += 1
@@ -309,11 +311,30 @@ class Page(unittest.TestCase):
         texts = self.js("return JSON.parse(document.getElementById('data').textContent).texts")
         plain = lambda place: re.sub("<[^>]*>", "", texts[place]).replace("&gt;", ">")
         verdict = self.find("#verdict").get_attribute("textContent")
+        self.assertTrue(verdict.endswith("Try once more."), verdict)
+        self.assertFalse(self.all("#choices .right"))
+        another = next(c for c in range(len(question["choices"])) if c not in (wrong, question["right"]))
+        self.all("#choices button")[another].click()
+        wrong = another
+        verdict = self.find("#verdict").get_attribute("textContent")
         reasons = [plain(question["choices"][choice][1]) for choice in (wrong, question["right"])]
         self.assertTrue(verdict.startswith("Not so. " if reasons[0] == reasons[1] else "Not so: " + reasons[0]), verdict)
         self.assertEqual(verdict.count(reasons[1]), 1)
         self.assertEqual(self.find("h1").text, "What will the search find?")
         self.assertIn(plain(question["choices"][question["right"]][1]), verdict)
+
+    def test_a_second_try_may_be_right_and_the_first_answer_counts(self):
+        self.open(searched)
+        self.press("p")
+        question = next(q for q in self.questions() if len(q["choices"]) > 2)
+        self.open(searched, f"#{question['before']}")
+        self.press("p", Keys.ARROW_RIGHT)
+        self.all("#choices button")[1 if question["right"] == 0 else 0].click()
+        self.all("#choices button")[question["right"]].click()
+        self.assertTrue(self.find("#verdict").text.startswith("Right: "))
+        self.assertEqual(self.find("#onward").text, "Go on")
+        self.press(Keys.END)
+        self.assertTrue(self.find("#points").text.startswith("0 of "))
 
     def test_a_question_can_be_left_and_keys_be_switched_off(self):
         self.open(searched, "#2")

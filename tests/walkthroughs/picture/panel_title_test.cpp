@@ -26,7 +26,7 @@ Drawn drawn(const std::vector<std::string>& texts, bool may_be_shortened) {
   Drawn result;
   std::vector<KeyEntry> key;
   for (const std::string& text : texts)
-    key.push_back({text, [&](render::Canvas&, const Vec2& at) { result.signs.push_back(at.x()); }, may_be_shortened});
+    key.push_back({text, [&](render::Canvas&, const Vec2& at) { result.signs.push_back(at.x()); }, 15, may_be_shortened});
   draw_panel_title(canvas, frame, "", Style(render::themes::report), key);
   double top = 0;
   int corner = 0;

@@ -45,7 +45,7 @@ class Picture {
       : lens_(subject.stage.lens) {
     constexpr render::Size page{800, 800};
     const render::Box whole{{0, 0}, {800, 800}};
-    view_ = render::View::fit(bounds.low, bounds.high, below_title(whole).grown(-100), 1e9);
+    view_ = render::View::fit(bounds.low, bounds.high, below_title(whole, style).grown(-100), 1e9);
     Studio studio;
     render::Canvas canvas(page, page, palette::white, studio.font);
     const Names names(subject.naming, subject.telling.hull, now);
@@ -69,7 +69,7 @@ class Picture {
   /// view.
   template <class Visit>
   void compare(const Picture& other, Visit visit) const {
-    for (int y = static_cast<int>(below_title({{0, 0}, {800, 800}}).min.y()) + 2; y < image_.size().height; ++y)
+    for (int y = static_cast<int>(below_title({{0, 0}, {800, 800}}, Style(render::themes::report)).min.y()) + 2; y < image_.size().height; ++y)
       for (int x = 0; x < image_.size().width; ++x)
         if (image_.pixel(x, y) != other.image_.pixel(x, y)) visit(view_.scene({x + 0.5, y + 0.5}));
   }

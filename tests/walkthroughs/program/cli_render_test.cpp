@@ -218,3 +218,32 @@ TEST_CASE("What the README shows is what the program prints") {
   }
   CHECK(shown >= 9);
 }
+
+TEST_CASE("--text-scale is heeded, also where a scene file or a theme says otherwise") {
+  const Folder folder;
+  const fs::path scene = scene_file(folder.path() / "scene.json");
+  std::string text = bytes_of(scene);
+  text.insert(1, "\"text_scale\": 1.5, ");
+  fs::create_directories(folder.path() / "large");
+  std::ofstream(folder.path() / "large" / "scene.json") << text;
+  const auto first_frame = [&](const std::string& arguments) {
+    const Folder out;
+    CHECK(run("render " + arguments + " --frames 2 --size 320x180 --out " + quoted(out.path().string())).exit_code ==
+          0);
+    return bytes_of(out.path() / "scene" / "000.png");
+  };
+  const std::string usual = quoted(scene.string()), large = quoted((folder.path() / "large" / "scene.json").string());
+  CHECK(first_frame(usual) == first_frame(usual + " --text-scale 1"));
+  CHECK(first_frame(usual) != first_frame(usual + " --text-scale 1.5"));
+  CHECK(first_frame(large) == first_frame(usual + " --text-scale 1.5"));
+  CHECK(first_frame(large + " --text-scale 1") == first_frame(usual));
+  CHECK(first_frame(usual + " --theme slides") == first_frame(usual + " --theme slides --text-scale 1.25"));
+}
+
+TEST_CASE("A scale of text out of its range is told with the range") {
+  for (const char* scale : {"0.74", "1.51", "0", "-1", "nan", "1,5", "large", ""}) {
+    const Untouched untouched;
+    check_failure("render figure-5 --text-scale '" + std::string(scale) + "'" + untouched.option, 2,
+                  {"--text-scale", "expected a number from 0.75 to 1.5"});
+  }
+}

@@ -228,7 +228,7 @@ TEST_CASE("Figure 4, left, in the letters of the picture") {
   const Story story = tell(walkthrough("figure-4-left"));
   CHECK(facts(story.frames.at(0)) == Facts{"d = (1, 0); A·d = 3.75, then G·d = 3.5",
                                            "A = a − b = (2.25, 1.75) − (−1.5, −1.5) = (3.75, 3.25)",
-                                           "the crossing test is of moves, and none has led to the first point"});
+                                           "no crossing test yet: it judges the move from one point to the next"});
   CHECK(facts(frame(story, "The move to E crossed the origin, so the search goes on.")) ==
         Facts{"✓ E·d = 4.375 > 0: the origin was crossed"});
   CHECK(facts(frame(story, "The origin lies to one side of segment AE.")) ==

@@ -7,6 +7,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/text/scene_texts.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
@@ -20,12 +21,13 @@ TEST_CASE("The example reads without complaint, runs, and shows every key", "[sc
   const SceneFile file = parsed(std::string(example_scene()));
   CHECK(file.walkthrough.scenes.size() == 1);
   CHECK(file.size == render::Size{1280, 720});
+  CHECK(file.text_scale == 1);
   CHECK(all<gjk::Finished>(run(file.walkthrough.scenes[0])).size() == 1);
   for (const char* key : {"title",           "dimension",     "a",           "b",         "name",    "points",
                           "sphere",          "cylinder",      "sum",         "center",    "axis",    "radius",
                           "height",          "pose",          "translation", "rotation",  "degrees", "first_direction",
                           "iteration_limit", "crossing_test", "rules",       "zero_test", "scalar",  "certified",
-                          "panels",          "size"})
+                          "panels",          "size",          "text_scale"})
     CHECK(example_scene().find("\"" + std::string(key) + "\"") != std::string_view::npos);
 }
 
@@ -40,6 +42,7 @@ TEST_CASE("The smallest scene is two objects and everything else has a default",
   CHECK(walkthrough.panels.hull);
   CHECK(walkthrough.panels.algorithm);
   CHECK_FALSE(file.size.has_value());
+  CHECK_FALSE(file.text_scale.has_value());
   const Scene& scene = walkthrough.scenes.at(0);
   CHECK(scene.name == "scene");
   CHECK(scene.dimension == Dimension::space);
@@ -71,6 +74,8 @@ TEST_CASE("What a scene says replaces the defaults", "[scene-file]") {
   CHECK_FALSE(file.walkthrough.panels.algorithm);
   CHECK(file.size == render::Size{16, 8192});
   CHECK(parsed(scene_text(corner, ball, R"("size": "640x480")")).size == render::Size{640, 480});
+  for (const double scale : {0.75, 1.25, 1.5})
+    CHECK(parsed(scene_text(corner, ball, "\"text_scale\": " + number_text(scale))).text_scale == scale);
   const Panels none = parsed(scene_text(corner, ball, R"("panels": [])")).walkthrough.panels;
   CHECK_FALSE((none.objects || none.hull || none.algorithm));
 }

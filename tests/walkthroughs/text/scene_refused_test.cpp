@@ -258,6 +258,13 @@ TEST_CASE("A size has two sides, each from 16 to 8192 pixels", "[scene-file]") {
   check_rest(R"("size": [1280, "720"])", "4: size[1]", {"found a string"});
 }
 
+TEST_CASE("The scale of text is a number from 0.75 to 1.5", "[scene-file]") {
+  for (const char* scale : {"0.74", "1.51", "0", "-1", "1e10"})
+    check_rest(R"("text_scale": )" + std::string(scale), "4: text_scale",
+               {"expected a number from 0.75 to 1.5, found"});
+  check_rest(R"("text_scale": "1.5")", "4: text_scale", {"expected a number"});
+}
+
 TEST_CASE("Titles and names are short, not empty, and can be shown", "[scene-file]") {
   const auto times = [](int count, const std::string& text) {
     std::string all;

@@ -1,0 +1,140 @@
+// Larger and smaller text: what the layout of frames and strips makes of it. Told of laid out pages, without rasterizing them.
+
+#include <optional>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/picture/algorithm_panel.hpp"
+#include "walkthroughs/picture/draw.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+Look look_of(double text_scale, Text text = Text::around) {
+  render::Theme theme = render::themes::report;
+  theme.text = text_scale;
+  return {.style = Style(theme), .text = text};
+}
+
+struct LaidOut {
+  int crowded;      ///< labels that are not clear, and lines of text that were left out
+  double smallest;  ///< em size of the text, in page units
+};
+
+LaidOut lay_out(const StagedStory& story, std::size_t index, const Look& look, render::Font& font) {
+  render::Canvas page(page_of_frame(look.text), page_of_frame(look.text), look.style.theme.paper, font);
+  const int crowded = draw_frame(page, story, index, look);
+  return {crowded, page.smallest_text()};
+}
+
+bool is_in_space(const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0].dimension == Dimension::space; }
+
+/// Searches that go round in circles show the same again and again.
+bool repeats(const Walkthrough& w) { return w.name.starts_with("cycle-"); }
+
+}  // namespace
+
+TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded", "[text-scale]") {
+  render::Font font{render::Font::default_directory()};
+  for (const double scale : {0.75, 1.25, 1.5}) {
+    const Look look = look_of(scale);
+    int frames = 0, with_crowded = 0;
+    for (const Walkthrough& w : catalogue()) {
+      if (repeats(w)) continue;
+      const StagedStory story(tell(w));
+      for (std::size_t i = 0; i < story.frames.size(); ++i) {
+        INFO(w.name << ", frame " << i << ", text " << scale);
+        const int crowded = lay_out(story, i, look, font).crowded;
+        CHECK(crowded <= (is_in_space(w) ? 3 : 1));
+        with_crowded += crowded > 0 ? 1 : 0;
+        ++frames;
+      }
+    }
+    CHECK(with_crowded * 10 <= frames);
+  }
+}
+
+TEST_CASE("No text of a frame is smaller than it is at the usual scale", "[text-scale]") {
+  render::Font font{render::Font::default_directory()};
+  for (const Walkthrough& w : catalogue()) {
+    if (repeats(w)) continue;
+    const StagedStory story(tell(w));
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      const double usual = lay_out(story, i, look_of(1), font).smallest;
+      for (const double scale : {1.25, 1.5}) {
+        INFO(w.name << ", frame " << i << ", text " << scale);
+        CHECK(lay_out(story, i, look_of(scale), font).smallest >= usual);
+      }
+    }
+  }
+}
+
+TEST_CASE("All words of a frame, and its pseudo-code, are so many times as large", "[text-scale]") {
+  const Style usual(look_of(1).style), large(look_of(1.5).style);
+  const auto sizes = [](const Style& style) {
+    return std::vector{style.title.size, style.panel_title.size, style.caption.size,   style.fact.size,
+                       style.small.size, style.skipped.size,     style.label({}).size, style.small_label().size};
+  };
+  for (std::size_t i = 0; i < sizes(usual).size(); ++i) CHECK(sizes(large)[i] == 1.5 * sizes(usual)[i]);
+  CHECK(Style(render::themes::slides).caption.size > usual.caption.size);
+}
+
+namespace {
+
+/// Where the pseudo-code of a moment would be drawn: what is marked, and how small the letters are.
+struct Listed {
+  double smallest;
+  bool is_marked;  ///< whether a line is
+};
+
+Listed list(const StagedStory& story, std::size_t index, double text_scale, double height, render::Font& font) {
+  const Look look = look_of(text_scale);
+  render::Canvas page({500, 720}, {500, 720}, look.style.theme.paper, font);
+  const Moment now = story.drawn(index, 0);
+  const Names names(story.walkthrough.naming, story.stages[0].telling->hull, now);
+  draw_algorithm(page, {{0, 0}, {480, height}},
+                 {*story.stages[0].telling, story.stages[0], now, names, story.frames[index].focus,
+                  story.stages[0].lens, look.style});
+  bool is_marked = false;
+  for (const render::CanvasVertex& vertex : page.vertices())
+    is_marked = is_marked || (vertex.color == look.style.tested_fill && vertex.y < height);
+  return {page.smallest_text(), is_marked};
+}
+
+}  // namespace
+
+TEST_CASE("Of pseudo-code in large letters an excerpt is shown that holds the line that runs", "[text-scale]") {
+  render::Font font{render::Font::default_directory()};
+  const StagedStory story(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    INFO("frame " << i);
+    const bool is_marked = list(story, i, 1, 448, font).is_marked;
+    for (const double scale : {1.25, 1.5})
+      for (const double height : {240.0, 358.0}) {
+        const Listed listed = list(story, i, scale, height, font);
+        CHECK(listed.is_marked == is_marked);
+        CHECK(listed.smallest >= 17);  // as large as the largest at the usual scale, though long lines are fitted
+      }
+  }
+}
+
+TEST_CASE("Strips with larger text are higher, and as wide", "[text-scale]") {
+  render::Font font{render::Font::default_directory()};
+  for (const char* name : {"figure-4-left", "figure-5", "figure-8"}) {
+    const StagedStory story(tell(walkthrough(name)));
+    const render::Size usual = strip_page(story), large = strip_page(story, look_of(1.5));
+    CHECK(large.width == usual.width);
+    CHECK(large.height > usual.height);
+    for (const double scale : {0.75, 1.25, 1.5}) {
+      INFO(name << ", text " << scale);
+      const render::Size page = strip_page(story, look_of(scale));
+      render::Canvas strip(page, page, render::palette::white, font);
+      CHECK(draw_strip(strip, story, look_of(scale)) == 0);
+      for (const render::CanvasVertex& vertex : strip.vertices())
+        if (vertex.kind == render::CanvasVertex::Kind::glyph) CHECK(vertex.y <= static_cast<float>(page.height));
+    }
+  }
+}
