@@ -57,21 +57,6 @@ TEST_CASE("At every scale of text all lines below the panels fit, and hardly a l
   }
 }
 
-TEST_CASE("No text of a frame is smaller than it is at the usual scale", "[text-scale]") {
-  render::Font font{render::Font::default_directory()};
-  for (const Walkthrough& w : catalogue()) {
-    if (repeats(w)) continue;
-    const StagedStory story(tell(w));
-    for (std::size_t i = 0; i < story.frames.size(); ++i) {
-      const double usual = lay_out(story, i, look_of(1), font).smallest;
-      for (const double scale : {1.25, 1.5}) {
-        INFO(w.name << ", frame " << i << ", text " << scale);
-        CHECK(lay_out(story, i, look_of(scale), font).smallest >= usual);
-      }
-    }
-  }
-}
-
 TEST_CASE("All words of a frame, and its pseudo-code, are so many times as large", "[text-scale]") {
   const Style usual(look_of(1).style), large(look_of(1.5).style);
   const auto sizes = [](const Style& style) {
