@@ -142,7 +142,7 @@ View view_of_difference(const Shown& what, const Box& room) {
 int draw_beside(Canvas& canvas, const Box& frame, const Shown& what) {
   Shown beside = what;
   beside.regions_beside = true;
-  const View view = view_of_difference(what, below_title(frame).grown(-decision_margin));
+  const View view = view_of_difference(what, below_title(frame, what.style).grown(-decision_margin));
   return draw_difference(canvas, {frame, "a − b", view}, beside);
 }
 
