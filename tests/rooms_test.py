@@ -9,6 +9,7 @@ import pathlib, re, sys, tempfile, unittest
 # do not know each other. Whatever is in a folder named here belongs to its line.
 floors = [
     ["core", "render"],
+    ["walkthroughs/wrong_on_purpose"],
     ["walkthroughs/model"],
     ["walkthroughs/text"],
     ["walkthroughs/query"],

@@ -26,6 +26,8 @@ std::vector<Walkthrough> all_walkthroughs() {
   for (const Walkthrough& each : complete_rules()) all.push_back(each);
   for (const Walkthrough& each : {as_printed_spheres(), eager_between_centers()}) all.push_back(each);
   for (const auto& folder : {failures(), certified_answers()}) all.insert(all.end(), folder.begin(), folder.end());
+  all.push_back(mistakes_survival());
+  for (const Walkthrough& each : mistakes()) all.push_back(each);
   return all;
 }
 

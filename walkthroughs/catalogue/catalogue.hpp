@@ -47,5 +47,7 @@ Walkthrough as_printed_spheres();
 Walkthrough eager_between_centers();
 std::vector<Walkthrough> failures();
 std::vector<Walkthrough> certified_answers();
+Walkthrough mistakes_survival();
+std::vector<Walkthrough> mistakes();
 
 }  // namespace walkthroughs

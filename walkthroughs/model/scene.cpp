@@ -54,6 +54,16 @@ Scene from_center_to_center(Scene scene) {
   return scene;
 }
 
+Scene mistaken(Scene scene, Mistake mistake) {
+  scene.mistake = mistake;
+  scene.rules = wrong_on_purpose::description_of(mistake).rules;
+  scene.options.crossing_test = gjk::CrossingTest::on;
+  scene.zero_test = ZeroTest::exact;
+  scene.scalar = Scalar::binary64;
+  scene.certified = false;
+  return scene;
+}
+
 // -- Other scalars ----------------------------------------------------------------------------------------------------
 
 namespace {

@@ -10,6 +10,7 @@
 #include "core/rule_sets.hpp"
 #include "core/shapes.hpp"
 #include "walkthroughs/model/any_shape.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs {
 
@@ -57,6 +58,8 @@ Point center_of(const Object& object);
 using gjk::RuleSet;
 using ZeroTest = gjk::ZeroTestKind;
 
+using wrong_on_purpose::Mistake;
+
 /// In which numbers the search computes: double or float. The words are those of IEEE 754.
 enum class Scalar { binary64, binary32 };
 
@@ -70,12 +73,17 @@ struct Scene {
   ZeroTest zero_test = ZeroTest::exact;
   Scalar scalar = Scalar::binary64;  ///< binary32: every number of the scene is a float, see in_float()
   bool certified = false;  ///< proven, and where that fails decided by a second search; by certified_collision()
+  std::optional<Mistake> mistake = {};  ///< that the search makes on purpose; only with what mistaken() leaves as usual
 };
 
 /// Returns: the scene with every number rounded to the nearest float, to be searched in float. So the objects that are
 /// drawn are those that are searched, and what goes wrong is the search's doing.
 /// Errors: std::range_error, with the number, where one is beyond all floats or a length or direction vanishes.
 Scene in_float(Scene scene);
+
+/// Returns: the scene, to be searched with that mistake. Its crossing test, zero test and scalar become the usual ones: of runs with
+/// others no mistake is known.
+Scene mistaken(Scene scene, Mistake mistake);
 
 /// Returns: the scene with the first direction from the center of a to that of b; with the usual one where there is none.
 Scene from_center_to_center(Scene scene);

@@ -31,6 +31,7 @@ constexpr std::array<Group, 13> groups{{{"figure-", "Figures of the report"},
                                         {"complete/", "Where it goes wrong"},
                                         {"certified/", "Answers that are proven"},
                                         {"eager-", "A shortcut of ours"},
+                                        {"mistakes/", "Mistakes"},
                                         {"", "Scenes of your own"}}};
 
 std::string_view group_of(const IndexEntry& entry) {
@@ -46,8 +47,10 @@ std::string answers(const Story& story) {
   return all;
 }
 
-/// Returns: the last decision about a region; the last frame where there is none.
+/// Returns: where two searches part, else the last decision about a region; the last frame where there is neither.
 std::size_t telling_frame(const Story& story) {
+  const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+  if (parting != story.frames.end()) return static_cast<std::size_t>(parting - story.frames.begin());
   for (std::size_t i = story.frames.size(); i-- > 0;)
     if (story.frames[i].focus == Focus::region) return i;
   return story.frames.size() - 1;

@@ -181,6 +181,7 @@ std::string kind_of(Decision::Kind kind) {
     case Decision::Kind::region: return "region";
     case Decision::Kind::vertices: return "vertices";
     case Decision::Kind::direction: return "direction";
+    case Decision::Kind::line: return "line";
   }
   return "";
 }
@@ -249,7 +250,7 @@ std::string data(const Story& story, const PagePictures& pictures, const PageSur
 // -- Around the steps -------------------------------------------------------------------------------------------------
 
 std::string origin(const Walkthrough& walkthrough, const PageSurroundings& surroundings) {
-  std::string html = element("p", escaped(walkthrough.summary));
+  std::string html = element("p id=\"summary\"", escaped(walkthrough.summary));
   if (!surroundings.command.empty()) html += "<p>Made by <code>" + escaped(surroundings.command) + "</code></p>\n";
   if (!surroundings.trace_command.empty())
     html += "<p>Its trace: <code>" + escaped(surroundings.trace_command) + "</code></p>\n";

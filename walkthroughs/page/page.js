@@ -112,7 +112,8 @@
   const questions = data.questions.map(question => ({...question, text: data.texts[question.text],
                                                      choices: question.choices.map(places => places.map(place => data.texts[place]))}));
   const shelf = `gjkstep ${data.name} ${questions.length}`;
-  const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on'};
+  const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on',
+                 line: 'Which line is wrong'};
   const nothing = () => questions.map(() => null);
   let answers = nothing(), predicting = false, asked = null, isTold = false;
 
@@ -225,6 +226,7 @@
     predicting = !predicting;
     $('predict').setAttribute('aria-pressed', predicting);
     heading.textContent = predicting ? 'What will the search find?' : name;  // titles tell
+    $('summary').hidden = predicting;
     close();
     if (predicting && at === steps.length - 1) showScore();
     $('live').textContent = predicting ? 'Before each decision a question will be asked.' : 'No questions will be asked.';

@@ -8,6 +8,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/story/captions.hpp"
+#include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
@@ -265,10 +266,60 @@ std::optional<Question> of_crossing(const Story& story, std::size_t at) {
                {{yes, why}, {no, why}}, is_crossed ? yes : no);
 }
 
+// -- The line that is wrong -------------------------------------------------------------------------------------------
+
+/// Whether the step has come to that line: setting out, a test that was made, or what followed from it. Of Algorithm 1 each line that
+/// does something.
+bool has_run(const std::vector<CodeLine>& code, std::size_t i, int number, const Moment& now,
+             const std::optional<std::size_t>& current) {
+  if (number == 1) return code[i].kind != LineKind::plain;
+  if (i == current) return true;
+  return code[i].kind == LineKind::plain ? !code[i].text.starts_with("else") : test_of(code[i], now) != nullptr;
+}
+
+/// Of the lines that ran, exactly one of which the mistaken program has otherwise: others that it has otherwise, too, are left out.
+std::optional<Question> of_line(const Story& story) {
+  const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+  const Telling& right = story.tellings[1];
+  if (parting == story.frames.end()) return std::nullopt;
+  const Mistake mistake = *story.tellings[0].scene.mistake;
+  const std::size_t event = parting->events[1].last;
+  const auto* const found = line_gone_wrong(mistake, right.trace, event);
+  if (!found) return std::nullopt;
+  const wrong_on_purpose::WrongLine& wrong = *found;
+  const Moment& now = parting->moments[1];
+  const Names names(story.walkthrough.naming, right.hull, now);
+  const std::vector<CodeLine>& code = algorithm(wrong.algorithm, RuleSet::as_intended);
+  const auto current = current_line(code, now, Focus::direction);
+  const auto is_otherwise = [&](const CodeLine& line) {
+    return std::ranges::any_of(wrong_on_purpose::description_of(mistake).lines, [&](const auto& each) {
+      return each.algorithm == wrong.algorithm && each.right == line.text;
+    });
+  };
+  Question question{{Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
+                    parting->events[0].last,
+                    "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?",
+                    {},
+                    0};
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const std::string text = line_in_letters(wrong.algorithm, code[i], names);
+    if (code[i].text == wrong.right) {
+      question.right = question.choices.size();
+      add_once(question.choices, {text, "here: " + wrong_text(wrong, names)});
+    } else if (has_run(code, i, wrong.algorithm, now, current) && !is_otherwise(code[i])) {
+      add_once(question.choices, {text, "this line is as in the report; here: " + wrong_text(wrong, names) +
+                                            " in place of " + names.translate(wrong.right)});
+    }
+  }
+  return question;
+}
+
 }  // namespace
 
 std::vector<Question> questions_of(const Story& story) {
   std::vector<Question> questions;
+  if (story.tellings.size() == 2 && story.tellings[0].scene.mistake)
+    if (auto question = of_line(story)) questions.push_back(std::move(*question));
   if (story.tellings.size() != 1) return questions;
   const std::vector<gjk::Event<double>>& events = story.tellings[0].trace.events;
   bool is_asked = false;  // about the regions of this iteration
@@ -305,7 +356,7 @@ std::string practice_for(const Decision& decision, const std::string& but) {
   };
   const auto is_same = [&](const Decision& other) { return other == decision; };
   const auto is_of_a_kind = [&](const Decision& other) {
-    return other.kind == decision.kind && other.simplex_size == decision.simplex_size;
+    return (other.kind == decision.kind || decision.kind == Kind::line) && other.simplex_size == decision.simplex_size;
   };
   for (const std::string& name : {find(about, is_same), find("", is_same), find(about, is_of_a_kind)})
     if (!name.empty()) return name;

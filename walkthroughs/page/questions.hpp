@@ -17,10 +17,11 @@ struct Choice {
 
 /// What a decision was about, so that walkthroughs with the same one can be found.
 struct Decision {
-  enum class Kind { crossing, region, vertices, direction };
+  enum class Kind { crossing, region, vertices, direction, line };
   Kind kind;
-  int simplex_size;   ///< 0 for a crossing test
-  std::string found;  ///< "crossed", or the last region that was chosen: "ABC positive", "ADB AD positive"
+  int simplex_size;  ///< 0 for a crossing test, and a line of Algorithm 1
+  std::string
+      found;  ///< "crossed", or the last region that was chosen: "ABC positive", "ADB AD positive"; or the mistake
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
@@ -28,13 +29,14 @@ struct Question {
   Decision decision;
   std::size_t event;  ///< of the trace, which answers it; what was told before may be known
   std::string text;
-  std::vector<Choice> choices;  ///< in the order of the alphabet, two or more, no two with the same text
-  std::size_t right;            ///< the one of them that is what the trace did
+  std::vector<Choice>
+      choices;        ///< in the order of the alphabet, lines in their own; two or more, no two with the same text
+  std::size_t right;  ///< the one of them that is what the trace did
 };
 
 /// Returns: the questions about the search of a story, in the order of its events: at each crossing test that was applied, each
-/// simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one. None where the
-/// story has no scene or several.
+/// simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one. Of a search with a mistake
+/// beside the report's one question: which line is wrong. None where the story has no scene or several others.
 std::vector<Question> questions_of(const Story& story);
 
 /// Returns: the name of the first walkthrough of regions, `but` left out, in which the search decides likewise, or at least

@@ -336,7 +336,9 @@ bool shows_gap(const Moment& now) {
   return now.result && now.result->separation;
 }
 
-int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
+namespace {
+
+int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
@@ -349,7 +351,6 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
                                      looking       ? key_beyond(shown)
                                      : is_skipping ? key_of_skipped(style)
                                                    : key_of_line("earlier", style.former)});
-  if (focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), style.parting);
   render::Panel panel(canvas, below_title(place.frame, style), place.view);
   DifferencePicture picture(panel, shown);
   picture.set();
@@ -374,6 +375,14 @@ int draw_difference(render::Canvas& canvas, const Place& place, const Shown& sho
   if (inset)
     draw_inset(canvas, *inset, place.view, style,
                [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
+  return crowded;
+}
+
+}  // namespace
+
+int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
+  const int crowded = draw_search(canvas, place, shown);
+  if (shown.focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), shown.style.parting);
   return crowded;
 }
 

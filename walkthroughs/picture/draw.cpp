@@ -210,10 +210,12 @@ int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, con
 
 // -- Two scenes -------------------------------------------------------------------------------------------------------
 
-/// "left set"; of two sets of rules "as printed", with the answer once the search has ended.
+/// "left set"; of two searches of one set "as printed", with the answer once the search has ended.
 std::string title_of_scene(const StagedStory& story, std::size_t scene, const Frame& frame) {
   const std::string& name = story.tellings[scene].scene.name;
-  if (story.tellings.front().scene.rules == story.tellings.back().scene.rules) return name + " set";
+  const bool are_of_one_set = story.walkthrough.layout == Layout::until_they_part ||
+                              story.tellings.front().scene.rules != story.tellings.back().scene.rules;
+  if (!are_of_one_set) return name + " set";
   const std::optional<gjk::Result<double>>& result = frame.moments[scene].result;
   return result ? name + ": " + std::string(gjk::to_string(result->status)) : name;
 }

@@ -59,6 +59,7 @@ class Captions {
   std::optional<Frame> operator()(const gjk::SupportFound<double>& event) const {
     const std::string name = names_.of(event.vertex.w);
     const std::string along = event.direction == Point(1, 0, 0) ? "Along +x" : "Along d";
+    if (scene_.mistake == Mistake::wrong_side_of_b) return of_wrong_side(event, name, along);
     Frame frame = frame_about(Focus::support, along + " the farthest point of the difference is " + name +
                                                   (event.is_new ? "" : " again, so there is no new point"));
     if (walkthrough_.naming == Naming::roles && !event.is_new)
@@ -80,6 +81,10 @@ class Captions {
     const std::string name = names_.of(now_.found->w);
     const std::string value = name + "·d = " + number(*event.value);
     if (event.iteration == 1) return of_first_point(event, name, value);
+    if (event.verdict == Crossing::not_crossed && *event.value == 0)
+      return frame_about(Focus::crossing,
+                         "The move to " + name + " just reached the origin's level, and that counts as missed",
+                         {{Mark::no, value + ": this proves nothing"}});
     if (event.verdict == Crossing::not_crossed)
       return frame_about(
           Focus::crossing,
@@ -116,7 +121,7 @@ class Captions {
 
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == Verdict::skipped) return std::nullopt;
-    Frame frame = frame_about(Focus::region, region_caption(event), {decision(event)});
+    Frame frame = frame_about(Focus::region, region_caption(event) + gone_on_as_if(event), {decision(event)});
     if (event.normal && event.formula.size() > 2)  // not an edge itself
       frame.facts.push_back({Mark::none, names_.translate(event.expression.substr(0, event.expression.find("·")) +
                                                           " = " + event.formula) +
@@ -134,8 +139,10 @@ class Captions {
   }
 
   std::optional<Frame> operator()(const gjk::SimplexReduced<double>& event) const {
-    Frame frame = frame_about(Focus::reduction, event.dropped.empty() ? "The simplex stays, but its order changes"
-                                                                      : dropped_caption(event.dropped));
+    const bool stays = event.dropped.empty(), is_same = event.kept == (event.kept.size() == 3 ? "CBA" : "DCBA");
+    Frame frame = frame_about(Focus::reduction, !stays    ? dropped_caption(event.dropped)
+                                                : is_same ? "The simplex stays, and so does its order"
+                                                          : "The simplex stays, but its order changes");
     frame.facts = {{Mark::none,
                     names_.list(event.before) + " becomes " + names_.list(event.after) +
                         (is_by_age(event) ? ", oldest first"
@@ -188,6 +195,19 @@ class Captions {
                         {Mark::none,
                          "each sign that it goes by is certain: doubles know their error, and where that "
                          "leaves a doubt whole numbers decide"}});
+  }
+
+  /// With the mistake of asking b along d, too.
+  Frame of_wrong_side(const gjk::SupportFound<double>& event, const std::string& name, const std::string& along) const {
+    return frame_about(Focus::support, along + " " + name + " is taken from the farthest points of both objects",
+                       {{Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " +
+                                         vec(event.vertex.b.point) + " = " + vec(event.vertex.w)}});
+  }
+
+  /// Where a mistake decides otherwise than its numbers say.
+  std::string gone_on_as_if(const gjk::RegionTested<double>& event) const {
+    const std::size_t at = event.reason.find(", but these rules go on as if ");
+    return scene_.mistake && at != std::string::npos ? names_.translate(event.reason.substr(at)) : "";
   }
 
   /// No move led to the first point, so none is told.
@@ -398,7 +418,8 @@ class Captions {
   }
 
   std::string caption_of_tetrahedron(const gjk::RegionTested<double>& event, const std::string& feature) const {
-    const std::string lies = event.verdict == Verdict::chosen ? "The origin lies " : "The origin does not lie ";
+    const bool is_above = event.verdict == Verdict::chosen && event.relation != Relation::zero;
+    const std::string lies = is_above ? "The origin lies " : "The origin does not lie ";
     if (event.feature.size() == 4) return "No face sees the origin: it lies in tetrahedron " + feature;
     if (event.face.empty()) return lies + "above face " + feature;
     return beyond_edge(event, feature) + " of face " + names_.sorted(event.face);

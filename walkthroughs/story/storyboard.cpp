@@ -7,6 +7,7 @@
 
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/captions.hpp"
+#include "walkthroughs/story/mistake_told.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -126,27 +127,64 @@ std::size_t common_events(const Trace& left, const Trace& right) {
   return count;
 }
 
-/// Returns: a frame about event `i` of both runs, which part at `common`; nothing where neither has anything to say.
-std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t common) {
+std::size_t last_event(const Story& story) {
+  return std::max(story.tellings[0].trace.events.size(), story.tellings[1].trace.events.size()) - 1;
+}
+
+/// The first run's, in words for the last frame and for the one where the two part.
+struct ToldMistake {
+  std::string meaning;
+  std::optional<std::string> lines;
+  std::string ending;
+};
+
+std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
+  const std::optional<Mistake> mistake = story.tellings[0].scene.mistake;
+  const Trace &mistaken = story.tellings[0].trace, &right = story.tellings[1].trace;
+  if (!mistake || common == mistaken.events.size()) return std::nullopt;
+  ToldMistake told{std::string(wrong_on_purpose::description_of(*mistake).meaning),
+                   {},
+                   how_it_ended(*mistake, mistaken, right)};
+  const Moment parting = replay(right, common + 1);
+  if (const auto* const line = line_gone_wrong(*mistake, right, common))
+    told.lines = both_lines(*line, Names(story.walkthrough.naming, story.tellings[1].hull, parting));
+  return told;
+}
+
+std::string sentence_for(const Story& story, std::size_t i, std::size_t common,
+                         const std::optional<ToldMistake>& told) {
+  if (told && i == last_event(story)) return told->ending + ".";
+  if (i == common)
+    return told ? "Here the two runs part: " + told->meaning + "."
+                : "Here the two runs part: these are the first events that differ.";
+  for (const Telling& telling : story.tellings)
+    if (i >= telling.trace.events.size())
+      return "Only one run goes on: " + story.tellings[&telling == &story.tellings[0] ? 1 : 0].scene.name + ".";
+  return "Both runs go on.";
+}
+
+/// Returns: a frame about event `i` of both runs, which part at `common`; nothing where neither has anything to say. The last tells
+/// the ends of both.
+std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t common,
+                               const std::optional<ToldMistake>& told) {
   std::vector<std::pair<const Scene*, Frame>> said;
-  bool both_run = true;
   for (std::size_t s = 0; s < 2; ++s) {
-    const bool runs = i < story.tellings[s].trace.events.size();
-    both_run = both_run && runs;
-    std::optional<Frame> one = runs ? frame_of(story, s, i) : std::nullopt;
+    const std::size_t end = story.tellings[s].trace.events.size() - 1;
+    const bool runs = i <= end || (told && i == last_event(story));
+    std::optional<Frame> one = runs ? frame_of(story, s, std::min(i, end)) : std::nullopt;
     if (one) said.emplace_back(&story.tellings[s].scene, std::move(*one));
   }
   if (said.empty()) return std::nullopt;
   const Frame& first = said[0].second;
   if (i < common) return Frame{first.focus, "Both: " + first.caption, first.headline, first.facts, {}, {}, {}};
-  const std::string sentence = i == common ? "Here the two runs part: these are the first events that differ."
-                               : !both_run ? "Only one run goes on: " + said[0].first->name + "."
-                                           : "Both runs go on.";
+  const std::string sentence = sentence_for(story, i, common, told);
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
   for (const auto& [scene, one] : said) {
-    const bool is_sound = gjk::not_crossed(scene->rules) == gjk::NotCrossed::answer_at_once;
+    const bool is_sound = !scene->mistake && gjk::not_crossed(scene->rules) == gjk::NotCrossed::answer_at_once;
     frame.facts.push_back({is_sound ? Fact::Mark::yes : Fact::Mark::no, scene->name + ": " + one.caption});
+    if (told && i == common) frame.facts.push_back({Fact::Mark::none, one.facts.at(0).text});
   }
+  if (told && told->lines && i == common) frame.facts.push_back({Fact::Mark::truth, *told->lines});
   return frame;
 }
 
@@ -154,8 +192,9 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
 void tell_until_they_part(Story& story) {
   const Trace &left = story.tellings[0].trace, &right = story.tellings[1].trace;
   const std::size_t common = common_events(left, right);
-  for (std::size_t i = 0; i < std::max(left.events.size(), right.events.size()); ++i) {
-    std::optional<Frame> frame = tell_both(story, i, common);
+  const std::optional<ToldMistake> told = mistake_in(story, common);
+  for (std::size_t i = 0; i <= last_event(story); ++i) {
+    std::optional<Frame> frame = tell_both(story, i, common, told);
     if (!frame) continue;
     for (const Trace* trace : {&left, &right}) {
       const std::size_t at = std::min(i, trace->events.size() - 1);

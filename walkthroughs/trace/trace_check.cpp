@@ -9,6 +9,7 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/farthest.hpp"
+#include "walkthroughs/trace/trace_mistakes.hpp"
 #include "walkthroughs/trace/trace_nearest.hpp"
 #include "walkthroughs/trace/trace_region.hpp"
 
@@ -132,7 +133,9 @@ void TraceCheck::check(const gjk::SupportFound<double>& event) {
   require_identical(v.w, difference(v.a.point, v.b.point, scene_.scalar), "w", "a - b");
   const std::string against_a = objection_to(v.a, scene_.a, direction_, scene_.scalar);
   require(against_a.empty(), "'a' " + against_a);
-  const std::string against_b = objection_to(v.b, scene_.b, -direction_, scene_.scalar);
+  const bool is_backward = scene_.mistake == Mistake::wrong_side_of_b;
+  const std::string against_b =
+      objection_to(v.b, scene_.b, is_backward ? direction_ : Point(-direction_), scene_.scalar);
   require(against_b.empty(), "'b' " + against_b);
   require(event.is_new == !is_known(v.w), event.is_new ? "'new' is true, but an earlier w of this scene is the same"
                                                        : "'new' is false, but no earlier w of this scene is the same");
@@ -143,11 +146,16 @@ void TraceCheck::check(const gjk::SupportFound<double>& event) {
   expected_ = {event_index<gjk::CrossingTested>};
 }
 
+/// Eq. 9.
+bool TraceCheck::is_missed(double reach) const {
+  return scene_.mistake == Mistake::touching_is_apart ? !(reach > 0) : reach < 0;
+}
+
 Crossing TraceCheck::crossing_that_follows(const gjk::CrossingTested<double>& event) const {
   if (scene_.options.crossing_test == CrossingTest::off) return Crossing::switched_off;
   if (simplex_.size() == 0 && gjk::first_point(scene_.rules) == gjk::FirstPoint::taken_as_it_is)
     return Crossing::first_point;
-  const bool is_negative = event.value && *event.value < 0;
+  const bool is_negative = event.value && is_missed(*event.value);
   return is_negative && !(event.verdict == Crossing::crossed && reach_counts_as_zero()) ? Crossing::not_crossed
                                                                                         : Crossing::crossed;
 }
@@ -198,9 +206,10 @@ void TraceCheck::check(const gjk::VertexAdded<double>& event) {
 
 void TraceCheck::check(const gjk::RegionTested<double>& event) {
   const bool is_complete = scene_.rules == RuleSet::complete && simplex_.size() > 1;
-  const RuleStep next =
-      step_after(event, simplex_,
-                 is_complete ? complete_rows(told_, simplex_.size()) : rows_at(step_.place, simplex_.size()), scene_);
+  std::vector<RuleRow> rows =
+      is_complete ? complete_rows(told_, simplex_.size()) : rows_at(step_.place, simplex_.size());
+  if (scene_.mistake) make_mistake(*scene_.mistake, simplex_.size(), rows);
+  const RuleStep next = step_after(event, simplex_, rows, scene_);
   told_.push_back(event);
   go_on(next);
 }
@@ -249,7 +258,8 @@ void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
 void TraceCheck::check(const gjk::DirectionChosen<double>& event) {
   require(event.expression == step_.direction,
           "'expression' is " + in_quotes(event.expression) + "; after this region it is " + in_quotes(step_.direction));
-  const RoundedVector expected = evaluate(event.expression, simplex_, scene_.scalar);
+  const std::string formula = scene_.mistake ? formula_of(event.expression, *scene_.mistake, told_) : event.expression;
+  const RoundedVector expected = evaluate(formula, simplex_, scene_.scalar);
   require(agrees(event.direction, expected), "'direction' is " + written(event.direction) + ", but " +
                                                  event.expression + " is " + written(expected.value));
   if (!step_.kept.empty()) {
@@ -274,8 +284,9 @@ void TraceCheck::end_outside(Reason reason) {
     endings_ = {{Status::undecided, Reason::unusable_direction}};
     return;
   }
-  if (reach_.may_be_negative()) endings_.push_back({Status::separated, reason});
-  if (reach_may_be_crossed()) endings_.push_back({Status::undecided, reason});
+  if (reach_.may_be_negative() || is_missed(reach_.value)) endings_.push_back({Status::separated, reason});
+  if (reach_may_be_crossed() && scene_.mistake != Mistake::touching_is_apart)
+    endings_.push_back({Status::undecided, reason});
 }
 
 void TraceCheck::check(const gjk::Finished<double>& event) {
@@ -315,8 +326,8 @@ void TraceCheck::check_separation(const gjk::Result<double>& result) const {
   const gjk::Separation<double>& proof = *result.separation;
   require_identical(proof.direction, direction_, "separation.direction", "the direction of the last search");
   require(is_identical(proof.vertex, vertex_), "'separation.vertex' is not the vertex found last");
-  require(proof.support_value < 0, "'separation.support_value' is " + number_text(proof.support_value) +
-                                       ", which is not below 0 and proves nothing");
+  require(is_missed(proof.support_value), "'separation.support_value' is " + number_text(proof.support_value) +
+                                              ", which is not below 0 and proves nothing");
   require(agrees(proof.support_value, reach_), "'separation.support_value' is " + number_text(proof.support_value) +
                                                    ", but w·direction is " + number_text(reach_.value));
 }

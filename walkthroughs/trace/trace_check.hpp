@@ -14,7 +14,8 @@
 ///  Of a scene that is certified, C9 to C13 of trace_certified.hpp.
 ///
 /// Numbers that only were copied must be identical; numbers that were computed may differ by what rounding can
-/// explain (trace_expression.hpp). The words in `why` and `reason` of regions are free.
+/// explain (trace_expression.hpp). A search with a mistake is held to the mistake that its scene names (trace_mistakes.hpp).
+/// The words in `why` and `reason` of regions are free.
 #pragma once
 
 #include <optional>
@@ -73,6 +74,7 @@ class TraceCheck {
 
   gjk::Crossing crossing_that_follows(const gjk::CrossingTested<double>& event) const;
   void decide_after_crossing(const gjk::CrossingTested<double>& event);
+  bool is_missed(double reach) const;
   bool reach_counts_as_zero() const;
   bool reach_may_be_crossed() const;
   void go_on(const RuleStep& step);

@@ -1,5 +1,6 @@
 #include "walkthroughs/trace/trace_header.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "walkthroughs/model/labelled_hull.hpp"
@@ -45,10 +46,24 @@ Object read_object(const Value& value, const Space& space, Scalar scalar) {
   return object;
 }
 
+/// What else the scene says must be what a mistake is known with.
+Mistake read_mistake(const Value& value, const Scene& scene) {
+  expect(value, Kind::string, "a string");
+  const auto known = wrong_on_purpose::all();
+  const auto found = std::ranges::find(known, value.text(), &wrong_on_purpose::Description::word);
+  if (found == known.end()) value.fail("is " + in_quotes(value.text()) + ", which is no mistake that is known");
+  const Scene usual = mistaken(scene, found->value);
+  if (scene.rules != usual.rules || scene.options.crossing_test != usual.options.crossing_test ||
+      scene.zero_test != usual.zero_test || scene.scalar != usual.scalar || scene.certified)
+    value.fail("is made with 'rules' " + in_quotes(to_string(usual.rules)) +
+               ", the crossing test on, the exact zero test and in double, and this scene says otherwise");
+  return found->value;
+}
+
 Scene read_scene(const Value& value) {
   expect_object(value,
                 {"name", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "zero_test", "scalar", "certified"},
+                 "zero_test", "scalar", "certified", "mistake"},
                 "an object that describes a scene");
   const std::string name = words(member(value, "name"), scene_limits::name);
   const Scalar scalar = scalar_of(value);
@@ -64,8 +79,10 @@ Scene read_scene(const Value& value) {
   const auto zero = value.member("zero_test");
   const ZeroTest zero_test = zero ? enumerator<ZeroTest>(*zero, words_of::zero_test) : ZeroTest::exact;
   const bool certified = certified_of(value, a, b);
-  return in_its_scalar(
+  Scene scene = in_its_scalar(
       {name, std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified});
+  if (const auto mistake = value.member("mistake")) scene.mistake = read_mistake(*mistake, scene);
+  return scene;
 }
 
 std::vector<Scene> read_scenes(const Value& value) {
@@ -135,6 +152,9 @@ void read_presentation(const Value& value, Walkthrough& walkthrough) {
   if (walkthrough.scenes.size() != scenes)
     layout.fail("'" + layout.text() + "' shows " + std::to_string(scenes) + (scenes == 1 ? " scene" : " scenes") +
                 ", but the trace has " + std::to_string(walkthrough.scenes.size()));
+  for (const Scene& scene : walkthrough.scenes)
+    if (scene.mistake && (walkthrough.layout != Layout::until_they_part || &scene != &walkthrough.scenes[0]))
+      layout.fail("shows no mistake; 'until-they-part' does, of the first scene, with the report's run as the second");
   if (walkthrough.close_up.has_value() != (walkthrough.layout == Layout::close_ups))
     layout.fail("'close_up' is there exactly where the layout is 'close-ups'");
 }

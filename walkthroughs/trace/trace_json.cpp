@@ -70,6 +70,7 @@ Json json(const Scene& scene) {
   if (scene.zero_test != ZeroTest::exact) j["zero_test"] = words_of::of(words_of::zero_test, scene.zero_test);
   if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
   if (scene.certified) j["certified"] = true;
+  if (scene.mistake) j["mistake"] = wrong_on_purpose::description_of(*scene.mistake).word;
   return j;
 }
 

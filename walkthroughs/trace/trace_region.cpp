@@ -4,6 +4,7 @@
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/trace_contradiction.hpp"
 #include "walkthroughs/trace/trace_expression.hpp"
+#include "walkthroughs/trace/trace_mistakes.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -61,7 +62,9 @@ void check_value(const gjk::RegionTested<double>& event, const Simplex& simplex,
   require(has_right_kind, "'value' is not of the kind that 'expression' has");
   require(event.normal.has_value() == !event.formula.empty(), "'normal' and 'formula' belong together");
   if (event.normal) {
-    const RoundedVector normal = evaluate(event.formula, simplex, scene.scalar);
+    const std::string formula =
+        scene.mistake ? with_reversed_normals(event.formula, *scene.mistake, simplex.size()) : event.formula;
+    const RoundedVector normal = evaluate(formula, simplex, scene.scalar);
     require(agrees(*event.normal, normal),
             "'normal' is " + written(*event.normal) + ", but " + event.formula + " is " + written(normal.value));
   }
@@ -86,13 +89,20 @@ bool counts_as_zero(const gjk::RegionTested<double>& event, const Simplex& simpl
   return may_count_as_zero(std::get<double>(event.value), size, scene.scalar);
 }
 
+/// Whether a face is told not to see the origin that lies in it, where this mistake sees it.
+bool overlooks_origin(const gjk::RegionTested<double>& event, double value, const Scene& scene) {
+  return scene.mistake == Mistake::origin_in_face_seen_outside && event.verdict == Verdict::rejected &&
+         event.simplex_size == 4 && event.face.empty() && value == 0;
+}
+
 /// Checks that the verdict follows from the value, where there is one.
 void check_verdict(const gjk::RegionTested<double>& event, const Simplex& simplex, const Scene& scene) {
   const bool has_value = !std::holds_alternative<std::monostate>(event.value);
   if (!has_value || event.verdict == Verdict::skipped) return;
   const bool is_yes = event.verdict != Verdict::rejected;
   const double* value = std::get_if<double>(&event.value);
-  const bool holds = value ? stands(*value, event.relation) : stands(std::get<Point>(event.value), event.relation);
+  const bool holds = value ? stands(*value, event.relation) || overlooks_origin(event, *value, scene)
+                           : stands(std::get<Point>(event.value), event.relation);
   const bool is_as_zero = counts_as_zero(event, simplex, scene) && stands(0.0, event.relation) == is_yes;
   require(is_as_zero || holds == is_yes, "'verdict' is " + in_quotes(words_of::of(event.verdict)) +
                                              ", but 'value' is " + written(event.value) + " and " +

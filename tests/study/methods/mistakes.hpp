@@ -30,8 +30,6 @@ struct Mistake {
   Run (*ask_from)(const gjk::Vec3<double>& first_direction, const gjk::PointSet<double>& a,
                   const gjk::PointSet<double>& b);
   Processed (*process)(gjk::Simplex<double> simplex);
-  gjk::Trace<double> (*trace_from)(const gjk::Vec3<double>& first_direction, const gjk::PointSet<double>& a,
-                                   const gjk::PointSet<double>& b);
 
   Run ask(const gjk::PointSet<double>& a, const gjk::PointSet<double>& b) const;
 };

@@ -6,9 +6,9 @@
 #include "tests/catch.hpp"
 #include "tests/core/replay.hpp"
 #include "tests/study/claims/claims_measured.hpp"
-#include "tests/study/methods/wrong_rules.hpp"
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
+#include "walkthroughs/wrong_on_purpose/rules.hpp"
 
 namespace study {
 namespace {
@@ -127,7 +127,7 @@ void require_telling(const std::string& words) {
 }
 
 TEST_CASE("Events of a mistake tell what it does: its formulas, what it keeps, where it searches", "[mistakes]") {
-  using namespace mistake;
+  using namespace walkthroughs::wrong_on_purpose;
   require_telling<TriangleNormalReversed>(" ABC AC×AB");
   require_telling<TriangleABnInward>(" AB ABCn×AB");
   require_telling<TriangleACnInward>(" AC AC×ABCn");
@@ -145,7 +145,7 @@ TEST_CASE("Events of a mistake tell what it does: its formulas, what it keeps, w
 }
 
 TEST_CASE("Where a mistake decides otherwise than its numbers say, the reason tells both", "[mistakes]") {
-  using namespace mistake;
+  using namespace walkthroughs::wrong_on_purpose;
   const std::string as_if = ", but these rules go on as if ";
   require_telling<OriginAtVertexMissed>("A is the origin" + as_if + "the origin lies elsewhere");
   require_telling<OriginOnSegmentMissed>("the origin lies on AB" + as_if + "the origin lies to one side of AB");

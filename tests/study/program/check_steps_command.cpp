@@ -23,18 +23,14 @@ the direction in which the iteration searched, and the simplex of points a - b a
 last one need not be reduced. Further searches may follow, each with its pair.
 Each step is made again from the simplex before it, as the file has it. Another face that sees the origin, directions of
 other length and vertices in other order are right, too, and told where the report chooses otherwise.
-What --draw shows is the mistake that would make the same step, on this pair and begun in the same direction.
+What --draw shows is the mistake that would make the same step, on this pair and begun in the same direction; where there is none, the
+steps of the file.
 Exit codes: 0 every step is right, 1 one is not, 2 wrong usage, 3 the file cannot be read, 4 --draw finds no OpenGL to draw
 with, 5 cannot write.)";
 
 /// Pictures of both runs, side by side, until they part.
 void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::string& folder) {
   const std::optional<Parting> parting = parting_of(run, checked);
-  if (!parting) {
-    std::cerr << "gjkstep-study: nothing is drawn: begun as this search is, no mistake of the study goes wrong in that "
-                 "step\n";
-    return;
-  }
   walkthroughs::Studio studio;
   walkthroughs::Renderer renderer(studio);
   walkthroughs::Frames frames([](const std::filesystem::path& file, const walkthroughs::Story&, std::size_t) {

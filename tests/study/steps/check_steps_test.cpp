@@ -6,6 +6,8 @@
 #include "tests/study/corpus/shown.hpp"
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/methods/mistakes.hpp"
+#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
@@ -40,6 +42,13 @@ std::vector<NamedPair> smallest() {
   return all;
 }
 
+walkthroughs::Scene scene_of(const NamedPair& named) {
+  return {.name = named.name,
+          .a = {"a", std::get<Points>(named.pair.a)},
+          .b = {"b", std::get<Points>(named.pair.b)},
+          .dimension = walkthroughs::Dimension::space};
+}
+
 gjk::PointSet<double> set(const Body& body) { return gjk::PointSet<double>(std::get<Points>(body)); }
 
 TEST_CASE(
@@ -51,7 +60,7 @@ TEST_CASE(
     for (const NamedPair& named : smallest()) {
       if (!shows(named.pair, m)) continue;
       const ToldRun run =
-          told(named, mistakes()[m].trace_from(usual_first_direction, set(named.pair.a), set(named.pair.b)));
+          told(named, walkthroughs::run(walkthroughs::mistaken(scene_of(named), walkthroughs::Mistake(m))));
       const StepsChecked found = check_steps(run);
       INFO("M" << m + 1 << ", " << named.name << ", iteration " << found.iteration << ": " << found.words);
       CHECK((found.iteration > 0 && found.iteration <= static_cast<int>(run.steps.size())));

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
-#include "tests/study/methods/mistakes.hpp"
+#include "tests/study/steps/own_steps.hpp"
+#include "walkthroughs/catalogue/mistakes.hpp"
+#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace study {
 namespace {
 
 using Trace = walkthroughs::Trace;
+
+const std::string own_name = "yours";
 
 bool is_planar(const ToldRun& run) {
   const auto flat = [](const Body& body) {
@@ -41,11 +45,12 @@ bool goes_there(const Trace& trace, const ToldRun& run, int iteration) {
          });
 }
 
-walkthroughs::Scene scene_of(const ToldRun& run, const std::string& name, const gjk::Options<double>& options) {
-  return {.name = name,
+/// Of the report's algorithm, begun as the program has.
+walkthroughs::Scene scene_of(const ToldRun& run) {
+  return {.name = "test",
           .a = {"point set a", std::get<Points>(run.named.pair.a)},
           .b = {"point set b", std::get<Points>(run.named.pair.b)},
-          .options = options,
+          .options = {.first_direction = run.steps.front().direction},
           .dimension = is_planar(run) ? walkthroughs::Dimension::plane : walkthroughs::Dimension::space};
 }
 
@@ -54,34 +59,38 @@ walkthroughs::Scene scene_of(const ToldRun& run, const std::string& name, const 
 walkthroughs::Story Parting::story() const {
   walkthroughs::Story story = walkthroughs::tell(walkthrough, traces);
   std::erase_if(story.frames, [this](const auto& frame) { return frame.moments.front().iteration > iteration + 1; });
-  const std::string mistake = walkthrough.scenes.front().name + ": ";
-  for (auto& frame : story.frames)
-    for (auto& fact : frame.facts)
-      if (fact.text.starts_with(mistake)) fact.mark = walkthroughs::Fact::Mark::no;
+  if (words.empty()) return story;
+  for (walkthroughs::Frame& frame : story.frames) {
+    if (frame.focus == walkthroughs::Focus::parting)
+      frame.caption = frame.headline = "Here the two runs part: " + words + ".";
+    for (walkthroughs::Fact& fact : frame.facts)
+      if (fact.text.starts_with(own_name + ": ")) fact.mark = walkthroughs::Fact::Mark::no;
+  }
   return story;
 }
 
 std::optional<Parting> parting_of(const ToldRun& run, const StepsChecked& checked) {
   if (checked.iteration == 0) return std::nullopt;
-  const gjk::Options<double> options{.first_direction = run.steps.front().direction};
-  const gjk::PointSet<double> a(std::get<Points>(run.named.pair.a)), b(std::get<Points>(run.named.pair.b));
+  const walkthroughs::Scene right = scene_of(run);
   for (const std::size_t m : checked.mistakes) {
-    Trace wrong = mistakes()[m].trace_from(options.first_direction, a, b);
-    if (!goes_there(wrong, run, checked.iteration)) continue;
-    Trace right;
-    gjk::collision<double>(a, b, options, right);
-    const std::string number = "M" + std::to_string(m + 1);
-    walkthroughs::Walkthrough walkthrough{
-        .name = "parting",
-        .title = number + ", and the report's algorithm",
-        .source = "ARL-TR-7474, Section " + mistakes()[m].section,
-        .summary = mistakes()[m].name,
-        .layout = walkthroughs::Layout::until_they_part,
-        .naming = walkthroughs::Naming::roles,
-        .scenes = {scene_of(run, number, options), scene_of(run, "the report", options)}};
-    return Parting{std::move(walkthrough), {std::move(wrong), std::move(right)}, checked.iteration};
+    walkthroughs::Walkthrough walkthrough =
+        walkthroughs::beside_the_report(static_cast<walkthroughs::Mistake>(m), right);
+    std::vector<Trace> traces{walkthroughs::run(walkthrough.scenes[0]), walkthroughs::run(walkthrough.scenes[1])};
+    if (goes_there(traces[0], run, checked.iteration))
+      return Parting{std::move(walkthrough), std::move(traces), checked.iteration};
   }
-  return std::nullopt;
+  walkthroughs::Scene own = right;
+  own.name = own_name;
+  return Parting{{.name = "parting",
+                  .title = "Your steps, and the report's algorithm",
+                  .source = "ARL-TR-7474, Section 3",
+                  .summary = "the first step that the report's algorithm would not make",
+                  .layout = walkthroughs::Layout::until_they_part,
+                  .naming = walkthroughs::Naming::roles,
+                  .scenes = {std::move(own), right}},
+                 {own_steps(run), rightly_from(run, checked.iteration)},
+                 checked.iteration,
+                 checked.words};
 }
 
 }  // namespace study

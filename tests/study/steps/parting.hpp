@@ -1,7 +1,8 @@
-/// A search with a mistake beside the report's own, until they part.
+/// A wrong search beside the report's own, until they part.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tests/study/steps/check_steps.hpp"
@@ -14,15 +15,16 @@ namespace study {
 struct Parting {
   walkthroughs::Walkthrough walkthrough;
   std::vector<walkthroughs::Trace> traces;
-  int iteration;  ///< in which it goes wrong
+  int iteration;           ///< in which it goes wrong
+  std::string words = {};  ///< what is wrong, where the walkthrough does not know a mistake that says so
 
   /// Returns: frames until then and one iteration on. Refers to this, which must outlive it.
   walkthroughs::Story story() const;
 };
 
 /// Returns: the first of the mistakes that were found, on the same pair and begun in the same direction, beside the report's
-/// algorithm; nothing where none of them goes wrong in that very step, with those vertices, as where the program has made other
-/// choices before.
+/// algorithm. Where none of them goes wrong in that very step, with those vertices, the steps that the program itself tells, beside what
+/// the report makes of the first wrong one; nothing where no step is wrong.
 std::optional<Parting> parting_of(const ToldRun& run, const StepsChecked& checked);
 
 }  // namespace study

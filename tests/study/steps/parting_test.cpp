@@ -30,19 +30,43 @@ TEST_CASE(
   REQUIRE(part != story.frames.end());
   CHECK(part->moments.front().iteration == 3);
   CHECK(story.frames.back().moments.front().iteration == 4);
-  REQUIRE(part->facts.size() == 2);
+  REQUIRE(part->facts.size() == 5);
   CHECK((part->facts[0].text.starts_with("M14: ") && part->facts[0].mark == walkthroughs::Fact::Mark::no));
-  CHECK((part->facts[1].text.starts_with("the report: ") && part->facts[1].mark == walkthroughs::Fact::Mark::yes));
+  CHECK((part->facts[2].text.starts_with("the report: ") && part->facts[2].mark == walkthroughs::Fact::Mark::yes));
 }
 
-TEST_CASE("Parting: there is none of a search that is right, or that no mistake explains", "[steps]") {
-  ToldRun run = wrong_order();
-  CHECK_FALSE(parting_of(run, {}));
-  run.steps.resize(1);
-  run.steps[0].simplex = {{-1, 0, 0}};
+TEST_CASE("Parting: there is none of a search that is right", "[steps]") { CHECK_FALSE(parting_of(wrong_order(), {})); }
+
+/// Returns: the frame where they part, of steps that no mistake explains.
+walkthroughs::Frame own_parting(const ToldRun& run, int iteration) {
   const StepsChecked checked = check_steps(run);
-  CHECK(checked.iteration == 1);
-  CHECK_FALSE(parting_of(run, checked));
+  REQUIRE(checked.iteration == iteration);
+  const auto parting = parting_of(run, checked);
+  REQUIRE(parting);
+  const walkthroughs::Story story = parting->story();
+  const auto part = std::ranges::find(story.frames, walkthroughs::Focus::parting, &walkthroughs::Frame::focus);
+  REQUIRE(part != story.frames.end());
+  CHECK(part->moments.front().iteration == iteration);
+  CHECK(part->caption == "Here the two runs part: " + checked.words + ".");
+  REQUIRE(part->facts.size() == 2);
+  CHECK((part->facts[0].text.starts_with("yours: ") && part->facts[0].mark == walkthroughs::Fact::Mark::no));
+  CHECK((part->facts[1].text.starts_with("the report: ") && part->facts[1].mark == walkthroughs::Fact::Mark::yes));
+  return *part;
+}
+
+TEST_CASE("Parting: steps that no mistake explains are told themselves, and part where they are wrong", "[steps]") {
+  ToldRun run = wrong_order();
+  run.steps.resize(1);
+  run.steps[0].simplex = {{-1, 0, 0}};  // no farthest point
+  CHECK(own_parting(run, 1).facts[1].text.find("the farthest point of the difference is P") != std::string::npos);
+  run = wrong_order();
+  run.steps.resize(3);
+  run.steps[2].simplex = {{0, -2, -1}};  // too much is dropped
+  CHECK(own_parting(run, 3).facts[0].text.find("leave the simplex") != std::string::npos);
+  run = wrong_order();
+  run.steps.resize(3);
+  run.steps[2].direction = {3, 10, 6};  // after two vertices rightly kept
+  CHECK(own_parting(run, 2).facts[0].text.find("The next search goes from segment") != std::string::npos);
 }
 
 }  // namespace

@@ -16,9 +16,12 @@ std::vector<std::string> names() {
 
 }  // namespace
 
-TEST_CASE("The catalogue has the figures in the order of the report, then the regions, then what goes wrong") {
+TEST_CASE(
+    "The catalogue has the figures in the order of the report, then the regions, then what goes wrong, then mistakes") {
   std::vector<std::string> outside_of_folders = names();
-  std::erase_if(outside_of_folders, [](const std::string& name) { return name.starts_with("regions/"); });
+  std::erase_if(outside_of_folders,
+                [](const std::string& name) { return name.starts_with("regions/") || name.starts_with("mistakes/"); });
+  CHECK(names().back().starts_with("mistakes/m21-"));
   CHECK(outside_of_folders == std::vector<std::string>{"figure-1",
                                                        "figure-2",
                                                        "figure-3",

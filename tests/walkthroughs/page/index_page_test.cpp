@@ -30,9 +30,10 @@ bool stand_in_order(const std::string& text, const std::vector<std::string>& par
 TEST_CASE("The index groups walkthroughs as the report goes, each group once, and leaves out empty ones") {
   const std::string page =
       index_html({entry_named("mine"), entry_named("failures/x"), entry_named("regions/2-simplex-r3"),
-                  entry_named("figure-1"), entry_named("cycle-x"), entry_named("figure-2")});
+                  entry_named("figure-1"), entry_named("mistakes/x"), entry_named("cycle-x"), entry_named("figure-2")});
   CHECK(stand_in_order(page, {"Figures of the report", "figure-1/", "figure-2/", "a triangle", "regions/2-simplex-r3/",
-                              "Where it goes wrong", "failures/x/", "cycle-x/", "Scenes of your own", "mine/"}));
+                              "Where it goes wrong", "failures/x/", "cycle-x/", "Mistakes", "mistakes/x/",
+                              "Scenes of your own", "mine/"}));
   CHECK(page.find("Where it goes wrong") == page.rfind("Where it goes wrong"));
   CHECK(page.find("In space") == std::string::npos);
 }
@@ -53,6 +54,8 @@ TEST_CASE(
   CHECK(entry.steps == left.frames.size());
   CHECK(left.frames[entry.picture].focus == Focus::region);
   CHECK(index_entry(tell(walkthrough("figure-4"))).answer == "intersecting, separated");
+  const Story mistaken = tell(walkthrough("mistakes/m9-abn-inward"));
+  CHECK(mistaken.frames[index_entry(mistaken).picture].focus == Focus::parting);
   CHECK(index_entry(tell(walkthrough("figure-1"))).answer.empty());
 }
 

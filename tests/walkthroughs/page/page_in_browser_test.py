@@ -336,6 +336,25 @@ class Page(unittest.TestCase):
         self.press(Keys.END)
         self.assertTrue(self.find("#points").text.startswith("0 of "))
 
+    def test_which_line_is_wrong(self):
+        folder, mistaken = self.folder / "mistakes", "mistakes/m9-abn-inward"
+        render(folder, mistaken, "--page")
+        self.browser.get(f"file://{folder / mistaken / 'index.html'}")
+        self.assertTrue(self.find("#summary").is_displayed())
+        self.press("p")
+        self.assertFalse(self.find("#summary").is_displayed())  # it tells
+        [question] = self.questions()
+        for _ in range(question["before"]):
+            self.press(Keys.ARROW_RIGHT)
+        self.assertEqual(self.find("#question").text, "In which line of Algorithm 4 is the mistake?")
+        self.assertEqual(len(self.all("#choices button")), len(question["choices"]))
+        self.press(str(1 + question["right"]))
+        self.assertEqual(len(self.all("#choices .right")), 1)
+        self.assertIn("here: ABn ← ABCn×AB", self.find("#verdict").get_attribute("textContent"))
+        self.find("#onward").click()
+        self.assertEqual(self.step(), question["before"] + 1)
+        self.assertIn("ABn of the triangle points inward", self.find(".now h2").text)
+
     def test_a_question_can_be_left_and_keys_be_switched_off(self):
         self.open(searched, "#2")
         self.press("p")

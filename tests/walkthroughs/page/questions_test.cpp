@@ -19,6 +19,23 @@ using gjk::Verdict;
 using Kind = Decision::Kind;
 using Region = gjk::RegionTested<double>;
 
+std::string without_subscripts(std::string text) {
+  std::erase(text, '_');
+  return text;
+}
+
+/// The one line among the choices that the mistake's definition has otherwise.
+std::string line_gone_wrong_in(const Question& question) {
+  std::string found;
+  for (const auto& known : wrong_on_purpose::all())
+    for (const auto& line : known.lines)
+      for (const Choice& choice : question.choices)
+        if (known.word == question.decision.found && line.algorithm == question.decision.simplex_size + 1 &&
+            line.right == without_subscripts(choice.text))
+          found += line.right;
+  return found;
+}
+
 /// What the trace did, found in its events alone, in words of the report's letters.
 std::string done(const Trace& trace, const Question& question) {
   const auto& events = trace.events;
@@ -35,6 +52,7 @@ std::string done(const Trace& trace, const Question& question) {
       return "[" + list + "]";
     }
     case Kind::direction: return std::get<gjk::DirectionChosen<double>>(event).expression;
+    case Kind::line: return line_gone_wrong_in(question);
     case Kind::region: break;
   }
   if (question.text.starts_with("On which feature")) {  // the complete rules
@@ -64,11 +82,6 @@ std::string done(const Trace& trace, const Question& question) {
   return words.at({chosen->feature, chosen->relation});
 }
 
-std::string without_subscripts(std::string text) {
-  std::erase(text, '_');
-  return text;
-}
-
 /// Returns: how many questions there are; each has been checked.
 int check_questions(Walkthrough walkthrough) {
   walkthrough.naming = Naming::roles;  // the report's letters, in which events are told
@@ -84,7 +97,7 @@ int check_questions(Walkthrough walkthrough) {
       CHECK_FALSE(choice.reason.empty());
     }
     CHECK(question.choices.size() >= 2);
-    CHECK(std::ranges::is_sorted(question.choices, {}, &Choice::text));
+    if (question.decision.kind != Kind::line) CHECK(std::ranges::is_sorted(question.choices, {}, &Choice::text));
     REQUIRE(question.right < question.choices.size());
     CHECK(without_subscripts(question.choices[question.right].text) == done(story.tellings[0].trace, question));
     CHECK(static_cast<int>(question.event) >= last);
@@ -129,7 +142,7 @@ TEST_CASE(
     INFO(w.name);
     const int count = check_questions(w);
     if (w.layout == Layout::search) CHECK(count == decisions_in(w.scenes[0]));
-    if (w.scenes.size() != 1) CHECK(count == 0);
+    if (w.scenes.size() != 1) CHECK(count == (w.scenes.size() == 2 && w.scenes[0].mistake ? 1 : 0));
     asked += count;
   }
   CHECK(asked > 300);

@@ -18,6 +18,7 @@ void after_each(Check check) {
     for (Scene scene : w.scenes) {
       for (const auto& rules : gjk::rule_sets) {
         scene.rules = rules.value;
+        scene.mistake.reset();
         const Trace trace = run(scene);
         for (std::size_t i = 0; i < trace.events.size(); ++i) {
           const auto* event = std::get_if<E<double>>(&trace.events[i]);

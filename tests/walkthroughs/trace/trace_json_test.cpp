@@ -236,6 +236,12 @@ RuleSet rules(const std::string& name) {
   return name == "as-printed" ? RuleSet::as_printed : RuleSet::as_intended;
 }
 
+std::optional<Mistake> mistake(const std::string& word) {
+  for (const auto& known : wrong_on_purpose::all())
+    if (known.word == word) return known.value;
+  return std::nullopt;
+}
+
 Scene scene(const Json& json) {
   return {
       .name = json.at("name"),
@@ -248,7 +254,8 @@ Scene scene(const Json& json) {
       .rules = rules(json.at("rules")),
       .zero_test = json.value("zero_test", "exact") == "exact" ? ZeroTest::exact : ZeroTest::relative,
       .scalar = json.value("scalar", "double") == "double" ? Scalar::binary64 : Scalar::binary32,
-      .certified = json.value("certified", false)};
+      .certified = json.value("certified", false),
+      .mistake = mistake(json.value("mistake", "none"))};
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 /// The mistakes that the report names, made on purpose: "an implementation can have a bug, but still pass many test cases"
 /// (Section 1). How many?
 ///
+/// WRONG ON PURPOSE: whoever looks for rules to use finds them in core/.
+///
 /// Each is a variant of gjk::AsIntended that hides a detail of Algorithms 1-5 (core/rules.hpp) and nothing else. Its events
 /// tell what it does: a product crossed in the wrong order is told with that order, the vertices kept are those that are
 /// kept, and where it overlooks a zero the reason says so. Two more mistakes are rules of the core: gjk::Eager tests the
@@ -9,7 +11,7 @@
 
 #include "core/gjk.hpp"
 
-namespace study::mistake {
+namespace walkthroughs::wrong_on_purpose {
 
 using gjk::AsIntended;
 using gjk::Face;
@@ -112,4 +114,4 @@ struct EdgeNormalAsDirection : AsIntended {
   static auto from_edge(const auto& /*AX*/, const auto& /*AO*/, const auto& AXn) { return AXn; }
 };
 
-}  // namespace study::mistake
+}  // namespace walkthroughs::wrong_on_purpose

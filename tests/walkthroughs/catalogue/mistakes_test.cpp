@@ -1,0 +1,228 @@
+// The walkthroughs of mistakes: where each parts from the report's search, how it ends, what is said of it.
+
+#include "walkthroughs/catalogue/mistakes.hpp"
+
+#include <sstream>
+
+#include "tests/catch.hpp"
+#include "tests/walkthroughs/trace/traces.hpp"
+#include "walkthroughs/page/questions.hpp"
+#include "walkthroughs/story/exact.hpp"
+#include "walkthroughs/story/pseudocode.hpp"
+#include "walkthroughs/wrong_on_purpose/measured.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+using gjk::Status;
+using wrong_on_purpose::PairsToNotice;
+using wrong_on_purpose::TestPairs;
+
+namespace {
+
+/// What is to be seen: in which iteration the two part, how both end, how the last caption begins.
+struct Seen {
+  const char* name;
+  int iteration;
+  Status mistaken, right;
+  const char* ending;
+};
+
+constexpr Status meet = Status::intersecting, apart = Status::separated, undecided = Status::undecided;
+constexpr const char* passes = "The same answer, found ";
+
+const Seen seen[] = {
+    {"m1-wrong-side-of-b", 1, apart, meet, "A wrong answer: the objects do intersect"},
+    {"m2-first-point-tested", 1, apart, apart, passes},
+    {"m3-touching-is-apart", 2, apart, meet, "A wrong answer: the objects do intersect"},
+    {"m4-as-printed", 3, meet, apart, "A wrong answer: the objects do not intersect"},
+    {"m5-origin-at-vertex", 1, undecided, meet, "It ends without an answer, which Algorithm 1 takes for a no"},
+    {"m6-origin-on-segment", 2, undecided, meet, "It ends without an answer, which Algorithm 1 takes for a no"},
+    {"m7-direction-from-vertex", 2, undecided, apart, "It never ends, which happens to do no harm"},
+    {"m8-triangle-normal-reversed", 3, undecided, meet, "It never ends, which Algorithm 1 takes for a no"},
+    {"m9-abn-inward", 3, undecided, meet, "It never ends, which Algorithm 1 takes for a no"},
+    {"m10-acn-inward", 3, undecided, meet, "It never ends, which Algorithm 1 takes for a no"},
+    {"m11-edge-normal-as-direction", 3, apart, apart,
+     "The same answer, found later: that is why such a mistake passes"},
+    {"m12-two-dimensions-only", 3, meet, apart, "A wrong answer: the objects do not intersect"},
+    {"m13-origin-in-triangle", 3, meet, meet, "The same answer, found later"},
+    {"m14-order-below-triangle", 3, meet, meet, "The same answer, found later"},
+    {"m15-face-abcn-inward", 4, meet, apart, "A wrong answer: the objects do not intersect"},
+    {"m16-face-acdn-inward", 4, meet, apart, "A wrong answer: the objects do not intersect"},
+    {"m17-face-adbn-inward", 4, undecided, meet, "It never ends, which Algorithm 1 takes for a no"},
+    {"m18-edge-normals-reused", 4, meet, meet, "The same answer, found later"},
+    {"m19-abn-reused", 4, meet, meet, "The same answer, found later"},
+    {"m20-order-of-face-adb", 4, meet, meet, "The same answer, found later"},
+    {"m21-origin-in-face", 5, undecided, meet, "It never ends, which Algorithm 1 takes for a no"},
+};
+
+Status status_of(const Telling& telling) {
+  return std::get<gjk::Finished<double>>(telling.trace.events.back()).result.status;
+}
+
+std::vector<const Walkthrough*> about_mistakes() {
+  std::vector<const Walkthrough*> all = find_walkthroughs("mistakes");
+  std::erase_if(all, [](const Walkthrough* w) { return w->layout == Layout::diagrams; });
+  return all;
+}
+
+std::string without_subscripts(std::string text) {
+  std::erase(text, '_');
+  return text;
+}
+
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("There is a walkthrough for each mistake, in the report's order, behind the picture of all") {
+  CHECK(find_walkthroughs("mistakes").front()->name == "mistakes/survival");
+  const std::vector<const Walkthrough*> all = about_mistakes();
+  REQUIRE(all.size() == std::size(seen));
+  REQUIRE(all.size() == wrong_on_purpose::all().size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(all[i]->name == "mistakes/" + std::string(seen[i].name));
+    CHECK(all[i]->scenes.at(0).mistake == static_cast<Mistake>(i));
+    CHECK_FALSE(all[i]->scenes.at(1).mistake);
+    CHECK(all[i]->scenes[0].name == "M" + std::to_string(i + 1));
+  }
+}
+
+TEST_CASE("Each mistake is on small whole numbers, of which the report's search tells the truth") {
+  for (const Walkthrough* w : about_mistakes()) {
+    INFO(w->name);
+    for (const Object* object : {&w->scenes[1].a, &w->scenes[1].b}) {
+      REQUIRE(vertices_of(*object).size() == 3);
+      for (const Point& p : vertices_of(*object))
+        for (const double x : p) CHECK((x == std::round(x) && std::abs(x) <= 3));
+    }
+    CHECK(exact_answer(w->scenes[1]) == status_of(tell(*w).tellings[1]));
+  }
+}
+
+TEST_CASE("Each mistake parts from the report's search where it says and ends as it says") {
+  for (const Seen& each : seen) {
+    INFO(each.name);
+    const Walkthrough& w = walkthrough("mistakes/" + std::string(each.name));
+    const Story story = tell(w);
+    CHECK(status_of(story.tellings[0]) == each.mistaken);
+    CHECK(status_of(story.tellings[1]) == each.right);
+    REQUIRE(std::ranges::count(story.frames, Focus::parting, &Frame::focus) == 1);
+    const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+    CHECK(parting.moments[0].iteration == each.iteration);
+    CHECK(parting.caption == "Here the two runs part: " + w.summary + ".");
+    CHECK(story.frames.back().caption.starts_with(each.ending));
+    const std::string needed = pairs_to_notice(*w.scenes[0].mistake, TestPairs::triangles).text();
+    CHECK(story.frames.back().caption.ends_with("it takes " + needed +
+                                                " random pairs of triangles to notice the mistake."));
+  }
+}
+
+TEST_CASE("Where a mistake parts from the report, both lines are told, and what each search found there") {
+  for (const Walkthrough* w : about_mistakes()) {
+    INFO(w->name);
+    const Story story = tell(*w);
+    const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+    CHECK(parting.facts.front().text.starts_with(w->scenes[0].name + ": "));
+    CHECK(parting.facts.front().mark == Fact::Mark::no);
+    CHECK(parting.facts.back().mark == Fact::Mark::truth);
+    const std::string lines = without_subscripts(parting.facts.back().text);
+    const auto& known = wrong_on_purpose::description_of(*w->scenes[0].mistake);
+    CHECK(std::ranges::any_of(known.lines, [&](const auto& line) {
+      return has(lines, line.right) && lines.ends_with("; here: " + std::string(line.wrong));
+    }));
+    for (const Frame& frame : story.frames)
+      for (const Fact& fact : frame.facts) {
+        if (fact.text.starts_with(w->scenes[0].name + ": ")) CHECK(fact.mark == Fact::Mark::no);
+        if (fact.text.starts_with("the report: ")) CHECK(fact.mark == Fact::Mark::yes);
+      }
+  }
+}
+
+TEST_CASE("The last frame of a mistake tells the ends of both searches") {
+  for (const Walkthrough* w : about_mistakes()) {
+    INFO(w->name);
+    const Story story = tell(*w);
+    const auto& facts = story.frames.back().facts;
+    REQUIRE(facts.size() == 2);
+    for (std::size_t s = 0; s < 2; ++s) {
+      const Status status = status_of(story.tellings[s]);
+      CHECK(facts[s].text.starts_with(w->scenes[s].name + ": "));
+      CHECK(facts[s].text.ends_with(status == meet    ? "so the objects intersect."
+                                    : status == apart ? "so the objects do not intersect."
+                                                      : "The search ends without an answer."));
+    }
+  }
+}
+
+TEST_CASE("Lines of mistakes are lines of the report's pseudo-code and have another text") {
+  for (const auto& known : wrong_on_purpose::all()) {
+    INFO(known.word);
+    CHECK_FALSE(known.lines.empty());
+    CHECK(known.word.starts_with("m" + wrong_on_purpose::number_of(known.value).substr(1) + "-"));
+    for (const auto& line : known.lines) {
+      INFO(line.right);
+      const std::vector<CodeLine>& code = algorithm(line.algorithm, RuleSet::as_intended);
+      CHECK(std::ranges::count(code, std::string(line.right), &CodeLine::text) > 0);
+      CHECK(line.right != line.wrong);
+      CHECK(std::ranges::count(code, std::string(line.wrong), &CodeLine::text) == 0);
+    }
+  }
+}
+
+TEST_CASE("Of each mistake one thing is asked: the line; one choice has it, the others are as in the report") {
+  for (const Walkthrough* w : about_mistakes()) {
+    INFO(w->name);
+    const Story story = tell(*w);
+    const std::vector<Question> questions = questions_of(story);
+    REQUIRE(questions.size() == 1);
+    const Question& question = questions.front();
+    CHECK(question.decision.kind == Decision::Kind::line);
+    const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+    CHECK(question.event == parting.events[0].last);
+    const auto& known = wrong_on_purpose::description_of(*w->scenes[0].mistake);
+    const auto is_wrong = [&](const Choice& choice) {
+      return std::ranges::any_of(known.lines, [&](const auto& line) {
+        return line.right == without_subscripts(choice.text) && line.algorithm == question.decision.simplex_size + 1;
+      });
+    };
+    CHECK(question.choices.size() >= 2);
+    CHECK(question.choices.size() <= 9);  // as many as there are keys
+    CHECK(std::ranges::count_if(question.choices, is_wrong) == 1);
+    CHECK(is_wrong(question.choices.at(question.right)));
+    CHECK(question.choices[question.right].reason.starts_with("here: "));
+  }
+}
+
+// -- How long they survive --------------------------------------------------------------------------------------------
+
+TEST_CASE("How many pairs it takes to notice a mistake is what stands in the study's results") {
+  std::istringstream claims(bytes_of(GJKSTEP_CLAIMS));
+  std::size_t rows = 0;
+  for (std::string line; std::getline(claims, line);) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell);
+    if (cells.size() != 9 || rows == wrong_on_purpose::all().size() ||
+        cells[1] != " M" + std::to_string(rows + 1) + " ")
+      continue;
+    for (const TestPairs pairs : {TestPairs::triangles, TestPairs::tetrahedra, TestPairs::grid_triangles}) {
+      const PairsToNotice needed = pairs_to_notice(static_cast<Mistake>(rows), pairs);
+      const std::string text = needed.is_more ? needed.text() : needed.text().substr(std::string("about ").size());
+      INFO(line);
+      CHECK((cells[6 + static_cast<std::size_t>(pairs)] + " ").starts_with(" " + text + " "));
+    }
+    ++rows;
+  }
+  CHECK(rows == wrong_on_purpose::all().size());
+}
+
+TEST_CASE("The picture of all mistakes says of each how long it survives") {
+  const std::vector<Diagram> diagrams = walkthrough("mistakes/survival").diagrams();
+  REQUIRE(diagrams.size() == 2);
+  for (const auto& known : wrong_on_purpose::all()) {
+    CHECK(has(diagrams[0].description,
+              std::string(known.meaning) + ": " + pairs_to_notice(known.value, TestPairs::triangles).text() + "."));
+    CHECK(has(diagrams[1].description, std::string(known.meaning) + ": " +
+                                           pairs_to_notice(known.value, TestPairs::grid_triangles).text() + "."));
+  }
+}

@@ -1,0 +1,68 @@
+#include "walkthroughs/story/mistake_told.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "walkthroughs/story/pseudocode.hpp"
+#include "walkthroughs/wrong_on_purpose/measured.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using wrong_on_purpose::WrongLine;
+
+/// What a frame about that event would want the reader to look at; only what the pseudo-code asks.
+Focus focus_on(const gjk::Event<double>& event) {
+  if (std::holds_alternative<gjk::RegionTested<double>>(event)) return Focus::region;
+  if (std::holds_alternative<gjk::SimplexReduced<double>>(event)) return Focus::reduction;
+  if (std::holds_alternative<gjk::DirectionChosen<double>>(event)) return Focus::direction;
+  return Focus::crossing;
+}
+
+const gjk::Result<double>& result_of(const Trace& trace) {
+  return std::get<gjk::Finished<double>>(trace.events.back()).result;
+}
+
+std::string how_search_ended(const gjk::Result<double>& mistaken, const gjk::Result<double>& right) {
+  const bool meet = right.status == gjk::Status::intersecting;
+  const std::string truth = std::string("the objects ") + (meet ? "do intersect" : "do not intersect");
+  if (mistaken.status == gjk::Status::undecided)
+    return (mistaken.cycle_start ? "It never ends" : "It ends without an answer") +
+           std::string(meet ? ", which Algorithm 1 takes for a no; " + truth
+                            : ", which happens to do no harm: " + truth);
+  if (mistaken.status != right.status) return "A wrong answer: " + truth;
+  return "The same answer, found " + std::string(mistaken.iterations > right.iterations ? "later" : "sooner") +
+         ": that is why such a mistake passes tests";
+}
+
+}  // namespace
+
+const WrongLine* line_gone_wrong(Mistake mistake, const Trace& right, std::size_t event) {
+  const Moment now = replay(right, event + 1);
+  const Focus focus = focus_on(right.events.at(event));
+  const int number = running_algorithm(now, focus);
+  const std::vector<CodeLine>& code = algorithm(number, RuleSet::as_intended);
+  const std::optional<std::size_t> current = current_line(code, now, focus);
+  const WrongLine* found = nullptr;
+  for (const WrongLine& each : wrong_on_purpose::description_of(mistake).lines)
+    if (each.algorithm == number && (!found || (current && code[*current].text == each.right))) found = &each;
+  return found;
+}
+
+std::string wrong_text(const WrongLine& line, const Names& names) {
+  return line.algorithm == 1 ? std::string(line.wrong) : names.translate(line.wrong);  // that of B is no vertex
+}
+
+std::string both_lines(const WrongLine& line, const Names& names) {
+  const CodeLine right{0, std::string(line.right)};
+  return "Algorithm " + std::to_string(line.algorithm) + ": " + line_in_letters(line.algorithm, right, names) +
+         "; here: " + wrong_text(line, names);
+}
+
+std::string how_it_ended(Mistake mistake, const Trace& mistaken, const Trace& right) {
+  return how_search_ended(result_of(mistaken), result_of(right)) + "; it takes " +
+         wrong_on_purpose::pairs_to_notice(mistake, wrong_on_purpose::TestPairs::triangles).text() +
+         " random pairs of triangles to notice the mistake";
+}
+
+}  // namespace walkthroughs

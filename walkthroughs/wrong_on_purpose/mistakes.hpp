@@ -1,0 +1,64 @@
+/// The mistakes by name: what is wrong, where the report says how it is done, and which line of its pseudo-code it is.
+///
+/// WRONG ON PURPOSE: whoever looks for rules to use finds them in core/.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/rule_sets.hpp"
+
+namespace walkthroughs::wrong_on_purpose {
+
+/// M1 to M21, in the report's order.
+enum class Mistake {
+  wrong_side_of_b,
+  first_point_tested,
+  touching_is_apart,
+  as_printed,
+  origin_at_vertex_missed,
+  origin_on_segment_missed,
+  direction_from_vertex,
+  triangle_normal_reversed,
+  triangle_abn_inward,
+  triangle_acn_inward,
+  edge_normal_as_direction,
+  two_dimensions_only,
+  origin_in_triangle_missed,
+  order_kept_below_triangle,
+  abcn_inward,
+  acdn_inward,
+  adbn_inward,
+  edge_normals_reused,
+  abn_reused_for_adb,
+  order_of_adb,
+  origin_in_face_seen_outside,
+};
+
+/// What a mistaken program has in place of a line of the report's pseudo-code.
+struct WrongLine {
+  int algorithm;           ///< 1 to 5
+  std::string_view right;  ///< as story/pseudocode.cpp writes it
+  std::string_view wrong;  ///< or what is not done
+};
+
+struct Description {
+  Mistake value;
+  std::string_view word;     ///< in traces and in names of walkthroughs: "m14-order-below-triangle"
+  std::string_view meaning;  ///< "the order is not changed when moving below the triangle"
+  std::string_view section;  ///< of the report, where it says how it is done
+  std::span<const WrongLine> lines;
+  /// What Algorithm 1 does with the first point and after Eq. 9 has said no is what these do; all else is the mistake's.
+  gjk::RuleSet rules = gjk::RuleSet::as_intended;
+};
+
+/// Returns: all, in the order of the enumerators.
+std::span<const Description> all();
+
+const Description& description_of(Mistake mistake);
+
+/// Returns: "M14".
+std::string number_of(Mistake mistake);
+
+}  // namespace walkthroughs::wrong_on_purpose
