@@ -168,8 +168,8 @@ std::string words_of_status(int status) {
 /// Writes, and reads, what can be without waiting.
 class Talk {
  public:
-  Talk(Streams&& streams, std::span<const std::string> questions)
-      : streams_(std::move(streams)), questions_(questions) {
+  Talk(Streams&& streams, std::span<const std::string> questions, std::size_t most_lines)
+      : streams_(std::move(streams)), questions_(questions), most_lines_(most_lines * questions.size()) {
     for (const File* const file : {&streams_.in.write, &streams_.out.read, &streams_.err.read})
       ::fcntl(file->get(), F_SETFL, O_NONBLOCK);
     take_question();
@@ -197,7 +197,7 @@ class Talk {
   }
 
   bool output_is_open() const { return streams_.out.read.is_open(); }
-  bool is_flooded() const { return lines_seen_ > questions_.size() || line_.size() > longest_line; }
+  bool is_flooded() const { return lines_seen_ > most_lines_ || line_.size() > longest_line; }
 
  private:
   void take_question() {
@@ -236,13 +236,14 @@ class Talk {
         line_ += letter;
         continue;
       }
-      if (++lines_seen_ <= questions_.size()) run.lines.push_back(line_);
+      if (++lines_seen_ <= most_lines_) run.lines.push_back(line_);
       line_.clear();
     }
   }
 
   Streams streams_;
   std::span<const std::string> questions_;
+  const std::size_t most_lines_;  // of all questions together
   std::size_t next_ = 0, lines_seen_ = 0;
   std::string unwritten_, line_;
 };
@@ -256,13 +257,13 @@ std::optional<int> status_of(pid_t child) {
 }  // namespace
 
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
-                         std::chrono::milliseconds limit) {
+                         std::chrono::milliseconds limit, std::size_t most_lines) {
   const KeptBack signals;
   const NoSigpipe no_sigpipe;
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   Streams streams;
   const pid_t child = start(words, streams, signals);
-  Talk talk(std::move(streams), questions);
+  Talk talk(std::move(streams), questions, most_lines);
   RunOfProgram run;
   std::optional<int> status;
   for (Clock::time_point late = Clock::now() + limit;

@@ -11,14 +11,14 @@
 namespace study {
 
 enum class End {
-  answered,  ///< as many lines as questions; how it ended then does not matter
+  answered,  ///< as many lines as questions, or more that may be; how it ended then does not matter
   ended,     ///< by itself, too early
   late,      ///< was ended: no further line for too long
-  flooding   ///< was ended: more lines than questions, or a line without end
+  flooding   ///< was ended: more lines than may be, or a line without end
 };
 
 struct RunOfProgram {
-  std::vector<std::string> lines;  ///< of its standard output, at most as many as questions; without line feeds
+  std::vector<std::string> lines;  ///< of its standard output, at most as many as may be; without line feeds
   End end = End::answered;
   std::string
       how;  ///< "signal 11 (Segmentation fault)", "exit code 1"; where it ended by itself, also after its last answer
@@ -31,9 +31,11 @@ struct RunOfProgram {
 /// it ends, or too long no further line comes. Then nothing that it has started is left, processes that left its group among
 /// them; nor is it where this process is ended meanwhile, but by SIGKILL, which the program itself does not outlive either.
 ///
+/// `most_lines`: that a question may bring; the last is its answer.
+///
 /// Requires: this process has no other children. Errors: walkthroughs::UsageError where the program cannot be started;
 /// std::system_error.
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
-                         std::chrono::milliseconds limit);
+                         std::chrono::milliseconds limit, std::size_t most_lines = 1);
 
 }  // namespace study

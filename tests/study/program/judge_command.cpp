@@ -12,6 +12,7 @@
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"
+#include "tests/study/steps/judged_steps.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
@@ -21,6 +22,8 @@ using walkthroughs::expect_number;
 
 namespace {
 
+constexpr std::size_t most_steps = 10;  // failures that are followed
+
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 
 constexpr const char* footer =
@@ -29,6 +32,8 @@ answer a line: true (they intersect), false or "undecided"; or {"status": "inter
 more in it, if it likes: a "direction", "point" or "simplex" is evidence, and is multiplied out. It may answer as it goes or
 when its input ends. So 'gjkstep-study judge -- gjkstep query' judges gjkstep. Programs that have none of this: see
 tests/study/judge/README.md.
+With --steps some failures are asked again with JUDGE_STEPS=1 in the environment: the program then writes a line for each
+iteration before its answer, {"direction": [x, y, z], "simplex": [[x, y, z], ...]}, as 'gjkstep-study check-steps' reads them.
 Without --families, --count and --pairs the pairs are those of tests/study/corpus.jsonl that are made of points. Spheres
 and cylinders are asked where their families are named, or --pairs has them.
 Exit codes: 0 nothing is wrong, 1 something is, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be
@@ -62,6 +67,8 @@ void JudgeCommand::add_to(CLI::App& app) {
       std::uint64_t{0}, most_pairs);
   app.add_option("--html", html, "one page, too: the verdict, families, the first failures drawn");
   app.add_flag("--json", json, "JSON in place of Markdown, with every pair that is not right");
+  app.add_flag("--steps", steps, "name the first wrong step of failures, too, if the program writes its steps")
+      ->excludes(app.get_option("--json"));
   app.add_option("PROGRAM", program, "what to judge, and its arguments, after --")->required();
   app.footer(footer);
   app.parse_complete_callback([this, &app] { with_count_ = app.count("--count") > 0 || app.count("--seed") > 0; });
@@ -110,6 +117,7 @@ void JudgeCommand::run() const {
       .words = program, .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)), .progress = std::ref(line)};
   const ProgramJudged judged = judge_program(asked, chosen);
   std::cout << (json ? judged_json(judged, head()) : judged_markdown(judged, head()));
+  if (steps) std::cout << steps_markdown(steps_of_failures(asked, judged, most_steps));
   if (failures) save(judged);
   if (html) render::write_file(*html, judged_page(judged, head()));
   std::cout.flush();

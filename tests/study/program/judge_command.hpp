@@ -16,7 +16,7 @@ struct JudgeCommand {
   std::optional<std::string> pairs, failures, html;
   std::uint64_t count = 100, seed = 1, max_failures = 5;
   double time_limit = 2;
-  bool json = false;
+  bool json = false, steps = false;
 
   void add_to(CLI::App& app);
   /// Errors: std::runtime_error where something is wrong with the program, after everything is written.

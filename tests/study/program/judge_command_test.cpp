@@ -131,6 +131,17 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   check_failure("check-steps " + in(folder, "bad"), 3, {"bad:1: the first line must be a pair"});
 }
 
+TEST_CASE("judge: --steps names the first wrong step of failures, where the program tells its steps", "[judge]") {
+  const Outcome wrong = run("judge --steps -- " + quoted(JUDGED_WRONG_GJK));
+  CHECK(wrong.exit_code == 1);
+  CHECK(has(wrong.out, "## The first wrong step"));
+  CHECK(has(wrong.out, "keeps [C, B, A] where the report keeps [C, A, B]"));
+  CHECK(has(wrong.out, "| M14: the order is not changed when moving below the triangle |"));
+  CHECK(has(run("judge --steps -- sed s/.*/true/").out, "| it tells no steps |"));
+  CHECK_FALSE(has(run("judge --steps -- " + quoted(GJKSTEP_ITSELF) + " query --certified").out, "first wrong step"));
+  check_failure("judge --steps --json -- cat", 2, {"--json", "--steps"});
+}
+
 TEST_CASE("judge: wrong usage ends with 2, what cannot be written with 5", "[judge]") {
   check_failure("judge", 2, {"PROGRAM"});
   check_failure("judge -- /nowhere/at/all", 2, {"the program '/nowhere/at/all' cannot be started: No such file"});

@@ -47,7 +47,7 @@ bool goes_there(const Trace& trace, const ToldRun& run, int iteration) {
 
 /// Of the report's algorithm, begun as the program has.
 walkthroughs::Scene scene_of(const ToldRun& run) {
-  return {.name = "test",
+  return {.name = "the report",
           .a = {"point set a", std::get<Points>(run.named.pair.a)},
           .b = {"point set b", std::get<Points>(run.named.pair.b)},
           .options = {.first_direction = run.steps.front().direction},
