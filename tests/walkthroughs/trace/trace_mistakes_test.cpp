@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/catalogue/mistakes.hpp"
+#include "walkthroughs/model/run.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
