@@ -19,7 +19,7 @@ struct Group {
 };
 
 /// As the report goes; a walkthrough belongs to the first whose prefix its name has, and what has none is the user's own.
-constexpr std::array<Group, 13> groups{{{"figure-", "Figures of the report"},
+constexpr std::array<Group, 14> groups{{{"figure-", "Figures of the report"},
                                         {"regions/0-simplex", "Regions of a 0-simplex, a vertex"},
                                         {"regions/1-simplex", "Regions of a 1-simplex, a segment"},
                                         {"regions/2-simplex", "Regions of a 2-simplex, a triangle"},
