@@ -6,6 +6,7 @@
 
 #include "tests/catch.hpp"
 #include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
