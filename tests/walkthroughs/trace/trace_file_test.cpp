@@ -382,6 +382,8 @@ const Damage damages[] = {
     {"scene-file", 1, "is not the first line of a trace"},
     {"version-1", 1, "version 1 is not known"},
     {"version-3", 1, "version 3 is not known"},
+    {"mistake-unknown", 1, "which is no mistake that is known"},
+    {"mistake-unnamed", 7, "'direction-chosen' cannot follow here"},
     {"name-elsewhere", 1, "cannot name a folder"},
     {"name-absolute", 1, "cannot name a folder"},
     {"unknown-key", 3, "is not a key"},
