@@ -126,7 +126,7 @@ TEST_CASE("C9: of points known to a quarter the bound holds for what is no neare
   }
 }
 
-TEST_CASE("C9: a flat difference has a bound, too; the same point twice has one that is next to nothing",
+TEST_CASE("C9: a flat difference has a bound, too, and the same point twice has one that is next to nothing",
           "[certified]") {
   const Pose<double> turned{Eigen::AngleAxisd(1, V(1, -2, 3).normalized()).toRotationMatrix(), V(1, 2, 3)};
   const PointSet<double> a({V(0, 0, 0), V(2, 0, 0), V(0, 2, 0)}), b({V(0.5, 0.5, 0), V(3, 3, 0)}),

@@ -44,7 +44,7 @@ TEST_CASE("Every answer of certified/... is the true one") {
   }
 }
 
-TEST_CASE("Two are proven in doubles, by a direction and by a tetrahedron; their number lines show by how much") {
+TEST_CASE("Two are proven in doubles, by a direction and by a tetrahedron, and number lines show by how much") {
   for (const auto& [name, proof] : {std::pair("certified/separation", gjk::Proof::direction),
                                     std::pair("certified/tetrahedron", gjk::Proof::tetrahedron)}) {
     const Story story = tell(walkthrough(name));

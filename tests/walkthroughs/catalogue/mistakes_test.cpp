@@ -169,7 +169,7 @@ TEST_CASE("Lines of mistakes are lines of the report's pseudo-code and have anot
   }
 }
 
-TEST_CASE("Of each mistake one thing is asked: the line; one choice has it, the others are as in the report") {
+TEST_CASE("Of each mistake one thing is asked: the line, and one choice has it, the others are as in the report") {
   for (const Walkthrough* w : about_mistakes()) {
     INFO(w->name);
     const Story story = tell(*w);
