@@ -219,7 +219,7 @@ TEST_CASE("What the README shows is what the program prints") {
   CHECK(shown >= 9);
 }
 
-TEST_CASE("--text-scale is heeded, also where a scene file or a theme says otherwise") {
+TEST_CASE("The option --text-scale is heeded, also where a scene file or a theme says otherwise") {
   const Folder folder;
   const fs::path scene = scene_file(folder.path() / "scene.json");
   std::string text = bytes_of(scene);
