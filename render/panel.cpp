@@ -108,11 +108,16 @@ TextStyle centered(TextStyle style) {
   return style;
 }
 
-/// Whether two points lie on either side of the line through `from` and `to`.
+/// Whether two points lie on either side of the line through `from` and `to`; not where rounding may have put one there.
 bool are_apart(const Vec2& from, const Vec2& to, const Vec2& p, const Vec2& q) {
+  constexpr double least = 1e-6;  // page units
   const Vec2 along = to - from;
-  const auto side = [&](const Vec2& point) { return along.x() * (point - from).y() - along.y() * (point - from).x(); };
-  return side(p) * side(q) < 0;
+  const double length = along.norm();
+  const auto distance = [&](const Vec2& point) {
+    return (along.x() * (point - from).y() - along.y() * (point - from).x()) / length;
+  };
+  const double of_p = distance(p), of_q = distance(q);
+  return (of_p > least && of_q < -least) || (of_p < -least && of_q > least);
 }
 
 Box moved(const Box& box, const Vec2& by) { return {box.min + by, box.max + by}; }
