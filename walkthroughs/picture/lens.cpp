@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace walkthroughs {
@@ -113,6 +114,13 @@ std::vector<render::Camera> cameras() {
 }
 
 }  // namespace
+
+std::vector<std::size_t> Lens::back_to_front(const std::vector<render::Face>& faces) const {
+  if (camera) return render::back_to_front(faces, *camera);
+  std::vector<std::size_t> all(faces.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
 
 render::Camera choose_camera(const Trace& trace) {
   render::Camera best(-60, 20);

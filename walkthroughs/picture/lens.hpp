@@ -1,7 +1,9 @@
 /// From points of a scene to the page of a panel: straight at a plane, or through a camera.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "render/camera.hpp"
 #include "walkthroughs/model/plane.hpp"
@@ -22,6 +24,13 @@ struct Lens {
     if (camera) return camera->right() * c + camera->up() * s;
     return (plane.right * c * plane.stretch.x() + plane.up * s * plane.stretch.y()).normalized();
   }
+
+  /// Returns: whether a face with that outward normal is turned to the viewer.
+  bool sees(const Point& outward) const {
+    return camera ? camera->sees(outward) : outward.dot(plane.right.cross(plane.up)) > 0;
+  }
+  /// Returns: their places in the order in which they are drawn; in a plane none is in front of another.
+  std::vector<std::size_t> back_to_front(const std::vector<render::Face>& faces) const;
 };
 
 /// Returns: a camera for the whole search, from a fixed choice of places around it: the vertices of the simplex and the

@@ -61,7 +61,7 @@ void Pencil::point(const Point& p, render::Color color) {
 }
 
 void Pencil::direction(const Point& from, const Point& d, const Stroke& stroke, const std::string& name) {
-  if (d.isZero(0) || !d.allFinite()) return;  // it leads nowhere
+  if (!is_seen(d) || !d.allFinite()) return;  // it leads nowhere
   const Point to = from + d.stableNormalized() * length(style_.arrow_length);
   const Vec2 tail = at(from), tip = at(to), along = tip - tail;
   panel_.arrow(tail, tip, stroke);
@@ -75,6 +75,7 @@ std::vector<Point> Pencil::patch(const Point& on, const Point& d) const {
 }
 
 void Pencil::supporting_line(const Point& on, const Point& d, const Stroke& stroke) {
+  if (!is_seen(d)) return;
   if (in_space()) {
     panel_.outline(at(patch(on, d)), stroke);
     return;
@@ -85,6 +86,7 @@ void Pencil::supporting_line(const Point& on, const Point& d, const Stroke& stro
 }
 
 void Pencil::out_of_reach(const Point& on, const Point& d) {
+  if (!is_seen(d)) return;
   if (in_space())
     polygon(patch(on, d), style_.out_of_reach);
   else

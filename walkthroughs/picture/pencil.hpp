@@ -23,6 +23,8 @@ class Pencil {
   render::Vec2 in_picture(const Point& vector) const { return at(vector + lens_.plane.on) - at(lens_.plane.on); }
   /// Returns: whether the picture has depth; none of a plane has.
   bool in_space() const { return lens_.camera.has_value(); }
+  /// Returns: whether a direction leads anywhere in the picture; one across the plane does in none of it.
+  bool is_seen(const Point& d) const { return in_space() ? !d.isZero(0) : !in_picture(d).isZero(0); }
   /// Returns: so many page units as a length in the scene.
   double length(double page_units) const { return page_units / panel_.view().scale(); }
 

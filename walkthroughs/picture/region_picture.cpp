@@ -258,7 +258,7 @@ class RegionPicture {
     const std::string names[] = {"ABC", "ACD", "ADB", "BCD"};
     std::vector<render::Face> list;
     for (const std::string& name : names) list.push_back({{vertex(name[0]), vertex(name[1]), vertex(name[2])}});
-    for (const std::size_t i : render::back_to_front(list, *pencil_.lens().camera)) face(names[i], list[i]);
+    for (const std::size_t i : pencil_.lens().back_to_front(list)) face(names[i], list[i]);
     if (const Region* inside = find("", "ABCD"); inside != nullptr)
       for (const render::Face& face : list) pencil_.panel().polygon(pencil_.at(face.corners), style_.chosen_fill);
     outline_tested(names, list);
@@ -283,7 +283,7 @@ class RegionPicture {
     }
     // Not the cross that stands at a vertex which leaves the simplex.
     if (!rejected) return;
-    const bool is_in_front = pencil_.lens().camera->sees(face.outward());
+    const bool is_in_front = pencil_.lens().sees(face.outward());
     const std::string mark =
         is_in_front ? "✗" : shown_.names.sorted(feature) + " ✗";  // which it is, seen through others
     panel.name_area(corners, mark, is_in_front ? style_.label(style_.theme.ink) : style_.small_label(), {mark});
@@ -293,7 +293,7 @@ class RegionPicture {
   /// direction BC×BD (Section 3.2.4).
   bool bcd_is_behind() const {
     const Point B = vertex('B');
-    return !pencil_.lens().camera->sees((vertex('D') - B).cross(vertex('C') - B));
+    return !pencil_.lens().sees((vertex('D') - B).cross(vertex('C') - B));
   }
 
   void outline_tested(std::span<const std::string> names, const std::vector<render::Face>& list) {
