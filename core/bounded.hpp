@@ -6,8 +6,10 @@
 
 namespace gjk::detail {
 
-/// u, half the distance from 1 to the next double: rounding to nearest moves a number by at most u times its size.
-inline constexpr double roundoff = std::numeric_limits<double>::epsilon() / 2;
+/// u, half the distance from 1 to the next number: rounding to nearest moves a number by at most u times its size.
+template <class S>
+inline constexpr double roundoff_of = std::numeric_limits<S>::epsilon() / 2.0;
+inline constexpr double roundoff = roundoff_of<double>;
 
 /// The number that is meant lies within `error` of `value`. An operation rounds its value by u|value| and its error by less
 /// than 16u of it (five operations at most); what underflow loses is far below 1e-300 (each product at most 2^-1075, and no

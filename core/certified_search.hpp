@@ -1,0 +1,502 @@
+/// The second search of certified.hpp: it walks to the feature of the difference of two sets of points that is nearest to the
+/// origin, or into the origin, and each of its decisions is exact (C3, C4). Signs are taken of doubles that know their error, and
+/// of whole numbers where that leaves a doubt. Needs Eigen and Boost.Multiprecision.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "bounded.hpp"
+#include "certificate.hpp"
+#include "certified_telling.hpp"
+#include "nearest.hpp"
+#include "usual_arithmetic.hpp"
+
+namespace gjk::detail {
+
+inline int sign_of(const Whole& x) { return x.sign(); }
+
+/// A double as m·2^e, m odd; of zero m is 0.
+struct BinaryFraction {
+  std::int64_t m = 0;
+  int e = 0;
+
+  explicit BinaryFraction(double x) {
+    if (x == 0) return;
+    m = static_cast<std::int64_t>(std::frexp(x, &e) * 0x1p53);
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));
+    m >>= zeros;
+    e += zeros - 53;
+  }
+};
+
+/// Two sets of points and the points of their difference, in either number: in whole numbers times one power of two, in
+/// doubles times another that brings the largest coordinate near 1, so that no polynomial overflows. Floats are widened.
+template <class S>
+class ExactDifference {
+ public:
+  /// `radii`: other numbers of the same unit, to be had with number().
+  ExactDifference(const PointSet<S>& a, const PointSet<S>& b, const Vec3<S>& radii = Vec3<S>::Zero())
+      : a_(a), b_(b), radii_(radii) {
+    const double largest = static_cast<double>(a.extent().cwiseMax(b.extent()).cwiseMax(radii).maxCoeff());
+    if (largest != 0) exponent_ = -std::ilogb(largest);
+    factors_ = {std::scalbn(1.0, exponent_ / 2), std::scalbn(1.0, exponent_ - exponent_ / 2)};
+  }
+
+  const PointSet<S>& a() const { return a_; }
+  const PointSet<S>& b() const { return b_; }
+  /// Of the power of two with which bounded numbers are multiplied.
+  int exponent() const { return exponent_; }
+
+  template <class N>
+  Triple<N> w(IndexPair pair) const {
+    return point<N>(a_, pair.a) - point<N>(b_, pair.b);
+  }
+  template <class N>
+  Triple<N> point(const PointSet<S>& set, int i) const {
+    const Vec3<S>& p = set.points()[static_cast<std::size_t>(i)];
+    return {number<N>(p.x()), number<N>(p.y()), number<N>(p.z())};
+  }
+  /// Returns: that point as a search in S has it.
+  Vertex<S> vertex(IndexPair pair) const {
+    const auto support_point = [](const PointSet<S>& set, int i) {
+      return SupportPoint<S>{set.points()[static_cast<std::size_t>(i)], i};
+    };
+    Vertex<S> vertex{support_point(a_, pair.a), support_point(b_, pair.b), {}};
+    vertex.w = vertex.a.point - vertex.b.point;
+    return vertex;
+  }
+  Simplex<S> simplex(const IndexPairs& pairs) const {
+    Simplex<S> simplex;
+    for (const IndexPair pair : pairs) simplex.add(vertex(pair));
+    return simplex;
+  }
+  /// Returns: of which powers of two times itself a polynomial of that degree is computed. Once whole numbers were made.
+  Powers powers(int degree) const { return {degree * exponent_, least_exponent_ ? -degree * *least_exponent_ : 0}; }
+
+  /// Requires: a coordinate, or a radius.
+  template <class N>
+  N number(S coordinate) const {
+    const double x = static_cast<double>(coordinate);
+    if constexpr (std::same_as<N, Bounded>) {
+      const double value = x * factors_[0] * factors_[1];
+      return {value, std::abs(value) < 0x1p-960 && x != 0 ? 1e-300 : 0.0};  // it may have lost digits
+    } else {
+      const BinaryFraction fraction(x);
+      return fraction.m == 0 ? Whole(0) : Whole(fraction.m) << static_cast<unsigned>(fraction.e - least_exponent());
+    }
+  }
+
+ private:
+  int least_exponent() const {
+    if (!least_exponent_) {
+      int least = std::numeric_limits<int>::max();
+      const auto look_at = [&least](const Vec3<S>& v) {
+        for (const S x : v)
+          if (x != 0) least = std::min(least, BinaryFraction(static_cast<double>(x)).e);
+      };
+      for (const PointSet<S>* set : {&a_, &b_}) std::for_each(set->points().begin(), set->points().end(), look_at);
+      look_at(radii_);
+      least_exponent_ = least;
+    }
+    return *least_exponent_;
+  }
+
+  const PointSet<S>&a_, &b_;
+  Vec3<S> radii_;
+  int exponent_ = 0;
+  std::array<double, 2> factors_{1, 1};  // 2^exponent_: one number may not hold it, and std::scalbn() is slow
+  mutable std::optional<int> least_exponent_;
+};
+
+/// The vectors from A, the newest vertex of a simplex, to the origin and to the others.
+template <class N>
+struct FromA {
+  Triple<N> AO{};
+  std::array<Triple<N>, 4> to{};  ///< by role; of A nothing
+
+  const Triple<N>& operator[](Role X) const { return to[static_cast<std::size_t>(X)]; }
+};
+
+/// −v times a positive factor, v being the point nearest to the origin of the hull of at most three vertices, in its
+/// interior. `side`: of the triangle, on which the origin lies.
+template <class N>
+Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
+  const auto &AO = A.AO, &AB = A[Role::B];
+  if (size == 1) return AO;
+  if (size == 2) return dot(AB, AB) * AO - dot(AB, AO) * AB;  // AB×AO×AB
+  const Triple<N> ABCn = cross(AB, A[Role::C]);
+  return side > 0 ? ABCn : -ABCn;
+}
+
+/// A simplex, by the indices of its vertices, that tells where the origin is. The whole numbers are made where the first
+/// sign is in doubt.
+template <class S, class Obs = const NobodyListens>
+class ExactSimplex {
+ public:
+  explicit ExactSimplex(const ExactDifference<S>& difference, const SecondTeller<S, Obs>& tell = {})
+      : difference_(difference), tell_(tell) {}
+
+  const IndexPairs& vertices() const { return vertices_; }
+  int size() const { return vertices_.size(); }
+
+  /// Makes it the newest.
+  void add(IndexPair vertex) {
+    vertices_.add(vertex);
+    bounded_ = from_A<Bounded>();
+    whole_.reset();
+    if constexpr (tells) tell_.name_anew();
+  }
+  /// Requires: A is kept, and last.
+  void keep(const Order& order) {
+    IndexPairs kept;
+    for (const Role role : order) kept.add(vertices_[size() - 1 - static_cast<int>(role)]);
+    vertices_ = kept;
+    bounded_ = only(bounded_, order, size());
+    if (whole_) whole_ = only(*whole_, order, size());
+    if constexpr (tells) tell_.keep(order);
+  }
+
+  /// C3. `polynomial`: of the vectors from A, in either number. Returns: −1, 0 or 1, taken of doubles that know their error
+  /// where that leaves no doubt, and of whole numbers where it does. `words`: makes what is told, of a polynomial of that
+  /// degree.
+  template <class Polynomial, class Words>
+  int sign(const Polynomial& polynomial, int degree, const Words& words) const {
+    const Bounded quick = polynomial(bounded_);
+    if (quick.has_certain_sign()) {
+      tell_.sign(words, difference_.powers(degree), quick, nullptr);
+      return sign_of(quick);
+    }
+    const Whole exact = polynomial(whole());
+    tell_.sign(words, difference_.powers(degree), quick, &exact);
+    return sign_of(exact);
+  }
+  /// That of one that is not told.
+  template <class Polynomial>
+  int sign(const Polynomial& polynomial) const {
+    const Bounded quick = polynomial(bounded_);
+    return quick.has_certain_sign() ? sign_of(quick) : sign_of(polynomial(whole()));
+  }
+
+  const SecondTeller<S, Obs>& tell() const { return tell_; }
+
+  // -- As nearest_with_A() asks
+
+  bool is_toward(Role X) const {
+    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2, [&] { return SignWords{tell_.edge(X) + "·AO"}; }) >
+           0;
+  }
+  bool is_beyond(Role X, Role Y) const {
+    const auto AXn_AO = [=](const auto& A) {
+      return dot(A[X], A.AO) * dot(A[X], A[Y]) - dot(A[Y], A.AO) * dot(A[X], A[X]);
+    };
+    return sign(AXn_AO, 4, [&] {
+             const std::string AX = tell_.edge(X), AY = tell_.edge(Y);
+             return SignWords{AX + "n·AO",
+                              "(" + AX + "·AO)(" + AX + "·" + AY + ") − (" + AY + "·AO)(" + AX + "·" + AX + ")"};
+           }) >= 0;
+  }
+  bool is_above(Role X, Role Y, Role Z) const {
+    const int of_origin = side_of_origin(X, Y);
+    const int of_fourth = sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); }, 3,
+                               [&] { return SignWords{tell_.normal(X, Y) + "·" + tell_.edge(Z)}; });
+    return of_origin * of_fourth < 0;
+  }
+
+  /// Returns: the sign of AXYn·AO.
+  int side_of_origin(Role X, Role Y) const {
+    return sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); }, 3,
+                [&] { return SignWords{tell_.normal(X, Y) + "·AO"}; });
+  }
+
+  /// Requires: the point nearest to the origin in the interior of the simplex. Returns: whether that is the origin.
+  bool contains_origin() const {
+    switch (size()) {
+      case 1: return is_zero([](const auto& A) { return A.AO; }, 1, [] { return std::string("AO"); });
+      case 2:
+        return is_zero([](const auto& A) { return cross(A[Role::B], A.AO); }, 2,
+                       [&] { return "(" + tell_.edge(Role::B) + "×AO)"; });
+      case 3: return side_of_origin(Role::B, Role::C) == 0;
+      default: return true;
+    }
+  }
+
+  /// Returns: of toward_origin(), in the letters of before the others were dropped.
+  std::string words_of_direction() const {
+    const std::string AB = tell_.edge(Role::B);
+    if (size() == 1) return "AO";
+    if (size() == 2) return AB + "×AO×" + AB;
+    return (side_of_origin(Role::B, Role::C) > 0 ? "" : "−") + tell_.normal(Role::B, Role::C);
+  }
+  /// Returns: of the polynomials that its components are.
+  int degree_of_direction() const { return size() == 2 ? 3 : size() == 3 ? 2 : 1; }
+
+  template <class N>
+  Triple<N> toward_origin() const {
+    const int side = size() == 3 ? side_of_origin(Role::B, Role::C) : 0;
+    if constexpr (std::same_as<N, Bounded>)
+      return detail::toward_origin(bounded_, size(), side);
+    else
+      return detail::toward_origin(whole(), size(), side);
+  }
+
+ private:
+  static constexpr bool tells = SecondTeller<S, Obs>::somebody_listens;
+
+  template <class VectorOf, class Name>
+  bool is_zero(const VectorOf& vector_of, int degree, const Name& name) const {
+    return sign([&](const auto& A) { return vector_of(A).x; }, degree, [&] { return SignWords{name() + ".x"}; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).y; }, degree, [&] { return SignWords{name() + ".y"}; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).z; }, degree, [&] { return SignWords{name() + ".z"}; }) == 0;
+  }
+
+  const FromA<Whole>& whole() const {
+    if (!whole_) whole_ = from_A<Whole>();
+    return *whole_;
+  }
+
+  template <class N>
+  FromA<N> from_A() const {
+    const Triple<N> A = difference_.template w<N>(vertices_[size() - 1]);
+    FromA<N> vectors;
+    vectors.AO = -A;
+    for (int i = 1; i < size(); ++i)
+      vectors.to[static_cast<std::size_t>(i)] = difference_.template w<N>(vertices_[size() - 1 - i]) - A;
+    return vectors;
+  }
+  template <class N>
+  static FromA<N> only(const FromA<N>& all, const Order& order, int size) {
+    FromA<N> kept;
+    kept.AO = all.AO;
+    int i = size;
+    for (const Role role : order) kept.to[static_cast<std::size_t>(--i)] = all[role];
+    return kept;
+  }
+
+  const ExactDifference<S>& difference_;
+  SecondTeller<S, Obs> tell_;
+  IndexPairs vertices_;
+  FromA<Bounded> bounded_;
+  mutable std::optional<FromA<Whole>> whole_;
+};
+
+/// Looks for points of the difference along a direction that is known exactly: that from a simplex toward the origin.
+template <class S, class Obs = const NobodyListens>
+class AlongDirection {
+ public:
+  AlongDirection(const ExactDifference<S>& difference, const ExactSimplex<S, Obs>& from)
+      : difference_(difference),
+        from_(from),
+        bounded_(from.template toward_origin<Bounded>()),
+        power_(difference.powers(from.degree_of_direction()).bounded) {
+    if (!is_precise(bounded_)) bounded_ = rounded(whole());
+    aim();
+    from_.tell()([&] { return DirectionChosen<S>{.expression = from_.words_of_direction(), .direction = told()}; });
+  }
+
+  /// C3. Returns: the sign of w·d.
+  int sign(IndexPair vertex) const {
+    const auto w = [&]<class N>() { return difference_.template w<N>(vertex); };
+    const Bounded quick = dot(w.template operator()<Bounded>(), bounded_);
+    if (quick.has_certain_sign()) return tell(vertex, "w·d", quick), sign_of(quick);
+    const Whole exact = dot(w.template operator()<Whole>(), whole());
+    return tell(vertex, "w·d", quick, &exact), sign_of(exact);
+  }
+
+  /// Returns: w·d, and its error.
+  Bounded reach(IndexPair vertex) const { return dot(difference_.template w<Bounded>(vertex), bounded_); }
+
+  /// Returns: a point of the difference with w·d >= 0, not always the farthest; none where there is none.
+  std::optional<IndexPair> vertex_across() const {
+    const IndexPair found = near_farthest();
+    from_.tell()([&] { return SupportFound<S>{.direction = told(), .vertex = difference_.vertex(found)}; });
+    const Bounded w_d = reach(found);
+    if (w_d.has_certain_sign() && w_d.value >= 0) return tell(found, "w·d", w_d), found;
+    const int power = exponent_ + difference_.exponent();
+    const double most = std::scalbn(w_d.value + w_d.error, -power);
+    const double missed = slack(difference_.a()) + slack(difference_.b());
+    if (most < -missed)
+      return tell(found, "max w·d", {w_d.value, w_d.error + std::scalbn(missed, power)}), std::nullopt;
+    const IndexPair farthest = farthest_beside(found);
+    const Whole exact = dot(difference_.template w<Whole>(farthest), whole());
+    const Bounded most_reach = reach(farthest);
+    tell(farthest, "max w·d", {most_reach.value, most_reach.error + std::scalbn(missed, power)}, &exact);
+    return sign_of(exact) >= 0 ? std::optional(farthest) : std::nullopt;
+  }
+
+  /// Returns: a point of the difference nearer to the origin than all of the simplex, (w − A)·d > 0; none where there is none.
+  std::optional<IndexPair> vertex_nearer() const {
+    const IndexPair found = near_farthest();
+    if (is_nearer(found)) return found;
+    const IndexPair farthest = farthest_beside(found);
+    return is_nearer(farthest) ? std::optional(farthest) : std::nullopt;
+  }
+
+ private:
+  bool is_nearer(IndexPair vertex) const {
+    const IndexPair A = from_.vertices()[from_.size() - 1];
+    return sign_along([&]<class N>() { return difference_.template w<N>(vertex) - difference_.template w<N>(A); }) > 0;
+  }
+
+  void tell(IndexPair vertex, const char* name, const Bounded& w_d, const Whole* exact = nullptr) const {
+    if constexpr (SecondTeller<S, Obs>::somebody_listens)
+      from_.tell().sign([&] { return SignWords{name}; },
+                        {power_ + difference_.exponent(), difference_.powers(from_.degree_of_direction() + 1).whole},
+                        w_d, exact, difference_.vertex(vertex));
+  }
+
+  /// Returns: the direction that the support functions are asked in; undone what it was divided by, where that is exact.
+  Vec3<S> told() const {
+    const Vec3<S> own = rough_.unaryExpr([this](S x) { return std::scalbn(x, exponent_ - power_); });
+    const auto is_kept = [](S before, S after) { return before == 0 || std::isnormal(after); };
+    return is_kept(rough_.x(), own.x()) && is_kept(rough_.y(), own.y()) && is_kept(rough_.z(), own.z()) ? own : rough_;
+  }
+
+  /// C3. `vector_in`: a vector in either number.
+  template <class VectorIn>
+  int sign_along(const VectorIn& vector_in) const {
+    const Bounded quick = dot(vector_in.template operator()<Bounded>(), bounded_);
+    return quick.has_certain_sign() ? sign_of(quick) : sign_of(dot(vector_in.template operator()<Whole>(), whole()));
+  }
+
+  IndexPair near_farthest() const {
+    return {*difference_.a().support(rough_).index, *difference_.b().support(-rough_).index};
+  }
+  IndexPair farthest_beside(IndexPair found) const {
+    return {farthest_of(difference_.a(), found.a, +1), farthest_of(difference_.b(), found.b, -1)};
+  }
+
+  static std::array<Bounded, 3> components(const Triple<Bounded>& d) { return {d.x, d.y, d.z}; }
+
+  static bool is_precise(const Triple<Bounded>& d) {
+    double largest = 0, error = 0;
+    for (const Bounded& c : components(d)) {
+      largest = std::max(largest, std::abs(c.value));
+      error = std::max(error, c.error);
+    }
+    return error < 0x1p-20 * largest;
+  }
+
+  /// The highest 60 bits of the largest component, and of the others what is as high: d, times some power of two.
+  Triple<Bounded> rounded(const Triple<Whole>& d) {
+    const auto bits = [](const Whole& x) { return x == 0 ? 0U : static_cast<unsigned>(msb(abs(x))) + 1; };
+    const unsigned most = std::max({bits(d.x), bits(d.y), bits(d.z)}), cut = most > 60 ? most - 60 : 0;
+    power_ = difference_.powers(from_.degree_of_direction()).whole - static_cast<int>(cut);
+    const auto number = [cut](const Whole& x) {
+      const double size = static_cast<double>(static_cast<std::int64_t>(Whole(abs(x)) >> cut));
+      return Bounded{x < 0 ? -size : size, 1 + 2 * roundoff * size};
+    };
+    return {number(d.x), number(d.y), number(d.z)};
+  }
+
+  /// Makes the direction that the support functions are asked in, so small that none of their products overflows, and how
+  /// far they may be off.
+  ///
+  /// For a point p and the one that was found, p*: p·d − p*·d is at most 2Σ r|d − rough|, plus two roundings of p·rough in the
+  /// scan, 6uΣ r|rough|, and where candidates are compared in doubles as much again: 12u, 16u with what is rounded here. What
+  /// underflows in a scan is at most three times half the least denormal number, twice.
+  void aim() {
+    double largest = 0;
+    for (const Bounded& c : components(bounded_)) largest = std::max(largest, std::abs(c.value));
+    exponent_ = std::ilogb(largest) + 3;
+    int i = 0;
+    for (const Bounded& c : components(bounded_)) {
+      rough_[i] = static_cast<S>(std::scalbn(c.value, -exponent_));
+      const double lost = std::abs(c.value - std::scalbn(static_cast<double>(rough_[i]), exponent_));
+      doubt_[i] =
+          2 * std::scalbn(lost + c.error, -exponent_) + 16 * roundoff_of<S> * std::abs(static_cast<double>(rough_[i]));
+      ++i;
+    }
+  }
+
+  /// Returns: by how much some point of the set may lie farther along d than the one that its support function finds.
+  double slack(const PointSet<S>& set) const {
+    return doubt_.dot(set.extent().template cast<double>()) +
+           8 * static_cast<double>(std::numeric_limits<S>::denorm_min());
+  }
+
+  /// Returns: the point of the set farthest along d (where `toward` is −1, along −d), exactly. `near_farthest`: the one found
+  /// by its support function.
+  int farthest_of(const PointSet<S>& set, int near_farthest, int toward) const {
+    const Vec3<double> along = toward * rough_.template cast<double>();
+    const auto roughly = [&](int i) {
+      return set.points()[static_cast<std::size_t>(i)].template cast<double>().dot(along);
+    };
+    const auto exactly = [&](int i) {
+      const Whole reach = dot(difference_.template point<Whole>(set, i), whole());
+      return toward > 0 ? reach : Whole(-reach);
+    };
+    const double enough = roughly(near_farthest) - slack(set);
+    int farthest = near_farthest;
+    Whole most = exactly(farthest);
+    for (int i = 0; i < static_cast<int>(set.points().size()); ++i) {
+      if (i == near_farthest || roughly(i) < enough) continue;  // what is not a number is looked at
+      const Whole here = exactly(i);
+      if (here > most) {
+        most = here;
+        farthest = i;
+      }
+    }
+    return farthest;
+  }
+
+  const Triple<Whole>& whole() const {
+    if (!whole_) whole_ = from_.template toward_origin<Whole>();
+    return *whole_;
+  }
+
+  const ExactDifference<S>& difference_;
+  const ExactSimplex<S, Obs>& from_;
+  Triple<Bounded> bounded_;
+  int power_;  // of two, with which bounded_ is multiplied
+  mutable std::optional<Triple<Whole>> whole_;
+  Vec3<S> rough_;       // d, times 2^-exponent_
+  Vec3<double> doubt_;  // how far the components of rough_ may mislead, for coordinates of 1
+  int exponent_ = 0;
+};
+
+/// Walks to the feature of the difference that is nearest to the origin, or into the origin. Each vertex that it adds brings
+/// it nearer (C4), each decision is exact (C3). `offered`: at least one vertex, to begin with; good ones save scans.
+template <class S, class Obs>
+[[gnu::noinline]] void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered,
+                                    Teller<Obs>& tell, CertifiedResult& result) {
+  const ExactDifference<S> difference(a, b);
+  ExactSimplex<S, Obs> simplex(difference, SecondTeller<S, Obs>(tell));
+  IndexPair next = offered[0];
+  while (true) {
+    tell.enter_iteration(result.iterations + ++result.second_iterations);
+    simplex.add(next);
+    tell([&] { return VertexAdded<S>{.simplex = difference.simplex(simplex.vertices())}; });
+    const IndexPairs before = simplex.vertices();
+    const Order order = nearest_with_A(simplex, simplex.size());
+    simplex.keep(order);
+    const bool contains_origin = simplex.contains_origin();
+    tell([&] { return kept<S>(difference.simplex(before), order, contains_origin); });
+    if (contains_origin) {
+      result.status = Status::intersecting;
+      result.certificate = CommonSimplex{simplex.vertices()};
+      return;
+    }
+    const AlongDirection<S, Obs> along(difference, simplex);
+    const auto is_nearer = [&](IndexPair p, IndexPair q) { return along.reach(p).value < along.reach(q).value; };
+    next = *std::max_element(offered.begin(), offered.end(), is_nearer);
+    if (along.sign(next) >= 0) continue;
+    const std::optional<IndexPair> found = along.vertex_across();
+    if (!found) {
+      result.status = Status::separated;
+      result.certificate = SeparatingFeature{simplex.vertices()};
+      return;
+    }
+    next = *found;
+  }
+}
+
+}  // namespace gjk::detail
