@@ -121,7 +121,7 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   CHECK(lines(outcome.out).size() == 2);
   const Outcome drawn = run("check-steps " + steps + " --draw " + in(folder, "pictures"));
   CHECK(lines(drawn.out).size() == 2 + listing(folder.path() / "pictures").size());
-  CHECK(std::filesystem::exists(folder.path() / "pictures/parting/000.png"));
+  CHECK(std::filesystem::exists(folder.path() / "pictures/mistakes/m14-order-below-triangle/014.png"));
   check_failure("check-steps " + steps + " --draw ''", 2, {"--draw '': name a folder"});
   check_failure("check-steps " + steps + " --draw /dev/null/x", 5, {"/dev/null/x"});
   check_failure("check-steps", 2, {"FILE"});
