@@ -42,13 +42,12 @@ inline std::string fraction_text(Whole x, int power) {
 
 template <class S>
 FeatureKept<S> kept(const Simplex<S>& before, const Order& order, bool contains_origin) {
-  FeatureKept<S> event{
-      .before = before, .after = before.only(order), .kept = {}, .dropped = {}, .contains_origin = contains_origin};
-  for (const Role role : order) event.kept += letter(role);
-  for (int i = before.size(); i-- > 0;)
-    if (const char name = letter(static_cast<Role>(i)); event.kept.find(name) == std::string::npos)
-      event.dropped += name;
-  return event;
+  const std::string kept = letters_of(order);
+  return {.before = before,
+          .after = before.only(order),
+          .kept = kept,
+          .dropped = letters_beside(kept, before.size()),
+          .contains_origin = contains_origin};
 }
 
 /// Tells what a second search does; each sign once a simplex, however often it is asked for.

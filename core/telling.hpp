@@ -67,6 +67,20 @@ constexpr std::string_view name_of_edge(Role X) {
   return names[static_cast<int>(X)];
 }
 
+/// Returns: the letters of these roles, in that order.
+inline std::string letters_of(const Order& order) {
+  std::string letters;
+  for (const Role role : order) letters += letter(role);
+  return letters;
+}
+/// Returns: the letters of a simplex of that size that are not among `kept`, oldest first.
+inline std::string letters_beside(std::string_view kept, int size) {
+  std::string letters;
+  for (int i = size; i-- > 0;)
+    if (const char name = letter(static_cast<Role>(i)); kept.find(name) == std::string_view::npos) letters += name;
+  return letters;
+}
+
 /// One region: the report's "R1" ... "R7", and in Algorithm 5 the face whose edge is looked at.
 struct Region {
   std::string_view feature, label = {}, face = {};
@@ -219,14 +233,10 @@ class Step {
     tell_([&] {
       SimplexReduced<S> event{.before = simplex_,
                               .after = simplex_.only(kept.order),
-                              .kept = {},
+                              .kept = letters_of(kept.order),
                               .dropped = {},
                               .why = std::string(kept.why)};
-      for (const Role role : kept.order) event.kept += letter(role);
-      for (int i = 0; i < simplex_.size(); ++i) {
-        const char name = letter(static_cast<Role>(simplex_.size() - 1 - i));
-        if (event.kept.find(name) == std::string::npos) event.dropped += name;
-      }
+      event.dropped = letters_beside(event.kept, simplex_.size());
       return event;
     });
     tell_direction(direction);

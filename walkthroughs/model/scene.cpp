@@ -15,6 +15,10 @@ bool is_at_rest(const Pose& pose) {
          std::memcmp(pose.translation.data(), rest.translation.data(), sizeof(double[3])) == 0;
 }
 
+bool moves(const Pose& pose) {
+  return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
+}
+
 template <class S>
 AskedObject<S>::AskedObject(const Object& object)
     : object_(object),
@@ -114,7 +118,7 @@ std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const P
     return ObjectionToProof{std::string(key_of(form)),
                             "a " + kind_of(form, Dimension::space) +
                                 " cannot be certified, because its points are computed, and so rounded; give points"};
-  if (pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero())
+  if (moves(pose))
     return ObjectionToProof{"pose",
                             "an object that its pose moves cannot be certified, because its points are rounded then; "
                             "give the points where they are"};

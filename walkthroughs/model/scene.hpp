@@ -19,6 +19,8 @@ using Pose = gjk::Pose<double>;
 
 /// Returns: whether the pose leaves everything where it is. The sign of zero counts: it decides that of the points found.
 bool is_at_rest(const Pose& pose);
+/// Returns: whether it moves anything: the sign of zero does not count.
+bool moves(const Pose& pose);
 
 /// A convex object of a scene.
 struct Object {

@@ -14,10 +14,6 @@ namespace {
 
 using reading::ObjectAsWritten;
 
-bool moves(const Pose& pose) {
-  return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
-}
-
 /// What is decided exactly.
 template <class S>
 using ExactShape = std::variant<gjk::PointSet<S>, gjk::Sphere<S>>;

@@ -47,7 +47,7 @@ std::string with_error(const gjk::SignTaken<double>& sign) {
 }
 
 const std::string bounds_are_wide =
-    "the bound is derived, not measured: no rounding can exceed it, and it is wider than most";
+    "the bound is derived, not measured: rounding never exceeds it, and is mostly far smaller";
 
 Frame caption_of_direction(const gjk::ProofTried<double>& event) {
   if (event.numbers.empty())

@@ -51,8 +51,7 @@ class Step {
     const Fractions A = place_of(simplex[Role::A]);
     AO_ = minus({0, 0, 0}, A);
     for (int i = 0; i < simplex.size(); ++i) to_.push_back(minus(place_of(simplex[static_cast<Role>(i)]), A));
-    const gjk::Order order = gjk::detail::nearest_with_A(*this, simplex.size());
-    for (const Role role : order) kept_ += gjk::letter(role);
+    kept_ = gjk::detail::letters_of(gjk::detail::nearest_with_A(*this, simplex.size()));
     contains_origin_ = look_for_origin();
     if (!contains_origin_) choose_direction();
   }
@@ -68,12 +67,7 @@ class Step {
     for (const char name : kept_) kept.add(simplex_[role(name)]);
     return kept;
   }
-  std::string dropped() const {
-    std::string names;
-    for (int i = simplex_.size(); i-- > 0;)
-      if (const char name = gjk::letter(static_cast<Role>(i)); kept_.find(name) == std::string::npos) names += name;
-    return names;
-  }
+  std::string dropped() const { return gjk::detail::letters_beside(kept_, simplex_.size()); }
 
   // -- As nearest_with_A() asks
 

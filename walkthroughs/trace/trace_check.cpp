@@ -238,10 +238,7 @@ void TraceCheck::go_on(const RuleStep& step) {
 
 void TraceCheck::check(const gjk::SimplexReduced<double>& event) {
   require_identical(event.before, simplex_, "before", "the simplex as it was");
-  std::string dropped;
-  for (int i = simplex_.size(); i-- > 0;)
-    if (const char name = gjk::letter(static_cast<gjk::Role>(i)); step_.kept.find(name) == std::string_view::npos)
-      dropped += name;
+  const std::string dropped = gjk::detail::letters_beside(step_.kept, simplex_.size());
   const auto require_word = [](std::string_view found, std::string_view expected, const char* key) {
     require(found == expected,
             in_quotes(key) + " is " + in_quotes(found) + "; after this region it is " + in_quotes(expected));
