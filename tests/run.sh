@@ -39,3 +39,7 @@ build build/sanitized all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON -DGJKSTEP_SANIT
 # Mesa and LLVM keep some memory until the process ends; those leaks are left out by name.
 export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0"
 run_tests build/sanitized
+
+# A sample of what mutate.py does. Survivors are told, not judged: which mutants are made changes with every line of code.
+printf '\nDo tests notice mistakes that nobody chose?\n'
+python3 tests/mutants/mutate.py --made 2 --fitting --in core --in render || [ $? = 1 ] || stop "mutate.py could not try its mutants"

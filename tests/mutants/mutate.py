@@ -4,13 +4,14 @@
     tests/mutants/mutate.py [WORDS]            the mutants of mutants.txt, or those with one of WORDS: do the goldens notice?
     tests/mutants/mutate.py --made N [WORDS]   N mutants that nobody chose, of each folder (see made.py): do its tests notice?
         --seed S        other mutants
-        --in FOLDER     of this folder only (core, render, walkthroughs)
+        --in FOLDER     of this folder only (core, render, walkthroughs); may be named again
+        --fitting       asks only the tests called after the file, and builds only these: a sample of minutes
     tests/mutants/mutate.py --check [MUTANTS]  whether each of mutants.txt (or that file) and of equivalent.txt can be made
         --folder F      works in the copy F and keeps it: the next run builds what has changed, not all
 
 Works on a copy of the project, in a temporary folder unless told otherwise, built with little optimisation. Exit code 1
 where a mutant of mutants.txt survives or cannot be made, or where fewer than 95 of 100 made ones are noticed in a folder;
-those of equivalent.txt, which change nothing that can be seen, count for neither.
+those of equivalent.txt, which change nothing that can be seen, count for neither. 2 where nothing could be tried.
 """
 import argparse, os, pathlib, re, shutil, signal, subprocess, sys, tempfile, time
 
@@ -20,6 +21,12 @@ here = pathlib.Path(__file__).resolve().parent
 root = here.parents[1]
 folders = {"core": "core-tests", "render": "render-tests", "walkthroughs": "walkthroughs-tests"}
 aim = 95  # of 100
+
+
+def give_up(why):
+    """Nothing can be said of mutants: unlike 1, this is not about tests."""
+    print(why, file=sys.stderr)
+    sys.exit(2)
 
 
 def parts_of(line):
@@ -130,10 +137,10 @@ def try_all_chosen(words, folder):
     chosen = [mutant for mutant in listed_in(here / "mutants.txt", objection_to_chosen)
               if not words or any(word in " | ".join(mutant) for word in words)]
     if not chosen:
-        sys.exit(f"no mutant has {' or '.join(words)} in its line")
+        give_up(f"no mutant has {' or '.join(words)} in its line")
     start = time.monotonic()
     if not build(folder, "golden-tests") or any(goldens_that_differ(folder, 1800).values()):
-        sys.exit("without any change the golden tests do not pass: nothing can be said of mutants")
+        give_up("without any change the golden tests do not pass: nothing can be said of mutants")
     patience = 60 + 10 * (time.monotonic() - start)  # a mutant that ends must not be taken for one that does not
     survivors = sum(not try_chosen(mutant, folder, patience) for mutant in chosen)
     print(f"{survivors} survived")
@@ -143,22 +150,22 @@ def try_all_chosen(words, folder):
 # ---- tests: do they notice a mutant that nobody chose
 
 
-def fitting_tests(file):
-    """The files with the tests of that file, or of its room where none is called after it, without their endings."""
-    path = pathlib.PurePath(file)
-    room = root / "tests" / path.parent
-    tests = sorted(test.stem for test in room.glob("*_test.cpp") if not test.stem.endswith("_in_browser_test"))
-    return [test for test in tests if test.startswith(path.stem)] or tests
+def tests_called(pattern, file):
+    """The files of the room's tests so called, without their endings."""
+    tests = sorted(test.stem for test in (root / "tests" / pathlib.PurePath(file).parent).glob(pattern))
+    return [test for test in tests if not test.endswith("_in_browser_test") and test != "no_heap_test"]
 
 
-def stages(file):
+def stages(file, only_fitting):
     """Programs and which of their tests, those first that most likely notice. Each is built when its turn comes."""
-    top = file.split("/")[0]
-    program, fitting = folders[top], fitting_tests(file)
+    top, own = file.split("/")[0], tests_called(f"{pathlib.PurePath(file).stem}*_test.cpp", file)
+    program = folders[top]
     if top == "core":  # all of which is compiled into each test
-        first = [(test, []) for test in fitting if test != "no_heap_test"]
+        first = [(test, []) for test in own]
     else:
-        first = [(program, [",".join(f"[#{test}]" for test in fitting)])]
+        first = [(program, [",".join(f"[#{test}]" for test in own or tests_called("*_test.cpp", file))])]
+    if only_fitting:
+        return first if own else []
     return [*first, (program, []), ("golden-tests", [])]
 
 
@@ -167,9 +174,9 @@ def first_failure(out):
     return out if out == "does not end" else case.group(1).splitlines()[0] if case else "crashes"
 
 
-def who_notices(file, folder, patience):
+def who_notices(turns, folder, patience):
     """The first test that fails; empty where none does. None: this does not compile."""
-    for program, tests in stages(file):
+    for program, tests in turns:
         if not build(folder, program):
             return None
         out, code = run([f"build/{program}", "--filenames-as-tags", "--abort", *tests], folder, patience)
@@ -194,13 +201,13 @@ def bring_back_sound(folder):
             shutil.copy2(sound, file)
 
 
-def try_made(mutant, folder, patience):
+def try_made(mutant, turns, folder, patience):
     """Returns: 'noticed', 'SURVIVED' or 'no mutant', which the compiler refuses; prints it."""
     path, start = folder / mutant.file, time.monotonic()
     sound, times = path.read_text(), path.stat()
     path.write_text(sound[:mutant.start] + mutant.new + sound[mutant.end:])
     try:
-        by = who_notices(mutant.file, folder, patience)
+        by = who_notices(turns, folder, patience)
     finally:
         path.write_text(sound)
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
@@ -213,32 +220,39 @@ def try_made(mutant, folder, patience):
 
 def patience_of(folder, programs):
     """How many seconds a program may take with a mutant: ten times what all together take without one."""
+    if not build(folder, *programs):
+        give_up("without any change this does not compile: nothing can be said of mutants")
     start = time.monotonic()
-    wanted = ["--tests-regex", f"^({'|'.join(programs)}):"]
-    if not build(folder, *programs) or run(["ctest", "--test-dir", "build", "--parallel", "2", *wanted], folder)[1]:
-        sys.exit("without any change the tests do not pass: nothing can be said of mutants")
+    for program in programs:
+        if run([f"build/{program}"], folder)[1]:
+            give_up(f"without any change {program} does not pass: nothing can be said of mutants")
     return 60 + 10 * (time.monotonic() - start)
+
+
+def possible_mutants(top, words, only_fitting):
+    files = sorted(str(f.relative_to(root)) for f in (root / top).rglob("*.[ch]pp"))
+    mutants = [m for file in files if stages(file, only_fitting) for m in made.mutants_of(file, (root / file).read_text())]
+    return [m for m in mutants if not words or any(word in f"{m.file}:{m.line}" for word in words)]
 
 
 def try_all_made(arguments, folder):
     equivalent = {parts[:3] for parts in listed_in(here / "equivalent.txt", objection_to_equivalent)}
-    tops = [arguments.only] if arguments.only else list(folders)
-    patience = patience_of(folder, [folders[top] for top in tops] + ["golden-tests"])
+    possible = {top: possible_mutants(top, arguments.words, arguments.fitting) for top in arguments.only or folders}
+    samples = {top: made.sample(mutants, arguments.made, arguments.seed) for top, mutants in possible.items()}
+    turns = {m.file: stages(m.file, arguments.fitting) for sample in samples.values() for m in sample}
+    patience = patience_of(folder, sorted({program for turn in turns.values() for program, _ in turn}))
     keep_sound(folder)
     table, good = [], True
-    for top in tops:
+    for top, sample in samples.items():
         start = time.monotonic()
-        files = sorted(str(f.relative_to(root)) for f in (root / top).rglob("*.[ch]pp"))
-        mutants = [m for file in files for m in made.mutants_of(file, (root / file).read_text())]
-        mutants = [m for m in mutants if not arguments.words or any(word in f"{m.file}:{m.line}" for word in arguments.words)]
         counts = dict.fromkeys(("noticed", "SURVIVED", "no mutant", "equivalent"), 0)
-        for mutant in made.sample(mutants, arguments.made, arguments.seed):
+        for mutant in sample:
             known = (mutant.file, mutant.old_line, mutant.new_line) in equivalent
-            counts["equivalent" if known else try_made(mutant, folder, patience)] += 1
+            counts["equivalent" if known else try_made(mutant, turns[mutant.file], folder, patience)] += 1
         judged = counts["noticed"] + counts["SURVIVED"]
         good &= 100 * counts["noticed"] >= aim * judged
         score = f"{100 * counts['noticed'] / judged:.0f} %" if judged else "none"
-        table.append(f"{top:13} {len(mutants):8} {counts['noticed']:8} {counts['SURVIVED']:9} {score:>6} "
+        table.append(f"{top:13} {len(possible[top]):8} {counts['noticed']:8} {counts['SURVIVED']:9} {score:>6} "
                      f"{counts['equivalent']:11} {counts['no mutant']:14} {(time.monotonic() - start) / 60:8.1f}")
     print(f"\nseed {arguments.seed}\n{'folder':13} {'possible':>8} {'noticed':>8} {'survived':>9} {'score':>6} "
           f"{'equivalent':>11} {'not compiled':>14} {'minutes':>8}", *table, sep="\n")
@@ -250,7 +264,8 @@ def main():
     parser.add_argument("words", nargs="*")
     parser.add_argument("--made", type=int)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--in", dest="only", choices=folders)
+    parser.add_argument("--in", dest="only", choices=folders, action="append")
+    parser.add_argument("--fitting", action="store_true")
     parser.add_argument("--folder", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()

@@ -12,8 +12,8 @@ Trace run(const Scene& scene) {
   if (scene.certified) return run_certified(scene);
   Trace trace;
   const auto search = [&]<class S, class Rules>() {
-    const auto tell = [&](const auto& event) { trace(widened(event)); };
-    gjk::collision<S, Rules>(AskedObject<S>(scene.a), AskedObject<S>(scene.b), options_in<S>(scene), tell);
+    gjk::collision<S, Rules>(AskedObject<S>(scene.a), AskedObject<S>(scene.b), options_in<S>(scene),
+                             WidenedInto{trace});
   };
   if (scene.mistake)
     wrong_on_purpose::with_mistake(*scene.mistake, [&]<class Rules>() { search.template operator()<double, Rules>(); });

@@ -21,8 +21,8 @@ gjk::PointSet<S> set_of(const Object& object) {
 Trace run_certified(const Scene& scene) {
   Trace trace;
   with_types_of(scene, [&]<class S, class Rules>() {
-    const auto tell = [&](const auto& event) { trace(widened(event)); };
-    gjk::certified_collision<S, Rules>(set_of<S>(scene.a), set_of<S>(scene.b), options_in<S>(scene), tell);
+    gjk::certified_collision<S, Rules>(set_of<S>(scene.a), set_of<S>(scene.b), options_in<S>(scene),
+                                       WidenedInto{trace});
   });
   return trace;
 }

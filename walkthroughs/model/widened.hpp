@@ -52,4 +52,12 @@ E<double> widened(const E<S>& event) {
   return wide;
 }
 
+/// What hears of a search and writes all of it in doubles. One type for all searches, so that each is compiled no more often than it
+/// must be.
+template <class TraceOfDoubles>
+struct WidenedInto {
+  TraceOfDoubles& trace;
+  void operator()(const auto& event) const { trace(widened(event)); }
+};
+
 }  // namespace walkthroughs

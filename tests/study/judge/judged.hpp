@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "render/image.hpp"
 #include "tests/study/corpus/answered_pair.hpp"
 #include "tests/study/judge/asking.hpp"
 #include "tests/study/sweep/rate.hpp"
@@ -58,14 +59,24 @@ struct Change {
   std::string first = {};  ///< the name of the first pair with another answer
 };
 
+/// What the steps of one failure say, where the program tells them.
+struct JudgedSteps {
+  std::string pair;        ///< its name
+  int iteration = 0;       ///< of the first step that the report's algorithm would not make, from 1; 0: none
+  std::string words = {};  ///< what is wrong with it, or why nothing is
+  std::vector<std::size_t> mistakes = {};   ///< positions in mistakes() of those that would make it
+  std::optional<render::Image> drawn = {};  ///< beside what the report's algorithm makes, where they part
+};
+
 struct ProgramJudged {
   std::vector<Judged> pairs;
   std::vector<FamilyTally> families;  ///< in the order in which they come
   FamilyTally all;
   std::vector<Resemblance> resemblances;  ///< the best first; none where the program is wrong on no pair that counts
   std::vector<Change> changes;
-  Replies replies;       ///< the lines are in `pairs`
-  bool crashes = false;  ///< also in company, or after its last answer
+  std::optional<std::vector<JudgedSteps>> steps = {};  ///< of some failures, where they were asked for
+  Replies replies;                                     ///< the lines are in `pairs`
+  bool crashes = false;                                ///< also in company, or after its last answer
 
   bool is_good() const;  ///< nothing is wrong, and all was asked
 };

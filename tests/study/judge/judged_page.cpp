@@ -1,9 +1,8 @@
 #include "tests/study/judge/judged_page.hpp"
 
 #include "render/html.hpp"
+#include "tests/study/judge/drawn_frame.hpp"
 #include "tests/study/judge/judged_scenes.hpp"
-#include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/picture/studio.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
@@ -25,6 +24,7 @@ table { border-collapse: collapse; font-size: 13px; }
 th, td { padding: 2px 14px 2px 0; text-align: right; font-weight: normal; border-bottom: 1px solid var(--faint); }
 th { color: var(--grey); vertical-align: bottom; }
 th:first-child, td:first-child { text-align: left; }
+table.words td { text-align: left; vertical-align: top; overflow-wrap: anywhere; }
 figure { margin: 20px 0; }
 figure img { max-width: 100%; height: auto; outline: 1px solid var(--faint); }
 </style>
@@ -45,21 +45,23 @@ std::string families_of(const ProgramJudged& judged, const JudgedHead& head) {
   return html;
 }
 
-/// Draws the end of the search that the scene tells.
-class Drawing {
- public:
-  render::Image operator()(const JudgedScene& scene) {
-    const walkthroughs::SceneFile file = walkthroughs::parse_scene(scene.text, scene.name);
-    const walkthroughs::StagedStory story(walkthroughs::tell(file.walkthrough, walkthroughs::Detail::step));
-    const walkthroughs::Look look;
-    render::Canvas canvas({960, 540}, walkthroughs::frame_page, look.style.theme.paper, studio_.font);
-    walkthroughs::draw_frame(canvas, story, story.frames.size() - 1, look);
-    return studio_.rasterizer.draw(canvas);
-  }
+std::string figure(const render::Image& image, const std::string& instead, const std::string& caption) {
+  return "<figure>" + render::img(image, instead) + "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
 
- private:
-  walkthroughs::Studio studio_;
-};
+std::string steps_of(const ProgramJudged& judged) {
+  const StepTable table = step_table(judged);
+  if (table.rows.empty()) return "";
+  std::string html = "<h2>The first wrong step</h2>\n<table class=\"words\">\n" + row_of(table.titles, "th");
+  for (const auto& cells : table.rows) html += row_of(cells, "td");
+  html += "</table>\n";
+  for (const JudgedSteps& each : *judged.steps)
+    if (each.drawn)
+      html += figure(*each.drawn, "Both searches side by side on " + walkthroughs::printable(each.pair),
+                     walkthroughs::printable(each.pair) + ", iteration " + std::to_string(each.iteration) + ": " +
+                         each.words + ".");
+  return html;
+}
 
 std::string pictures_of(const ProgramJudged& judged, const std::string& program, std::size_t most) {
   const std::vector<JudgedScene> scenes = judged_scenes(judged, program, 1);
@@ -68,10 +70,12 @@ std::string pictures_of(const ProgramJudged& judged, const std::string& program,
       "<h2>The first failures</h2>\n<p>Each of another family or kind, as the report's algorithm ends on it; "
       "--save-failures "
       "saves all as scenes, which <code>gjkstep render</code> draws step by step.</p>\n";
-  Drawing drawing;
-  for (std::size_t i = 0; i < std::min(most, scenes.size()); ++i)
-    html += "<figure>" + render::img(drawing(scenes[i]), scenes[i].title) + "<figcaption>" + escaped(scenes[i].title) +
-            ". " + escaped(scenes[i].truth) + "</figcaption></figure>\n";
+  FrameDrawing drawing;
+  for (std::size_t i = 0; i < std::min(most, scenes.size()); ++i) {
+    const walkthroughs::SceneFile file = walkthroughs::parse_scene(scenes[i].text, scenes[i].name);
+    const render::Image image = drawing(walkthroughs::tell(file.walkthrough, walkthroughs::Detail::step));
+    html += figure(image, scenes[i].title, scenes[i].title + ". " + scenes[i].truth);
+  }
   return html;
 }
 
@@ -88,7 +92,7 @@ std::string judged_page(const ProgramJudged& judged, const JudgedHead& head, std
       (judged.is_good() ? "good" : "bad") + "\">" + escaped(verdict_line(judged)) + "</span></h1>\n<ul>\n";
   for (const std::string& sentence : remarks(judged)) html += "<li>" + escaped(sentence) + "</li>\n";
   html += "<li>made by: <code>" + escaped(walkthroughs::printable(head.command)) + "</code></li>\n</ul>\n";
-  html += families_of(judged, head) + pictures_of(judged, program, pictures);
+  html += families_of(judged, head) + steps_of(judged) + pictures_of(judged, program, pictures);
   return html + "</body>\n</html>\n";
 }
 

@@ -1,5 +1,5 @@
-/// What was found about a program as one HTML page, which asks the network for nothing: first the verdict, then families, then
-/// the first failures, drawn.
+/// What was found about a program as one HTML page, which asks the network for nothing: first the verdict, then families, the
+/// first wrong steps and the first failures, drawn.
 #pragma once
 
 #include <string>

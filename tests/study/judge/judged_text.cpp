@@ -119,6 +119,15 @@ void write_mistakes(std::ostream& out, const ProgramJudged& judged) {
   out << '\n';
 }
 
+void write_steps(std::ostream& out, const ProgramJudged& judged) {
+  const StepTable table = step_table(judged);
+  if (table.rows.empty()) return;
+  out << "## The first wrong step\n\n";
+  heading(out, table.titles, 4);
+  for (const Cells& cells : table.rows) row(out, cells);
+  out << '\n';
+}
+
 // -- JSON -------------------------------------------------------------------------------------------------------------
 
 using Json = nlohmann::ordered_json;
@@ -145,6 +154,14 @@ Json json_of(const Judged& judged) {
               {"verdict", key_of(judged.verdict)}};
   if (judged.false_evidence) object["false_evidence"] = true;
   if (!judged.detail.empty()) object["detail"] = judged.detail;
+  return object;
+}
+
+Json json_of(const JudgedSteps& steps) {
+  Json object{{"name", steps.pair}, {"iteration", steps.iteration == 0 ? Json() : Json(steps.iteration)}};
+  object["words"] = steps.words;
+  object["mistakes"] = Json::array();
+  for (const std::size_t m : steps.mistakes) object["mistakes"].push_back(m + 1);
   return object;
 }
 
@@ -189,6 +206,19 @@ FamilyTable family_table(const ProgramJudged& judged, bool is_sample) {
   return table;
 }
 
+StepTable step_table(const ProgramJudged& judged) {
+  StepTable table{{"Pair", "Iteration", "What is wrong", "That is what follows from"}, {}};
+  if (!judged.steps) return table;
+  for (const JudgedSteps& each : *judged.steps) {
+    std::string follows;
+    for (const std::size_t m : each.mistakes)
+      follows += (follows.empty() ? "M" : "; M") + std::to_string(m + 1) + ": " + mistakes()[m].name;
+    table.rows.push_back({printable(each.pair), each.iteration == 0 ? "–" : std::to_string(each.iteration),
+                          printable(each.words), follows.empty() ? "–" : follows});
+  }
+  return table;
+}
+
 std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head) {
   std::ostringstream out;
   out << "# " << printable(head.program) << ": " << verdict_line(judged) << "\n\n";
@@ -197,6 +227,7 @@ std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head)
   write_families(out, judged, head);
   write_mistakes(out, judged);
   write_changes(out, judged);
+  write_steps(out, judged);
   return out.str();
 }
 
@@ -218,6 +249,10 @@ std::string judged_json(const ProgramJudged& judged, const JudgedHead& head) {
                               {"asked", change.asked},
                               {"other_answers", change.other_answers},
                               {"first", change.first}});
+  if (judged.steps) {
+    all["steps"] = Json::array();
+    for (const JudgedSteps& each : *judged.steps) all["steps"].push_back(json_of(each));
+  }
   all["not_right"] = Json::array();
   for (const Judged& each : judged.pairs)
     if (each.verdict != Verdict::right || each.false_evidence) all["not_right"].push_back(json_of(each));

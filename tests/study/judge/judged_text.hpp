@@ -28,6 +28,13 @@ struct FamilyTable {
 };
 FamilyTable family_table(const ProgramJudged& judged, bool is_sample);
 
+/// No rows where no steps were asked for, or nothing failed.
+struct StepTable {
+  std::vector<std::string> titles;
+  std::vector<std::vector<std::string>> rows;
+};
+StepTable step_table(const ProgramJudged& judged);
+
 std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head);
 /// Returns: one object, one line.
 std::string judged_json(const ProgramJudged& judged, const JudgedHead& head);

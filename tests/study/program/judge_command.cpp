@@ -22,7 +22,8 @@ using walkthroughs::expect_number;
 
 namespace {
 
-constexpr std::size_t most_steps = 10;  // failures that are followed
+constexpr std::size_t most_steps = 10;       // failures that are followed
+constexpr std::size_t most_drawn_steps = 3;  // of these
 
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 
@@ -67,8 +68,7 @@ void JudgeCommand::add_to(CLI::App& app) {
       std::uint64_t{0}, most_pairs);
   app.add_option("--html", html, "one page, too: the verdict, families, the first failures drawn");
   app.add_flag("--json", json, "JSON in place of Markdown, with every pair that is not right");
-  app.add_flag("--steps", steps, "name the first wrong step of failures, too, if the program writes its steps")
-      ->excludes(app.get_option("--json"));
+  app.add_flag("--steps", steps, "name the first wrong step of failures, too, if the program writes its steps");
   app.add_option("PROGRAM", program, "what to judge, and its arguments, after --")->required();
   app.footer(footer);
   app.parse_complete_callback([this, &app] { with_count_ = app.count("--count") > 0 || app.count("--seed") > 0; });
@@ -115,9 +115,9 @@ void JudgeCommand::run() const {
   ProgressLine line;
   const AskedProgram asked{
       .words = program, .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)), .progress = std::ref(line)};
-  const ProgramJudged judged = judge_program(asked, chosen);
+  ProgramJudged judged = judge_program(asked, chosen);
+  if (steps) judged.steps = steps_of_failures(asked, judged, most_steps, html ? most_drawn_steps : 0);
   std::cout << (json ? judged_json(judged, head()) : judged_markdown(judged, head()));
-  if (steps) std::cout << steps_markdown(steps_of_failures(asked, judged, most_steps));
   if (failures) save(judged);
   if (html) render::write_file(*html, judged_page(judged, head()));
   std::cout.flush();

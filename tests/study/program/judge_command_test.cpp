@@ -139,7 +139,23 @@ TEST_CASE("judge: --steps names the first wrong step of failures, where the prog
   CHECK(has(wrong.out, "| M14: the order is not changed when moving below the triangle |"));
   CHECK(has(run("judge --steps -- sed s/.*/true/").out, "| it tells no steps |"));
   CHECK_FALSE(has(run("judge --steps -- " + quoted(GJKSTEP_ITSELF) + " query --certified").out, "first wrong step"));
-  check_failure("judge --steps --json -- cat", 2, {"--json", "--steps"});
+}
+
+TEST_CASE("judge: --steps is in JSON and on the page, too, where both searches are drawn as they part", "[judge]") {
+  const Folder folder;
+  const Outcome outcome =
+      run("judge --steps --json --html " + in(folder, "page.html") + " -- " + quoted(JUDGED_WRONG_GJK));
+  const auto steps = nlohmann::json::parse(outcome.out).at("steps");
+  REQUIRE(steps.size() == 10);
+  const auto first = std::ranges::find(steps, nlohmann::json(3), [](const auto& each) { return each["iteration"]; });
+  REQUIRE(first != steps.end());
+  CHECK(has((*first)["words"].get<std::string>(), "keeps [C, B, A] where the report keeps [C, A, B]"));
+  CHECK((*first)["mistakes"] == nlohmann::json{14});
+  const std::string page = bytes_of(folder.path() / "page.html");
+  CHECK(page.find("<h2>By family") < page.find("<h2>The first wrong step"));
+  CHECK(page.find("M14: the order is not changed when moving below the triangle") < page.find("alt=\"Both searches"));
+  CHECK(page.find("alt=\"Both searches") < page.find("<h2>The first failures"));
+  CHECK_FALSE(nlohmann::json::parse(run("judge --json -- " + quoted(JUDGED_WRONG_GJK)).out).contains("steps"));
 }
 
 TEST_CASE("judge: wrong usage ends with 2, what cannot be written with 5", "[judge]") {

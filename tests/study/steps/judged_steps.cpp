@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
-#include <sstream>
 
-#include "tests/study/claims/claims_text.hpp"
+#include "tests/study/judge/drawn_frame.hpp"
 #include "tests/study/judge/run_program.hpp"
-#include "tests/study/methods/mistakes.hpp"
-#include "walkthroughs/text/printable.hpp"
+#include "tests/study/steps/check_steps.hpp"
+#include "tests/study/steps/parting.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
@@ -32,56 +31,51 @@ bool is_followed(const Judged& judged) {
          std::holds_alternative<Points>(judged.named.pair.b);
 }
 
-JudgedSteps steps_on(const AskedProgram& program, const NamedPair& named) {
+/// Returns: its search, step by step; nothing, and why, where it tells none.
+std::optional<ToldRun> told_run(const AskedProgram& program, const NamedPair& named, std::string& why) {
   const std::vector<std::string> question{question_line(named.pair)};
   const RunOfProgram run = run_program(program.words, question, program.limit, most_lines);
   std::string text = question.front() + "\n";
   for (const std::string& line : run.lines) text += line + "\n";
   try {
     std::vector<ToldRun> told = read_told_runs(text, "line");
-    if (told.size() != 1 || told.front().steps.empty()) return {named.name, {}, "it tells no steps"};
-    return {named.name, check_steps(told.front()), {}};
+    if (told.size() == 1 && !told.front().steps.empty()) return std::move(told.front());
+    why = "it tells no steps";
   } catch (const walkthroughs::InputError& error) {
-    return {named.name, {}, error.what()};
+    why = error.what();
   }
+  return {};
 }
 
-std::string mistakes_in_words(const StepsChecked& checked) {
-  std::string words;
-  for (const std::size_t m : checked.mistakes)
-    words += (words.empty() ? "" : "; ") + std::string("M") + std::to_string(m + 1) + ": " + mistakes()[m].name;
-  return words.empty() ? "–" : words;
+render::Image picture_of(const ToldRun& run, const StepsChecked& checked) {
+  const std::optional<Parting> parting = parting_of(run, checked);
+  return FrameDrawing()(parting->story());
 }
 
 }  // namespace
 
-std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const ProgramJudged& judged, std::size_t most) {
+std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const ProgramJudged& judged, std::size_t most,
+                                           std::size_t pictures) {
   const StepsWanted wanted;
   std::vector<JudgedSteps> all;
   std::set<std::string> families;
   for (const Judged& each : judged.pairs) {
     if (all.size() == most) break;
-    if (is_followed(each) && families.insert(each.named.family).second) all.push_back(steps_on(program, each.named));
+    if (!is_followed(each) || !families.insert(each.named.family).second) continue;
+    JudgedSteps& steps = all.emplace_back(JudgedSteps{.pair = each.named.name});
+    const std::optional<ToldRun> run = told_run(program, each.named, steps.words);
+    if (!run) continue;
+    StepsChecked checked = check_steps(*run);
+    steps.iteration = checked.iteration;
+    steps.words = checked.iteration == 0
+                      ? "every step is one that the report's algorithm may make: rounding, or a cycle"
+                      : checked.words;
+    steps.mistakes = checked.mistakes;
+    if (checked.iteration == 0 || pictures == 0) continue;
+    steps.drawn = picture_of(*run, checked);
+    --pictures;
   }
   return all;
-}
-
-std::string steps_markdown(const std::vector<JudgedSteps>& all) {
-  if (all.empty()) return "";
-  std::ostringstream out;
-  out << "## The first wrong step\n\n";
-  heading(out, {"Pair", "Iteration", "What is wrong", "That is what follows from"}, 4);
-  for (const JudgedSteps& each : all) {
-    Cells cells{walkthroughs::printable(each.pair), "–", walkthroughs::printable(each.why), "–"};
-    if (each.checked && each.checked->iteration == 0)
-      cells[2] = "every step is one that the report's algorithm may make: rounding, or a cycle";
-    else if (each.checked)
-      cells = {cells[0], std::to_string(each.checked->iteration), each.checked->words,
-               mistakes_in_words(*each.checked)};
-    row(out, cells);
-  }
-  out << '\n';
-  return out.str();
 }
 
 }  // namespace study

@@ -1,0 +1,20 @@
+/// One frame of a story, for pages.
+#pragma once
+
+#include "render/image.hpp"
+#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/story/story.hpp"
+
+namespace study {
+
+/// What draws frames one after the other. Errors: render::ContextError, render::FontError.
+class FrameDrawing {
+ public:
+  /// Requires: the story has frames. Returns: the one in which two searches part; the last where none do.
+  render::Image operator()(const walkthroughs::Story& story);
+
+ private:
+  walkthroughs::Studio studio_;
+};
+
+}  // namespace study
