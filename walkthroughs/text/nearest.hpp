@@ -28,9 +28,10 @@ inline std::size_t edit_distance(std::string_view from, std::string_view to) {
 }
 
 /// Returns: a candidate that begins with `word`, else the one that takes the fewest letters to reach from it (Levenshtein
-/// distance); the first of several.
+/// distance); the first of several. Of longer words the first 64 letters count: comparing takes time for each.
 /// Requires: at least one candidate.
 inline std::string nearest(std::string_view word, std::span<const std::string> candidates) {
+  word = word.substr(0, 64);
   const auto begun = std::ranges::find_if(candidates, [&](const std::string& each) { return each.starts_with(word); });
   if (begun != candidates.end()) return *begun;
   return *std::ranges::min_element(candidates, {}, [&](const std::string& each) { return edit_distance(word, each); });

@@ -26,7 +26,7 @@ std::string list_of(std::span<const std::string> words, const std::string& last)
 namespace {
 
 std::string suggestion(const std::string& word, std::span<const std::string> known) {
-  return "did you mean '" + nearest(std::string_view(word).substr(0, 64), known) + "'? Known here are " +
+  return "did you mean '" + nearest(word, known) + "'? Known here are " +
          list_of(known, "and");
 }
 

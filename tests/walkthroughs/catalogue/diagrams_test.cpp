@@ -62,7 +62,7 @@ TEST_CASE("Every diagram draws in every theme with all labels clear") {
   }
 }
 
-TEST_CASE("Every diagram draws the same twice") {
+TEST_CASE("Every diagram draws the same twice", "[unsanitized]") {
   render::Font font(render::Font::default_directory());
   const Style style(render::themes::report);
   const auto same = [](const render::CanvasVertex& p, const render::CanvasVertex& q) {

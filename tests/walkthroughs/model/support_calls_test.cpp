@@ -55,7 +55,7 @@ TEST_CASE("The search asks each object once for each point it finds") {
   }
 }
 
-TEST_CASE("Without the outline of the difference telling and drawing ask no support function") {
+TEST_CASE("Without the outline of the difference telling and drawing ask no support function", "[unsanitized]") {
   for (const Walkthrough& original : catalogue()) {
     if (original.layout != Layout::search) continue;
     INFO(original.name);
@@ -67,7 +67,7 @@ TEST_CASE("Without the outline of the difference telling and drawing ask no supp
   }
 }
 
-TEST_CASE("The outline of the difference asks the support functions of round objects only") {
+TEST_CASE("The outline of the difference asks the support functions of round objects only", "[unsanitized]") {
   for (const Walkthrough& original : catalogue()) {
     if (original.layout != Layout::search) continue;
     INFO(original.name);

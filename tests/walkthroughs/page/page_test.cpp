@@ -35,7 +35,8 @@ nlohmann::json data_of(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("A page has a section for each frame of every walkthrough, with its picture, caption and facts") {
+TEST_CASE("A page has a section for each frame of every walkthrough, with its picture, caption and facts",
+          "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);
     const Story story = tell(w);
@@ -82,7 +83,7 @@ TEST_CASE("Titles and names of others are text in a page, whatever they hold") {
   CHECK(data_of(page)["scenes"][0]["name"] == hostile);
 }
 
-TEST_CASE("A page is small without its pictures: 35 kB, 1.5 for each step and 0.3 for each event") {
+TEST_CASE("A page is small without its pictures: 35 kB, 1.5 for each step and 0.3 for each event", "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);
     const Story story = tell(w);

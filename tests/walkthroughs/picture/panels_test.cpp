@@ -69,7 +69,8 @@ class Picture {
   /// view.
   template <class Visit>
   void compare(const Picture& other, Visit visit) const {
-    for (int y = static_cast<int>(below_title({{0, 0}, {800, 800}}, Style(render::themes::report)).min.y()) + 2; y < image_.size().height; ++y)
+    for (int y = static_cast<int>(below_title({{0, 0}, {800, 800}}, Style(render::themes::report)).min.y()) + 2;
+         y < image_.size().height; ++y)
       for (int x = 0; x < image_.size().width; ++x)
         if (image_.pixel(x, y) != other.image_.pixel(x, y)) visit(view_.scene({x + 0.5, y + 0.5}));
   }
@@ -321,7 +322,8 @@ std::vector<int> crowded_labels(const Walkthrough& w, render::Font& font) {
 }  // namespace
 
 // One frame is an exception: the origin lies on A there, the region tested is narrow and ends at the panel's border.
-TEST_CASE("No label of any frame of the plane stands over a line or over another label or outside its panel") {
+TEST_CASE("No label of any frame of the plane stands over a line or over another label or outside its panel",
+          "[unsanitized]") {
   render::Font font{render::Font::default_directory()};
   for (const Walkthrough& w : catalogue()) {
     if (is_in_space(w)) continue;
@@ -336,7 +338,8 @@ TEST_CASE("No label of any frame of the plane stands over a line or over another
 
 // A camera is chosen once for a whole search. In a close-up of a tetrahedron six edges, the borders of the regions in the
 // plane of a face, a normal and the origin then meet in a small part of the picture, and a label may find no free place: one in three percent of the frames.
-TEST_CASE("In space at most two labels of a frame are crowded and any in at most one frame of twenty") {
+TEST_CASE("In space at most two labels of a frame are crowded and any in at most one frame of twenty",
+          "[unsanitized]") {
   render::Font font{render::Font::default_directory()};
   std::size_t frames = 0, with_a_crowded_label = 0;
   for (const Walkthrough& w : catalogue()) {

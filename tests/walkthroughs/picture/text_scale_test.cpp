@@ -38,7 +38,8 @@ bool repeats(const Walkthrough& w) { return w.name.starts_with("cycle-"); }
 
 }  // namespace
 
-TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded", "[text-scale]") {
+TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded",
+          "[text-scale][unsanitized]") {
   render::Font font{render::Font::default_directory()};
   constexpr std::array scales{0.75, 1.25, 1.5};
   for (std::size_t which = 0; which < scales.size(); ++which) {

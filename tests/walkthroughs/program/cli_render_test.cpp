@@ -134,7 +134,7 @@ TEST_CASE("gjkstep render names the letters that the font lacks, once") {
 
 TEST_CASE("gjkstep render --all renders every walkthrough") {
   const Folder folder;
-  const Outcome outcome = run("render --all --size 32x18 --out " + quoted(folder.path().string()));
+  const Outcome outcome = run("render --all --frames 1 --size 32x18 --out " + quoted(folder.path().string()));
   CHECK(outcome.exit_code == 0);
   CHECK(lines(outcome.out).size() == listing(folder.path()).size());
   for (const Walkthrough& w : catalogue()) CHECK(fs::exists(folder.path() / w.name / "000.png"));
@@ -152,7 +152,8 @@ TEST_CASE("A folder names all of its walkthroughs, which are written into folder
 
 TEST_CASE("A walkthrough named twice is rendered once") {
   const Folder folder;
-  const Outcome outcome = run("render figure-5 --all figure-5 --size 32x18 --out " + quoted(folder.path().string()));
+  const Outcome outcome =
+      run("render figure-5 --all figure-5 --frames 1 --size 32x18 --out " + quoted(folder.path().string()));
   CHECK(outcome.exit_code == 0);
   const std::string file = "figure-5/000.png";
   const auto first = outcome.out.find(file);

@@ -226,7 +226,8 @@ std::vector<OrderedJson> other_values(const OrderedJson& value, const std::set<s
 
 // -- What is read -----------------------------------------------------------------------------------------------------
 
-TEST_CASE("A trace read back redraws the identical frames, for every walkthrough that has a search", "[trace-file]") {
+TEST_CASE("A trace read back redraws the identical frames, for every walkthrough that has a search",
+          "[trace-file][unsanitized]") {
   for (const Walkthrough* w : searches()) check_redraws(*w);
 }
 
@@ -264,7 +265,7 @@ TEST_CASE("A trace that ends anywhere but at its end is refused", "[trace-file]"
   }
 }
 
-TEST_CASE("No value of a trace can be changed without contradicting the others", "[trace-file]") {
+TEST_CASE("No value of a trace can be changed without contradicting the others", "[trace-file][unsanitized]") {
   const Vocabulary words = vocabulary();
   int refused = 0;
   for (const std::string& text : texts_to_change()) {
