@@ -53,6 +53,7 @@ struct Remark {
   std::string only_for =
       {};                 ///< region_tested: the label, feature or "face feature" meant, such as "R3", "AB" or "ACD AC"
   std::string fact = {};  ///< a line of its own below the caption; empty where there is none
+  bool contradicts = false;  ///< whether `fact` is what exact numbers say against the search
 };
 
 /// The move that close-ups show: the one that iteration `iteration` makes, in three sentences.

@@ -104,7 +104,9 @@ class Captions {
     for (const Remark& remark : remarks_) {
       if (!is_about(remark, event)) continue;
       frame.caption.replace(frame.caption.size() - 1, 1, "; " + in_letters(remark.text) + ".");
-      if (!remark.fact.empty()) frame.facts.insert(frame.facts.begin() + 1, {Mark::truth, in_letters(remark.fact)});
+      if (remark.fact.empty()) continue;
+      const Mark mark = remark.contradicts ? Mark::truth : Mark::none;
+      frame.facts.insert(frame.facts.begin() + 1, {mark, in_letters(remark.fact)});
     }
   }
 

@@ -232,12 +232,14 @@ std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const 
   const std::size_t i = first_other_decision(trace, exact_trace);
   Remark wrong = std::visit(ExactFinding(scene, trace.events[i]), exact_trace.events[i]);
   wrong.text = turn.cause;
+  wrong.contradicts = true;
   const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;
   return {wrong,
           {.at = Remark::At::end,
            .iteration = last,
            .text = turn.truth,
-           .fact = truth(result_of(exact_trace), scene.dimension)}};
+           .fact = truth(result_of(exact_trace), scene.dimension),
+           .contradicts = true}};
 }
 
 }  // namespace walkthroughs

@@ -79,8 +79,8 @@ Scene read_scene(const Value& value) {
   const auto zero = value.member("zero_test");
   const ZeroTest zero_test = zero ? enumerator<ZeroTest>(*zero, words_of::zero_test) : ZeroTest::exact;
   const bool certified = certified_of(value, a, b);
-  Scene scene = in_its_scalar(
-      {name, std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified});
+  Scene scene =
+      in_its_scalar({name, std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified});
   if (const auto mistake = value.member("mistake")) scene.mistake = read_mistake(*mistake, scene);
   return scene;
 }
@@ -102,13 +102,16 @@ std::vector<Remark> read_remarks(const Value& value) {
   std::vector<Remark> remarks;
   for (const Value& each : value.children()) {
     if (remarks.size() == trace_limits::remarks) each.fail("is one remark too many; there may be 100");
-    expect_object(each, {"at", "iteration", "text", "only_for", "fact"}, "an object with 'at', 'iteration' and 'text'");
+    expect_object(each, {"at", "iteration", "text", "only_for", "fact", "contradicts"},
+                  "an object with 'at', 'iteration' and 'text'");
     const auto at = enumerator<Remark::At>(member(each, "at"), words_of::remark_at);
     const int in_iteration = iteration(member(each, "iteration"));
     const std::string text = sentence(member(each, "text"));
     const std::string only_for = each.member("only_for") ? sentence(member(each, "only_for")) : "";
     const std::string fact = each.member("fact") ? sentence(member(each, "fact")) : "";
-    remarks.push_back({at, in_iteration, text, only_for, fact});
+    const std::optional<Value> contradicts = each.member("contradicts");
+    if (contradicts) expect(*contradicts, Kind::boolean, "true or false");
+    remarks.push_back({at, in_iteration, text, only_for, fact, contradicts && contradicts->is_true()});
   }
   return remarks;
 }

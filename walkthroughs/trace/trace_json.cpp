@@ -88,6 +88,7 @@ Json json(const Remark& remark) {
   Json j{{"at", words_of::of(words_of::remark_at, remark.at)}, {"iteration", remark.iteration}, {"text", remark.text}};
   if (!remark.only_for.empty()) j["only_for"] = remark.only_for;
   if (!remark.fact.empty()) j["fact"] = remark.fact;
+  if (remark.contradicts) j["contradicts"] = true;
   return j;
 }
 

@@ -410,11 +410,14 @@ class Page(unittest.TestCase):
             background = self.js("return getComputedStyle(document.body).backgroundColor")
             self.assertEqual(background, "rgb(255, 255, 255)" if scheme == "light" else "rgb(22, 25, 31)")
 
-    def test_printed_all_steps_are_there(self):
-        self.open(searched, "#3")
+    def printed(self):
         pdf = self.folder / "printed.pdf"
         pdf.write_bytes(base64.b64decode(self.cdp("Page.printToPDF", printBackground=True)["data"]))
-        text = subprocess.run(["pdftotext", "-layout", str(pdf), "-"], capture_output=True, text=True, check=True).stdout
+        return subprocess.run(["pdftotext", "-layout", str(pdf), "-"], capture_output=True, text=True, check=True).stdout
+
+    def test_printed_all_steps_are_there(self):
+        self.open(searched, "#3")
+        text = self.printed()
         for number in range(1, last + 1):
             self.assertIn(f"Step {number} of {last} ", text)
         self.assertNotIn("Predict", text)
@@ -473,6 +476,7 @@ class Page(unittest.TestCase):
         self.press(Keys.ARROW_RIGHT)
         self.wait(lambda: steps() == [end(hit, 3), end(searched, 3)])
         self.assertEqual(self.address(), f"#{hit},{searched},3")
+        self.assertEqual(self.printed().count("Step "), 2)  # the pair that is shown
         self.find("#last").click()
         self.wait(lambda: steps() == [end(hit, 9), end(searched, 9)])  # where each has ended, though one has fewer
         self.browser.switch_to.frame(self.all("iframe")[1])

@@ -135,6 +135,18 @@ TEST_CASE("Each caption is one sentence on one line") {
   }
 }
 
+TEST_CASE("What exact numbers say against the search is marked so, and no other remark") {
+  const auto last_marks = [](const char* name) {
+    const Story story = tell(walkthrough(name));
+    std::set<Fact::Mark> marks;
+    for (const Fact& fact : story.frames.back().facts) marks.insert(fact.mark);
+    return marks;
+  };
+  CHECK(last_marks("failures/far-from-the-origin").contains(Fact::Mark::truth));
+  for (const char* name : {"cycle-separated", "complete/cycle-separated"})
+    CHECK_FALSE(last_marks(name).contains(Fact::Mark::truth));
+}
+
 TEST_CASE("Each remark stands in exactly one caption") {
   std::size_t remarks = 0;
   for (const Story& story : whole_searches()) {
