@@ -97,6 +97,7 @@ JudgedHead JudgeCommand::head() const {
   if (!families.empty()) command += " --families " + joined(families, ",");
   if (makes_pairs()) command += " --count " + std::to_string(count) + " --seed " + std::to_string(seed);
   if (pairs) command += " --pairs " + *pairs;
+  if (steps) command += " --steps";
   return {name, command + " -- " + name, makes_pairs()};
 }
 
