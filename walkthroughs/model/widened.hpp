@@ -54,9 +54,8 @@ E<double> widened(const E<S>& event) {
 
 /// What hears of a search and writes all of it in doubles. One type for all searches, so that each is compiled no more often than it
 /// must be.
-template <class TraceOfDoubles>
 struct WidenedInto {
-  TraceOfDoubles& trace;
+  gjk::Trace<double>& trace;
   void operator()(const auto& event) const { trace(widened(event)); }
 };
 
