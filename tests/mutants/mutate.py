@@ -170,8 +170,9 @@ def stages(file, only_fitting):
 
 
 def first_failure(out):
-    case = re.search(r"^-{20,}\n(.*?)\n-{20,}", out, re.S | re.M)
-    return out if out == "does not end" else case.group(1).splitlines()[0] if case else "crashes"
+    """The case that failed: the last one named before it did. Those that warn are named, too."""
+    names = re.findall(r"^-{20,}\n(.*?)\n-{20,}", out.partition(": FAILED:")[0], re.S | re.M)
+    return out if out == "does not end" else names[-1].splitlines()[0] if names else "crashes"
 
 
 def who_notices(turns, folder, patience):

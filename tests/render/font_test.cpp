@@ -1,5 +1,8 @@
 #include "render/font.hpp"
 
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -21,6 +24,11 @@ bool same_bitmap(const PlacedGlyph& a, const PlacedGlyph& b) {
 }
 
 }  // namespace
+
+TEST_CASE("FreeType's version is that of its headers") {
+  CHECK(freetype_version() == std::to_string(FREETYPE_MAJOR) + "." + std::to_string(FREETYPE_MINOR) + "." +
+                                  std::to_string(FREETYPE_PATCH));
+}
 
 TEST_CASE_METHOD(Fixture, "subscripts are smaller and lower, one character or several") {
   const TextLine plain = set("xx"), one = set("x_x"), several = set("x_{xx}y");

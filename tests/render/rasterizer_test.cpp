@@ -52,6 +52,17 @@ TEST_CASE_METHOD(Studio, "the background fills the picture") {
   }
 }
 
+TEST_CASE_METHOD(Studio, "rows of any number of bytes follow each other without a gap") {
+  for (const int width : {33, 34, 35, 36}) {
+    const Size narrow_size{width, 16};
+    Canvas narrow(narrow_size, narrow_size, palette::sky, font);
+    narrow.rectangle({{0, 0}, {1, 16}}, palette::black);
+    const Image image = rasterizer.draw(narrow);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < width; ++x) CHECK(image.pixel(x, y) == (x == 0 ? palette::black : palette::sky));
+  }
+}
+
 TEST_CASE_METHOD(Studio, "a polygon has its colour inside, half of it on an edge through pixel middles, none outside") {
   canvas.rectangle({{20, 10.5}, {60, 40}}, palette::blue);
   const Image image = draw();

@@ -47,11 +47,6 @@ std::optional<ToldRun> told_run(const AskedProgram& program, const NamedPair& na
   return {};
 }
 
-render::Image picture_of(const ToldRun& run, const StepsChecked& checked) {
-  const std::optional<Parting> parting = parting_of(run, checked);
-  return FrameDrawing()(parting->story());
-}
-
 }  // namespace
 
 std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const ProgramJudged& judged, std::size_t most,
@@ -59,6 +54,7 @@ std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const Pr
   const StepsWanted wanted;
   std::vector<JudgedSteps> all;
   std::set<std::string> families;
+  std::optional<FrameDrawing> drawing;
   for (const Judged& each : judged.pairs) {
     if (all.size() == most) break;
     if (!is_followed(each) || !families.insert(each.named.family).second) continue;
@@ -72,7 +68,8 @@ std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const Pr
                       : checked.words;
     steps.mistakes = checked.mistakes;
     if (checked.iteration == 0 || pictures == 0) continue;
-    steps.drawn = picture_of(*run, checked);
+    if (!drawing) drawing.emplace();
+    steps.drawn = (*drawing)(parting_of(*run, checked)->story());
     --pictures;
   }
   return all;
