@@ -284,6 +284,17 @@ TEST_CASE("an area too small for its name is named all the same") {
   REQUIRE(desk.canvas.vertices().size() > before);
 }
 
+TEST_CASE("an area may go without its name where that finds no place, and none is missed then") {
+  Desk desk;
+  Panel panel(desk.canvas, frame, desk.view);
+  const std::array<Vec2, 3> triangle = {{{-2, -2}, {2, -2}, {0, 2}}};
+  panel.keep_clear(frame);
+  const std::size_t before = desk.canvas.vertices().size();
+  panel.name_area(triangle, "R3", style, {""});
+  CHECK(panel.place_labels() == 0);
+  CHECK(desk.canvas.vertices().size() == before);
+}
+
 // ---------------------------------------------------------------------------------------------- hatching
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "render/gl.hpp"
 #include "tests/catch.hpp"
 
 using namespace render;
@@ -228,4 +229,17 @@ TEST_CASE_METHOD(Studio, "a picture of 4K is drawn") {
   Canvas large({3840, 2160}, {1280, 720}, palette::white, font);
   large.rectangle({{1270, 710}, {1280, 720}}, palette::blue);
   REQUIRE(rasterizer.draw(large).pixel(3839, 2159) == palette::blue);
+}
+
+TEST_CASE_METHOD(Studio, "what OpenGL finds wrong while it draws is told once, and not drawn over") {
+  const GlLoader load{context};
+  const PFNGLENABLEPROC enable = load("glEnable");
+  enable(GL_TEXTURE_2D);  // which this profile of OpenGL does not know
+  try {
+    draw();
+    FAIL("the error is not told");
+  } catch (const ContextError& error) {
+    CHECK_THAT(error.what(), Catch::StartsWith("OpenGL reports GL_INVALID_ENUM on drawing"));
+  }
+  CHECK_NOTHROW(draw());
 }
