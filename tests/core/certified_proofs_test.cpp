@@ -159,6 +159,23 @@ TEMPLATE_TEST_CASE("C2: the mean of n points is known to nur, of a quarter of 1/
   REQUIRE(std::isinf(detail::error_of_mean<S>(most + 1, 3)));
 }
 
+TEMPLATE_TEST_CASE(
+    "C2: the vertex that a search started from is known as badly as both means; one that is no mean, not",
+    "[certified]", float, double) {
+  using S = TestType;
+  const PointSet<S> a({{0, 0.75, 0}, {0, 0, 0.5}, {0, 0, 0}, {0.25, 0, 0}}), b({{0, -0.5, 0}, {0, 0, 0}});
+  const auto error_of = [&](const SupportPoint<S>& of_a, const SupportPoint<S>& of_b) {
+    Simplex<S> simplex;
+    simplex.add(MinkowskiDifference<S, PointSet<S>, PointSet<S>>(a, b).vertex({1, 0, 0}));
+    simplex.add({of_a, of_b, of_a.point - of_b.point});
+    return detail::error_of_start(simplex, a, b);
+  };
+  CHECK(error_of(a.mean(), b.mean()) == (4 * 0.75 + 2 * 0.5) * u<S>);
+  CHECK(error_of(a.support({0, 1, 0}), b.support({0, -1, 0})) == 0);
+  CHECK(std::isinf(error_of(a.points()[0], b.mean())));
+  CHECK(std::isinf(error_of(a.mean(), b.points()[0])));
+}
+
 TEMPLATE_TEST_CASE("C2: points that leave the origin outside, or on their hull, are no proof", "[certified]", float,
                    double) {
   using S = TestType;

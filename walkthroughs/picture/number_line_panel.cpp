@@ -45,11 +45,12 @@ void draw_mark(render::Canvas& canvas, const Vec2& at, bool is_exact, const Styl
   canvas.polygon(diamond, style.theme.green);
 }
 
-/// Larger text that does not fit is drawn smaller.
-void write(render::Canvas& canvas, const Vec2& at, const std::string& words, render::TextStyle text, double room) {
-  const double needed = canvas.text_box({0, 0}, words, text).width();
-  if (needed > room) text.size *= room / needed;
-  canvas.text(at, words, text);
+/// In the middle over `at`, or beside it where the room ends. Larger text than fits is drawn smaller.
+void write(render::Canvas& canvas, const Vec2& at, const std::string& words, render::TextStyle text, const Box& room) {
+  const double needed = canvas.text_box({0, 0}, words, text).width(), width = std::min(needed, room.width());
+  text.size *= width / needed;
+  const double left = std::max(std::min(at.x() - width / 2, room.max.x() - width), room.min.x());
+  canvas.text({left, at.y()}, words, text);
 }
 
 std::vector<KeyEntry> key_of(const NumberLine& line, const Style& style) {
@@ -111,7 +112,7 @@ class NumberLinePicture {
     canvas_.line({at(0), level - tick}, {at(0), level + tick}, {style_.theme.ink, 2.5});
     draw_mark(canvas_, {at(number.value), level}, number.is_exact, style_);
     const std::string text = shown_.values ? number.name + " = " + number.text : number.name;
-    write(canvas_, {room_.min.x(), top + row_of_words - 8}, text, words(), room_.width());
+    write(canvas_, {at(number.value), top + row_of_words - 8}, text, words(), room_);
   }
 
   render::Canvas& canvas_;

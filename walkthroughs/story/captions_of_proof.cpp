@@ -49,12 +49,12 @@ std::string with_error(const gjk::SignTaken<double>& sign) {
 const std::string bounds_are_wide =
     "the bound is derived, not measured: rounding never exceeds it, and is mostly far smaller";
 
-Frame caption_of_direction(const gjk::ProofTried<double>& event) {
+Frame caption_of_direction(const gjk::ProofTried<double>& event, const Names& names) {
   if (event.numbers.empty())
     return frame_about(Focus::proof,
                        "The direction cannot be proven in these numbers: some are too large or too small");
-  const double gap = event.numbers[0].value;
-  const std::string numbers = "−w·d = " + short_number(gap);
+  const gjk::ProofNumber& gap = event.numbers[0];
+  const std::string numbers = name_of(gap, names) + " = " + short_number(gap.value);
   if (event.holds)
     return frame_about(Focus::proof,
                        "The direction is a proof: nothing of the difference reaches the origin's level, whatever was "
@@ -79,7 +79,7 @@ Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& 
                        "The tetrahedron cannot be proven in these numbers: some are too large or too small");
   std::string list;
   for (const gjk::ProofNumber& each : event.numbers)
-    list += (list.empty() ? "" : ", ") + names.translate(each.expression) + " = " + short_number(each.value);
+    list += (list.empty() ? "" : ", ") + name_of(each, names) + " = " + short_number(each.value);
   const std::string bound = short_number(event.bound);
   if (event.holds)
     return frame_about(Focus::proof,
@@ -129,7 +129,8 @@ std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names
 }
 
 std::optional<Frame> caption_of(const gjk::ProofTried<double>& event, const Names& names, const Moment& now) {
-  return event.proof == gjk::Proof::direction ? caption_of_direction(event) : caption_of_tetrahedron(event, names, now);
+  return event.proof == gjk::Proof::direction ? caption_of_direction(event, names)
+                                              : caption_of_tetrahedron(event, names, now);
 }
 
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, Dimension dimension) {

@@ -46,7 +46,7 @@ NumberLine line_of(const gjk::ProofTried<double>& proof, const Names& names) {
                   .high = proof.bound,
                   .meaning = "±" + short_number(proof.bound) + ": so much may be rounding"};
   for (const gjk::ProofNumber& each : proof.numbers)
-    line.numbers.push_back({names.translate(each.expression), short_number(each.value), each.value});
+    line.numbers.push_back({name_of(each, names), short_number(each.value), each.value});
   return line;
 }
 
@@ -87,6 +87,10 @@ std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Name
   if (focus == Focus::proof) line = line_of(*now.proof, names);
   if (focus == Focus::sign && !now.signs.back().power) line = line_of(now.signs.back(), names);
   return line && is_drawable(*line) ? line : std::nullopt;
+}
+
+std::string name_of(const gjk::ProofNumber& number, const Names& names) {
+  return number.expression == "−w·d" ? "−P·d" : names.translate(number.expression);
 }
 
 std::string in_words(const NumberLine& line) {

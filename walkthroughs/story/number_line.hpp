@@ -25,6 +25,9 @@ struct NumberLine {
 /// beyond doubles. What is between `low` and `high` holds zero: of a proof it lies around zero, of a sign around the value.
 std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Names& names);
 
+/// Returns: "−P·d", by the names of pictures, in which the point w that was found along d is P.
+std::string name_of(const gjk::ProofNumber& number, const Names& names);
+
 /// Returns: what is seen there, a sentence.
 std::string in_words(const NumberLine& line);
 
