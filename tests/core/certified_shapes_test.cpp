@@ -97,6 +97,25 @@ TEST_CASE("C8: a surface that does not go around the origin is no proof", "[cert
   REQUIRE(more.lowest().height > 0);
 }
 
+TEST_CASE("C8: of tetrahedra of small whole numbers those go around the origin that hold it inside", "[certified]") {
+  Dice dice(7474);
+  int around = 0, beside = 0;
+  for (int i = 0; i < 1000; ++i) {
+    std::array<V, 4> w;
+    for (V& each : w)
+      for (double& x : each) x = dice.between(-3, 3);
+    const auto det = [](const V& x, const V& y, const V& z) { return x.cross(y).dot(z); };  // exact
+    const double of[] = {det(w[1], w[2], w[3]), -det(w[0], w[2], w[3]), det(w[0], w[1], w[3]), -det(w[0], w[1], w[2])};
+    if (std::ranges::count(of, 0.0) > 0 || of[0] + of[1] + of[2] + of[3] == 0) continue;
+    const bool is_inside = std::ranges::all_of(of, [&](double x) { return x * of[0] > 0; });
+    CAPTURE(i);
+    CHECK(detail::Surface(w).goes_around_origin() == is_inside);
+    ++(is_inside ? around : beside);
+  }
+  CHECK(around > 50);
+  CHECK(beside > 300);
+}
+
 // -- C9 ---------------------------------------------------------------------------------------------------------------
 
 TEST_CASE("C9: what touches is undecided, with a bound that is true and small", "[certified]") {

@@ -17,6 +17,7 @@ constexpr double note_pitch = 1.3;  // in sizes of the note
 constexpr double radius = 8, half_diamond = 10, tick = 16;
 constexpr double room_at_ends = 0.1;  // of the line, beyond its outermost number
 constexpr double least_band = 2;      // a narrower one is drawn so wide
+constexpr double gap_to_band = 8;     // of a name that may stand beside it
 
 /// Places numbers on the line, from left to right.
 class Scale {
@@ -43,14 +44,6 @@ void draw_mark(render::Canvas& canvas, const Vec2& at, bool is_exact, const Styl
   const Vec2 diamond[] = {at + Vec2(0, -half_diamond), at + Vec2(half_diamond, 0), at + Vec2(0, half_diamond),
                           at + Vec2(-half_diamond, 0)};
   canvas.polygon(diamond, style.theme.green);
-}
-
-/// In the middle over `at`, or beside it where the room ends. Larger text than fits is drawn smaller.
-void write(render::Canvas& canvas, const Vec2& at, const std::string& words, render::TextStyle text, const Box& room) {
-  const double needed = canvas.text_box({0, 0}, words, text).width(), width = std::min(needed, room.width());
-  text.size *= width / needed;
-  const double left = std::max(std::min(at.x() - width / 2, room.max.x() - width), room.min.x());
-  canvas.text({left, at.y()}, words, text);
 }
 
 std::vector<KeyEntry> key_of(const NumberLine& line, const Style& style) {
@@ -87,7 +80,7 @@ class NumberLinePicture {
       row(each, y, at);
       y += pitch_;
     }
-    render::TextStyle zero = words();
+    render::TextStyle zero = bold();
     zero.align = render::Align::center;
     canvas_.text({at(0), bottom_ + zero_below}, "0", zero);
     y = bottom_ + zero_below;
@@ -96,7 +89,7 @@ class NumberLinePicture {
   }
 
  private:
-  render::TextStyle words() const { return style_.label(style_.theme.ink, render::Weight::bold); }
+  render::TextStyle bold() const { return style_.label(style_.theme.ink, render::Weight::bold); }
 
   /// What rounding may have made. A narrower one than can be seen is a line.
   void band(double low, double high) const {
@@ -111,8 +104,20 @@ class NumberLinePicture {
     canvas_.line({room_.min.x(), level}, {room_.max.x(), level}, {style_.theme.ink, 1.5});
     canvas_.line({at(0), level - tick}, {at(0), level + tick}, {style_.theme.ink, 2.5});
     draw_mark(canvas_, {at(number.value), level}, number.is_exact, style_);
-    const std::string text = shown_.values ? number.name + " = " + number.text : number.name;
-    write(canvas_, {at(number.value), top + row_of_words - 8}, text, words(), room_);
+    name(shown_.values ? number.equation() : number.name, {at(number.value), top + row_of_words - 8}, at);
+  }
+
+  /// In the middle over the mark, or beside it where the room ends; also off the band, where there is room on that side. Larger
+  /// text than fits is drawn smaller.
+  void name(const std::string& words, const Vec2& mark, const Scale& at) const {
+    render::TextStyle text = bold();
+    const double needed = canvas_.text_box({0, 0}, words, text).width(), width = std::min(needed, room_.width());
+    text.size *= width / needed;
+    double low = room_.min.x(), high = room_.max.x();
+    const double before_band = at(line_.low) - gap_to_band, behind_band = at(line_.high) + gap_to_band;
+    if (mark.x() < before_band && before_band - low >= width) high = before_band;
+    if (mark.x() > behind_band && high - behind_band >= width) low = behind_band;
+    canvas_.text({std::max(std::min(mark.x() - width / 2, high - width), low), mark.y()}, words, text);
   }
 
   render::Canvas& canvas_;

@@ -70,6 +70,8 @@ bool is_drawable(const NumberLine& line) {
 
 }  // namespace
 
+std::string NumberLine::Number::equation() const { return name + (text.starts_with("≈") ? " " : " = ") + text; }
+
 std::string short_fraction(const std::string& fraction) {
   std::string text = fraction;
   if (fraction.size() > longest_fraction) {
@@ -95,8 +97,7 @@ std::string name_of(const gjk::ProofNumber& number, const Names& names) {
 
 std::string in_words(const NumberLine& line) {
   std::string text = "A number line shows ";
-  for (std::size_t i = 0; i < line.numbers.size(); ++i)
-    text += (i == 0 ? "" : ", ") + line.numbers[i].name + " = " + line.numbers[i].text;
+  for (std::size_t i = 0; i < line.numbers.size(); ++i) text += (i == 0 ? "" : ", ") + line.numbers[i].equation();
   return text + " and, to scale, " + line.meaning + ".";
 }
 

@@ -15,6 +15,8 @@ struct NumberLine {
     std::string text;  ///< of its value
     double value = 0;
     bool is_exact = false;
+
+    std::string equation() const;  ///< "−P·d = 10.19"
   };
   std::vector<Number> numbers;  ///< the first is what was computed
   double low = 0, high = 0;     ///< between these rounding may have put it

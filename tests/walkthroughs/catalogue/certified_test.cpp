@@ -62,6 +62,15 @@ TEST_CASE("Two are proven in doubles, by a direction and by a tetrahedron, and n
   }
 }
 
+TEST_CASE("Panel, caption and pseudo-code call the point of a proof P, as the picture does") {
+  const Story story = tell(walkthrough("certified/separation"));
+  const std::size_t proof = story.frames.size() - 2;
+  const auto line = number_line(story.frames[proof].moments[0], Focus::proof, story.names(proof, 0));
+  REQUIRE(line);
+  CHECK(line->numbers[0].equation() == "−P·d = 10.19");
+  CHECK(says(story.frames[proof], "−P·d = 10.19 > "));
+}
+
 TEST_CASE("The five failures, and both circles, are told from their guess on, and end with what is true") {
   for (const char* const name : {"vanished-product", "overflowed-product", "beyond-an-edge", "coplanar-askew",
                                  "far-from-the-origin", "cycle-separated", "cycle-intersecting"}) {
@@ -114,6 +123,8 @@ TEST_CASE("Fractions are written out where they are short") {
   CHECK(short_fraction("0") == "0");
   CHECK(short_fraction("1" + std::string(400, '0')) == "≈ 1e400");
   CHECK(short_fraction("-1/8" + std::string(99, '0')) == "≈ −1.25e−100");
+  CHECK(NumberLine::Number{"exactly", short_fraction("-3/4")}.equation() == "exactly = −3/4");
+  CHECK(NumberLine::Number{"exactly", short_fraction("1" + std::string(40, '0'))}.equation() == "exactly ≈ 1e40");
 }
 
 TEST_CASE("After the guess nothing of the first search is drawn but where it has been") {
