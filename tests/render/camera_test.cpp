@@ -128,7 +128,7 @@ TEST_CASE("the far faces of a box are drawn before the near ones, in whatever or
         for (std::size_t front = 0; front < 6; ++front)
           if (camera.sees(-faces[back].outward()) && camera.sees(faces[front].outward()))
             REQUIRE(place(order, back) < place(order, front));
-      std::ranges::rotate(faces, faces.begin() + 1);
+      std::rotate(faces.begin(), faces.begin() + 1, faces.end());
     }
   }
 }

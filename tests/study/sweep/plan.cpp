@@ -99,8 +99,7 @@ std::vector<int> limits_of(const Request& request) {
   std::vector<int> chosen = request.limits;
   if (chosen.empty()) chosen.assign(std::begin(limits), std::end(limits));
   std::ranges::sort(chosen);
-  const auto twice = std::ranges::unique(chosen);
-  chosen.erase(twice.begin(), twice.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   if (chosen.front() < 1 || chosen.back() > 1000) throw UsageError("--limit: iteration limits are 1 to 1000");
   return chosen;
 }

@@ -16,7 +16,7 @@ using Times = std::map<int, std::vector<std::chrono::nanoseconds>>;  // by limit
 /// Each limit has its own pass that is not measured, and another limit comes first in each turn: a processor learns to
 /// predict branches, and whoever came last would seem to be the fastest.
 void take_turn(const Batch& batch, std::vector<int> limits, int turn, Times& times) {
-  std::ranges::rotate(limits, limits.begin() + turn % static_cast<std::ptrdiff_t>(limits.size()));
+  std::rotate(limits.begin(), limits.begin() + turn % static_cast<std::ptrdiff_t>(limits.size()), limits.end());
   for (const int limit : limits) {
     batch.method->time(batch.questions, limit);
     times[limit].push_back(batch.method->time(batch.questions, limit));

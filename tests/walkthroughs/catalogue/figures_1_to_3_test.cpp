@@ -164,7 +164,7 @@ TEST_CASE("Figure 3: the outline found by support functions is the hull of all d
   const std::vector<Vec2> hull = convex_hull(figure_3_differences());
   const auto first = std::ranges::find(outline, hull.front());
   REQUIRE(first != outline.end());
-  std::ranges::rotate(outline, first);
+  std::rotate(outline.begin(), first, outline.end());
   CHECK(outline == hull);
 }
 

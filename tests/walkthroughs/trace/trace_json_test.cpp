@@ -298,7 +298,7 @@ TEST_CASE("The lines of a scene carry its name, and scenes follow each other") {
   std::vector<std::string> names;
   const std::vector<Json> lines = lines_of(walkthrough("figure-5"));
   for (std::size_t i = 1; i < lines.size(); ++i) names.push_back(lines[i].at("scene"));
-  names.erase(std::ranges::unique(names).begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   CHECK(names == std::vector<std::string>{"left", "right"});
 }
 
