@@ -35,6 +35,9 @@ ShapesResult beside_cube(double error, const V& center) {
   return certified_shapes(Blurred{PointSet<double>(cube), error}, Blurred{PointSet<double>({center}), 0});
 }
 
+template <class A, class B>
+concept CanBeAsked = requires(const A& a, const B& b) { certified_shapes(a, b); };
+
 }  // namespace
 
 // -- C7, C8 -----------------------------------------------------------------------------------------------------------
@@ -238,6 +241,15 @@ TEST_CASE("Sets of points are never answered otherwise than exactly", "[certifie
   }
   REQUIRE(found[apart] > 500);
   REQUIRE(found[together] > 300);
+}
+
+TEST_CASE("Of both shapes it has to be known how badly their points are", "[certified]") {
+  struct Unknown {
+    V support(const V&) const { return {0, 0, 0}; }
+  };
+  CHECK(CanBeAsked<Blurred, Cylinder<double>>);
+  CHECK_FALSE(CanBeAsked<Blurred, Unknown>);
+  CHECK_FALSE(CanBeAsked<Unknown, Blurred>);
 }
 
 TEST_CASE("Other arithmetic is refused for shapes, too", "[certified]") {
