@@ -135,6 +135,29 @@ TEST_CASE("Anything that takes an event observes, also a function that looks at 
   STATIC_REQUIRE_FALSE(Observer<int, double>);
 }
 
+namespace {
+
+/// Takes all kinds of events but one.
+template <class Missed>
+struct DeafTo {
+  template <class E>
+  requires(!std::same_as<E, Missed>) void operator()(const E&) const {}
+};
+
+/// Returns: how many kinds an observer, and one of certified searches, may be deaf to, one at a time.
+template <class... Events>
+std::pair<int, int> kinds_that_may_be_missed(std::type_identity<std::variant<Events...>>) {
+  return {(0 + ... + Observer<DeafTo<Events>, double>), (0 + ... + CertifiedObserver<DeafTo<Events>, double>)};
+}
+
+}  // namespace
+
+TEST_CASE("An observer takes every kind of event, those of certified searches where it listens to one", "[events]") {
+  const auto [of_gjk, of_certified] = kinds_that_may_be_missed(std::type_identity<Event<double>>{});
+  CHECK(of_gjk == 4);  // those of proofs, signs, features kept and what is certified
+  CHECK(of_certified == 0);
+}
+
 TEST_CASE("A trace that lacks an event, or tells one twice or too early, does not replay", "[events]") {
   const auto run = observed<double>(point_set<double>({{2, 1, 0}, {-2, 1, 0}, {0, -3, 0}, {0, 0, 9}, {1, 0, -9}}),
                                     point_set<double>({{0, 1, 1}, {1, 0, 0}}));
