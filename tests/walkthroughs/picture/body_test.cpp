@@ -130,6 +130,22 @@ TEST_CASE("What of a round object is flat: caps, the faces of a rounded box, not
   CHECK(flats(Sum{{box(1, 1, 1), can()}}) == 6 + 2 + 6);  // an axis askew makes a flat part with each edge, both ways
 }
 
+TEST_CASE("Which parts are flat depends neither on where an object lies nor on the order of its points") {
+  const auto flats = [](const AnyShape& shape) {
+    return body_of({"object", shape, {}}, Dimension::space).flats.size();
+  };
+  CHECK(flats(Sum{{Points{{1, 2, 3}, {5, 2, 3}, {1, 5, 4}}, ball(1)}}) == 2);
+  std::array order{0, 1, 2, 3};
+  const Points tetrahedron{{0, 0, 0}, {3, 0, 1}, {0, 2, 0}, {1, 1, 4}};
+  const std::size_t expected = flats(Sum{{tetrahedron, can()}});
+  CHECK(expected > 4 + 2);  // beside its faces and the caps some edges, drawn out along the axis
+  do {
+    Points points;
+    for (const int i : order) points.push_back(tetrahedron[static_cast<std::size_t>(i)]);
+    CHECK(flats(Sum{{points, can()}}) == expected);
+  } while (std::ranges::next_permutation(order).found);
+}
+
 TEST_CASE("Each flat part lies where its object ends, and its rim in one plane") {
   const AnyShape shape = Sum{{Sum{{box(1, 1, 1), can()}}, ball(0.3)}};
   const Object object{"object", shape, askew()};

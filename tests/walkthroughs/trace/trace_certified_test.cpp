@@ -106,6 +106,35 @@ TEST_CASE("What contradicts a certified trace is named", "[trace]") {
   check(complaint("certified", "second_iterations", 7), "'second_iterations' are to be 5 and 2");
 }
 
+TEST_CASE("A vertex that is not the one found is named, even where it is one of the difference", "[trace]") {
+  const std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("certified/one-step-apart")));
+  const auto with = [&](const std::string& event, const std::string& key) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].value("event", "") == event && lines[i].contains(key)) found.push_back(i);
+    return found;
+  };
+  const OrderedJson left_behind = lines[with("vertex-added", "simplex").front()]["simplex"][0];
+  std::vector<OrderedJson> offered = lines, added = lines;
+  offered[with("sign-taken", "vertex").front()]["vertex"] = left_behind;
+  CHECK_THAT(complaint_about_trace(text_of(offered)), Catch::Contains("'vertex' is not one of the first search"));
+  added[with("vertex-added", "simplex").back()]["simplex"][1] = left_behind;
+  CHECK_THAT(complaint_about_trace(text_of(added)),
+             Catch::Contains("the newest vertex is not the one that reaches across the origin"));
+}
+
+TEST_CASE("A formula that is another is named, and the one that follows", "[trace]") {
+  std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("certified/cycle-separated")));
+  const auto sign = std::ranges::find_if(lines, [](const OrderedJson& line) {
+    return line.value("event", "") == "sign-taken" && line.contains("formula");
+  });
+  REQUIRE(sign != lines.end());
+  const std::string follows = (*sign)["formula"];
+  (*sign)["formula"] = "AB·AO";
+  CHECK_THAT(complaint_about_trace(text_of(lines)),
+             Catch::Contains("'formula' is 'AB·AO'; expected '" + follows + "'"));
+}
+
 TEST_CASE("Only scenes that say so have proofs", "[trace]") {
   std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("certified/tetrahedron")));
   lines[0]["scenes"][0].erase("certified");
