@@ -4,6 +4,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
+#include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/page/templates.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
@@ -62,6 +63,21 @@ TEST_CASE("The data of a page hold each event as the trace has it, and each step
     for (std::size_t i = 0; i < events.size(); ++i)
       CHECK(data["scenes"][s]["events"][i] == nlohmann::json::parse(event_json(events[i])));
     CHECK(data["steps"].back()["events"][s][1] == events.size() - 1);
+  }
+}
+
+TEST_CASE("The data of a page hold each question of its story, before the step that answers it") {
+  const Story story = tell(walkthrough("figure-4-right"));
+  const std::vector<Question> questions = questions_of(story);
+  const nlohmann::json data = data_of(page_of(story));
+  REQUIRE(data["questions"].size() == questions.size());
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const auto& asked = data["questions"][i];
+    CHECK(data["texts"][asked["text"].get<std::size_t>()] == html_of(questions[i].text));
+    CHECK(asked["choices"].size() == questions[i].choices.size());
+    CHECK(asked["right"] == questions[i].right);
+    const auto& answered_by = data["steps"][asked["before"].get<std::size_t>()]["events"][0];
+    CHECK((answered_by[0] <= questions[i].event && questions[i].event <= answered_by[1]));
   }
 }
 

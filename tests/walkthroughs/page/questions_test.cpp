@@ -182,6 +182,17 @@ TEST_CASE("A wrong choice is answered by the value that decided, or by why its r
   CHECK(reason("R7: beyond edge AC").starts_with("not looked at, since an earlier test has decided: R3: AB_n·AO = "));
 }
 
+TEST_CASE("What is asked about a simplex says of how many points it is") {
+  std::map<int, std::string> asked;
+  for (const char* const name :
+       {"regions/0-simplex-a-is-origin", "regions/1-simplex-r3", "regions/2-simplex-r3", "regions/3-simplex-inside"})
+    for (const Question& q : questions_of(tell(walkthrough(name))))
+      if (q.decision.kind == Kind::region) asked[q.decision.simplex_size] = q.text;
+  CHECK(asked[1] == "Is this vertex the origin?");
+  CHECK(asked[3] == "In which region does the origin lie?");
+  CHECK(asked[4] == "Above which face does Algorithm 5 find the origin first?");
+}
+
 TEST_CASE("Practice is another walkthrough of regions in which the search decides likewise") {
   const Story story = tell(walkthrough("regions/2-simplex-r3"));
   for (const Question& question : questions_of(story)) {
