@@ -160,7 +160,7 @@ TEMPLATE_TEST_CASE("C2: the mean of n points is known to nur, of a quarter of 1/
 }
 
 TEMPLATE_TEST_CASE(
-    "C2: the vertex that a search started from is known as badly as both means; one that is no mean, not",
+    "C2: the vertex that a search started from is known as badly as both means, and one that is no mean, not",
     "[certified]", float, double) {
   using S = TestType;
   const PointSet<S> a({{0, 0.75, 0}, {0, 0, 0.5}, {0, 0, 0}, {0.25, 0, 0}}), b({{0, -0.5, 0}, {0, 0, 0}});
