@@ -96,7 +96,7 @@ def cases(program, study, folder):
         Case("trace", [program, "trace", "figure-4-left"]),
     ]
     if study:
-        times = ("printed", "study.json", "timings.csv", "timings.md", "error-vs-time.png")
+        times = ("printed", "study.json", "timings.csv", "timings.md", "certified.md", "error-vs-time.png")
         small = ["--pairs", "20", "--families", "triangles,touching-vertex"]
         subprocess.run([study, "run", *small, "--out", folder / "study"], check=True, capture_output=True)
         found += [Case("study run", [study, "run", *small], timed=times),

@@ -45,6 +45,7 @@ void require_told(const Study& study) {
   for (const auto& table :
        {counts_csv, timings_csv, counts_markdown, errors_markdown, settings_markdown, timings_markdown})
     require(!table(settings).empty());
+  require(certified_markdown(settings).empty() == settings.certified().empty());
   for (const auto& picture : {error_vs_time, heat_map, iterations}) require(!picture(settings).script.empty());
   contradiction(study);
 }

@@ -88,6 +88,25 @@ TEST_CASE("Second searches are counted where the first proves nothing", "[certif
   CHECK(without_none({}).empty());
 }
 
+TEST_CASE("Every certified answer is timed alone, by whether a second search followed, and the slowest pair is named",
+          "[certified]") {
+  const auto times_of = [](const std::string& family) {
+    return sweep(plan_for({&family_named(family)}, {&method_named("certified double exact")}, 400)).rows.front().alone;
+  };
+  const TimesAlone touching = times_of("touching-face-askew"), apart = times_of("triangles");
+  CHECK(touching.one_search.queries == 0);
+  CHECK(touching.two_searches.queries == 400);
+  CHECK(apart.one_search.queries + apart.two_searches.queries == 400);
+  CHECK(apart.one_search.queries > 200);
+  for (const TimesAlone& times : {touching, apart}) {
+    CHECK(times.slowest > 0);
+    CHECK(times.slowest <= times.one_search.nanoseconds + times.two_searches.nanoseconds);
+    CHECK(times.slowest_pair < 400);
+  }
+  const Findings plain = sweep(plan_for({&family_named("triangles")}, {&method_named("as-intended double exact")}, 10));
+  CHECK(plain.rows.front().alone.one_search.queries == 0);
+}
+
 TEST_CASE("Eager certified queries begin between the centers", "[certified]") {
   const Pair beside{Points{{0, 0, 0}, {0, 1, 0}}, Points{{-9, 0, 0}, {-9, 0, 1}}};
   for (const Method* const method : certified_ones()) {

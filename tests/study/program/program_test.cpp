@@ -35,7 +35,7 @@ TEST_CASE("study: a run says its seed and leaves tables", "[program]") {
   CHECK(outcome.exit_code == 0);
   CHECK(has(outcome.err, "seed 5, 2 families, 20 methods"));
   for (const char* const name :
-       {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md"}) {
+       {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md", "certified.md"}) {
     CHECK(has(outcome.out, name));
     CHECK(std::filesystem::file_size(folder.path() / "one" / name) > 100);
   }

@@ -14,8 +14,9 @@ namespace {
 
 constexpr const char* whole = "study.json";
 constexpr std::pair<const char*, std::string (*)(const Settings&)> texts[] = {
-    {"study.csv", counts_csv},      {"timings.csv", timings_csv},       {"tables.md", counts_markdown},
-    {"errors.md", errors_markdown}, {"settings.md", settings_markdown}, {"timings.md", timings_markdown}};
+    {"study.csv", counts_csv},           {"timings.csv", timings_csv},       {"tables.md", counts_markdown},
+    {"errors.md", errors_markdown},      {"settings.md", settings_markdown}, {"timings.md", timings_markdown},
+    {"certified.md", certified_markdown}};
 
 void write(const std::filesystem::path& file, const std::string& text) {
   render::write_file(file, text);
@@ -35,7 +36,8 @@ void write_results(const std::filesystem::path& folder, const Study& study) {
   render::make_folder(folder, "choose another with --out");
   const Settings settings(study);
   write(folder / whole, to_json(study));
-  for (const auto& [name, text] : texts) write(folder / name, text(settings));
+  for (const auto& [name, text_of] : texts)
+    if (const std::string text = text_of(settings); !text.empty()) write(folder / name, text);
   for (const Picture& picture : {error_vs_time(settings), heat_map(settings), iterations(settings)})
     if (draw(picture, folder))
       std::cout << (folder / picture.file).string() << '\n';

@@ -17,6 +17,7 @@ std::string counts_markdown(const Settings& settings);    ///< families and scal
 std::string errors_markdown(const Settings& settings);    ///< false positives, false negatives and undecided apart
 std::string settings_markdown(const Settings& settings);  ///< rules, zero tests, iteration limits
 std::string timings_markdown(const Settings& settings);
+std::string certified_markdown(const Settings& settings);  ///< counts and times of what is proven; "" where nothing is
 
 /// Returns: what the timings were taken on: processors and threads.
 std::string processors_of(const Study& study);

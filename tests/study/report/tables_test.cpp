@@ -68,7 +68,7 @@ TEST_CASE("The tables name the command and the seed and have a row for each fami
   for (const char* const family : {"| triangles |", "| spheres |"}) {
     std::size_t rows = 0;
     for (const std::string& line : lines_of(text)) rows += line.starts_with(family);
-    CHECK(rows == 3);  // one each in the tables of families, of iterations and of second searches
+    CHECK(rows == 2);  // one each in the tables of families and of iterations
   }
 }
 
@@ -213,19 +213,37 @@ TEST_CASE("Certified answers have a column beside the scalars and beside the rul
   CHECK(has(timings_markdown(settings), "| family | 100 | 123 |\n"));
 }
 
-TEST_CASE("Second searches are told with their share, mean and largest iterations", "[tables]") {
+TEST_CASE("Certified answers have a table: what they are worth, how often a second search, what it takes", "[tables]") {
   Study study = with_certified();
-  CHECK(has(counts_markdown(Settings(study)), "| family | certified double: share, mean, max |\n"));
-  CHECK(has(counts_markdown(Settings(study)), "| family | 0.2: 6.00, 8 |\n"));
-  CHECK(has(counts_markdown(Settings(study)),
-            "7 certificates, those of the first pairs of each family, were "
-            "multiplied out in fractions: all hold."));
-  study.rows.back().tally.false_certificates = 2;
-  CHECK(has(counts_markdown(Settings(study)), "in fractions: 2 do not hold."));
-  study.rows.back().tally.second_iterations = {10};
-  CHECK(has(counts_markdown(Settings(study)), "| family | 0 |\n"));
+  study.rows.back().alone = {{8, 1600}, {2, 6002}, 7, 4321};
+  const std::string text = certified_markdown(Settings(study));
+  INFO(text);
+  CHECK(has(text, "\n## certified double\n"));
+  CHECK(
+      has(text,
+          "\n10 pairs: 0 wrong, 0 undecided. 7 certificates, those of the first pairs of each family, were multiplied "
+          "out in fractions: all hold. A second search took 0.2 of the pairs, of 6.00, 8 iterations (mean, largest); "
+          "it takes 3001 ns with it and 200 ns without; the slowest of all took 4.3: 7 (µs: pair), of family.\n"));
+  CHECK(has(text, "\n| family | 10 | 0 | 0 | 0.2 | 6.00, 8 | 200 | 3001 | 4.3: 7 |\n"));
+}
+
+TEST_CASE("The table of certified answers tells what is wrong, and leaves out what was not measured", "[tables]") {
+  Study study = with_certified();
+  Row& row = study.rows.back();
+  row.tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  row.tally.second_iterations = {11};
+  row.tally.false_certificates = 2;
+  const std::string text = certified_markdown(Settings(study));
+  INFO(text);
+  CHECK(has(text, "\n11 pairs: 1 wrong, 0 undecided. 7 certificates"));
+  CHECK(has(text, "in fractions: 2 do not hold. A second search took 0 of the pairs.\n"));
+  CHECK(has(text, "\n| family | 11 | 1 | 0 | 0 |  |  |  |  |\n"));
+  row.tally = {};
+  row.tally.not_askable = 10;
+  CHECK(has(certified_markdown(Settings(study)), "\nNo pair was asked.\n"));
+  CHECK(has(certified_markdown(Settings(study)), "\n| family |  |  |  |  |  |  |  |  |\n"));
   study.rows.pop_back();
-  CHECK_FALSE(has(counts_markdown(Settings(study)), "Certified"));
+  CHECK(certified_markdown(Settings(study)).empty());
 }
 
 TEST_CASE("Certified answers have one line in CSV, without a limit and without the calls that are not counted",

@@ -111,6 +111,18 @@ void expect_timings(const Timings& timings, std::uint64_t asked) {
   }
 }
 
+/// Every certified answer is timed alone, or none: earlier versions timed none.
+void expect_times_alone(const TimesAlone& alone, const FamilyNote& family, std::uint64_t answered) {
+  const std::uint64_t timed = alone.one_search.queries + alone.two_searches.queries;
+  for (const Timing& timing : {alone.one_search, alone.two_searches})
+    expect(timing.queries <= answered &&
+               timing.nanoseconds / std::max(timing.queries, std::uint64_t{1}) <= most_nanoseconds,
+           "a query that is timed alone was not answered, or took more than an hour");
+  expect(timed == 0 || timed == answered, "some certified answers are timed alone, others are not");
+  expect(alone.slowest_pair < std::max(family.pairs, std::uint64_t{1}) && alone.slowest <= most_nanoseconds,
+         "the slowest pair was not asked, or took more than an hour");
+}
+
 void expect_row(const Row& row, const FamilyNote& family, const Study& study) try {
   const std::uint64_t pairs = method_of(row).scalar.is_slow ? family.slow_pairs : family.pairs;
   const int limit = is_certified(row.rules) ? gjk::Options<double>{}.iteration_limit : study.header.limits.back();
@@ -119,6 +131,7 @@ void expect_row(const Row& row, const FamilyNote& family, const Study& study) tr
   const std::uint64_t in_question = tally.pairs() - tally.out_of_range - tally.not_askable;
   expect_certified(tally, is_certified(row.rules), in_question - tally.exceptions);
   expect_timings(row.timings, in_question);
+  expect_times_alone(row.alone, family, in_question - tally.exceptions);
 } catch (const std::invalid_argument& error) {
   throw std::invalid_argument("family " + row.family + ", rules " + row.rules + ", scalar " + row.scalar +
                               ", zero test " + row.zero_test + ": " + error.what());

@@ -83,6 +83,7 @@ Study merged(std::vector<NamedStudy> shards) {
     for (std::size_t r = 0; r < sum.rows.size(); ++r) {
       sum.rows[r].tally += shards[i].study.rows[r].tally;
       for (const auto& [limit, timing] : shards[i].study.rows[r].timings) sum.rows[r].timings[limit] += timing;
+      sum.rows[r].alone += shards[i].study.rows[r].alone;
     }
   for (const NamedStudy& each : shards)
     for (const std::string& processor : each.study.processors)

@@ -42,11 +42,18 @@ Json json_of_certified(const Tally& tally) {
           {"false_certificates", tally.false_certificates}};
 }
 
+Json json_of(const Timing& timing) { return {{"queries", timing.queries}, {"nanoseconds", timing.nanoseconds}}; }
+
 Json json_of(const Timings& timings) {
   Json json = Json::object();
-  for (const auto& [limit, timing] : timings)
-    json[limit_word(limit)] = {{"queries", timing.queries}, {"nanoseconds", timing.nanoseconds}};
+  for (const auto& [limit, timing] : timings) json[limit_word(limit)] = json_of(timing);
   return json;
+}
+
+Json json_of(const TimesAlone& alone) {
+  return {{"one_search", json_of(alone.one_search)},
+          {"two_searches", json_of(alone.two_searches)},
+          {"slowest", {{"pair", alone.slowest_pair}, {"nanoseconds", alone.slowest}}}};
 }
 
 /// Returns: null where there were no trials; of a census, which has no interval, the rate alone.
@@ -74,7 +81,10 @@ Json json_of(const FamilyNote& family, const Row& row, const std::vector<int>& l
   Json json{{"family", row.family},           {"rules", row.rules},          {"scalar", row.scalar},
             {"zero_test", row.zero_test},     {"tally", json_of(row.tally)}, {"rates", rates_of(family, row, limits)},
             {"timings", json_of(row.timings)}};
-  if (is_certified(row.rules)) json["tally"].update(json_of_certified(row.tally));
+  if (is_certified(row.rules)) {
+    json["tally"].update(json_of_certified(row.tally));
+    json["alone"] = json_of(row.alone);
+  }
   return json;
 }
 
@@ -129,13 +139,18 @@ void read_certified(const Json& json, Tally& tally) {
   tally.false_certificates = whole(json.at("false_certificates"));
 }
 
+Timing timing_of(const Json& json) { return {whole(json.at("queries")), whole(json.at("nanoseconds"))}; }
+
+TimesAlone times_alone_of(const Json& json) {
+  const Json& slowest = json.at("slowest");
+  return {timing_of(json.at("one_search")), timing_of(json.at("two_searches")), whole(slowest.at("pair")),
+          whole(slowest.at("nanoseconds"))};
+}
+
 Timings timings_of(const Json& json, const std::vector<int>& limits) {
   Timings timings;
   if (json.empty()) return timings;  // nothing was asked
-  for (const int limit : limits) {
-    const Json& timing = json.at(limit_word(limit));
-    timings[limit] = {whole(timing.at("queries")), whole(timing.at("nanoseconds"))};
-  }
+  for (const int limit : limits) timings[limit] = timing_of(json.at(limit_word(limit)));
   return timings;
 }
 
@@ -143,7 +158,10 @@ Row row_of(const Json& json, const std::vector<int>& limits) {
   Row row{words_of(json.at("family")),    words_of(json.at("rules")), words_of(json.at("scalar")),
           words_of(json.at("zero_test")), tally_of(json.at("tally")), {}};
   row.timings = timings_of(json.at("timings"), limits_for(row.rules, limits));
-  if (is_certified(row.rules)) read_certified(json.at("tally"), row.tally);
+  if (is_certified(row.rules)) {
+    read_certified(json.at("tally"), row.tally);
+    if (json.contains("alone")) row.alone = times_alone_of(json["alone"]);  // earlier versions did not time them
+  }
   return row;
 }
 

@@ -78,6 +78,18 @@ TEST_CASE("Merging counts each pair once", "[study]") {
   CHECK(counts_at(sum.rows.front().tally, 20).pairs == 101);
 }
 
+TEST_CASE("Merging adds up what certified answers took, each alone", "[study]") {
+  Request request = small_request();
+  request.rules = {"certified"};
+  request.scalars = {"double"};
+  const std::vector<NamedStudy> shards = shards_of(request, 3);
+  std::uint64_t slowest = 0;
+  for (const NamedStudy& each : shards) slowest = std::max(slowest, each.study.rows.front().alone.slowest);
+  const TimesAlone sum = merged(shards).rows.front().alone;
+  CHECK(sum.one_search.queries + sum.two_searches.queries == 101);
+  CHECK(sum.slowest == slowest);
+}
+
 TEST_CASE("Shards of different studies are refused", "[study]") {
   const std::vector<NamedStudy> good = shards_of(small_request(), 2);
   CHECK(refusal(good).empty());
@@ -242,6 +254,11 @@ TEST_CASE("A shard of certified answers that makes no sense is refused though it
       {"\"false_certificates\":0", "\"false_certificates\":2"},
       {"\"unusable\":[]", "\"unusable\":[0,1]"},
       {"\"timings\":{\"none\"", "\"timings\":{\"20\""},
+      {"\"one_search\":{\"queries\":", "\"one_search\":{\"queries\":1"},
+      {"\"one_search\":{\"queries\":", "\"one_search\":{\"asked\":"},
+      {"\"two_searches\":{\"queries\":", "\"two_searches\":{\"queries\":1"},
+      {"\"slowest\":{\"pair\":", "\"slowest\":{\"pair\":999"},
+      {"\"slowest\":{\"pair\":", "\"slowest\":{\"nanoseconds\":9999999999999999,\"pair\":"},
       {"\"rules\":\"certified\"", "\"rules\":\"as-intended\""}};
   for (const auto& [from, to] : changes) {
     INFO(from << " becomes " << to);
@@ -250,6 +267,13 @@ TEST_CASE("A shard of certified answers that makes no sense is refused though it
   std::string plain = one_row();
   CHECK_THAT(refusal(resealed(plain, "\"rules\":\"as-intended\"", "\"rules\":\"certified\"")),
              StartsWith("a.json is damaged: "));
+}
+
+TEST_CASE("A shard of an earlier version, which timed no certified answer alone, is read", "[study]") {
+  std::string text = one_row("double", "certified");
+  const std::size_t start = text.find(",\"alone\":");
+  REQUIRE(start != std::string::npos);
+  CHECK(refusal(resealed(text, text.substr(start, text.find("}}", start) + 2 - start), "")).empty());
 }
 
 TEST_CASE("Certified answers may take more iterations than the limits of a study", "[study]") {

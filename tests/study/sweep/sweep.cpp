@@ -18,6 +18,7 @@ namespace study {
 namespace {
 
 constexpr std::uint64_t job_size = 256;  // pairs of one job; also of one timed batch
+constexpr int askings_alone = 5;         // of a query that may be the slowest
 constexpr std::size_t slow_batch = 16;   // questions of a timed batch of a slow scalar
 
 /// Positions first … last - 1 in the list of the shard's pairs of one part.
@@ -44,6 +45,7 @@ struct View {
 struct Cell {
   Tally tally;
   Timings timings;
+  TimesAlone alone;
 };
 
 /// All jobs of a plan, in order. There may be more of them than memory for a list.
@@ -88,7 +90,7 @@ class Worker {
     for (const Method* const method : plan_.methods) {
       const auto [views, is_new] = views_.try_emplace(method->scalar.name);
       if (is_new) views->second = views_of(samples, method->scalar);
-      cells.push_back({tally_of(*method, views->second), {}});
+      cells.push_back(cell_of(*method, views->second));
     }
     if (job_.first < plan_.timed_pairs) time_all();
   }
@@ -129,8 +131,9 @@ class Worker {
     return views;
   }
 
-  Tally tally_of(const Method& method, const std::vector<View>& views) {
-    Tally tally;
+  Cell cell_of(const Method& method, const std::vector<View>& views) {
+    Cell cell;
+    Tally& tally = cell.tally;
     std::array<std::uint64_t, kinds> kept{};
     for (const View& view : views) {
       if (view.judgement.truth != view.sample->judgement.truth) ++tally.truth_changed;
@@ -138,17 +141,18 @@ class Worker {
         ++tally.out_of_range;
       else if (!can_ask(method, view))
         ++tally.not_askable;
-      else if (const auto kind = ask(method, view, tally))
+      else if (const auto kind = ask(method, view, cell))
         if (kept[static_cast<std::size_t>(*kind)]++ < plan_.failures_kept) keep(method, view, *kind);
     }
-    return tally;
+    return cell;
   }
 
   static bool can_ask(const Method& method, const View& view) {
     return view.question && method.can_ask(*view.question);
   }
 
-  std::optional<Kind> ask(const Method& method, const View& view, Tally& tally) const try {
+  std::optional<Kind> ask(const Method& method, const View& view, Cell& cell) const try {
+    Tally& tally = cell.tally;
     const int limit = plan_.limits.back();
     const Outcome outcome = method.ask(*view.question, limit);
     const int k = outcome.answer == Answer::at_limit ? method.first_return(*view.question, limit) : 0;
@@ -156,14 +160,30 @@ class Worker {
     const bool holds = !is_checked || method.certificate_holds(*view.question);
     tally.count(view.judgement, outcome);
     if (k > 0) count(tally.returns, k);
-    if (is_certified(method.rules)) count(tally.second_iterations, outcome.second_iterations);
+    if (is_certified(method.rules)) {
+      count(tally.second_iterations, outcome.second_iterations);
+      cell.alone += time_alone(method, view, outcome, cell.alone.slowest);
+    }
     tally.certificates += is_checked;
     tally.false_certificates += !holds;
     const auto kind = failure_kind(view.judgement.truth, outcome, limit_for(method.rules, plan_.failure_limit));
     return kind || holds ? kind : Kind::false_certificate;
   } catch (const std::exception&) {
-    ++tally.exceptions;
+    ++cell.tally.exceptions;
     return std::nullopt;
+  }
+
+  /// What interrupts a query makes it longer: one that seems the slowest so far is asked again, and its least time counts.
+  static TimesAlone time_alone(const Method& method, const View& view, const Outcome& outcome, std::uint64_t so_far) {
+    const auto nanoseconds = [&] {
+      const Question* const question = view.question.get();
+      return static_cast<std::uint64_t>(method.time({&question, 1}, no_limit).count());
+    };
+    TimesAlone times{.slowest_pair = view.sample->index, .slowest = nanoseconds()};
+    (outcome.second_iterations > 0 ? times.two_searches : times.one_search) = {1, times.slowest};
+    for (int asked = 1; asked < askings_alone && times.slowest > so_far; ++asked)
+      times.slowest = std::min(times.slowest, nanoseconds());
+    return times;
   }
 
   void keep(const Method& method, const View& view, Kind kind) {
@@ -210,6 +230,7 @@ class Collector {
       Row& row = findings_.rows[job.part * plan_.methods.size() + m];
       row.tally += worker.cells[m].tally;
       for (const auto& [limit, timing] : worker.cells[m].timings) row.timings[limit] += timing;
+      row.alone += worker.cells[m].alone;
     }
     for (Failure& failure : worker.failures) take(job, failure);
     done_ += job.last - job.first;

@@ -63,6 +63,7 @@ struct Row {
   std::string family, rules, scalar, zero_test;
   Tally tally;
   Timings timings;
+  TimesAlone alone = {};  ///< where answers are certified
 };
 
 struct Findings {

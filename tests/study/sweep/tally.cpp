@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace study {
 namespace {
@@ -72,6 +74,13 @@ Tally& Tally::operator+=(const Tally& more) {
   add(second_iterations, more.second_iterations);
   certificates += more.certificates;
   false_certificates += more.false_certificates;
+  return *this;
+}
+
+TimesAlone& TimesAlone::operator+=(const TimesAlone& more) {
+  one_search += more.one_search;
+  two_searches += more.two_searches;
+  if (more.slowest > slowest) std::tie(slowest, slowest_pair) = std::pair(more.slowest, more.slowest_pair);
   return *this;
 }
 

@@ -94,4 +94,13 @@ struct Timing {
 
 using Timings = std::map<int, Timing>;  ///< by iteration limit
 
+/// Of certified queries, each timed alone: that the clock is read once is part of each.
+struct TimesAlone {
+  Timing one_search = {}, two_searches = {};  ///< that needed no second search, and that did
+  std::uint64_t slowest_pair = 0;   ///< its index
+  std::uint64_t slowest = 0;        ///< its nanoseconds, the least of five askings; 0 where nothing was asked
+
+  TimesAlone& operator+=(const TimesAlone& more);
+};
+
 }  // namespace study

@@ -80,6 +80,21 @@ TEST_CASE("Tallies add up", "[tally]") {
   REQUIRE(one == both);
 }
 
+TEST_CASE("Times of queries asked alone add up, and the slowest pair is that of the larger time", "[tally]") {
+  const TimesAlone quick{{3, 300}, {1, 40}, 11, 150}, slow{{2, 500}, {5, 60}, 4, 400};
+  for (const bool slow_first : {true, false}) {
+    TimesAlone sum = slow_first ? slow : quick;
+    sum += slow_first ? quick : slow;
+    INFO("slow first: " << slow_first);
+    REQUIRE(sum.one_search.queries == 5);
+    REQUIRE(sum.one_search.nanoseconds == 800);
+    REQUIRE(sum.two_searches.queries == 6);
+    REQUIRE(sum.two_searches.nanoseconds == 100);
+    REQUIRE(sum.slowest == 400);
+    REQUIRE(sum.slowest_pair == 4);
+  }
+}
+
 TEST_CASE("Mean, 99 % and largest of a histogram are those that were counted by hand", "[tally]") {
   const Spread few = spread_of({0, 0, 1, 3});
   REQUIRE(few.mean == Approx(2.75));
