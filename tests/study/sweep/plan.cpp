@@ -89,9 +89,23 @@ std::vector<const Method*> chosen_methods(const Request& request) {
   return chosen;
 }
 
-std::vector<Part> parts_of(const Request& request) {
+/// Whether one of the methods can be asked about such shapes: about round bodies some cannot.
+bool can_be_asked(const Family& family, const std::vector<const Method*>& methods, std::uint64_t seed) {
+  const Pair first = family.make(seed, 0);
+  return std::ranges::any_of(methods, [&](const Method* method) {
+    const std::optional<RoundedPair> rounded = method->scalar.rounded(first);
+    if (!rounded) return true;
+    const std::unique_ptr<Question> question = method->scalar.question(rounded->pair);
+    return question && method->can_ask(*question);
+  });
+}
+
+/// Families that nobody asked for are left out where there is nobody to ask.
+std::vector<Part> parts_of(const Request& request, const std::vector<const Method*>& methods) {
   std::vector<Part> parts;
-  for (const Family* const family : families_called(request.families)) parts.push_back(part_of(*family, request));
+  for (const Family* const family : families_called(request.families))
+    if (!request.families.empty() || can_be_asked(*family, methods, request.seed))
+      parts.push_back(part_of(*family, request));
   return parts;
 }
 
@@ -178,7 +192,7 @@ Plan plan_of(const Request& request) {
   Plan plan;
   plan.seed = request.seed;
   plan.methods = chosen_methods(request);
-  plan.parts = parts_of(request);
+  plan.parts = parts_of(request, plan.methods);
   plan.limits = limits_of(request);
   plan.failure_limit = std::min(report_limit, plan.limits.back());
   return plan;

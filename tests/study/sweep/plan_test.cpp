@@ -49,6 +49,19 @@ TEST_CASE("Names that nobody knows are refused with the one that was probably me
   CHECK(complaint({}).empty());
 }
 
+TEST_CASE("Families that no method can be asked about are left out unless they are named", "[plan]") {
+  const auto is_there = [](const Request& request, const std::string& name) {
+    const Plan plan = plan_of(request);
+    return std::ranges::any_of(plan.parts, [&](const Part& part) { return part.family->name == name; });
+  };
+  const Request certified{.rules = {"certified"}};
+  CHECK_FALSE(is_there(certified, "spheres"));
+  CHECK(is_there(certified, "triangles"));
+  CHECK(is_there({.rules = {"certified"}, .scalars = {"float"}}, "scale-1e100"));  // told as beyond float's range
+  CHECK(is_there({.rules = {"certified", "eager"}}, "spheres"));
+  CHECK(is_there({.families = {"spheres"}, .rules = {"certified"}}, "spheres"));
+}
+
 TEST_CASE("Certified answers are chosen as rules are", "[plan]") {
   const auto chosen = [](const Request& request) {
     std::vector<std::string> names;
