@@ -262,10 +262,13 @@ std::string nanoseconds_of(const Timing& timing) {
   return timing.queries == 0 ? "" : with_decimals(0, timing.per_query());
 }
 
+std::string microseconds(std::uint64_t nanoseconds) {
+  return with_decimals(1, static_cast<double>(nanoseconds) / 1000);
+}
+
 /// Returns: "13.2: 4711", microseconds and the index of the pair.
 std::string slowest_of(const TimesAlone& alone) {
-  if (alone.slowest == 0) return "";
-  return with_decimals(1, static_cast<double>(alone.slowest) / 1000) + ": " + std::to_string(alone.slowest_pair);
+  return alone.slowest == 0 ? "" : microseconds(alone.slowest) + ": " + std::to_string(alone.slowest_pair);
 }
 
 /// A column of the rows of one certified setting; empty where it was not asked.
@@ -277,33 +280,41 @@ Column certified_column(const Settings& settings, std::string heading, const Set
           }};
 }
 
-/// Returns: all families in one sentence.
+/// Returns: "all hold", "2 do not hold".
+std::string words_of_certificates(const Tally& tally) {
+  return tally.false_certificates == 0 ? "all hold" : std::to_string(tally.false_certificates) + " do not hold";
+}
+
+/// Returns: all families in a few sentences.
 std::string summary(const Settings& settings, const Setting& setting) {
-  Row all;
   Counts counts;
+  Tally tally;
+  TimesAlone alone;
   std::string slowest;
   for (const FamilyNote& family : settings.study().families) {
     const Row* const row = settings.find(family.name, setting);
     if (row == nullptr || total(row->tally.second_iterations) == 0) continue;
+    if (row->alone.slowest > alone.slowest) slowest = family.name;
     counts += *settings.counts(family.name, setting);
-    if (row->alone.slowest > all.alone.slowest) slowest = family.name;
-    all.tally += row->tally;
-    all.alone += row->alone;
+    tally += row->tally;
+    alone += row->alone;
   }
   if (counts.pairs == 0) return "No pair was asked.\n";
-  std::string text =
-      std::to_string(counts.pairs) + " pairs: " + std::to_string(counts.wrong()) + " wrong, " +
-      std::to_string(counts.undecided) + " undecided. " + std::to_string(all.tally.certificates) +
-      " certificates, those of the first pairs of each family, were multiplied out in fractions: " +
-      (all.tally.false_certificates == 0 ? "all hold" : std::to_string(all.tally.false_certificates) + " do not hold") +
-      ". A second search took " + share_of_second_searches(all.tally) + " of the pairs";
-  if (total(without_none(all.tally.second_iterations)) > 0)
-    text += ", of " + iterations_of_second_searches(all.tally) + " iterations (mean, largest)";
+  std::string text = std::to_string(counts.pairs) + " pairs: " + std::to_string(counts.wrong()) + " wrong, " +
+                     std::to_string(counts.undecided) + " undecided. " + std::to_string(tally.certificates) +
+                     " certificates, those of the first pairs of each family, were multiplied out in fractions: " +
+                     words_of_certificates(tally) + ". " + share_of_second_searches(tally) +
+                     " of the pairs took a second search";
+  if (const Histogram some = without_none(tally.second_iterations); total(some) > 0)
+    text += ", of " + with_decimals(2, spread_of(some).mean) + " iterations in the mean and " +
+            std::to_string(spread_of(some).max) + " at most";
+  text += ".";
+  if (alone.one_search.queries > 0) text += " Without it a query took " + nanoseconds_of(alone.one_search) + " ns.";
+  if (alone.two_searches.queries > 0) text += " With it a query took " + nanoseconds_of(alone.two_searches) + " ns.";
   if (!slowest.empty())
-    text += "; it takes " + nanoseconds_of(all.alone.two_searches) + " ns with it and " +
-            nanoseconds_of(all.alone.one_search) + " ns without; the slowest of all took " + slowest_of(all.alone) +
-            " (µs: pair), of " + slowest;
-  return text + ".\n";
+    text += " The slowest, pair " + std::to_string(alone.slowest_pair) + " of " + slowest + ", took " +
+            microseconds(alone.slowest) + " µs.";
+  return text + "\n";
 }
 
 std::string certified_table(const Settings& settings, const Setting& setting) {
@@ -447,8 +458,8 @@ std::string timings_markdown(const Settings& settings) {
 std::string certified_markdown(const Settings& settings) {
   if (settings.certified().empty()) return "";
   std::string text = head(settings, "Certified answers") + of_points_only +
-                     "About the other pairs the first search proved nothing, and a second one followed. Each pair is "
-                     "timed alone by the CPU clock of the thread that asks, on " +
+                     "Where the first search proves nothing a second one follows. Each pair is timed alone by the CPU "
+                     "clock of the thread that asks, on " +
                      processors_of(settings.study()) +
                      "; reading the clock once is part of it, caches and branches have just seen other pairs, and of "
                      "the slowest pair the least of five askings counts.\n";
