@@ -132,6 +132,29 @@ TEST_CASE("A reader of PDF files finds the pages of a sheet, their size and thei
           render::read_png(folder.path() / "figure-4-right" / ("sheet-" + std::to_string(page + 1) + ".png")));
 }
 
+TEST_CASE("At the foot of each page stands its number, of one digit on each of two", "[paper-sheet]") {
+  const Folder folder;
+  CHECK(run("render figure-4-right --size 320x180 --sheet=a4" + option_out(folder)).exit_code == 0);
+  constexpr int inch = 300, paper_width = 2480;
+  const auto foot_of = [&](int page) {
+    const fs::path file = folder.path() / "figure-4-right" / ("sheet-" + std::to_string(page) + ".png");
+    return render::part_of(render::read_png(file), 0, 3508 - inch * 44 / 72, {paper_width, inch * 14 / 72});
+  };
+  const auto columns_of_ink = [](const render::Image& foot) {
+    std::set<int> columns;
+    for (int x = 0; x < foot.size().width; ++x)
+      for (int y = 0; y < foot.size().height; ++y)
+        if (foot.pixel(x, y).r < 128) columns.insert(x);
+    return columns;
+  };
+  const std::set<int> first = columns_of_ink(foot_of(1)), second = columns_of_ink(foot_of(2));
+  REQUIRE_FALSE(first.empty());
+  REQUIRE_FALSE(second.empty());
+  CHECK(*first.begin() == *second.begin());
+  CHECK(paper_width - *first.begin() < inch * 110 / 72);
+  CHECK_FALSE(foot_of(1) == foot_of(2));
+}
+
 TEST_CASE("A paper that is not known is wrong usage, and --sheet alone is one picture as before", "[paper-sheet]") {
   const Untouched untouched;
   check_failure("render figure-5 --sheet=a5" + untouched.option, 2, {"--sheet", "a4", "letter-across"});
