@@ -19,11 +19,11 @@ std::vector<std::string> numbered(int count) {
   return questions;
 }
 
-AskedProgram shell(const std::string& script, int milliseconds = 10000) {
+AskedProgram shell(const std::string& script, int milliseconds = 60000) {
   return {.words = {"sh", "-c", script}, .limit = std::chrono::milliseconds(milliseconds)};
 }
 
-Replies ask_shell(const std::string& script, int count, int milliseconds = 10000) {
+Replies ask_shell(const std::string& script, int count, int milliseconds = 60000) {
   return ask_all(shell(script, milliseconds), numbered(count));
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("Asking: who crashes at one question is blamed for that one, whether o
         "import os, sys\nfor x in sys.stdin:\n  if int(x) == 41: os.kill(os.getpid(), 11)\n"
         "  print('got', x.strip(), flush=" +
         flush + ")\n";
-    return ask_all({.words = {"python3", "-c", script}, .limit = std::chrono::seconds(10)}, numbered(60));
+    return ask_all({.words = {"python3", "-c", script}, .limit = std::chrono::seconds(60)}, numbered(60));
   };
   for (const std::string flush : {"True", "False"}) {
     const Replies replies = python(flush);
@@ -84,7 +84,7 @@ TEST_CASE("Asking: a crash after so many questions, whichever they are, is count
 }
 
 TEST_CASE("Asking: who is late at one question is late for that one, and started again", "[judge]") {
-  const Replies replies = ask_shell(echo + "[ $x = 5 ] && sleep 100; echo got $x; done", 30, 300);
+  const Replies replies = ask_shell(echo + "[ $x = 5 ] && sleep 100; echo got $x; done", 30, 2000);
   check_echo_but(replies, {5});
   CHECK(replies.all[5].kind == Reply::late);
 }
@@ -131,7 +131,7 @@ TEST_CASE("Asking: of a program that starts others nothing is left, wherever the
     for (const std::string& then : {echo + "echo got $x; done", std::string("exit 1"), std::string("sleep 100")}) {
       INFO(start << then);
       std::filesystem::remove(pids);
-      ask_shell(start + "until [ -s " + pids + " ]; do :; done; " + then, 2, 1000);
+      ask_shell(start + "until [ -s " + pids + " ]; do :; done; " + then, 2, 2000);
       std::ifstream list(pids);
       int count = 0;
       for (std::string pid; list >> pid; ++count) CHECK_FALSE(is_running(pid));

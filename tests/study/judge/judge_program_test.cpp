@@ -19,8 +19,10 @@ std::vector<NamedPair> corpus_of_points() {
   return all;
 }
 
-ProgramJudged judged(const std::vector<std::string>& words, const std::vector<NamedPair>& pairs = corpus_of_points()) {
-  return judge_program({.words = words, .limit = std::chrono::milliseconds(500)}, pairs);
+/// The limit is for programs that answer: however busy the machine is, they are in time.
+ProgramJudged judged(const std::vector<std::string>& words, const std::vector<NamedPair>& pairs = corpus_of_points(),
+                     std::chrono::milliseconds limit = std::chrono::seconds(60)) {
+  return judge_program({.words = words, .limit = limit}, pairs);
 }
 
 /// The implementation of the report with that mistake; 0: without one.
@@ -111,7 +113,8 @@ TEST_CASE("Judge: what is no right answer is told apart", "[judge]") {
   CHECK(verdict("echo garbage") == Verdict::unreadable);
   CHECK(verdict("exit 1") == Verdict::ended);
   CHECK(verdict("kill -SEGV $$") == Verdict::ended);
-  CHECK(verdict("sleep 100") == Verdict::late);
+  const std::vector<std::string> late{"sh", "-c", before + "sleep 100" + after};
+  CHECK(judged(late, pairs, std::chrono::seconds(2)).pairs[0].verdict == Verdict::late);
   const ProgramJudged false_evidence = first_says("echo '{\"status\":\"separated\",\"direction\":[-1,0,0]}'");
   CHECK((false_evidence.pairs[0].verdict == Verdict::right && false_evidence.pairs[0].false_evidence));
   CHECK(false_evidence.all.false_evidence == 1);
