@@ -33,7 +33,8 @@ namespace gjk {
 
 struct ShapesResult {
   Status status = Status::undecided;
-  /// Where undecided: the shapes are at most so far apart, and to part them takes a move of at most so much (C9). Else 0.
+  /// Where undecided: the shapes are at most so far apart, and to part them takes a move of at most so much (C9); infinite where
+  /// their points are beyond half of what a double can hold. Else 0.
   double gap = 0;
   int iterations = 0;               ///< how many times each of the two support functions was called
   Vec3<double> direction{0, 0, 0};  ///< where separated: a·d < b·d for all points a and b
@@ -43,15 +44,25 @@ namespace detail {
 
 using Place = Vec3<double>;
 
-/// The difference of two shapes, grown by a ball, asked about points; keeps what directions prove.
+/// The difference of two shapes, grown by a ball, asked about points; keeps what directions prove. Lengths are in units of a
+/// power of two near the shapes' size: so no product of three is beyond all doubles, or lost below them, however large or small
+/// the shapes are. What a coordinate loses below the least double there is nothing beside ε.
 template <class S, class A, class B>
 class DoubtfulDifference {
  public:
   /// ε: w = a − b is rounded by u|w|, w·d is off by 3u|w||d|; all in doubles.
   DoubtfulDifference(const A& a, const B& b) : a_(a), b_(b) {
     const Doubt of_a = doubt(a), of_b = doubt(b);
-    size_ = of_a.size + of_b.size;
-    error_ = (of_a.error + of_b.error + 8 * roundoff * size_) * (1 + 0x1p-20);
+    if (const double size = std::max(of_a.size, of_b.size); size > 0 && std::isfinite(size))
+      exponent_ = std::ilogb(size);
+    const double size = in_units(of_a.size) + in_units(of_b.size);
+    error_ = (in_units(of_a.error) + in_units(of_b.error) + 8 * roundoff * size) * (1 + 0x1p-20);
+  }
+
+  /// Returns: a length in the units of the shapes, rounded up.
+  double unscaled(double length) const {
+    const double nearest = std::scalbn(length, exponent_);
+    return in_units(nearest) < length ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
   }
 
   double error() const { return error_; }
@@ -66,7 +77,7 @@ class DoubtfulDifference {
     const Vec3<S> d = direction.cast<S>();
     const Place along = d.template cast<double>();
     const double length = along.norm();
-    const Place w = near_support(a_, d).template cast<double>() - near_support(b_, Vec3<S>(-d)).template cast<double>();
+    const Place w = in_units(near_support(a_, d)) - in_units(near_support(b_, Vec3<S>(-d)));
     ++times_asked_;
     const double reach = w.dot(along) / length;
     if (reach + error_ * (1 + 0x1p-20) < 0) separation_ = along;
@@ -75,9 +86,15 @@ class DoubtfulDifference {
   }
 
  private:
+  double in_units(double length) const { return std::scalbn(length, -exponent_); }
+  Place in_units(const Vec3<S>& p) const {
+    return p.template cast<double>().unaryExpr([this](double x) { return in_units(x); });
+  }
+
   const A& a_;
   const B& b_;
-  double size_, error_;
+  int exponent_ = 0;
+  double error_;
   int times_asked_ = 0;
   double least_reach_ = std::numeric_limits<double>::infinity();
   std::optional<Place> separation_;
@@ -275,7 +292,8 @@ requires DoubtfulShape<A, S> && DoubtfulShape<B, S> ShapesResult certified_shape
   if (is_together)
     result.status = Status::intersecting;
   else if (!difference.separation())
-    result.gap = std::max(detail::distance_at_most(difference, nearness), difference.least_reach());
+    result.gap =
+        difference.unscaled(std::max(detail::distance_at_most(difference, nearness), difference.least_reach()));
   if (difference.separation()) result = {Status::separated, 0, 0, *difference.separation()};
   result.iterations = difference.times_asked();
   return result;

@@ -1,4 +1,7 @@
 /// What everything that is proven assumes of arithmetic: that of IEEE, rounded to nearest, no denormal numbers flushed to zero.
+/// GCC tells a program of -ffast-math and of each of its parts, clang 14 of the whole and of -ffinite-math-only; linked with
+/// -funsafe-math-optimizations its programs flush denormal numbers, which is found when they run. Its -fassociative-math and
+/// -freciprocal-math alone are found by nobody: do not use them.
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \

@@ -36,7 +36,9 @@ ShapesResult beside_cube(double error, const V& center) {
 }
 
 template <class A, class B>
-concept CanBeAsked = requires(const A& a, const B& b) { certified_shapes(a, b); };
+concept CanBeAsked = requires(const A& a, const B& b) {
+  certified_shapes(a, b);
+};
 
 }  // namespace
 
@@ -162,6 +164,27 @@ TEST_CASE("C9: a flat difference has a bound, too, and the same point twice has 
   const ShapesResult same = certified_shapes(Turned(point, turned), Turned(point, turned));
   REQUIRE(same.status == undecided);
   REQUIRE(same.gap < 1e-12);
+}
+
+TEST_CASE("C7 to C9: shapes of any size are answered as those of size 1", "[certified]") {
+  const auto asked = [](int scale, const V& center) {
+    const auto large = [scale](double x) { return std::ldexp(x, scale); };
+    const Cylinder<double> can(V(0, 0, 0), V(0, 0, 1), large(1), large(2));
+    const V moved(large(center.x()), large(center.y()), large(center.z()));
+    return certified_shapes(can, Cylinder<double>(moved, V(0, 0, 1), large(1), large(2)));
+  };
+  for (const auto& [center, status] : {std::pair{V(0.5, 0.1, 0.1), together}, std::pair{V(0.5, 0.1, 2.1), apart},
+                                       std::pair{V(0.3, 0.2, 2), undecided}}) {
+    const ShapesResult usual = asked(0, center);
+    REQUIRE(usual.status == status);
+    for (const int scale : {-950, -500, -250, 250, 500, 950}) {
+      INFO(center.transpose() << " times 2^" << scale);
+      const ShapesResult result = asked(scale, center);
+      REQUIRE(result.status == status);
+      REQUIRE(result.gap == std::ldexp(usual.gap, scale));
+      REQUIRE(result.iterations == usual.iterations);
+    }
+  }
 }
 
 TEST_CASE("C9: of what might overflow nothing is known", "[certified]") {

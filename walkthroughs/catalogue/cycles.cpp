@@ -8,6 +8,11 @@
 namespace walkthroughs {
 namespace {
 
+constexpr const char* why_how_often_and_what_helps =
+    "Algorithms 4 and 5 take the first edge or face that sees the origin, not the nearest: nothing keeps the search "
+    "from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help; the complete "
+    "rules, or a certified answer, always do";
+
 Walkthrough about(const Scene& scene, const std::string& title, const std::string& summary, const std::string& ending) {
   return {.name = scene.name,
           .title = title,
@@ -15,12 +20,7 @@ Walkthrough about(const Scene& scene, const std::string& title, const std::strin
           .summary = summary,
           .naming = Naming::roles,
           .scenes = {scene},
-          .remarks = {{Remark::At::end,
-                       9,
-                       ending,
-                       {},
-                       "Algorithms 4 and 5 take the first edge or face that sees the origin, not the nearest: nothing "
-                       "keeps the search from coming back"}}};
+          .remarks = {{Remark::At::end, 9, ending, {}, why_how_often_and_what_helps}}};
 }
 
 }  // namespace

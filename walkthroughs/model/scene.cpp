@@ -117,7 +117,7 @@ std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const P
   if (!std::holds_alternative<Points>(form))
     return ObjectionToProof{std::string(key_of(form)),
                             "a " + kind_of(form, Dimension::space) +
-                                " cannot be certified, because its points are computed, and so rounded; give points"};
+                                " cannot be certified in a scene, whose proofs are drawn for sets of points only; give points"};
   if (moves(pose))
     return ObjectionToProof{"pose",
                             "an object that its pose moves cannot be certified, because its points are rounded then; "

@@ -142,9 +142,8 @@ std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
   const std::optional<Mistake> mistake = story.tellings[0].scene.mistake;
   const Trace &mistaken = story.tellings[0].trace, &right = story.tellings[1].trace;
   if (!mistake || common == mistaken.events.size()) return std::nullopt;
-  ToldMistake told{std::string(wrong_on_purpose::description_of(*mistake).meaning),
-                   {},
-                   how_it_ended(*mistake, mistaken, right)};
+  ToldMistake told{
+      std::string(wrong_on_purpose::description_of(*mistake).meaning), {}, how_it_ended(*mistake, mistaken, right)};
   const Moment parting = replay(right, common + 1);
   if (const auto* const line = line_gone_wrong(*mistake, right, common))
     told.lines = both_lines(*line, Names(story.walkthrough.naming, story.tellings[1].hull, parting));
@@ -157,6 +156,10 @@ std::string sentence_for(const Story& story, std::size_t i, std::size_t common,
   if (i == common)
     return told ? "Here the two runs part: " + told->meaning + "."
                 : "Here the two runs part: these are the first events that differ.";
+  const auto ends_here = [i](const Telling& telling) { return i + 1 == telling.trace.events.size(); };
+  if (std::ranges::all_of(story.tellings, ends_here)) return "Here both runs end.";
+  for (const Telling& telling : story.tellings)
+    if (ends_here(telling)) return "Here one run ends: " + telling.scene.name + ".";
   for (const Telling& telling : story.tellings)
     if (i >= telling.trace.events.size())
       return "Only one run goes on: " + story.tellings[&telling == &story.tellings[0] ? 1 : 0].scene.name + ".";

@@ -17,6 +17,8 @@ Reply::Kind kind_of(End end) {
   return Reply::line;
 }
 
+constexpr int most_floods = 3;  // in a row, each at one pair alone
+
 class Interview {
  public:
   Interview(const AskedProgram& program, const std::vector<std::string>& questions)
@@ -48,6 +50,7 @@ class Interview {
       how_ = run.how;
     }
     at_ += answered;
+    if (count == 1) give_up_who_floods(run);
     if (answered == count)
       size_ *= 2;
     else if (count == 1)
@@ -55,6 +58,12 @@ class Interview {
     else
       size_ = answered > 0 ? 1 : count / 2;
     if (unexplained_ && at_ >= *unexplained_) forgive_or_count();
+  }
+
+  /// Whose answers to single pairs are several lines has no answers, only lines.
+  void give_up_who_floods(const RunOfProgram& run) {
+    floods_alone_ = run.end == End::flooding ? floods_alone_ + 1 : 0;
+    if (floods_alone_ == most_floods && at_ < questions_.size()) replies_.was_given_up = true;
   }
 
   void note(const RunOfProgram& run) {
@@ -68,7 +77,7 @@ class Interview {
     replies_.all[at_++] = {kind_of(run.end), run.end == End::ended ? run.how : ""};
     unexplained_.reset();
     in_a_row_ += run.end == End::late ? 10 : 1;
-    replies_.was_given_up = in_a_row_ >= 50 && at_ < questions_.size();
+    if (in_a_row_ >= 50 && at_ < questions_.size()) replies_.was_given_up = true;
   }
 
   /// A crash that no pair is to blame for.
@@ -84,7 +93,7 @@ class Interview {
   std::size_t at_ = 0, size_ = 16;
   std::optional<std::size_t> unexplained_;  ///< a run crashed that was to end here
   std::string how_;
-  int in_a_row_ = 0;
+  int in_a_row_ = 0, floods_alone_ = 0;
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 ///
 /// A run of the program is asked several at once: its start may take longer than a thousand answers, and it may keep its output
 /// back until its input ends. Where answers are missing, smaller and smaller runs find the pair that is to blame, which is
-/// then asked alone. After 5 in a row that are too late, or 50 that end or flood the judge, the program is given up.
+/// then asked alone. After 5 in a row that are too late, 50 that end, or 3 that bring more than a line, the program is given up.
 #pragma once
 
 #include <chrono>
@@ -27,7 +27,7 @@ struct Replies {
   std::string first_crash;
   std::uint64_t floods = 0;         ///< runs that wrote more lines than they read
   bool outlives_its_input = false;  ///< it did not end when its input did
-  bool was_given_up = false;        ///< several in a row were not answered; the rest were not asked
+  bool was_given_up = false;        ///< several in a row had no answer, or too many lines; the rest were not asked
   std::string said;                 ///< what it wrote to standard error in the first run that was not answered
 };
 

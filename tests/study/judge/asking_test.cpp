@@ -116,6 +116,16 @@ TEST_CASE("Asking: who writes without end is stopped, by lines and without", "[j
   CHECK(count_of(one_line, Reply::flooding) == 3);
 }
 
+TEST_CASE("Asking: who writes several lines for a pair is given up soon, whether output is kept back or not", "[judge]") {
+  for (const std::string& script : {echo + "echo asked; echo got $x; done", std::string("exec <&-; yes got 0 | head -1000")}) {
+    INFO(script);
+    const Replies replies = ask_shell(script, 40);
+    CHECK(replies.was_given_up);
+    CHECK(replies.floods >= 3);
+    CHECK(count_of(replies, Reply::not_asked) == 37);
+  }
+}
+
 /// A process that has ended has no program.
 bool is_running(const std::string& process) {
   std::error_code error;

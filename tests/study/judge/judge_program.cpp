@@ -144,6 +144,12 @@ std::vector<Change> ask_changed(const AskedProgram& program, const std::vector<N
 
 }  // namespace
 
+bool Judged::has_search() const {
+  const bool is_answered =
+      verdict == Verdict::wrong_yes || verdict == Verdict::wrong_no || verdict == Verdict::undecided;
+  return is_answered && std::holds_alternative<Points>(named.pair.a) && std::holds_alternative<Points>(named.pair.b);
+}
+
 bool Judged::is_wrong() const {
   return false_evidence ||
          (verdict != Verdict::right && verdict != Verdict::undecided && verdict != Verdict::not_asked);

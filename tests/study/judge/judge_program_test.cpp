@@ -59,6 +59,25 @@ TEST_CASE("Judge: without a mistake only rounding and cycles are found, and told
   CHECK(has(told(found), "It behaves like the report's algorithm in doubles (no mistake"));
 }
 
+TEST_CASE("Judge: no mistake is named for fewer than three wrong pairs", "[judge]") {
+  ProgramJudged found;
+  found.all.counts[static_cast<std::size_t>(Verdict::wrong_no)] = 9;
+  found.resemblances = {{.mistake = 12U, .name = "M13", .both = 2, .either = 2}};
+  CHECK(has(told(found), "Too few pairs to name a mistake; the nearest is M13: 2 pairs in common"));
+  found.resemblances[0].both = found.resemblances[0].either = 3;
+  CHECK(has(told(found), "It behaves like M13: 3 pairs in common"));
+}
+
+TEST_CASE("Judge: it is told of how many failing families the first have their wrong step", "[judge]") {
+  ProgramJudged found;
+  const Pair pair{Points{{0, 0, 0}}, Points{{5, 0, 0}}};
+  for (const char* const family : {"f", "f", "g", "h"})
+    found.pairs.push_back({.named = {"p", family, pair}, .verdict = Verdict::wrong_yes});
+  found.pairs.push_back({.named = {"q", "round", {Ball{{0, 0, 0}, 1}, Ball{{0, 0, 0}, 1}}}, .verdict = Verdict::wrong_no});
+  found.steps = {{.pair = "p", .iteration = 1, .words = "it is wrong"}};
+  CHECK(has(told(found), "Of 3 families with failures the first 1 are told."));
+}
+
 TEST_CASE("Judge: a sound program passes, its evidence with it", "[judge]") {
   const ProgramJudged found = judged({GJKSTEP_ITSELF, "query", "--certified"});
   CHECK(found.is_good());

@@ -27,7 +27,8 @@ struct Judged {
   bool false_evidence = false;  ///< whether evidence is given for a right answer that it does not prove
   std::string detail = {};      ///< of no answer, or of an early end
 
-  bool is_wrong() const;  ///< undecided and not asked are not
+  bool is_wrong() const;    ///< undecided and not asked are not
+  bool has_search() const;  ///< whose steps may say why it is not answered rightly: of sets of points, with an answer
 };
 
 struct FamilyTally {
@@ -40,6 +41,9 @@ struct FamilyTally {
   Rate wrong = {};
 };
 
+/// By chance alone a mistake may be wrong on a pair or two of those that a program is wrong on.
+inline constexpr std::uint64_t enough_in_common = 3;
+
 /// How alike a program and one whose mistake is known are: how many pairs both answer wrongly, of those that one of them does.
 struct Resemblance {
   /// The position in mistakes(). Then only pairs count that the report's algorithm answers rightly. Empty where all count: for
@@ -49,6 +53,7 @@ struct Resemblance {
   std::uint64_t both = 0, either = 0;
   std::string first_direction = {};  ///< with which it comes nearest: "+x", "from A to B"
 
+  bool has_evidence() const { return both >= enough_in_common; }
   double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
 };
 

@@ -36,9 +36,10 @@ std::string row_of(const std::vector<std::string>& cells, const std::string& tag
   return html + "</tr>\n";
 }
 
-std::string families_of(const ProgramJudged& judged, const JudgedHead& head) {
-  const FamilyTable table = family_table(judged, head.is_sample);
-  std::string html = "<h2>By family</h2>\n<table>\n" + row_of(table.titles, "th");
+std::string html_of(const Table& table) {
+  std::string html = "<h2>" + escaped(table.heading) + "</h2>\n<table" +
+                     (table.words == table.titles.size() ? " class=\"words\"" : "") + ">\n" +
+                     row_of(table.titles, "th");
   for (const auto& cells : table.rows) html += row_of(cells, "td");
   html += "</table>\n";
   for (const std::string& sentence : table.sentences) html += "<p>" + escaped(sentence) + "</p>\n";
@@ -49,17 +50,14 @@ std::string figure(const render::Image& image, const std::string& instead, const
   return "<figure>" + render::img(image, instead) + "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
-std::string steps_of(const ProgramJudged& judged) {
-  const StepTable table = step_table(judged);
-  if (table.rows.empty()) return "";
-  std::string html = "<h2>The first wrong step</h2>\n<table class=\"words\">\n" + row_of(table.titles, "th");
-  for (const auto& cells : table.rows) html += row_of(cells, "td");
-  html += "</table>\n";
-  for (const JudgedSteps& each : *judged.steps)
-    if (each.drawn)
-      html += figure(*each.drawn, "Both searches side by side on " + walkthroughs::printable(each.pair),
-                     walkthroughs::printable(each.pair) + ", iteration " + std::to_string(each.iteration) + ": " +
-                         each.words + ".");
+std::string pictures_of_steps(const ProgramJudged& judged) {
+  std::string html;
+  if (judged.steps)
+    for (const JudgedSteps& each : *judged.steps)
+      if (each.drawn)
+        html += figure(*each.drawn, "Both searches side by side on " + walkthroughs::printable(each.pair),
+                       walkthroughs::printable(each.pair) + ", iteration " + std::to_string(each.iteration) + ": " +
+                           each.words + ".");
   return html;
 }
 
@@ -92,7 +90,8 @@ std::string judged_page(const ProgramJudged& judged, const JudgedHead& head, std
       (judged.is_good() ? "good" : "bad") + "\">" + escaped(verdict_line(judged)) + "</span></h1>\n<ul>\n";
   for (const std::string& sentence : remarks(judged)) html += "<li>" + escaped(sentence) + "</li>\n";
   html += "<li>made by: <code>" + escaped(walkthroughs::printable(head.command)) + "</code></li>\n</ul>\n";
-  html += families_of(judged, head) + steps_of(judged) + pictures_of(judged, program, pictures);
+  for (const Table& table : tables_of(judged, head.is_sample)) html += html_of(table);
+  html += pictures_of_steps(judged) + pictures_of(judged, program, pictures);
   return html + "</body>\n</html>\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "tests/study/claims/claims_text.hpp"
@@ -43,16 +44,19 @@ void add_resemblance(const ProgramJudged& judged, std::vector<std::string>& sent
     return;
   }
   const Resemblance& best = judged.resemblances.front();
-  sentences.push_back((best.share() >= alike_enough ? "It behaves like "
-                                                    : "No single mistake of the study explains it; the nearest is ") +
-                      best.name + ": " + pairs_in_common(best) + ".");
+  const std::string words = !best.has_evidence() ? "Too few pairs to name a mistake; the nearest is "
+                            : best.share() >= alike_enough
+                                ? "It behaves like "
+                                : "No single mistake of the study explains it; the nearest is ";
+  sentences.push_back(words + best.name + ": " + pairs_in_common(best) + ".");
 }
 
 void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
   const Replies& replies = judged.replies;
   if (replies.was_given_up)
-    sentences.push_back("It was given up after several pairs in a row without an answer; " +
-                        count_of(judged.all.of(Verdict::not_asked), "pair was", "pairs were") + " not asked.");
+    sentences.push_back(
+        "It was given up after several pairs in a row without an answer, or with more lines than one; " +
+        count_of(judged.all.of(Verdict::not_asked), "pair was", "pairs were") + " not asked.");
   if (replies.crashes_in_company > 0)
     sentences.push_back("It crashed " + count_of(replies.crashes_in_company, "time", "times") +
                         ", though each of the pairs has its answer in another run: " + replies.first_crash + ".");
@@ -87,45 +91,74 @@ Cells cells_of(const FamilyTally& tally, bool is_sample) {
   return cells;
 }
 
-void write_families(std::ostream& out, const ProgramJudged& judged, const JudgedHead& head) {
-  const FamilyTable table = family_table(judged, head.is_sample);
-  out << "## By family\n\n";
-  heading(out, table.titles, 1);
+Table family_table(const ProgramJudged& judged, bool is_sample) {
+  Table table{"By family", {"Family", "Pairs"}, 1};
+  for (const Verdict verdict : columns) table.titles.emplace_back(verdict_words[static_cast<std::size_t>(verdict)]);
+  table.titles.emplace_back("evidence that proves nothing");
+  if (is_sample) table.titles.emplace_back("wrong, with the 95 % interval");
+  std::size_t all_right = 0;
+  for (const FamilyTally& family : judged.families)
+    if (family.of(Verdict::right) == family.pairs && family.false_evidence == 0)
+      ++all_right;
+    else
+      table.rows.push_back(cells_of(family, is_sample));
+  table.rows.push_back(cells_of(judged.all, is_sample));
+  if (all_right > 0)
+    table.sentences.push_back(count_of(all_right, "family", "families") + " of which every pair is answered rightly " +
+                              (all_right == 1 ? "has" : "have") + " no line.");
+  if (!is_sample)
+    table.sentences.emplace_back("These pairs are chosen, not thrown: their rates say nothing of other pairs.");
+  if (judged.all.evidence == 0) table.sentences.emplace_back("No answer came with evidence.");
+  return table;
+}
+
+Table mistake_table(const ProgramJudged& judged) {
+  Table table{"Which mistake answers most alike",
+              {"Mistake", "Section of the report", "Both wrong", "One or both wrong", "In common", "Begun"},
+              2};
+  for (std::size_t i = 0; i < std::min(most_resemblances, judged.resemblances.size()); ++i) {
+    const Resemblance& each = judged.resemblances[i];
+    table.rows.push_back({each.name, each.mistake ? mistakes()[*each.mistake].section : "–", std::to_string(each.both),
+                          std::to_string(each.either), percent(each.share()),
+                          each.first_direction.empty() ? "–" : each.first_direction});
+  }
+  return table;
+}
+
+Table change_table(const ProgramJudged& judged) {
+  Table table{
+      "Asked again after what must not change the answer", {"What was done", "Asked", "Other answers", "First"}, 1};
+  for (const Change& change : judged.changes)
+    table.rows.push_back({std::string(change.what), std::to_string(change.asked), std::to_string(change.other_answers),
+                          change.first.empty() ? "–" : printable(change.first)});
+  return table;
+}
+
+Table step_table(const ProgramJudged& judged) {
+  Table table{"The first wrong step", {"Pair", "Iteration", "What is wrong", "That is what follows from"}, 4};
+  if (!judged.steps) return table;
+  for (const JudgedSteps& each : *judged.steps) {
+    std::string follows;
+    for (const std::size_t m : each.mistakes)
+      follows += (follows.empty() ? "M" : "; M") + std::to_string(m + 1) + ": " + mistakes()[m].name;
+    table.rows.push_back({printable(each.pair), each.iteration == 0 ? "–" : std::to_string(each.iteration),
+                          printable(each.words), follows.empty() ? "–" : follows});
+  }
+  std::set<std::string> families;
+  for (const Judged& each : judged.pairs)
+    if (each.has_search()) families.insert(each.named.family);
+  if (families.size() > table.rows.size())
+    table.sentences.push_back("Of " + std::to_string(families.size()) + " families with failures the first " +
+                              std::to_string(table.rows.size()) + " are told.");
+  return table;
+}
+
+void write(std::ostream& out, const Table& table) {
+  out << "## " << table.heading << "\n\n";
+  heading(out, table.titles, table.words);
   for (const Cells& cells : table.rows) row(out, cells);
   out << '\n';
   for (const std::string& sentence : table.sentences) paragraph(out, sentence);
-}
-
-void write_changes(std::ostream& out, const ProgramJudged& judged) {
-  if (judged.changes.empty()) return;
-  out << "## Asked again after what must not change the answer\n\n";
-  heading(out, {"What was done", "Asked", "Other answers", "First"}, 1);
-  for (const Change& change : judged.changes)
-    row(out, {std::string(change.what), std::to_string(change.asked), std::to_string(change.other_answers),
-              change.first.empty() ? "–" : printable(change.first)});
-  out << '\n';
-}
-
-void write_mistakes(std::ostream& out, const ProgramJudged& judged) {
-  if (judged.resemblances.empty()) return;
-  out << "## Which mistake answers most alike\n\n";
-  heading(out, {"Mistake", "Section of the report", "Both wrong", "One or both wrong", "In common", "Begun"}, 2);
-  for (std::size_t i = 0; i < std::min(most_resemblances, judged.resemblances.size()); ++i) {
-    const Resemblance& each = judged.resemblances[i];
-    row(out, {each.name, each.mistake ? mistakes()[*each.mistake].section : "–", std::to_string(each.both),
-              std::to_string(each.either), percent(each.share()),
-              each.first_direction.empty() ? "–" : each.first_direction});
-  }
-  out << '\n';
-}
-
-void write_steps(std::ostream& out, const ProgramJudged& judged) {
-  const StepTable table = step_table(judged);
-  if (table.rows.empty()) return;
-  out << "## The first wrong step\n\n";
-  heading(out, table.titles, 4);
-  for (const Cells& cells : table.rows) row(out, cells);
-  out << '\n';
 }
 
 // -- JSON -------------------------------------------------------------------------------------------------------------
@@ -186,37 +219,11 @@ std::vector<std::string> remarks(const ProgramJudged& judged) {
   return sentences;
 }
 
-FamilyTable family_table(const ProgramJudged& judged, bool is_sample) {
-  FamilyTable table{{"Family", "Pairs"}, {}, {}};
-  for (const Verdict verdict : columns) table.titles.emplace_back(verdict_words[static_cast<std::size_t>(verdict)]);
-  table.titles.emplace_back("evidence that proves nothing");
-  if (is_sample) table.titles.emplace_back("wrong, with the 95 % interval");
-  std::size_t all_right = 0;
-  for (const FamilyTally& family : judged.families)
-    if (family.of(Verdict::right) == family.pairs && family.false_evidence == 0)
-      ++all_right;
-    else
-      table.rows.push_back(cells_of(family, is_sample));
-  table.rows.push_back(cells_of(judged.all, is_sample));
-  if (all_right > 0)
-    table.sentences.push_back(count_of(all_right, "family", "families") + " of which every pair is answered rightly " +
-                              (all_right == 1 ? "has" : "have") + " no line.");
-  if (!is_sample)
-    table.sentences.emplace_back("These pairs are chosen, not thrown: their rates say nothing of other pairs.");
-  return table;
-}
-
-StepTable step_table(const ProgramJudged& judged) {
-  StepTable table{{"Pair", "Iteration", "What is wrong", "That is what follows from"}, {}};
-  if (!judged.steps) return table;
-  for (const JudgedSteps& each : *judged.steps) {
-    std::string follows;
-    for (const std::size_t m : each.mistakes)
-      follows += (follows.empty() ? "M" : "; M") + std::to_string(m + 1) + ": " + mistakes()[m].name;
-    table.rows.push_back({printable(each.pair), each.iteration == 0 ? "–" : std::to_string(each.iteration),
-                          printable(each.words), follows.empty() ? "–" : follows});
-  }
-  return table;
+std::vector<Table> tables_of(const ProgramJudged& judged, bool is_sample) {
+  std::vector<Table> all{family_table(judged, is_sample), mistake_table(judged), change_table(judged),
+                         step_table(judged)};
+  std::erase_if(all, [](const Table& table) { return table.rows.empty(); });
+  return all;
 }
 
 std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head) {
@@ -224,10 +231,7 @@ std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head)
   out << "# " << printable(head.program) << ": " << verdict_line(judged) << "\n\n";
   for (const std::string& sentence : remarks(judged)) out << "* " << sentence << '\n';
   out << "* made by: `" << printable(head.command) << "`\n\n";
-  write_families(out, judged, head);
-  write_mistakes(out, judged);
-  write_changes(out, judged);
-  write_steps(out, judged);
+  for (const Table& table : tables_of(judged, head.is_sample)) write(out, table);
   return out.str();
 }
 

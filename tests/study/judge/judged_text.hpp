@@ -20,20 +20,17 @@ std::string verdict_line(const ProgramJudged& judged);
 /// Returns: what there is to say to it, a sentence each: the mistake that answers most alike, how it crashed, what it wrote.
 std::vector<std::string> remarks(const ProgramJudged& judged);
 
-/// Families of which all is right have no row; the last row is of all pairs.
-struct FamilyTable {
+struct Table {
+  std::string heading;
   std::vector<std::string> titles;
-  std::vector<std::vector<std::string>> rows;
-  std::vector<std::string> sentences;  ///< to read below it
+  std::size_t words;  ///< the first so many columns are words, the others numbers
+  std::vector<std::vector<std::string>> rows = {};
+  std::vector<std::string> sentences = {};  ///< to read below it
 };
-FamilyTable family_table(const ProgramJudged& judged, bool is_sample);
 
-/// No rows where no steps were asked for, or nothing failed.
-struct StepTable {
-  std::vector<std::string> titles;
-  std::vector<std::vector<std::string>> rows;
-};
-StepTable step_table(const ProgramJudged& judged);
+/// Returns: what is there to tell of these, in the order in which to read them: families, mistakes that answer alike, answers that
+/// changed, first wrong steps. Families of which all is right have no row; the last row is of all pairs.
+std::vector<Table> tables_of(const ProgramJudged& judged, bool is_sample);
 
 std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head);
 /// Returns: one object, one line.

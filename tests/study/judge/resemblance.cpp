@@ -95,6 +95,7 @@ Resemblance compared(Resemblance found, const std::vector<Asked>& pairs, const F
 }
 
 bool is_more(const Resemblance& x, const Resemblance& y) {
+  if (x.has_evidence() != y.has_evidence()) return x.has_evidence();
   return x.share() != y.share() ? x.share() > y.share() : x.both > y.both;
 }
 

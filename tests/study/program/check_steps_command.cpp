@@ -20,7 +20,7 @@ constexpr const char* footer =
   {"direction": [x, y, z], "simplex": [[x, y, z], ...]}
   true
 the direction in which the iteration searched, and the simplex of points a - b after it was reduced, the newest last; the
-last one need not be reduced. Further searches may follow, each with its pair.
+last one need not be reduced, and the iteration that ends with "no" need not be told. Further searches may follow, each with its pair.
 Each step is made again from the simplex before it, as the file has it. Another face that sees the origin, directions of
 other length and vertices in other order are right, too, and told where the report chooses otherwise.
 What --draw shows is the mistake that would make the same step, on this pair and begun in the same direction; where there is none, the
@@ -43,9 +43,11 @@ void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::st
 
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 
-void write(const std::string& name, const StepsChecked& checked) {
-  std::cout << name << ": ";
-  if (checked.iteration == 0)
+void write(const ToldRun& run, const StepsChecked& checked) {
+  std::cout << run.named.name << ": ";
+  if (run.steps.empty())
+    std::cout << "no step is told\n";
+  else if (checked.iteration == 0)
     std::cout << "every step is one that the report's algorithm may make\n";
   else
     std::cout << "iteration " << checked.iteration << ": " << checked.words << '\n';
@@ -69,15 +71,19 @@ void CheckStepsCommand::run() const {
     render::make_folder(*draw, "choose another with --draw");
   }
   const std::string text = walkthroughs::read_text(file, {"file of steps", largest_file});
-  std::size_t all = 0, wrong = 0;
+  std::size_t all = 0, wrong = 0, told = 0;
   for (const ToldRun& run : read_told_runs(text, file)) {
     const StepsChecked checked = check_steps(run);
-    write(run.named.name, checked);
+    write(run, checked);
     ++all;
+    told += !run.steps.empty();
     wrong += checked.iteration > 0;
     if (draw && checked.iteration > 0 && wrong == 1) draw_parting(run, checked, *draw);
   }
   std::cout.flush();
+  if (told == 0)
+    throw walkthroughs::InputError(file + ": no search tells a step; write one a line before the answer: " +
+                                   R"({"direction": [x, y, z], "simplex": [[x, y, z], ...]})");
   if (wrong > 0)
     throw std::runtime_error(file + ": " + std::to_string(wrong) + " of " + std::to_string(all) +
                              (all == 1 ? " search has a wrong step" : " searches have a wrong step"));

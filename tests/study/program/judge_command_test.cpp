@@ -131,6 +131,30 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   check_failure("check-steps " + in(folder, "bad"), 3, {"bad:1: the first line must be a pair"});
 }
 
+TEST_CASE("check-steps: who tells steps at their end, as the adapter does, is not blamed for a right no", "[judge]") {
+  const Folder folder;
+  const std::string steps = in(folder, "steps.jsonl");
+  const std::string make = "grep '\"m4-1\"' " + quoted(GJKSTEP_CORPUS) + " | tee " + steps + " | JUDGE_STEPS=1 " +
+                           quoted(JUDGED_WRONG_GJK) + " >" + steps + ".told && cat " + steps + ".told >>" + steps;
+  REQUIRE(std::system(make.c_str()) == 0);
+  REQUIRE(has(bytes_of(folder.path() / "steps.jsonl"), "\nfalse\n"));
+  const Outcome outcome = run("check-steps " + steps);
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(outcome.out, "m4-1: every step is one that the report's algorithm may make"));
+}
+
+TEST_CASE("check-steps: a file without any step is refused, a search without is told", "[judge]") {
+  const Folder folder;
+  const std::string pair = R"({"a":{"points":[[0,0,0]]},"b":{"points":[[0,0,3]]}})",
+                    step = R"({"direction":[1,0,0],"simplex":[[0,0,-3]]})";
+  std::ofstream(folder.path() / "none") << pair << "\nfalse\n";
+  check_failure("check-steps " + in(folder, "none"), 3, {"none: no search tells a step"});
+  std::ofstream(folder.path() / "one") << pair << "\nfalse\n" << pair << '\n' << step << "\nfalse\n";
+  const Outcome outcome = run("check-steps " + in(folder, "one"));
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(outcome.out, "line-1: no step is told\nline-3: every step is one"));
+}
+
 TEST_CASE("judge: --steps names the first wrong step of failures, where the program tells its steps", "[judge]") {
   const Outcome wrong = run("judge --steps -- " + quoted(JUDGED_WRONG_GJK));
   CHECK(wrong.exit_code == 1);
@@ -152,7 +176,9 @@ TEST_CASE("judge: --steps is in JSON and on the page, too, where both searches a
   CHECK(has((*first)["words"].get<std::string>(), "keeps [C, B, A] where the report keeps [C, A, B]"));
   CHECK((*first)["mistakes"] == nlohmann::json{14});
   const std::string page = bytes_of(folder.path() / "page.html");
-  CHECK(page.find("<h2>By family") < page.find("<h2>The first wrong step"));
+  CHECK(page.find("<h2>By family") < page.find("<h2>Which mistake answers most alike"));
+  CHECK(page.find("<h2>Which mistake answers most alike") < page.find("<h2>Asked again after what must not change"));
+  CHECK(page.find("<h2>Asked again after what must not change") < page.find("<h2>The first wrong step"));
   CHECK(page.find("M14: the order is not changed when moving below the triangle") < page.find("alt=\"Both searches"));
   CHECK(page.find("alt=\"Both searches") < page.find("<h2>The first failures"));
   CHECK_FALSE(nlohmann::json::parse(run("judge --json -- " + quoted(JUDGED_WRONG_GJK)).out).contains("steps"));

@@ -192,11 +192,13 @@ class Following {
   }
 
   void follow() {
+    if (at_ == 0 && step().direction == Vec(Vec::Zero())) return blame(1, "a search along (0, 0, 0) goes nowhere", {});
     if (at_ > 0 && !direction_is_right()) return;
     const std::optional<Vec> newest = newest_vertex();
     if (!newest) return;
     const double reach = newest->dot(step().direction);
-    if (at_ > 0 && reach < 0 && (is_sure(*newest, reach) || ends_with_no())) return end_outside(reach);
+    if (at_ > 0 && reach < 0 && (is_sure(*newest, step().direction, reach) || ends_with_no()))
+      return end_outside(reach);
     vertices_ = before_;
     vertices_.push_back(*newest);
     if (vertices_.size() > 4)
@@ -294,8 +296,7 @@ class Following {
   }
 
   /// Whether every program finds that sign of P·d: it is far from 0, or 0 and nothing is rounded.
-  bool is_sure(const Vec& newest, double reach) const {
-    const Vec& d = step().direction;
+  static bool is_sure(const Vec& newest, const Vec& d, double reach) {
     if (std::abs(reach) > flat * newest.cwiseAbs().dot(d.cwiseAbs())) return true;
     Rational sum = 0;
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -354,7 +355,8 @@ class Following {
     const bool contains = std::ranges::any_of(right, &Outcome::contains_origin);
     if (run_.said == Said::intersecting && !contains) return blame_simplex(right.front(), "says yes");
     if (run_.said == Said::intersecting || !run_.said) return;
-    if (run_.said == Said::separated && at_ > 0 && !is_sure(vertices_.back(), reach)) return;
+    if (run_.said == Said::separated && ended_by_untold_step(right)) return;
+    if (run_.said == Said::separated && at_ > 0 && !is_sure(vertices_.back(), step().direction, reach)) return;
     if (run_.said == Said::separated && at_ > 0 && reach == 0)
       return blame(iteration(),
                    "P·d = 0: the origin may lie on what was reached, and touching is no proof; yours says no",
@@ -368,11 +370,46 @@ class Following {
             makers_of_no({}));
   }
 
+  double reach_along(const Vec& d) const { return among(farthest_differences(d, -d), d).dot(d); }
+
+  /// Who tells a step at the end of each iteration never comes to the end of the one with P·d < 0: what was told last is then a
+  /// simplex that the report keeps, and the step after it must prove the no.
+  ///
+  /// Returns: whether that is so; blames where the step proves nothing.
+  bool ended_by_untold_step(const std::vector<Outcome>& right) {
+    Vertices ways;
+    for (const Outcome& each : right)
+      if (!each.contains_origin && are_same_set(each.kept, told_indices_)) ways.push_back(shortened(each.direction));
+    if (ways.empty()) return false;
+    for (const Vec& d : ways) {
+      const Vec newest = among(farthest_differences(d, -d), d);
+      if (newest.dot(d) < 0 || !is_sure(newest, d, newest.dot(d))) return true;
+    }
+    const double reach = reach_along(ways.front());
+    std::vector<std::size_t> makers;
+    if (reaches_back(ways.front())) makers.push_back(0);
+    if (reach == 0) makers.push_back(2);
+    for (std::size_t m = 0; m < mistakes().size(); ++m) {
+      const Processed other = process_by(m);
+      if (other.contains_origin || !are_same_set(indices_of(other.kept), told_indices_)) continue;
+      const Vec d = shortened(other.direction);
+      if (!parallel(d, ways.front()) && reach_along(d) < 0) makers.push_back(m);
+    }
+    blame(iteration(),
+          "then the search was ended, and the answer is no, though along " + words_of(ways.front()) +
+              ", where the report goes on, P·d = " + walkthroughs::number_text(reach) + " ≥ 0 proves nothing",
+          makers);
+    return true;
+  }
+
+  /// Whether the vertex of M1 along `d` has P·d < 0.
+  bool reaches_back(const Vec& d) const {
+    return std::ranges::any_of(farthest_differences(d, d), [&](const Vec& v) { return v.dot(d) < 0; });
+  }
+
   /// Returns: also M1 where its vertex has P·d < 0.
   std::vector<std::size_t> makers_of_no(std::vector<std::size_t> makers) const {
-    const Vec d = shortened(step().direction);
-    const Vertices backward = farthest_differences(d, d);
-    if (std::ranges::any_of(backward, [&](const Vec& v) { return v.dot(d) < 0; })) makers.push_back(0);
+    if (reaches_back(shortened(step().direction))) makers.push_back(0);
     return makers;
   }
 

@@ -6,6 +6,7 @@
 #include "tests/study/corpus/shown.hpp"
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/methods/mistakes.hpp"
+#include "tests/study/truth/oracle.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/text_file.hpp"
@@ -32,6 +33,12 @@ ToldRun told(const NamedPair& named, const gjk::Trace<double>& trace) {
                  : e->result.status == gjk::Status::separated  ? Said::separated
                                                                : Said::undecided;
   }
+  return run;
+}
+
+/// The same as judge_main.hpp tells it: the step that ends the search with "no" has no simplex, and is not told.
+ToldRun told_at_ends(ToldRun run) {
+  if (run.said == Said::separated && run.steps.size() > 1) run.steps.pop_back();
   return run;
 }
 
@@ -70,6 +77,26 @@ TEST_CASE(
   CHECK(all > 1000);
 }
 
+TEST_CASE("Steps: of a mistake that ends with no, and does not tell that step, a wrong step is told all the same",
+          "[steps]") {
+  int all = 0, told_wrong = 0, named = 0;
+  for (std::size_t m = 0; m < mistakes().size(); ++m)
+    for (const NamedPair& pair : smallest()) {
+      const ToldRun run =
+          told_at_ends(told(pair, walkthroughs::run(walkthroughs::mistaken(scene_of(pair), walkthroughs::Mistake(m)))));
+      if (!shows(pair.pair, m) || run.said != Said::separated || judge(pair.pair).truth != Truth::intersecting)
+        continue;
+      const StepsChecked found = check_steps(run);
+      told_wrong += found.iteration > 0;
+      named += std::ranges::count(found.mistakes, m) == 1;
+      ++all;
+    }
+  CHECK(all > 250);
+  CHECK(told_wrong >=
+        all - 1);  // of one the step that was not told has P·d = 0 but for rounding: either sign may be found
+  CHECK(named == told_wrong);
+}
+
 TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
   const NamedPair far{"far", "f", {Points{{0, 0, 0}, {1, 0, 0}}, Points{{5, 1, 0}, {5, -1, 0}}}};
   const auto words = [&](const std::vector<ToldStep>& steps, Said said) {
@@ -89,6 +116,9 @@ TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
   CHECK_THAT(words({first, {{4, 1, 0}, {{-4, 1, 0}, {-5, 1, 0}}}}, Said::separated),
              Contains("2: its simplex has 2 vertices"));
   CHECK(words({}, Said::separated) == "0: ");
+  CHECK(words({first}, Said::separated) == "0: ");
+  CHECK_THAT(words({{{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated),
+             Contains("1: a search along (0, 0, 0) goes nowhere"));
 }
 
 /// Algorithm 5 with its faces looked at in another order: as right as the report's.
@@ -137,6 +167,7 @@ TEST_CASE(
     INFO(named.name << ": " << found.words);
     CHECK(found.iteration == 0);
     CHECK(found.other_choices.empty());
+    CHECK(check_steps(told_at_ends(run)).words.empty());
     if (named.family != "smallest") continue;
     for (ToldStep& step : run.steps) {
       step.direction /= step.direction.stableNorm();

@@ -24,13 +24,6 @@ class StepsWanted {
   StepsWanted& operator=(const StepsWanted&) = delete;
 };
 
-bool is_followed(const Judged& judged) {
-  const bool is_answer = judged.verdict == Verdict::wrong_yes || judged.verdict == Verdict::wrong_no ||
-                         judged.verdict == Verdict::undecided;
-  return is_answer && std::holds_alternative<Points>(judged.named.pair.a) &&
-         std::holds_alternative<Points>(judged.named.pair.b);
-}
-
 /// Returns: its search, step by step; nothing, and why, where it tells none.
 std::optional<ToldRun> told_run(const AskedProgram& program, const NamedPair& named, std::string& why) {
   const std::vector<std::string> question{question_line(named.pair)};
@@ -57,7 +50,7 @@ std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const Pr
   std::optional<FrameDrawing> drawing;
   for (const Judged& each : judged.pairs) {
     if (all.size() == most) break;
-    if (!is_followed(each) || !families.insert(each.named.family).second) continue;
+    if (!each.has_search() || !families.insert(each.named.family).second) continue;
     JudgedSteps& steps = all.emplace_back(JudgedSteps{.pair = each.named.name});
     const std::optional<ToldRun> run = told_run(program, each.named, steps.words);
     if (!run) continue;

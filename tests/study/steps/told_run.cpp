@@ -21,19 +21,31 @@ Vec vec_in(const Value& value) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (!numbers[i].is(Kind::number)) numbers[i].fail("must be a number");
     v[static_cast<Eigen::Index>(i)] = numbers[i].number();
-    if (!(std::abs(numbers[i].number()) <= walkthroughs::scene_limits::magnitude)) numbers[i].fail("is too large");
   }
   return v;
+}
+
+Vec point_in(const Value& value) {
+  const Vec p = vec_in(value);
+  if (!(p.cwiseAbs().maxCoeff() <= walkthroughs::scene_limits::magnitude)) value.fail("is too far away");
+  return p;
+}
+
+/// Returns: the direction in numbers whose products with points no double is too small for: only their ratios count.
+Vec direction_in(const Value& value) {
+  const Vec d = vec_in(value);
+  const double most = d.cwiseAbs().maxCoeff();
+  return most > walkthroughs::scene_limits::magnitude ? Vec(d * std::ldexp(1.0, -std::ilogb(most))) : d;
 }
 
 ToldStep step_in(const Value& root) {
   const auto direction = root.member("direction"), simplex = root.member("simplex");
   if (!direction || !simplex) root.fail("a step has a \"direction\" and a \"simplex\"");
-  ToldStep step{vec_in(*direction), {}};
+  ToldStep step{direction_in(*direction), {}};
   const std::vector<Value> points = simplex->children();
   if (!simplex->is(Kind::list) || points.empty() || points.size() > 4)
     simplex->fail("must be a list of one to four points [x, y, z]");
-  for (const Value& point : points) step.simplex.push_back(vec_in(point));
+  for (const Value& point : points) step.simplex.push_back(point_in(point));
   return step;
 }
 

@@ -5,8 +5,9 @@
 ///     {"direction":[-3,-1,0],"simplex":[[3,1,0],[-2,0,1]]}
 ///     true
 ///
-/// A step says along which direction it searched, and the simplex after it was reduced, points a - b, the newest last. Its last
-/// simplex need not be reduced. A file holds as many such searches as it likes.
+/// A step says along which direction it searched, and the simplex after it was reduced, points a - b, the newest last. The last
+/// simplex need not be reduced, and the step that ends a search with "no" need not be told: its vertex never becomes part of a
+/// simplex. A file holds as many such searches as it likes.
 #pragma once
 
 #include <cstddef>

@@ -17,6 +17,15 @@ TEST_CASE("Told runs: searches are read with their steps and answers, several of
   CHECK(runs[0].steps[1].simplex == std::vector<Vec>{Vec(-1, 0, 0)});
 }
 
+TEST_CASE("Told runs: of a direction only the ratios count, however long it is", "[steps]") {
+  const auto runs = read_told_runs(pair + R"(
+{"direction":[1e308,-5e307,0],"simplex":[[1,0,0]]})",
+                                   "f");
+  const Vec d = runs.at(0).steps.at(0).direction;
+  CHECK(d[0] == Approx(-2 * d[1]));
+  CHECK((d[0] >= 1 && d[0] < 2));
+}
+
 TEST_CASE("Told runs: what is no step is refused with its line and the reason", "[steps]") {
   const auto check_fails = [](const std::string& line, const std::string& words) {
     INFO(line);
@@ -30,7 +39,7 @@ TEST_CASE("Told runs: what is no step is refused with its line and the reason", 
   check_fails(R"({"direction":[1,0,0]})", "a step has");
   check_fails(R"({"direction":[1,0],"simplex":[[0,0,0]]})", "direction: must be [x, y, z]");
   check_fails(R"({"direction":[1,0,"x"],"simplex":[[0,0,0]]})", "direction[2]: must be a number");
-  check_fails(R"({"direction":[1,0,1e300],"simplex":[[0,0,0]]})", "is too large");
+  check_fails(R"({"direction":[1,0,0],"simplex":[[0,0,1e300]]})", "simplex[0]: is too far away");
   check_fails(R"({"direction":[1,0,0],"simplex":[]})", "one to four points");
   check_fails(R"({"direction":[1,0,0],"simplex":[[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]})", "one to four points");
   check_fails(R"({"a":{"points":[[0,0,0]]}})", "b");

@@ -33,7 +33,7 @@ struct Amount {
   std::uint64_t pairs, slow_pairs;
 };
 
-/// On two cores: about ten minutes, and less than one.
+/// On two cores: some 25 minutes, and less than one.
 Amount amount_of(Scope scope) { return scope == Scope::full ? Amount{500000, 10000} : Amount{3000, 60}; }
 
 constexpr std::uint64_t worth_exhausting = 600'000;  // a full run asks all pairs of a list up to this length

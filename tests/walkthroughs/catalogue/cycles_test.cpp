@@ -93,3 +93,15 @@ TEST_CASE("The two searches that run in circles do so without the crossing test 
     CHECK(frame.events[0].last == back->event);
   }
 }
+
+TEST_CASE("The last frame tells why it goes round, how often, as the study has it, and what helps") {
+  const std::string measured = bytes_of(std::filesystem::path(GJKSTEP_CLAIMS).parent_path() / "errors.md");
+  CHECK(measured.find("| triangles | 4e-6 (") != std::string::npos);
+  for (const std::string& name : cycles) {
+    INFO(name);
+    const std::vector<Fact> facts = tell(walkthrough(name)).frames.back().facts;
+    REQUIRE(facts.size() >= 2);
+    CHECK(facts[1].text.find("Of a million random pairs of triangles 4 go round") != std::string::npos);
+    CHECK(facts[1].text.find("the complete rules, or a certified answer, always do") != std::string::npos);
+  }
+}

@@ -1,4 +1,4 @@
-// A GJK of 40 lines with one mistake in it, to be found by tests/study/judge/README.md:
+// A short GJK with one mistake in it, to be found by tests/study/judge/README.md:
 //
 //     c++ wrong_gjk.cpp -o wrong_gjk && gjkstep-study judge -- ./wrong_gjk
 #include <algorithm>
