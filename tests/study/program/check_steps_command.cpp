@@ -1,5 +1,6 @@
 #include "tests/study/program/check_steps_command.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -71,19 +72,19 @@ void CheckStepsCommand::run() const {
     render::make_folder(*draw, "choose another with --draw");
   }
   const std::string text = walkthroughs::read_text(file, {"file of steps", largest_file});
-  std::size_t all = 0, wrong = 0, told = 0;
-  for (const ToldRun& run : read_told_runs(text, file)) {
+  const std::vector<ToldRun> runs = read_told_runs(text, file);
+  if (std::ranges::all_of(runs, [](const ToldRun& run) { return run.steps.empty(); }))
+    throw walkthroughs::InputError(file + ": no search tells a step; write one a line before the answer: " +
+                                   R"({"direction": [x, y, z], "simplex": [[x, y, z], ...]})");
+  std::size_t all = 0, wrong = 0;
+  for (const ToldRun& run : runs) {
     const StepsChecked checked = check_steps(run);
     write(run, checked);
     ++all;
-    told += !run.steps.empty();
     wrong += checked.iteration > 0;
     if (draw && checked.iteration > 0 && wrong == 1) draw_parting(run, checked, *draw);
   }
   std::cout.flush();
-  if (told == 0)
-    throw walkthroughs::InputError(file + ": no search tells a step; write one a line before the answer: " +
-                                   R"({"direction": [x, y, z], "simplex": [[x, y, z], ...]})");
   if (wrong > 0)
     throw std::runtime_error(file + ": " + std::to_string(wrong) + " of " + std::to_string(all) +
                              (all == 1 ? " search has a wrong step" : " searches have a wrong step"));
