@@ -149,6 +149,10 @@ class Surface {
     for (const auto& [i, j] : open) add_face(i, j, points_.size() - 1);
   }
 
+  /// Whether rounding has made it run through itself: else it has two triangles less than twice as many as corners. It would double
+  /// with each point then.
+  bool is_tangled() const { return faces_.size() > 2 * points_.size(); }
+
   /// Returns: how far from the origin some point of it is: of each triangle that below the origin, or one on its rim.
   double nearness() const {
     double least = std::numeric_limits<double>::infinity();
@@ -260,6 +264,7 @@ Surrounded surrounded(Difference& difference, double radius) {
     const Place w = difference.far_along(lowest.normal, radius);
     if (!surface.is_below(lowest, w)) break;
     surface.add(w);
+    if (surface.is_tangled()) break;
   }
   return {false, surface.nearness()};
 }

@@ -166,6 +166,16 @@ TEST_CASE("C9: a flat difference has a bound, too, and the same point twice has 
   REQUIRE(same.gap < 1e-12);
 }
 
+TEST_CASE("C9: where rounding makes the surface run through itself the search ends all the same", "[certified]") {
+  const PointSet<double> a({V(0x1.b6db6db6db6dap-1, 0x1.2db6db6db6db7p+2, 0), V(-0x1p-1074, 0, -0x1.9b6db6db6db6cp+2)});
+  const PointSet<double> b({V(0x1.4924924924925p+0, 0x1.b6db6db6db6dbp+0, -0x1.1249249249248p+1),
+                            V(-0x1.4924924924924p+0, -0x1.b6db6db6db6dbp+0, -0x1.56db6db6db6dap+3)});
+  const ShapesResult result = certified_shapes(a, b);
+  REQUIRE(result.status == undecided);
+  REQUIRE(result.gap < 1e-7);
+  REQUIRE(result.iterations < 3000);
+}
+
 TEST_CASE("C7 to C9: shapes of any size are answered as those of size 1", "[certified]") {
   const auto asked = [](int scale, const V& center) {
     const auto large = [scale](double x) { return std::ldexp(x, scale); };
