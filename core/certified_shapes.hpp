@@ -53,8 +53,8 @@ class DoubtfulDifference {
   /// ε: w = a − b is rounded by u|w|, w·d is off by 3u|w||d|; all in doubles.
   DoubtfulDifference(const A& a, const B& b) : a_(a), b_(b) {
     const Doubt of_a = doubt(a), of_b = doubt(b);
-    if (const double size = std::max(of_a.size, of_b.size); size > 0 && std::isfinite(size))
-      exponent_ = std::ilogb(size);
+    if (const double largest = std::max({of_a.size, of_b.size, of_a.error, of_b.error}); std::isfinite(largest))
+      exponent_ = std::ilogb(largest);
     const double size = in_units(of_a.size) + in_units(of_b.size);
     error_ = (in_units(of_a.error) + in_units(of_b.error) + 8 * roundoff * size) * (1 + 0x1p-20);
   }

@@ -176,6 +176,16 @@ TEST_CASE("C9: where rounding makes the surface run through itself the search en
   REQUIRE(result.iterations < 3000);
 }
 
+TEST_CASE("C9: of points at the origin, too, the bound is next to nothing", "[certified]") {
+  const PointSet<double> origin({V(0, 0, 0)}), least({V(0x1p-1074, 0, 0)});
+  for (const PointSet<double>& other : {origin, least}) {
+    const ShapesResult result = certified_shapes(origin, other);
+    REQUIRE(result.status == undecided);
+    REQUIRE(result.gap < 0x1p-1060);
+    REQUIRE(result.iterations < 100);
+  }
+}
+
 TEST_CASE("C7 to C9: shapes of any size are answered as those of size 1", "[certified]") {
   const auto asked = [](int scale, const V& center) {
     const auto large = [scale](double x) { return std::ldexp(x, scale); };

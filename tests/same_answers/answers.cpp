@@ -78,7 +78,7 @@ void ask_about_cans(Dice& dice, Answers& answers) {
   const int x = dice.between(-1, 1), y = dice.between(-1, 1), halves = dice.between(1, 4), height = dice.between(1, 4);
   const Vec3<double> axis(x, y, 1);
   const Cylinder<double> a(Vec3<double>(0, 0, 0), axis, halves * 0.5, height);
-  const double sign = dice.between(0, 1) ? 1 : -1, gap = std::ldexp(sign, -dice.between(4, 36)), reach = a.radius() + 1;
+  const double sign = dice.between(0, 1) ? 1 : -1, gap = std::ldexp(sign, -dice.between(4, 32)), reach = a.radius() + 1;
   const Vec3<double> across(axis.z(), 0,
                             -axis.x());  // at right angles to the axis, and as long as 1 or √2 of its square
   const double length = across.squaredNorm() == 1 ? 1 : std::sqrt(2.0);
