@@ -34,7 +34,7 @@ namespace gjk {
 struct ShapesResult {
   Status status = Status::undecided;
   /// Where undecided: the shapes are at most so far apart, and to part them takes a move of at most so much (C9); infinite where
-  /// their points are beyond half of what a double can hold. Else 0.
+  /// their points are beyond a millionth of what S can hold. Else 0.
   double gap = 0;
   int iterations = 0;               ///< how many times each of the two support functions was called
   Vec3<double> direction{0, 0, 0};  ///< where separated: a·d < b·d for all points a and b

@@ -80,12 +80,16 @@ std::string words_of_undecided(const Counts& counts) {
   return words;
 }
 
+std::string with_decimals(int decimals, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
 std::string words_of(const Histogram& iterations) {
   if (total(iterations) == 0) return "";
   const Spread spread = spread_of(iterations);
-  char text[64];
-  std::snprintf(text, sizeof text, "%.2f, %d, %d", spread.mean, spread.p99, spread.max);
-  return text;
+  return with_decimals(2, spread.mean) + ", " + std::to_string(spread.p99) + ", " + std::to_string(spread.max);
 }
 
 // -- The tables of counts ---------------------------------------------------------------------------------------------
@@ -202,10 +206,7 @@ std::string limits_table(const Settings& settings) {
 /// Returns: "8.4", of both sets together.
 std::string support_calls(const Counts& counts) {
   if (counts.pairs == 0) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f",
-                static_cast<double>(counts.support_calls) / static_cast<double>(counts.pairs));
-  return text;
+  return with_decimals(1, static_cast<double>(counts.support_calls) / static_cast<double>(counts.pairs));
 }
 
 std::string iterations_table(const Settings& settings) {
@@ -237,12 +238,6 @@ std::string how_to_read(const Settings& settings) {
 }
 
 // -- Certified answers ------------------------------------------------------------------------------------------------
-
-std::string with_decimals(int decimals, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 /// Returns: "0.2".
 std::string share_of_second_searches(const Tally& tally) {
@@ -342,9 +337,7 @@ std::string time_of(const Settings& settings, const std::string& family, const S
   const Row* const row = settings.find(family, setting);
   const int limit = limit_for(setting.rules, setting.limit);
   if (row == nullptr || !row->timings.contains(limit)) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f", row->timings.at(limit).per_query());
-  return text;
+  return nanoseconds_of(row->timings.at(limit));
 }
 
 std::string times_table(const Settings& settings) {
@@ -363,9 +356,7 @@ std::string times_table(const Settings& settings) {
 std::string iterations_per_query(const Counts& counts) {
   Histogram all = counts.hit_iterations;
   add(all, counts.miss_iterations);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", spread_of(all).mean);
-  return text;
+  return with_decimals(2, spread_of(all).mean);
 }
 
 /// Why float is not the faster one, where this run shows that it is not, with the compiler that this was measured with.

@@ -197,8 +197,7 @@ class Following {
     const std::optional<Vec> newest = newest_vertex();
     if (!newest) return;
     const double reach = newest->dot(step().direction);
-    if (at_ > 0 && reach < 0 && (is_sure(*newest, step().direction, reach) || ends_with_no()))
-      return end_outside(reach);
+    if (at_ > 0 && reach < 0 && (is_sure(*newest, step().direction) || ends_with_no())) return end_outside(reach);
     vertices_ = before_;
     vertices_.push_back(*newest);
     if (vertices_.size() > 4)
@@ -296,8 +295,8 @@ class Following {
   }
 
   /// Whether every program finds that sign of P·d: it is far from 0, or 0 and nothing is rounded.
-  static bool is_sure(const Vec& newest, const Vec& d, double reach) {
-    if (std::abs(reach) > flat * newest.cwiseAbs().dot(d.cwiseAbs())) return true;
+  static bool is_sure(const Vec& newest, const Vec& d) {
+    if (std::abs(newest.dot(d)) > flat * newest.cwiseAbs().dot(d.cwiseAbs())) return true;
     Rational sum = 0;
     for (Eigen::Index i = 0; i < 3; ++i) {
       if (Rational(newest[i]) * Rational(d[i]) != Rational(newest[i] * d[i])) return false;
@@ -356,7 +355,7 @@ class Following {
     if (run_.said == Said::intersecting && !contains) return blame_simplex(right.front(), "says yes");
     if (run_.said == Said::intersecting || !run_.said) return;
     if (run_.said == Said::separated && ended_by_untold_step(right)) return;
-    if (run_.said == Said::separated && at_ > 0 && !is_sure(vertices_.back(), step().direction, reach)) return;
+    if (run_.said == Said::separated && at_ > 0 && !is_sure(vertices_.back(), step().direction)) return;
     if (run_.said == Said::separated && at_ > 0 && reach == 0)
       return blame(iteration(),
                    "P·d = 0: the origin may lie on what was reached, and touching is no proof; yours says no",
@@ -383,7 +382,7 @@ class Following {
     if (ways.empty()) return false;
     for (const Vec& d : ways) {
       const Vec newest = among(farthest_differences(d, -d), d);
-      if (newest.dot(d) < 0 || !is_sure(newest, d, newest.dot(d))) return true;
+      if (newest.dot(d) < 0 || !is_sure(newest, d)) return true;
     }
     const double reach = reach_along(ways.front());
     std::vector<std::size_t> makers;
