@@ -161,6 +161,7 @@ TEST_CASE("judge: --steps names the first wrong step of failures, where the prog
   CHECK(has(wrong.out, "## The first wrong step"));
   CHECK(has(wrong.out, "keeps [C, B, A] where the report keeps [C, A, B]"));
   CHECK(has(wrong.out, "| M14: the order is not changed when moving below the triangle |"));
+  CHECK(has(wrong.out, "| touching-edge-askew-37 | – | every step is one"));  // its direction rounds, and is not told
   CHECK(has(run("judge --steps -- sed s/.*/true/").out, "| it tells no steps |"));
   CHECK_FALSE(has(run("judge --steps -- " + quoted(GJKSTEP_ITSELF) + " query --certified").out, "first wrong step"));
 }

@@ -294,9 +294,20 @@ class Following {
     return std::nullopt;
   }
 
+  /// The direction of a step that was not told is not known: of larger numbers another formula than ours may have rounded it.
+  bool any_formula_rounds() const {
+    constexpr double largest = 1000;  // whole numbers whose products of four, as in ((AB×AO)×AB)·P, are below 2^53
+    return std::ranges::any_of(
+        vertices_, [](const Vec& v) { return v.cwiseAbs().maxCoeff() > largest || v != v.array().round().matrix(); });
+  }
+
+  static bool is_near_zero(const Vec& newest, const Vec& d) {
+    return std::abs(newest.dot(d)) <= flat * newest.cwiseAbs().dot(d.cwiseAbs());
+  }
+
   /// Whether every program finds that sign of P·d: it is far from 0, or 0 and nothing is rounded.
   static bool is_sure(const Vec& newest, const Vec& d) {
-    if (std::abs(newest.dot(d)) > flat * newest.cwiseAbs().dot(d.cwiseAbs())) return true;
+    if (!is_near_zero(newest, d)) return true;
     Rational sum = 0;
     for (Eigen::Index i = 0; i < 3; ++i) {
       if (Rational(newest[i]) * Rational(d[i]) != Rational(newest[i] * d[i])) return false;
@@ -382,7 +393,7 @@ class Following {
     if (ways.empty()) return false;
     for (const Vec& d : ways) {
       const Vec newest = among(farthest_differences(d, -d), d);
-      if (newest.dot(d) < 0 || !is_sure(newest, d)) return true;
+      if (newest.dot(d) < 0 || (any_formula_rounds() ? is_near_zero(newest, d) : !is_sure(newest, d))) return true;
     }
     const double reach = reach_along(ways.front());
     std::vector<std::size_t> makers;
