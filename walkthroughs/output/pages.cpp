@@ -11,6 +11,7 @@
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/page/compare_page.hpp"
 #include "walkthroughs/text/shell_word.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -37,7 +38,33 @@ std::string url_of(const fs::path& path) {
   return url;
 }
 
+void remove_stale(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+}
+
+/// What the page asks for, before there is a page that asks. Where it asks for nothing, that of an earlier run goes.
+void write_files_beside(const Story& story, const PageSurroundings& around, const fs::path& folder) {
+  if (!around.has_files) {
+    for (const char* stale : {style_file, script_file, events_file}) remove_stale(folder / stale);
+    return;
+  }
+  for (const PageFile& file : page_files(story)) render::write_file(folder / file.name, file.content);
+  if (around.trace_command.empty()) return;
+  std::vector<Trace> traces;
+  for (const Telling& telling : story.tellings) traces.push_back(telling.trace);
+  render::write_file(folder / trace_file, traces_json(story.walkthrough, traces));
+}
+
 }  // namespace
+
+std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin) {
+  std::vector<std::string> files{page_file};
+  if (pictures == Pages::Pictures::inside) return files;
+  files.insert(files.end(), {style_file, script_file, events_file});
+  if (origin.option.empty()) files.push_back(trace_file);
+  return files;
+}
 
 PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs::path& folder) const {
   const auto here = std::ranges::find(origins_, walkthrough.name, &PageOrigin::name);
@@ -46,6 +73,7 @@ PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs
   all.command = "gjkstep render " + what + (pictures_ == Pictures::inside ? " --page=single" : " --page") + options_;
   if (!walkthrough.scenes.empty() && here->option.empty()) all.trace_command = "gjkstep trace " + what;
   if (pictures_ == Pictures::inside) return all;
+  all.has_files = true;
   if (!here->file.empty())
     all.sources.push_back({url_of(fs::absolute(here->file).lexically_relative(fs::absolute(folder).lexically_normal())),
                            here->file.filename().string()});
@@ -80,6 +108,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   entry.is_dark = pictures.is_dark;
   entries_.push_back(std::move(entry));
   renderer.then([=, written = written_, around = surroundings_of(w, folder)] {
+    write_files_beside(*story, around, folder);
     render::write_file(folder / page_file, page_html(*story, pictures, around));
     written(folder / page_file, *story);
   });
@@ -88,11 +117,10 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
 void Pages::write_index(const fs::path& folder) const {
   const std::vector<IndexEntry> searches = comparable(entries_);
   const bool is_pair = searches.size() >= 2;
-  std::error_code ignored;
   if (is_pair)
     render::write_file(folder / compare_file, compare_html(searches));
   else
-    fs::remove(folder / compare_file, ignored);  // of an earlier run
+    remove_stale(folder / compare_file);  // of an earlier run
   render::write_file(folder / page_file, index_html(entries_, is_pair ? compare_file : ""));
 }
 

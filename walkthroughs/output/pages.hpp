@@ -21,7 +21,8 @@ struct PageOrigin {
   std::filesystem::path file;  ///< empty where it is one of the catalogue
 };
 
-/// FOLDER/NAME/index.html, beside the files of Frames, which must be given the story before; and FOLDER/index.html.
+/// FOLDER/NAME/index.html and what it asks for, beside the files of Frames, which must be given the story before; and
+/// FOLDER/index.html.
 class Pages : public Sink {
  public:
   enum class Pictures {
@@ -48,5 +49,8 @@ class Pages : public Sink {
   FileWritten written_;
   std::vector<IndexEntry> entries_;
 };
+
+/// Returns: the names of the files that may be written beside the pictures of a walkthrough of that origin.
+std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin);
 
 }  // namespace walkthroughs

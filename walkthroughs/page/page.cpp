@@ -221,16 +221,16 @@ Json questions(const Story& story, const PageSurroundings& surroundings, Texts& 
   return list;
 }
 
+/// Returns: JSON that may stand in a script.
+std::string script_text(const Json& json) {
+  return json_for_html(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 std::string data(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
   Listings listings;
   Texts texts;
-  Json steps = Json::array(), scenes = Json::array();
+  Json steps = Json::array();
   for (std::size_t i = 0; i < story.frames.size(); ++i) steps.push_back(step_data(story, i, listings));
-  for (const Telling& telling : story.tellings) {
-    Json events = Json::array();
-    for (const auto& event : telling.trace.events) events.push_back(Json::parse(event_json(event)));
-    scenes.push_back({{"name", telling.scene.name}, {"events", events}});
-  }
   Json turned = Json::array();
   for (std::size_t i = 0; pictures.turns > 0 && i < story.frames.size(); ++i) {
     turned.push_back(Json::array());
@@ -240,11 +240,21 @@ std::string data(const Story& story, const PagePictures& pictures, const PageSur
   const Json all = {{"name", story.walkthrough.name},
                     {"steps", steps},
                     {"listings", listings.all()},
-                    {"scenes", scenes},
                     {"turned", turned},
                     {"questions", asked},
                     {"texts", texts.all()}};
-  return json_for_html(all.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return script_text(all);
+}
+
+/// The events of each scene.
+std::string scenes(const Story& story) {
+  Json scenes = Json::array();
+  for (const Telling& telling : story.tellings) {
+    Json events = Json::array();
+    for (const auto& event : telling.trace.events) events.push_back(Json::parse(event_json(event)));
+    scenes.push_back({{"name", telling.scene.name}, {"events", events}});
+  }
+  return script_text(scenes);
 }
 
 // -- Around the steps -------------------------------------------------------------------------------------------------
@@ -253,7 +263,8 @@ std::string origin(const Walkthrough& walkthrough, const PageSurroundings& surro
   std::string html = element("p id=\"summary\"", escaped(walkthrough.summary));
   if (!surroundings.command.empty()) html += "<p>Made by <code>" + escaped(surroundings.command) + "</code></p>\n";
   if (!surroundings.trace_command.empty())
-    html += "<p>Its trace: <code>" + escaped(surroundings.trace_command) + "</code></p>\n";
+    html += "<p>Its trace: " + (surroundings.has_files ? link({trace_file, trace_file}) : "") + "<code>" +
+            escaped(surroundings.trace_command) + "</code></p>\n";
   for (const PageLink& source : surroundings.sources) html += "<p>Made from " + link(source) + "</p>\n";
   return html;
 }
@@ -262,6 +273,18 @@ std::string ways(const PageSurroundings& surroundings) {
   std::string html;
   for (const PageLink& way : surroundings.ways) html += link(way);
   return html.empty() ? "" : "<nav aria-label=\"Walkthroughs\">\n" + html + "</nav>\n";
+}
+
+// -- What stands in the page, or in files beside it ---------------------------------------------------------------------
+
+std::string style() { return std::string(templates::colors_css) + std::string(templates::page_css); }
+std::string script() { return std::string(templates::page_js); }
+
+std::string linked_style() { return std::string("<link rel=\"stylesheet\" href=\"") + style_file + "\">\n"; }
+std::string linked_script() { return std::string("<script src=\"") + script_file + "\"></script>\n"; }
+
+std::string events_inside(const Story& story) {
+  return "<script type=\"application/json\" id=\"events\">" + scenes(story) + "</script>\n";
 }
 
 }  // namespace
@@ -273,22 +296,31 @@ std::string cut_out(render::Size page, const render::Box& part) {
          std::to_string(std::lround(part.height()));
 }
 
+std::vector<PageFile> page_files(const Story& story) {
+  return {{style_file, style()},
+          {script_file, script()},
+          {events_file, "'use strict';\nwindow.gjkstepEvents = " + scenes(story) + ";\n"}};
+}
+
 std::string page_html(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
   const Walkthrough& w = story.walkthrough;
+  const bool is_whole = !surroundings.has_files;
   std::string steps;
   for (std::size_t i = 0; i < story.frames.size(); ++i) steps += step(story, pictures, i);
-  return filled(templates::page_html, {{"title", escaped(w.title)},
-                                       {"summary", escaped(w.summary)},
-                                       {"source", escaped(w.source)},
-                                       {"count", std::to_string(story.frames.size())},
-                                       {"cut", ".shot{" + cut_out(pictures.page, pictures.part) + "}"},
-                                       {"pictures", pictures.is_dark ? "dark-pictures" : "light-pictures"},
-                                       {"ways", ways(surroundings)},
-                                       {"origin", origin(w, surroundings)},
-                                       {"steps", steps},
-                                       {"data", data(story, pictures, surroundings)},
-                                       {"css", std::string(templates::colors_css) + std::string(templates::page_css)},
-                                       {"js", std::string(templates::page_js)}});
+  return filled(templates::page_html,
+                {{"title", escaped(w.title)},
+                 {"summary", escaped(w.summary)},
+                 {"source", escaped(w.source)},
+                 {"count", std::to_string(story.frames.size())},
+                 {"cut", ".shot{" + cut_out(pictures.page, pictures.part) + "}"},
+                 {"pictures", pictures.is_dark ? "dark-pictures" : "light-pictures"},
+                 {"ways", ways(surroundings)},
+                 {"origin", origin(w, surroundings)},
+                 {"steps", steps},
+                 {"data", data(story, pictures, surroundings)},
+                 {"style", is_whole ? "<style>\n" + style() + "</style>\n" : linked_style()},
+                 {"events", is_whole ? events_inside(story) : ""},
+                 {"script", is_whole ? "<script>\n" + script() + "</script>\n" : linked_script()}});
 }
 
 }  // namespace walkthroughs

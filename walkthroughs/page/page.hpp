@@ -33,13 +33,26 @@ struct PageSurroundings {
   std::string trace_command;      ///< that prints its trace
   std::vector<PageLink> sources;  ///< what it was made of, such as a scene file
   std::vector<PageLink> ways;     ///< to the index, and to the walkthroughs before and after
+  bool has_files = false;         ///< beside it: page_files(), and its trace where there is a command for that
   /// Returns: the URL of another walkthrough's page; empty where there is none.
   std::function<std::string(const std::string& name)> page_of = [](const std::string&) { return std::string(); };
 };
 
-/// Returns: the page, in UTF-8. It asks for nothing but its pictures. Texts of the story are data: nothing in them is read as
-/// HTML.
+/// Returns: the page, in UTF-8. It asks for nothing but its pictures and the files beside it. Texts of the story are data:
+/// nothing in them is read as HTML.
 std::string page_html(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings);
+
+/// A file beside a page.
+struct PageFile {
+  std::string name, content;
+};
+
+inline constexpr const char *style_file = "page.css", *script_file = "page.js", *events_file = "events.js",
+                            *trace_file = "trace.jsonl";
+
+/// Returns: what a page asks for that does not hold it all: its style, its script, and the events, which are loaded when a reader
+/// asks for them (as a script: pages that are files themselves may read nothing else).
+std::vector<PageFile> page_files(const Story& story);
 
 /// Returns: the style attribute of what shows only `part` of pictures that are laid out on `page`; style sheets say how.
 std::string cut_out(render::Size page, const render::Box& part);

@@ -28,15 +28,31 @@
     box.append(list);
   }
 
+  // The scenes with all of their events stand in the page, or in a script beside it that is loaded when somebody asks.
+  function withScenes(use, fail) {
+    const inside = $('events');
+    if (inside) return use(JSON.parse(inside.textContent));
+    if (window.gjkstepEvents) return use(window.gjkstepEvents);
+    const script = make('script');
+    script.addEventListener('load', () => use(window.gjkstepEvents));
+    script.addEventListener('error', fail);
+    script.src = 'events.js';
+    document.head.append(script);
+  }
+
   function addEvents(step, ranges) {
     if (!ranges || step.querySelector('.events')) return;
     const details = make('details', 'events');
     details.append(make('summary', '', 'Events as JSON'));
     details.addEventListener('toggle', () => {
       if (details.querySelector('pre')) return;
-      const lines = ranges.flatMap(([first, last], s) =>
-        data.scenes[s].events.slice(first, last + 1).map(event => JSON.stringify({scene: data.scenes[s].name, ...event})));
-      details.append(make('pre', '', lines.join('\n')));
+      const text = make('pre');
+      details.append(text);
+      withScenes(scenes => {
+        const lines = ranges.flatMap(([first, last], s) =>
+          scenes[s].events.slice(first, last + 1).map(event => JSON.stringify({scene: scenes[s].name, ...event})));
+        text.textContent = lines.join('\n');
+      }, () => { text.textContent = 'The file events.js, which belongs beside this page, is not there.'; });
     });
     step.querySelector('.text').append(details);
   }

@@ -53,13 +53,21 @@ class Selection {
     if (!files_read_.insert(word).second) return;
     const SceneFile& file = files_.emplace_back(read_scene(word));
     refuse_name_twice(file.walkthrough, word);
-    chosen_.push_back({&file.walkthrough, file.size, file.text_scale, nullptr, {file.walkthrough.name, file.walkthrough.title, "", word}});
+    chosen_.push_back({&file.walkthrough,
+                       file.size,
+                       file.text_scale,
+                       nullptr,
+                       {file.walkthrough.name, file.walkthrough.title, "", word}});
   }
   void add_trace(const std::string& file) {
     if (!files_read_.insert(file).second) return;
     const TraceFile& read = traces_.emplace_back(read_trace(file));
     refuse_name_twice(read.walkthrough, file);
-    chosen_.push_back({&read.walkthrough, {}, {}, &read.traces, {read.walkthrough.name, read.walkthrough.title, "--from-trace ", file}});
+    chosen_.push_back({&read.walkthrough,
+                       {},
+                       {},
+                       &read.traces,
+                       {read.walkthrough.name, read.walkthrough.title, "--from-trace ", file}});
   }
   void add(const std::vector<const Walkthrough*>& several) {
     for (const Walkthrough* w : several) {
@@ -158,8 +166,8 @@ class Rendering {
       formats.sinks.push_back(
           std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
     if (is_asked_for_pages()) {
-      const auto pictures = command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside;
-      auto pages = std::make_unique<Pages>(pictures, options_of_pictures(), origins_of(selection), report_file);
+      auto pages =
+          std::make_unique<Pages>(pictures_of_pages(), options_of_pictures(), origins_of(selection), report_file);
       formats.pages = pages.get();
       formats.sinks.push_back(std::move(pages));
     }
@@ -218,7 +226,8 @@ class Rendering {
     }
     for (const Selection::Chosen& each : selection.chosen())
       if (is_asked_for_pages())
-        places.write(folder / each.walkthrough->name / page_file, "the page of " + each.walkthrough->name);
+        for (const std::string& file : files_of_page(pictures_of_pages(), each.origin))
+          places.write(folder / each.walkthrough->name / file, "the page of " + each.walkthrough->name);
     places.write_standard_output();
     places.expect_apart();
   }
@@ -232,6 +241,9 @@ class Rendering {
   }
 
   bool is_asked_for_pages() const { return !command_.page.empty(); }
+  Pages::Pictures pictures_of_pages() const {
+    return command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside;
+  }
 
   /// What else the command says about the pictures that pages show.
   std::string options_of_pictures() const {
@@ -383,7 +395,7 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command
       ->add_flag("--page{beside}", render.page,
                  "write OUT/NAME/index.html as well, to step through in a browser, and OUT/index.html over all; "
-                 "--page=single puts the pictures into each")
+                 "--page=single puts pictures, style, script and events into each")
       ->check(CLI::IsMember({"beside", "single"}));
   command->add_option("--movie", render.movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif")
       ->check(CLI::IsMember({"mp4", "gif"}));

@@ -181,6 +181,10 @@ std::string event_json(const gjk::Event<double>& event) { return json(event).dum
 void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
   std::vector<Trace> traces;
   for (const Scene& scene : walkthrough.scenes) traces.push_back(run(scene));
+  out << traces_json(walkthrough, traces);
+}
+
+std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces) {
   Json header{{"schema", "gjkstep-trace"},
               {"version", trace_version},
               {"walkthrough", walkthrough.name},
@@ -188,14 +192,15 @@ void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
               {"presentation", presentation(walkthrough, remarks_of(walkthrough, traces))},
               {"scenes", Json::array()}};
   for (const Scene& scene : walkthrough.scenes) header["scenes"].push_back(json(scene));
-  out << header.dump() << '\n';
+  std::string lines = header.dump() + '\n';
   for (std::size_t s = 0; s < traces.size(); ++s) {
     for (const gjk::Event<double>& event : traces[s].events) {
       Json line{{"scene", walkthrough.scenes[s].name}};
       line.update(json(event));
-      out << line.dump() << '\n';
+      lines += line.dump() + '\n';
     }
   }
+  return lines;
 }
 
 }  // namespace walkthroughs

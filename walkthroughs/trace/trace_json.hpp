@@ -30,4 +30,7 @@ std::string_view trace_schema();
 /// Runs the scenes of `walkthrough`, of which there must be one, and writes their traces.
 void write_traces(std::ostream& out, const Walkthrough& walkthrough);
 
+/// Returns: the same, of scenes that have been run. Requires: a trace for each scene.
+std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces);
+
 }  // namespace walkthroughs

@@ -29,6 +29,26 @@ TEST_CASE("gjkstep render --page writes a page beside the frames and one over al
   CHECK(has(first, "gjkstep render figure-1 --page --size 48x27<"));
   CHECK(has(bytes_of(folder.path() / "regions/2-simplex-r3/index.html"), "href=\"../../figure-1/index.html\""));
   CHECK(has(bytes_of(folder.path() / "regions/2-simplex-r3/index.html"), "gjkstep trace regions/2-simplex-r3<"));
+  CHECK(bytes_of(folder.path() / "regions/2-simplex-r3/trace.jsonl") == run("trace regions/2-simplex-r3").out);
+  CHECK_FALSE(fs::exists(folder.path() / "figure-1/trace.jsonl"));
+}
+
+TEST_CASE("A page that holds all leaves no style, script and events of an earlier one beside it") {
+  const Folder folder;
+  for (const char* kind : {"beside", "single"}) {
+    REQUIRE(run("render figure-4-left --page=" + std::string(kind) + out_of(folder)).exit_code == 0);
+    for (const char* file : {"page.css", "page.js", "events.js"})
+      CHECK(fs::exists(folder.path() / "figure-4-left" / file) == (kind == std::string("beside")));
+  }
+}
+
+TEST_CASE("A trace that stands beside a page is drawn in its place, and stays as it is") {
+  const Folder folder;
+  REQUIRE(run("render figure-4-left --page" + out_of(folder)).exit_code == 0);
+  const std::string trace = (folder.path() / "figure-4-left/trace.jsonl").string(), before = bytes_of(trace);
+  REQUIRE(run("render --from-trace " + quoted(trace) + " --page" + out_of(folder)).exit_code == 0);
+  CHECK(bytes_of(trace) == before);
+  CHECK(has(bytes_of(folder.path() / "figure-4-left/index.html"), "href=\"trace.jsonl\""));
 }
 
 TEST_CASE("Pages of --page=single hold their pictures and lead nowhere") {
@@ -46,7 +66,8 @@ TEST_CASE("The same command writes the same pages") {
   const Folder one, other;
   for (const Folder* folder : {&one, &other})
     REQUIRE(run("render figure-1 figure-4-left --page" + out_of(*folder)).exit_code == 0);
-  for (const char* page : {"index.html", "figure-1/index.html", "figure-4-left/index.html"})
+  for (const char* page : {"index.html", "figure-1/index.html", "figure-4-left/index.html", "figure-4-left/events.js",
+                           "figure-4-left/page.js", "figure-4-left/page.css", "figure-4-left/trace.jsonl"})
     CHECK(bytes_of(one.path() / page) == bytes_of(other.path() / page));
 }
 

@@ -245,6 +245,18 @@ class Page(unittest.TestCase):
         self.wait(lambda: details.find_elements(By.TAG_NAME, "pre"))
         events = [json.loads(line) for line in details.find_element(By.TAG_NAME, "pre").text.splitlines()]
         self.assertEqual({event["scene"] for event in events}, {"left", "right"})
+        traced = [json.loads(line) for line in (self.out / apart / "trace.jsonl").read_text().splitlines()]
+        for event in events:
+            self.assertIn(event, traced)
+
+    def test_events_that_were_left_behind_are_missed_in_words(self):
+        alone = self.folder / "without-events"
+        shutil.copytree(self.out / apart, alone)
+        (alone / "events.js").unlink()
+        self.browser.get(f"file://{alone / 'index.html'}")
+        self.find(".step.now .events summary").click()
+        self.wait(lambda: "events.js" in self.find(".step.now .events pre").text)
+        self.browser.get_log("browser")  # which has the missing file
 
     def test_every_picture_has_words_and_every_control_a_name(self):
         self.open(searched)
@@ -497,6 +509,8 @@ class Page(unittest.TestCase):
         self.wait(lambda: self.js("const img = document.querySelector('.now img'); return img.complete && img.naturalWidth === 640"))
         self.press(Keys.END)
         self.assertEqual(self.step(), len(self.all(".step")))
+        self.find(".step.now .events summary").click()
+        self.assertEqual(json.loads(self.find(".step.now .events pre").text.splitlines()[-1])["event"], "finished")
 
     def test_ten_thousand_steps(self):
         page = (self.out / searched / "index.html").read_text()

@@ -28,8 +28,8 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-nlohmann::json data_of(const std::string& page) {
-  const std::string begin = "id=\"data\">";
+nlohmann::json data_of(const std::string& page, const std::string& id = "data") {
+  const std::string begin = "id=\"" + id + "\">";
   const std::size_t at = page.find(begin) + begin.size();
   return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
 }
@@ -54,14 +54,15 @@ TEST_CASE("A page has a section for each frame of every walkthrough, with its pi
 
 TEST_CASE("The data of a page hold each event as the trace has it, and each step its range of them") {
   const Story story = tell(walkthrough("figure-4"));
-  const nlohmann::json data = data_of(page_of(story));
-  REQUIRE(data["scenes"].size() == 2);
+  const std::string page = page_of(story);
+  const nlohmann::json data = data_of(page), scenes = data_of(page, "events");
+  REQUIRE(scenes.size() == 2);
   REQUIRE(data["steps"].size() == story.frames.size());
   for (std::size_t s = 0; s < 2; ++s) {
     const auto& events = story.tellings[s].trace.events;
-    REQUIRE(data["scenes"][s]["events"].size() == events.size());
+    REQUIRE(scenes[s]["events"].size() == events.size());
     for (std::size_t i = 0; i < events.size(); ++i)
-      CHECK(data["scenes"][s]["events"][i] == nlohmann::json::parse(event_json(events[i])));
+      CHECK(scenes[s]["events"][i] == nlohmann::json::parse(event_json(events[i])));
     CHECK(data["steps"].back()["events"][s][1] == events.size() - 1);
   }
 }
@@ -87,7 +88,7 @@ TEST_CASE("The same story makes the same page, byte by byte") {
 }
 
 TEST_CASE("Titles and names of others are text in a page, whatever they hold") {
-  const std::string hostile = "</script></title></style><img src=x onerror=alert(1)> {{js}} & \"'";
+  const std::string hostile = "</script></title></style><img src=x onerror=alert(1)> {{script}} & \"'";
   Walkthrough w = walkthrough("figure-4-left");
   w.title = w.summary = w.source = w.name = w.scenes[0].name = w.scenes[0].a.name = hostile;
   const std::string plain_page = page_of(tell(walkthrough("figure-4-left"))), page = page_of(tell(w));
@@ -95,8 +96,8 @@ TEST_CASE("Titles and names of others are text in a page, whatever they hold") {
   CHECK(count(page, "</script") == count(plain_page, "</script"));
   CHECK(count(page, "</style") == count(plain_page, "</style"));
   CHECK(count(page, "</title") == 1);
-  CHECK(count(page, "{{js}}") >= 2);
-  CHECK(data_of(page)["scenes"][0]["name"] == hostile);
+  CHECK(count(page, "{{script}}") >= 2);
+  CHECK(data_of(page, "events")[0]["name"] == hostile);
 }
 
 TEST_CASE("A part of a picture fills the place of the whole") {
@@ -106,12 +107,34 @@ TEST_CASE("A part of a picture fills the place of the whole") {
         "--width:200.000%;--left:-50.000%;--top:-25.000%;aspect-ratio:500/400");
 }
 
-TEST_CASE("A page is small without its pictures: 35 kB, 1.5 for each step and 0.3 for each event", "[unsanitized]") {
+TEST_CASE("A page is small without its pictures: below 60 kB up to 50 steps, and 1.3 for each", "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);
     const Story story = tell(w);
-    std::size_t events = 0;
-    for (const Telling& telling : story.tellings) events += telling.trace.events.size();
-    CHECK(page_of(story).size() < 35'000 + 1'500 * story.frames.size() + 300 * events);
+    const std::size_t size =
+        page_html(story, pictures,
+                  {.command = "gjkstep", .trace_command = {}, .sources = {}, .ways = {}, .has_files = true})
+            .size();
+    if (story.frames.size() <= 50) CHECK(size < 60'000);
+    CHECK(size < 10'000 + 1'300 * story.frames.size());
+  }
+}
+
+TEST_CASE("A page with files beside it holds none of them, and says where they are") {
+  const Story story = tell(walkthrough("figure-4"));
+  const std::string page = page_html(
+      story, pictures,
+      {.command = "c", .trace_command = "gjkstep trace figure-4", .sources = {}, .ways = {}, .has_files = true});
+  CHECK(count(page, "<link rel=\"stylesheet\" href=\"page.css\">") == 1);
+  CHECK(count(page, "<script src=\"page.js\"></script>") == 1);
+  CHECK(count(page, "href=\"trace.jsonl\"") == 1);
+  CHECK(count(page, "id=\"events\"") == 0);
+  const std::string whole = page_of(story);
+  for (const PageFile& file : page_files(story)) {
+    INFO(file.name);
+    const std::string held = file.name == events_file ? "\"event\":\"support-found\"" : file.content;
+    CHECK(count(file.content, held) >= 1);
+    CHECK(count(whole, held) >= 1);
+    CHECK(count(page, held) == 0);
   }
 }
