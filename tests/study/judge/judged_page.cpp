@@ -24,7 +24,8 @@ table { border-collapse: collapse; font-size: 13px; }
 th, td { padding: 2px 14px 2px 0; text-align: right; font-weight: normal; border-bottom: 1px solid var(--faint); }
 th { color: var(--grey); vertical-align: bottom; }
 th:first-child, td:first-child { text-align: left; }
-table.words th, table.words td { text-align: left; vertical-align: top; overflow-wrap: anywhere; }
+table.words th, table.words td { text-align: left; vertical-align: top; }
+table.words td { overflow-wrap: anywhere; }
 figure { margin: 20px 0; }
 figure img { max-width: 100%; height: auto; outline: 1px solid var(--faint); }
 </style>

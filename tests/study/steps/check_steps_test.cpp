@@ -121,6 +121,30 @@ TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
              Contains("1: a search along (0, 0, 0) goes nowhere"));
 }
 
+TEST_CASE(
+    "Steps: a wrong step on sets so small or large that doubles lose its products is told with that, and no mistake is "
+    "named",
+    "[steps]") {
+  const auto found = [](double size) {
+    const NamedPair apart{
+        "p", "f", {Points{{0, 0, 0}, {size, 0, 0}}, Points{{5 * size, size, 0}, {5 * size, -size, 0}}}};
+    // M4: P·d < 0 is not looked at
+    return check_steps({apart,
+                        {{{size, 0, 0}, {{-4 * size, -size, 0}}},
+                         {{4 * size, size, 0}, {{-4 * size, -size, 0}, {-4 * size, size, 0}}},
+                         {{size, 0, 0}, {{-4 * size, size, 0}}}},
+                        Said::separated});
+  };
+  for (const double size : {0x1p-260, 0x1p-256, 0x1p-250, 1.0, 0x1p+250, 0x1p+256, 0x1p+260}) {
+    INFO(size);
+    const bool is_lost = size < 0x1p-255 / 5 || size > 0x1p+255 / 5;
+    CHECK(found(size).iteration == 2);
+    CHECK(found(size).mistakes.empty() == is_lost);
+    CHECK((found(size).words.find("no line wrong") != std::string::npos) == is_lost);
+    if (is_lost) CHECK_THAT(found(size).words, Catch::Contains(size < 1 ? "lengths vanish" : "lengths overflow"));
+  }
+}
+
 /// Algorithm 5 with its faces looked at in another order: as right as the report's.
 struct FacesFromTheLast : gjk::AsIntended {
   template <class Rules, class S, class Obs>
