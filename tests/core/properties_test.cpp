@@ -151,7 +151,7 @@ TEST_CASE(
 TEST_CASE(
     "P3. A is the vertex added last. The others stay in the order in which they were added, except where Algorithm 4 "
     "moves below a triangle and where Algorithm 5 keeps a face",
-    "[properties]") {
+    "[properties][unsanitized]") {
   INFO("seed " << seed);
   std::set<std::string> in_order, reordered;
   for (const ExactRun& run : exact_runs()) {
@@ -171,7 +171,7 @@ TEST_CASE(
 }
 
 TEST_CASE("P4. Normals point away from the simplex: no vertex of the triangle or tetrahedron lies on their side of A",
-          "[properties]") {
+          "[properties][unsanitized]") {
   INFO("seed " << seed);
   int normals = 0;
   for (const ExactRun& run : exact_runs()) {
@@ -192,7 +192,7 @@ TEST_CASE("P4. Normals point away from the simplex: no vertex of the triangle or
   REQUIRE(normals > 5000);
 }
 
-TEST_CASE("P5. Of four vertices, A lies in the direction of BC×BD", "[properties]") {
+TEST_CASE("P5. Of four vertices, A lies in the direction of BC×BD", "[properties][unsanitized]") {
   INFO("seed " << seed);
   int tetrahedra = 0, flat = 0;
   for (const ExactRun& run : exact_runs())

@@ -101,7 +101,7 @@ TEST_CASE("Tetrahedra on a crowded lattice, where touching is common: GJK in dou
 }
 
 TEST_CASE("Tetrahedra in exact numbers: the answer agrees with the separating axes, and its evidence proves it",
-          "[random]") {
+          "[random][unsanitized]") {
   const std::uint64_t seed = 3;
   INFO("seed " << seed);
   const Tally roomy = compare_with_separating_axes<Rational>(seed, 2000, 100, 65, true);

@@ -76,7 +76,7 @@ TEST_CASE("Every diagram draws the same twice", "[unsanitized]") {
   }
 }
 
-TEST_CASE("Every diagram has a caption of at most two lines, facts of one line, and a description") {
+TEST_CASE("Every diagram has a caption of at most two lines, facts of one line, and a description", "[unsanitized]") {
   render::Font font(render::Font::default_directory());
   const Style style(render::themes::report);
   const render::Canvas canvas(frame_page, frame_page, style.theme.paper, font);

@@ -72,7 +72,7 @@ TEST_CASE("A point lies in the region beyond a feature exactly when that feature
   }
 }
 
-TEST_CASE("The drawn regions are those of the half-spaces and fill the window") {
+TEST_CASE("The drawn regions are those of the half-spaces and fill the window", "[unsanitized]") {
   for (const auto& [simplex, window] : drawn()) {
     double sum = 0;
     for (const std::string& feature : features_of(simplex.size())) {

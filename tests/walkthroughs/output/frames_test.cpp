@@ -111,7 +111,7 @@ bool clear_edge(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("The pictures of one walkthrough of each kind") {
+TEST_CASE("The pictures of one walkthrough of each kind", "[unsanitized]") {
   SECTION("Each walkthrough has its frames, its strip and nothing else in its folder") {
     for (const Size size : {usual, other}) {
       std::vector<std::string> expected;
