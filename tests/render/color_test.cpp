@@ -24,6 +24,15 @@ constexpr double any_text = 4.5, large_text_and_lines = 3;
 
 }  // namespace
 
+TEST_CASE("the palette is that of Okabe and Ito, channel by channel") {
+  CHECK(palette::orange == Color{230, 159, 0});
+  CHECK(palette::sky == Color{86, 180, 233});
+  CHECK(palette::green == Color{0, 158, 115});
+  CHECK(palette::blue == Color{0, 114, 178});
+  CHECK(palette::vermillion == Color{213, 94, 0});
+  CHECK(palette::black == Color{0, 0, 0});
+}
+
 TEST_CASE("the contrast of black on white is 21, of a colour on itself 1") {
   REQUIRE(contrast(palette::black, palette::white) == Approx(21));
   REQUIRE(contrast(palette::blue, palette::blue) == Approx(1));

@@ -100,7 +100,6 @@ Body polytope(std::vector<Point> vertices, Dimension dimension) {
   if (!fewer) return only_outline(std::move(vertices));
   std::vector<render::Face> faces = hull_faces(*fewer);
   if (!faces.empty()) vertices = corners_of(faces);
-  if (!faces.empty() && vertices.size() > most_corners) return only_outline(std::move(vertices));
   return {std::move(vertices), std::move(faces), {}};
 }
 

@@ -82,6 +82,18 @@ TEST_CASE("The data of a page hold each question of its story, before the step t
   }
 }
 
+TEST_CASE("The data of a page name the further views of each step, in order, and not the usual one") {
+  const Story story = tell(walkthrough("figure-4"));
+  PagePictures turning = pictures;
+  turning.turns = 2;
+  turning.url = [](std::size_t frame, int turn) { return std::to_string(frame) + "-" + std::to_string(turn); };
+  const nlohmann::json turned = data_of(page_html(story, turning, {}))["turned"];
+  REQUIRE(turned.size() == story.frames.size());
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    CHECK(turned[i] == nlohmann::json{std::to_string(i) + "-1", std::to_string(i) + "-2"});
+  CHECK(data_of(page_of(story))["turned"].empty());
+}
+
 TEST_CASE("The same story makes the same page, byte by byte") {
   CHECK(page_of(tell(walkthrough("vehicle-and-threat/vehicle-hit"))) ==
         page_of(tell(walkthrough("vehicle-and-threat/vehicle-hit"))));
