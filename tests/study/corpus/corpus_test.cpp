@@ -57,7 +57,7 @@ RationalVec rational_in(const Json& list) {
 
 bool is_of_points(const Pair& pair) { return std::holds_alternative<Points>(pair.a); }
 
-TEST_CASE("Corpus: the kept file is what its command makes, and no larger than 200 KB", "[corpus]") {
+TEST_CASE("Corpus: the kept file is what its command makes, and no larger than 200 KB", "[corpus][unsanitized]") {
   std::string made;
   for (const NamedPair& each : kept_corpus()) made += answered_line(answered(each)) + "\n";
   INFO("to accept it: gjkstep-study pairs --corpus > tests/study/corpus.jsonl");

@@ -36,7 +36,7 @@ std::string told(const ProgramJudged& judged) {
   return judged_markdown(judged, {.program = "it", .command = "judge it"});
 }
 
-TEST_CASE("Judge: of the study's mistakes, as programs, each that shows is named first", "[judge]") {
+TEST_CASE("Judge: of the study's mistakes, as programs, each that shows is named first", "[judge][unsanitized]") {
   std::size_t named = 0;
   for (std::size_t m = 0; m < mistakes().size(); ++m) {
     INFO(mistakes()[m].name);

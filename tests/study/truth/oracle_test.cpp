@@ -222,7 +222,7 @@ Points in_doubles(const gjk::test::Points& whole) {
   return points;
 }
 
-TEST_CASE("Oracle: as the separating axes say, on tetrahedra of whole numbers", "[oracle]") {
+TEST_CASE("Oracle: as the separating axes say, on tetrahedra of whole numbers", "[oracle][unsanitized]") {
   int hits = 0, pairs = 0;
   for (const int reach : {2, 5, 1000})
     for (std::uint64_t index = 0; index < 1000; ++index) {

@@ -200,7 +200,7 @@ TEST_CASE("The smallest size is accepted") {
   CHECK(listing(folder.path() / "figure-5").size() == 3);
 }
 
-TEST_CASE("What the README shows is what the program prints") {
+TEST_CASE("What the README shows is what the program prints", "[unsanitized]") {
   const Folder folder;
   std::set<std::string> printed;
   for (const std::string& line : lines(run("list").out)) printed.insert(line);
