@@ -38,7 +38,8 @@ std::string option_out(const Folder& folder) { return " --out " + quoted(folder.
 
 }  // namespace
 
-TEST_CASE("Letters on paper have 7 points or more, and every frame stands on one page, in order", "[paper-sheet][unsanitized]") {
+TEST_CASE("Letters on paper have 7 points or more, and every frame stands on one page, in order",
+          "[paper-sheet][unsanitized]") {
   for (const char* name : {"figure-8", "figure-5", "as-printed-spheres", "regions/2-simplex-r3"})
     for (const char* paper : papers) {
       INFO(name << " on " << paper);
