@@ -353,7 +353,7 @@ Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken)
       if (cost >= least || !contains(area.corners, box)) continue;
       const double overlap = cost_of(box, taken);
       cost += overlap;
-      if (cost >= least) continue;
+      if (cost > least) continue;
       for (const double clearance : area_clearances) cost += cost_near * obstacles_near(box, clearance);
       if (cost >= least) continue;
       least = cost;

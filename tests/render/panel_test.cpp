@@ -237,6 +237,26 @@ TEST_CASE("labels without a free place are counted, others are not") {
   CHECK(panel.place_labels() == 2);
 }
 
+TEST_CASE("a label that finds no place gets the largest letters with which it finds one") {
+  const auto placed = [](double smallest) {
+    Desk desk;
+    Panel panel(desk.canvas, frame, desk.view);
+    for (double y = -13; y <= 13; y += 2.6) panel.line({-15, y}, {15, y}, {.width = 3});
+    panel.label({0, 0.1}, {1, 1}, "X", style);
+    const std::size_t before = desk.canvas.vertices().size();
+    const int crowded = panel.place_labels(smallest);
+    return std::pair(crowded, drawn_since(desk.canvas, before));
+  };
+  const auto [crowded, usual] = placed(1);
+  const auto [crowded_small, small] = placed(0.4);
+  const auto [crowded_tiny, tiny] = placed(0.2);
+  CHECK(crowded == 1);
+  CHECK(crowded_small == 0);
+  CHECK(crowded_tiny == 0);
+  CHECK((small.min == tiny.min && small.max == tiny.max));
+  CHECK_FALSE((small.min == usual.min && small.max == usual.max));
+}
+
 TEST_CASE("no label stands where none is to stand") {
   Desk desk;
   Panel panel(desk.canvas, frame, desk.view);

@@ -62,7 +62,40 @@ std::string with_letters(std::string text, const std::string& kept) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+bool begins(const std::string& text, std::initializer_list<const char*> words) {
+  return std::ranges::any_of(words, [&](const char* word) { return text.starts_with(word); });
+}
+
+/// Whether a line is about those that follow it: a condition or a loop without a statement of its own.
+bool opens(const CodeLine& line) {
+  return begins(line.text, {"if ", "else", "for each", "repeat", "of a triangle", "and "}) &&
+         line.text.find("keep") == std::string::npos && line.text.find("else the origin") == std::string::npos;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "A line of an algorithm stands deeper, by one, exactly where the line before it is about it; each else has its "
+    "if") {
+  for (const auto& rules : gjk::rule_sets) {
+    for (int number = 1; number <= certifying; ++number) {
+      const std::vector<CodeLine>& code = algorithm(number, rules.value);
+      CHECK(code.front().indent == 0);
+      for (std::size_t i = 1; i < code.size(); ++i) {
+        INFO(rules.name << ", algorithm " << number << ": " << code[i].text);
+        if (opens(code[i - 1]))
+          CHECK(code[i].indent == code[i - 1].indent + 1);
+        else
+          CHECK((0 <= code[i].indent && code[i].indent <= code[i - 1].indent));
+        if (!code[i].text.starts_with("else")) continue;
+        std::size_t above = i - 1;
+        while (above > 0 && code[above].indent > code[i].indent) --above;
+        CHECK(code[above].indent == code[i].indent);
+        CHECK(opens(code[above]));
+      }
+    }
+  }
+}
 
 TEST_CASE("Every region test that was made has exactly one line and it is the current one") {
   after_each<gjk::RegionTested>([](const gjk::RegionTested<double>& event, const Moment& now, RuleSet rules) {
