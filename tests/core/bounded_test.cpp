@@ -49,6 +49,20 @@ void require_all_hold(const Bounded& x, const Bounded& y) {
 /// Of either sign, from 2^-`reach` to 2^`reach`.
 double any_number(Dice& dice, int reach) { return std::ldexp(dice.between(-1.0, 1.0), dice.between(-reach, reach)); }
 
+TEST_CASE("The error of one operation, to the last bit: neither too small nor, where nothing asks for it, larger") {
+  const double rounded = 1 + 0x1p-49;  // 16u
+  const Bounded one{1, 0}, zero{0, 0}, about_zero{0, 3}, further{0, 5}, three{3, 0.5};
+  CHECK((one + one).error == 0x1p-52 * rounded);
+  CHECK((one - one).error == 0);
+  CHECK((one * one).error == 0x1p-53 * rounded);
+  CHECK((one * zero).error == 1e-300);
+  CHECK((about_zero * further).error == 15 * rounded);
+  CHECK((three * further).error == 17.5 * rounded);
+  CHECK((further * three).error == 17.5 * rounded);
+  CHECK((about_zero - further).error == 8 * rounded);
+  CHECK((-three).error == 0.5);
+}
+
 TEST_CASE("A sum is off by at most u of it, and there is a sum that is", "[bounded]") {
   for (const double sign : {1.0, -1.0}) {
     const Known at_the_bound = Known(sign) + Known(sign * u);
