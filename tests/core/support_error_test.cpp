@@ -251,6 +251,27 @@ TEST_CASE("C6: what a matrix turns that is no rotation is not known", "[certifie
   REQUIRE(std::isinf(doubt(Posed<double, PointSet<double>>(point, pose)).error));
 }
 
+TEST_CASE("C6: how many roundings each shape is given, as its derivation ends", "[certified]") {
+  using V = Vec3<double>;
+  constexpr double u = 0x1p-53, lost = 16 * 0x1p-1074;
+  const auto is = [](const Doubt& known, double size, double error) {
+    CHECK(known.size == size);
+    CHECK(known.error == error);
+  };
+  const Sphere<double> ball(V(1, -2, 3), 2);
+  const Cylinder<double> can(V(1, 0, -1), V(0, 0, 1), 3, 4);
+  is(doubt(PointSet<double>({V(3, 0, 0), V(-4, 5, 0)})), 9, 8 * 9 * u + lost);
+  is(doubt(ball), 6 + 2, (8 * 2 + 2 * 6) * u + lost);
+  is(doubt(can), 2 + 3 + 2, (64 * (3 + 2) + 4 * 2) * u + lost);
+  is(doubt(MinkowskiSum<double, Sphere<double>, Cylinder<double>>(ball, can)), 8 + 7,
+     2 * (8 + 7) * u + lost + (doubt(ball).error + doubt(can).error));
+  Pose<double> pose;
+  pose.translation = V(1, 2, -3);
+  const double stretched = 1.002;
+  is(doubt(Posed<double, Sphere<double>>(ball, pose)), stretched * 8 + 6,
+     (18 * 8 + 2 * 6) * u + lost + stretched * doubt(ball).error);
+}
+
 TEMPLATE_TEST_CASE("C6: a sum reaches as far as both, and lies where their points do", "[certified]", float, double) {
   using S = TestType;
   Dice dice(5);
