@@ -1,5 +1,6 @@
 // Larger and smaller text: what the layout of frames and strips makes of it. Told of laid out pages, without rasterizing them.
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/algorithm_panel.hpp"
 #include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/story/pseudocode.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -76,7 +78,8 @@ namespace {
 /// Where the pseudo-code of a moment would be drawn: what is marked, and how small the letters are.
 struct Listed {
   double smallest;
-  bool is_marked;  ///< whether a line is
+  bool is_marked;   ///< whether a line is
+  int in_last_row;  ///< letters, each a quad
 };
 
 Listed list(const StagedStory& story, std::size_t index, double text_scale, double height, render::Font& font) {
@@ -90,7 +93,14 @@ Listed list(const StagedStory& story, std::size_t index, double text_scale, doub
   bool is_marked = false;
   for (const render::CanvasVertex& vertex : page.vertices())
     is_marked = is_marked || (vertex.color == look.style.tested_fill && vertex.y < height);
-  return {page.smallest_text(), is_marked};
+  const auto is_text = [&](const render::CanvasVertex& vertex) { return vertex.color == look.style.theme.ink; };
+  float lowest = 0;
+  for (const render::CanvasVertex& vertex : page.vertices())
+    if (is_text(vertex)) lowest = std::max(lowest, vertex.y);
+  const auto in_last_row = std::ranges::count_if(page.vertices(), [&](const render::CanvasVertex& vertex) {
+    return is_text(vertex) && vertex.y > lowest - look.style.scaled(20);
+  });
+  return {page.smallest_text(), is_marked, static_cast<int>(in_last_row / 6)};
 }
 
 }  // namespace
@@ -108,6 +118,28 @@ TEST_CASE("Of pseudo-code in large letters an excerpt is shown that holds the li
         CHECK(listed.smallest >= 17);  // as large as the largest at the usual scale, though long lines are fitted
       }
   }
+}
+
+TEST_CASE("An excerpt of pseudo-code that ends before the algorithm does has dots in its last row, and no other has",
+          "[text-scale]") {
+  render::Font font{render::Font::default_directory()};
+  const StagedStory story(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
+  int with_dots = 0, without = 0;
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    const Moment now = story.drawn(i, 0);
+    const Focus focus = story.frames[i].focus;
+    const auto& code = algorithm(running_algorithm(now, focus), RuleSet::as_intended);
+    const std::optional<std::size_t> current = current_line(code, now, focus);
+    if (code.size() < 20 || !current) continue;
+    INFO("frame " << i << ", line " << *current << " of " << code.size());
+    const int letters = list(story, i, 1.5, 240, font).in_last_row;
+    if (*current < 8) CHECK(letters == 1);
+    if (*current > 17) CHECK(letters > 4);
+    with_dots += *current < 8;
+    without += *current > 17;
+  }
+  CHECK(with_dots > 0);
+  CHECK(without > 0);
 }
 
 TEST_CASE("Strips with larger text are higher, and as wide", "[text-scale]") {
