@@ -142,11 +142,11 @@ std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
   const std::optional<Mistake> mistake = story.tellings[0].scene.mistake;
   const Trace &mistaken = story.tellings[0].trace, &right = story.tellings[1].trace;
   if (!mistake || common == mistaken.events.size()) return std::nullopt;
-  ToldMistake told{
-      std::string(wrong_on_purpose::description_of(*mistake).meaning), {}, how_it_ended(*mistake, mistaken, right)};
   const Moment parting = replay(right, common + 1);
-  if (const auto* const line = line_gone_wrong(*mistake, right, common))
-    told.lines = both_lines(*line, Names(story.walkthrough.naming, story.tellings[1].hull, parting));
+  const Names names(story.walkthrough.naming, story.tellings[1].hull, parting);
+  ToldMistake told{
+      names.translate(wrong_on_purpose::description_of(*mistake).meaning), {}, how_it_ended(*mistake, mistaken, right)};
+  if (const auto* const line = line_gone_wrong(*mistake, right, common)) told.lines = both_lines(*line, names);
   return told;
 }
 
