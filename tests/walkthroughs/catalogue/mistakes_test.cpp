@@ -109,7 +109,7 @@ TEST_CASE("Each mistake parts from the report's search where it says and ends as
     REQUIRE(std::ranges::count(story.frames, Focus::parting, &Frame::focus) == 1);
     const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
     CHECK(parting.moments[0].iteration == each.iteration);
-    CHECK(parting.caption == "Here the two runs part: " + w.summary + ".");
+    CHECK(plain(parting.caption) == "Here the two runs part: " + w.summary + ".");
     CHECK(story.frames.back().caption.starts_with(each.ending));
     const std::string needed = pairs_to_notice(*w.scenes[0].mistake, TestPairs::triangles).text();
     CHECK(story.frames.back().caption.ends_with("it takes " + needed +
