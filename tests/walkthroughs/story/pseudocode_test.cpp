@@ -75,7 +75,7 @@ bool opens(const CodeLine& line) {
 }  // namespace
 
 TEST_CASE(
-    "A line of an algorithm stands deeper, by one, exactly where the line before it is about it; each else has its "
+    "A line of an algorithm stands deeper, by one, exactly where the line before it is about it, and each else has its "
     "if") {
   for (const auto& rules : gjk::rule_sets) {
     for (int number = 1; number <= certifying; ++number) {
