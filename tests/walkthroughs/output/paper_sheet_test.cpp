@@ -133,6 +133,22 @@ TEST_CASE("A reader of PDF files finds the pages of a sheet, their size and thei
           render::read_png(folder.path() / "figure-4-right" / ("sheet-" + std::to_string(page + 1) + ".png")));
 }
 
+TEST_CASE("The picture of a sheet fills the page of its PDF to the last column and row", "[paper-sheet]") {
+  if (said_by("pdftoppm -v 2>&1").find("pdftoppm version") == std::string::npos) {
+    WARN("skipped: there is no pdftoppm");
+    return;
+  }
+  const Folder folder;  // on dark paper, beside which the PDF's own is seen
+  CHECK(run("render figure-4-right --size 320x180 --theme dark --sheet=letter" + option_out(folder)).exit_code == 0);
+  const std::string drawn = (folder.path() / "drawn").string();
+  said_by("pdftoppm -png -r 300 -l 1 " + quoted((folder.path() / "figure-4-right" / "sheet.pdf").string()) + " " +
+          quoted(drawn));
+  const render::Image page = render::read_png(drawn + "-1.png");
+  REQUIRE(page.size() == render::Size{2550, 3300});
+  for (const int x : {0, 2549})
+    for (const int y : {0, 3299}) CHECK(page.pixel(x, y).r < 128);
+}
+
 TEST_CASE("At the foot of each page stands its number, of one digit on each of two", "[paper-sheet]") {
   const Folder folder;
   CHECK(run("render figure-4-right --size 320x180 --sheet=a4" + option_out(folder)).exit_code == 0);
