@@ -166,7 +166,8 @@ def stages(file, only_fitting):
         first = [(program, [",".join(f"[#{test}]" for test in own or tests_called("*_test.cpp", file))])]
     if only_fitting:
         return first if own else []
-    return [*first, (program, []), ("golden-tests", [])]
+    in_browser = [("browser-tests", [])] if top == "render" else []  # of the script of its reports
+    return [*first, (program, []), ("golden-tests", []), *in_browser]
 
 
 def first_failure(out):
