@@ -46,7 +46,7 @@ void remove_stale(const fs::path& file) {
 /// What the page asks for, before there is a page that asks. Where it asks for nothing, that of an earlier run goes.
 void write_files_beside(const Story& story, const PageSurroundings& around, const fs::path& folder) {
   if (!around.has_files) {
-    for (const char* stale : {style_file, script_file, events_file}) remove_stale(folder / stale);
+    for (const char* stale : files_asked_for) remove_stale(folder / stale);
     return;
   }
   for (const PageFile& file : page_files(story)) render::write_file(folder / file.name, file.content);
@@ -61,7 +61,7 @@ void write_files_beside(const Story& story, const PageSurroundings& around, cons
 std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin) {
   std::vector<std::string> files{page_file};
   if (pictures == Pages::Pictures::inside) return files;
-  files.insert(files.end(), {style_file, script_file, events_file});
+  files.insert(files.end(), files_asked_for.begin(), files_asked_for.end());
   if (origin.option.empty()) files.push_back(trace_file);
   return files;
 }

@@ -2,6 +2,7 @@
 /// steps through them; without it they stand below each other.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -49,6 +50,8 @@ struct PageFile {
 
 inline constexpr const char *style_file = "page.css", *script_file = "page.js", *events_file = "events.js",
                             *trace_file = "trace.jsonl";
+/// Of these what page_files() makes.
+inline constexpr std::array files_asked_for{style_file, script_file, events_file};
 
 /// Returns: what a page asks for that does not hold it all: its style, its script, and the events, which are loaded when a reader
 /// asks for them (as a script: pages that are files themselves may read nothing else).

@@ -1,5 +1,6 @@
 #include "walkthroughs/page/page.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/catch.hpp"
@@ -142,7 +143,9 @@ TEST_CASE("A page with files beside it holds none of them, and says where they a
   CHECK(count(page, "href=\"trace.jsonl\"") == 1);
   CHECK(count(page, "id=\"events\"") == 0);
   const std::string whole = page_of(story);
-  for (const PageFile& file : page_files(story)) {
+  const std::vector<PageFile> files = page_files(story);
+  CHECK(std::ranges::equal(files, files_asked_for, {}, &PageFile::name));
+  for (const PageFile& file : files) {
     INFO(file.name);
     const std::string held = file.name == events_file ? "\"event\":\"support-found\"" : file.content;
     CHECK(count(file.content, held) >= 1);
