@@ -215,12 +215,18 @@ requires((std::same_as<S, float> ||
           std::same_as<S, double>)&&detail::AsksTheDifference<Rules, S>&& CertifiedObserver<Obs, S>) CertifiedResult
     certified_collision(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options = {},
                         Obs&& observer = NobodyListens{}) {
+  using Listener = std::remove_reference_t<Obs>;
   detail::expect_usual_arithmetic();
-  const CertifiedResult result = detail::certify<S, Rules, std::remove_reference_t<Obs>>(a, b, options, observer);
-  detail::Teller<std::remove_reference_t<Obs>> tell(observer, options.crossing_test);
-  tell.enter_iteration(result.iterations + result.second_iterations);
-  tell([&] { return Certified<S>{.result = result}; });
-  return result;
+  if constexpr (detail::Teller<Listener>::somebody_listens) {
+    detail::OneRun<S, Listener> run(observer);
+    const CertifiedResult result = detail::certify<S, Rules>(a, b, options, run);
+    detail::Teller tell(run, options.crossing_test);
+    tell.enter_iteration(result.iterations + result.second_iterations);
+    tell([&] { return Certified<S>{.result = result}; });
+    return result;
+  } else {
+    return detail::certify<S, Rules>(a, b, options, observer);
+  }
 }
 
 }  // namespace gjk

@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string>
@@ -49,6 +50,30 @@ FeatureKept<S> kept(const Simplex<S>& before, const Order& order, bool contains_
           .dropped = letters_beside(kept, before.size()),
           .contains_origin = contains_origin};
 }
+
+/// Hands events on. The searches know one by one what they have found; a vertex of the second is new only where none of the first
+/// lies at its place.
+template <class S, class Obs>
+class OneRun {
+ public:
+  explicit OneRun(Obs& observer) : observer_(observer) {}
+
+  template <class Event>
+  void operator()(Event event) {
+    if constexpr (std::same_as<Event, SupportFound<S>>) event.is_new = remember(event.vertex.w) && event.is_new;
+    observer_(std::move(event));
+  }
+
+ private:
+  bool remember(const Vec3<S>& w) {
+    if (std::find(found_.begin(), found_.end(), w) != found_.end()) return false;
+    found_.push_back(w);
+    return true;
+  }
+
+  Obs& observer_;
+  std::vector<Vec3<S>> found_;
+};
 
 /// Tells what a second search does; each sign once a simplex, however often it is asked for.
 template <class S, class Obs = const NobodyListens>

@@ -80,7 +80,15 @@ TEST_CASE("Where a corner stands on an edge the signs in doubt are told with the
 TEST_CASE("One double higher the same signs part, and none reaches across", "[certified]") {
   Pair<double> apart = touching;
   apart.b = PointSet<double>({V(1.5, above(0.5), 0), V(3, 3, 0), V(0, 2.5, 0)});
-  const std::string lines = brief(told(apart));
+  const Trace<double> trace = told(apart);
+  for (const Event<double>& event : trace.events)
+    if (const auto* sign = std::get_if<SignTaken<double>>(&event)) {
+      CHECK(sign->error >= 0);
+      CHECK(std::abs(sign->value -
+                     (sign->exact.empty() ? sign->value : static_cast<double>(detail::Fraction(sign->exact)))) <=
+            sign->error);
+    }
+  const std::string lines = brief(trace);
   CHECK(lines.starts_with("direction of 1 fails\n1 vertices\n"));
   CHECK(lines.find("(AB×AO).z > 0: 3/9007199254740992\nkept BA\nd = AB×AO×AB\n") != std::string::npos);
   CHECK(lines.find("w·d < 0: -") != std::string::npos);
@@ -111,6 +119,26 @@ TEST_CASE("Who listens hears the answer that others get", "[certified]") {
     const CertifiedResult heard = std::get<Certified<double>>(trace.events.back()).result;
     REQUIRE(heard == proven(both));
   }
+}
+
+TEST_CASE("A vertex is new where neither search has found its place before", "[certified]") {
+  int again = 0, news = 0;
+  for (const Pair<double>& pair :
+       {pair_of<double>(cycling_apart_a, cycling_apart_b), pair_of<double>(cycling_meeting_a, cycling_meeting_b)}) {
+    std::vector<Vec3<double>> found;
+    bool is_second = false;
+    for (const Event<double>& event : told(pair).events) {
+      is_second |= std::holds_alternative<ProofTried<double>>(event);
+      const auto* support = std::get_if<SupportFound<double>>(&event);
+      if (!support) continue;
+      const Vec3<double>& w = support->vertex.w;
+      CHECK(support->is_new == (std::find(found.begin(), found.end(), w) == found.end()));
+      (support->is_new ? news : again) += is_second;
+      found.push_back(w);
+    }
+  }
+  CHECK(again > 0);
+  CHECK(news > 0);
 }
 
 TEST_CASE("Each value lies as near to its fraction as its error says", "[certified]") {

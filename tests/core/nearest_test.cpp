@@ -111,7 +111,7 @@ TEST_CASE("The feature of a triangle that is nearest to the origin, if A is in i
   REQUIRE(tally.on_a_boundary > 100);
 }
 
-TEST_CASE("The feature of a tetrahedron that is nearest to the origin, if A is in it", "[nearest]") {
+TEST_CASE("The feature of a tetrahedron that is nearest to the origin, if A is in it", "[nearest][unsanitized]") {
   const Tally tally = compare(4, 7000, 63);
   require_each_seen(tally, {"A", "AB", "AC", "AD", "ABC", "ABD", "ACD", "ABCD"}, 50);
   REQUIRE(tally.on_a_boundary > 300);

@@ -130,7 +130,7 @@ TEST_CASE("The watch over P1 itself notices a zero, an infinite and an undefined
 TEST_CASE(
     "P2. Every vertex of the simplex lies on the hull of the Minkowski difference: no point of the difference lies "
     "farther in the direction in which it was found",
-    "[properties]") {
+    "[properties][unsanitized]") {
   INFO("seed " << seed);
   for (const ExactRun& run : exact_runs()) {
     std::vector<Vec3<Rational>> found;

@@ -99,7 +99,7 @@ void require_values_by_coordinates(const Told<Rational>& told, const ExactVecs& 
 
 TEST_CASE(
     "Algorithm 4 agrees with linear equations in every region it can be called in, whatever the order of vertices",
-    "[rules]") {
+    "[rules][unsanitized]") {
   std::map<std::string, int> reached;
   for (const auto& frame : frames<Rational>()) {
     Points order = CBA;

@@ -135,7 +135,7 @@ TEST_CASE("control: a mirrored frame fails") {
   fails(right, mirrored);
 }
 
-TEST_CASE("control: every golden picture fails against every other") {
+TEST_CASE("control: every golden picture fails against every other", "[unsanitized]") {
   Bench bench;
   std::vector<Image> all;
   for (const Picture& picture : pictures()) all.push_back(bench.right(picture));

@@ -66,7 +66,7 @@ std::string in_words(const Picture& picture, const render::ComparedFiles& failed
 
 }  // namespace
 
-TEST_CASE("images of the chosen frames are the accepted ones") {
+TEST_CASE("images of the chosen frames are the accepted ones", "[unsanitized]") {
   walkthroughs::Studio studio;
   render::CompareReport report({.expected = "tests/golden/images",
                                 .actual = "drawn now",

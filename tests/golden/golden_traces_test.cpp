@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "render/file.hpp"
 #include "tests/catch.hpp"
 #include "tests/golden/store.hpp"
 #include "tests/golden/trace_difference.hpp"
@@ -42,10 +41,8 @@ std::vector<std::string> parts(const std::string& trace) {
 /// Returns: the accepted trace; empty where there is none.
 std::string accepted(const Walkthrough& w) {
   std::string trace;
-  for (int part = 1; fs::exists(folder() / name_of_part(w, part)); ++part) {
-    const auto read = render::read_file(folder() / name_of_part(w, part));
-    trace.append(read.begin(), read.end());
-  }
+  for (int part = 1; fs::exists(folder() / name_of_part(w, part)); ++part)
+    trace += accepted_text(name_of_part(w, part));
   return trace;
 }
 

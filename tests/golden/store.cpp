@@ -39,6 +39,12 @@ bool accepting() {
   return true;
 }
 
+std::string accepted_text(const std::string& name) {
+  if (!fs::exists(folder() / name)) return "";
+  const auto read = render::read_file(folder() / name);
+  return {read.begin(), read.end()};
+}
+
 fs::path leave_candidate(const std::string& name, std::span<const std::uint8_t> bytes) {
   return write(candidates() / name, bytes);
 }

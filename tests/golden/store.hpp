@@ -17,6 +17,9 @@ std::filesystem::path candidates();
 /// Errors: std::runtime_error where CI is set as well: nobody looks at what CI would accept.
 bool accepting();
 
+/// Returns: what is accepted as `name`; empty where nothing is.
+std::string accepted_text(const std::string& name);
+
 /// Writes to candidates()/`name`. Returns: the file.
 std::filesystem::path leave_candidate(const std::string& name, std::span<const std::uint8_t> bytes);
 std::filesystem::path leave_candidate(const std::string& name, std::string_view text);

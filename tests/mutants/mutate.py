@@ -167,7 +167,7 @@ def stages(file, only_fitting):
     if only_fitting:
         return first if own else []
     in_browser = [("browser-tests", [])] if top == "render" else []  # of the script of its reports
-    return [*first, (program, []), ("golden-tests", []), *in_browser]
+    return [*first, ("golden-tests", []), (program, []), *in_browser]
 
 
 def first_failure(out):

@@ -47,7 +47,7 @@ void remove_stale(const fs::path& file) {
 void write_files_beside(const Story& story, const PageSurroundings& around, const fs::path& folder) {
   if (!around.has_files) {
     for (const char* stale : files_asked_for) remove_stale(folder / stale);
-    return;
+    return;  // a trace stays: it may be somebody's own
   }
   for (const PageFile& file : page_files(story)) render::write_file(folder / file.name, file.content);
   if (around.trace_command.empty()) return;

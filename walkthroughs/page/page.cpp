@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render/html.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/page/templates.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
@@ -211,12 +212,13 @@ Json questions(const Story& story, const PageSurroundings& surroundings, Texts& 
     Json choices = Json::array();
     for (const Choice& choice : question.choices) choices.push_back({place_of(choice.text), place_of(choice.reason)});
     const std::string practice = practice_for(question.decision, story.walkthrough.name);
+    const std::string page = practice.empty() ? "" : surroundings.page_of(practice);
     list.push_back({{"before", *frame},
                     {"kind", kind_of(question.decision.kind)},
                     {"text", place_of(question.text)},
                     {"choices", choices},
                     {"right", question.right},
-                    {"practice", {practice, surroundings.page_of(practice)}}});
+                    {"practice", {page.empty() ? practice : find_walkthrough(practice)->title, page}}});
   }
   return list;
 }

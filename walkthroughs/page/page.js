@@ -82,9 +82,17 @@
     for (const [id, end] of [['first', 0], ['back', 0], ['next', steps.length - 1], ['last', steps.length - 1]])
       $(id).disabled = i === end;
     if (moved) $('live').textContent = said(i);
-    document.title = `${i + 1}/${steps.length} ${title}`;
+    if (moved) skipped.clear();
+    entitle();
     if (predicting && i === steps.length - 1) showScore();
     if (how !== 'stay' && moved) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', `#${i + 1}`);
+  }
+
+  // Titles tell how it ends.
+  function entitle() {
+    document.title = `${at + 1}/${steps.length} ${predicting ? untold : title}`;
+    heading.textContent = predicting ? untold : name;
+    $('summary').hidden = predicting;
   }
 
   const go = i => { pause(); show(i, 'push'); };
@@ -127,9 +135,10 @@
   // Texts of questions, choices and reasons are HTML that the program has made, with <sub> for subscripts.
   const questions = data.questions.map(question => ({...question, text: data.texts[question.text],
                                                      choices: question.choices.map(places => places.map(place => data.texts[place]))}));
-  const shelf = `gjkstep ${data.name} ${questions.length}`;
+  const shelf = `gjkstep ${location.pathname} ${data.name} ${questions.length}`;  // of two files with one name neither has the other's
   const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on',
                  line: 'Which line is wrong'};
+  const untold = 'What will the search find?', skipped = new Set();
   const nothing = () => questions.map(() => null);
   let answers = nothing(), predicting = false, asked = null, isTold = false;
 
@@ -143,7 +152,7 @@
   // Whether there is a question still to be answered before the next step; asks it.
   function stopsToAsk() {
     if (!predicting) return false;
-    const k = questions.findIndex((question, k) => question.before === at + 1 && answers[k] === null);
+    const k = questions.findIndex((question, k) => question.before === at + 1 && answers[k] === null && !skipped.has(k));
     if (k >= 0) ask(k);
     return k >= 0;
   }
@@ -162,6 +171,7 @@
     $('onward').textContent = 'Skip';
     steps[at].querySelector('.text').prepend($('quiz'));
     steps[at].classList.add('asking');
+    mark(false);
     $('quiz').hidden = false;
     $('question').focus();
   }
@@ -197,8 +207,15 @@
     $('onward').focus();
   }
 
+  // The line that runs, which tells what is asked.
+  function mark(isShown) {
+    const place = data.steps[at].code?.[1], line = steps[at].querySelectorAll('.code li')[place];
+    if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
+  }
+
   function close() {
     asked = null;
+    mark(true);
     $('quiz').hidden = $('score').hidden = true;
     steps[at].classList.remove('asking');
   }
@@ -207,9 +224,10 @@
     const first = answers[asked];
     if (first !== null && !isTold)
       return tell([...$('choices').querySelectorAll('button')], first, `It is <b>${questions[asked].choices[questions[asked].right][0]}</b>`);
-    if (first !== null && stopsToAsk()) return;
+    if (first === null) skipped.add(asked);
+    if (stopsToAsk()) return;
     show(at + 1, 'push');
-    $(at + 1 < steps.length ? 'next' : 'first').focus();  // the button that was pressed is gone
+    $(at + 1 < steps.length ? 'next' : 'first').focus({preventScroll: true});  // the button that was pressed is gone
   }
 
   function showScore() {
@@ -218,34 +236,40 @@
     $('points').textContent = given.length ? `${questions.filter(right).length} of ${questions.length} right` +
       (given.length < questions.length ? `, ${questions.length - given.length} not answered` : '') : 'No question answered yet';
     const list = make('ul');
+    let missesPages = false;
     for (const [kind, name] of Object.entries(kinds)) {
       const ours = questions.map((question, k) => [question, k]).filter(([question, k]) => question.kind === kind && answers[k] !== null);
       const wrong = ours.filter(([question, k]) => !right(question, k));
       if (!ours.length) continue;
       const line = make('li', wrong.length ? 'no' : 'yes', `${name}: ${ours.length - wrong.length} of ${ours.length}`);
-      const practice = new Map(wrong.map(([question]) => question.practice).filter(([name]) => name));
+      const practice = new Map(wrong.map(([question]) => question.practice).filter(([title]) => title));
       let between = '; practise with ';
-      for (const [name, url] of practice) {
-        line.append(between, url ? Object.assign(make('a', '', name), {href: url}) : make('code', '', `gjkstep render ${name} --page`));
+      for (const [title, url] of practice) {  // where there is no page, its name
+        line.append(between, url ? Object.assign(make('a', '', title), {href: url}) : make('code', '', title));
+        missesPages ||= !url;
         between = ', ';
       }
       list.append(line);
     }
     $('kinds').replaceChildren(list);
+    if (missesPages) $('kinds').append(make('code', '', 'gjkstep render regions --page'), ' makes these pages.');
     steps[at].querySelector('.text').prepend($('score'));
     $('score').hidden = false;
     $('forget').hidden = !given.length;
+    $('score').scrollIntoView({block: 'nearest'});
     if (given.length) $('live').textContent = $('points').textContent;
   }
 
   function predict() {
     predicting = !predicting;
     $('predict').setAttribute('aria-pressed', predicting);
-    heading.textContent = predicting ? 'What will the search find?' : name;  // titles tell
-    $('summary').hidden = predicting;
     close();
-    if (predicting && at === steps.length - 1) showScore();
-    $('live').textContent = predicting ? 'Before each decision a question will be asked.' : 'No questions will be asked.';
+    skipped.clear();
+    entitle();
+    const isOver = predicting && !answers.includes(null);
+    if (isOver || (predicting && at === steps.length - 1)) showScore();
+    $('live').textContent = isOver ? 'All questions have been answered; who forgets the answers is asked again.'
+      : predicting ? 'Before each decision a question will be asked.' : 'No questions will be asked.';
   }
 
   function forget() {
@@ -262,9 +286,21 @@
 
   // -- What one presses, drags and swipes ---------------------------------------------------------------------------------
 
+  // Views of a picture, the usual one first, all around.
+  const turns = data.turned.length ? data.turned[0].length : 0;
+  const viewOf = shot => turns ? 1 + data.turned[at].indexOf(shot.firstElementChild.getAttribute('src')) : 0;
+  function turnTo(shot, view) {
+    shot.dataset.usual ??= shot.firstElementChild.getAttribute('src');
+    const views = [shot.dataset.usual, ...data.turned[at]], place = (view % views.length + views.length) % views.length;
+    shot.firstElementChild.src = views[place];
+    $('live').textContent = `View ${place + 1} of ${views.length}`;
+  }
+  const turnBy = by => { const shot = steps[at].querySelector('.shot'); turnTo(shot, viewOf(shot) + by); };
+
   const keys = {
     ArrowLeft: back, ArrowRight: forward, Home: () => go(0), End: () => go(steps.length - 1), ' ': play,
   };
+  const turning = {ArrowLeft: () => turnBy(-1), ArrowRight: () => turnBy(1)};
   const hasQuestions = () => questions.length && $('letters').checked;
   function letter(key) {
     if (!hasQuestions()) return null;
@@ -272,32 +308,31 @@
     return asked !== null && /^[1-9]$/.test(key) ? () => answer(key - 1) : null;
   }
   document.addEventListener('keydown', event => {
-    const act = keys[event.key] || letter(event.key);
+    const act = (turns && event.shiftKey && turning[event.key]) || keys[event.key] || letter(event.key);
     if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing || !act) return;
     if (event.key === ' ' && event.target.closest('button, summary, a, input:not([type=range])')) return;
     event.preventDefault();
     if (isBare) parent.postMessage({key: event.key}, '*'); else act();
   });
-  for (const [id, act] of [['first', keys.Home], ['back', keys.ArrowLeft], ['next', keys.ArrowRight], ['last', keys.End], ['play', play], ['predict', predict]])
+  for (const [id, act] of [['first', keys.Home], ['back', keys.ArrowLeft], ['next', keys.ArrowRight], ['last', keys.End], ['play', play], ['predict', predict],
+                           ['turn-back', turning.ArrowLeft], ['turn-on', turning.ArrowRight]])
     $(id).addEventListener('click', act);
   $('slider').addEventListener('input', () => { pause(); show($('slider').value - 1, 'replace'); });
   addEventListener('popstate', () => { pause(); show(addressed(), 'stay'); });
 
-  // A swipe steps; where there are further views, it turns the picture.
+  // A swipe steps; where there are further views, it turns the picture, as buttons and keys do.
   let from = null;
-  const turns = data.turned.length ? data.turned[0].length : 0;
   $('steps').classList.toggle('turns', turns > 0);
+  for (const id of ['turn-back', 'turn-on', 'turning']) $(id).hidden = !turns;
   function turn(shot, x) {
-    const views = [shot.dataset.usual, ...data.turned[at]], width = shot.clientWidth / views.length;
-    shot.firstElementChild.src = views[((Math.round((x - from.x) / width) + from.view) % views.length + views.length) % views.length];
+    const width = shot.clientWidth / (turns + 1);
+    turnTo(shot, Math.round((x - from.x) / width) + from.view);
   }
   $('steps').addEventListener('pointerdown', event => {
     const shot = event.target.closest('.shot');
     from = null;
     if (!shot || !event.isPrimary || event.button !== 0) return;
-    const img = shot.firstElementChild;
-    shot.dataset.usual ??= img.getAttribute('src');
-    from = {x: event.clientX, y: event.clientY, shot, view: turns ? 1 + data.turned[at].indexOf(img.getAttribute('src')) : 0};
+    from = {x: event.clientX, y: event.clientY, shot, view: viewOf(shot)};
     if (turns) shot.setPointerCapture(event.pointerId);
   });
   addEventListener('pointermove', event => { if (from && turns) turn(from.shot, event.clientX); });

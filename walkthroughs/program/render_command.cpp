@@ -308,8 +308,15 @@ class Rendering {
     const auto story = std::make_shared<const StagedStory>(std::move(told));
     progress(w.name + ": drawing");
     for (const std::string& sentence : story->left_out()) note(w.name + ": " + sentence);
+    if (!is_asked_for_pages() && has_page(output.folder / w.name))
+      note(w.name + ": its page is of an earlier run, and may tell of other pictures; --page writes it anew");
     if (command_.captions) written.stories.push_back(story);
     for (const std::unique_ptr<Sink>& sink : formats.sinks) sink->add(story, output, renderer);
+  }
+
+  static bool has_page(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::exists(folder / page_file, ignored);
   }
 
   /// One line for each file, and how far it is.

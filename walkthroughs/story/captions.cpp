@@ -72,7 +72,8 @@ class Captions {
                    {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
                                     " = " + vec(event.vertex.w)}};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
-    if (now_.is_second_search) frame.facts.push_back({Mark::none, "no vertex of the first search reaches across"});
+    if (now_.is_second_search)
+      frame.facts.push_back({Mark::none, "none of the vertices that the first search ended with reaches across"});
     return frame;
   }
 

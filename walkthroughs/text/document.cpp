@@ -246,9 +246,11 @@ namespace {
                           printable(text.substr(front.size(), 1)) + " is no letter there; save the text as UTF-8");
 }
 
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
 /// Finds what the parser would take for the end of the text, or complain about less clearly.
 void require_text(std::string_view text) {
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+  if (is_blank(text))
     throw DocumentError(1, "", "the file is empty; 'gjkstep scene --example' prints one to begin with");
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw DocumentError(1, "", "the text is UTF-16; save it as UTF-8");
@@ -309,6 +311,7 @@ void tell(DocumentBuilder& builder, const simdjson::dom::element& value) {
 Document Document::of_line(std::string_view text) {
   simdjson::dom::parser parser;
   simdjson::dom::element root;
+  if (is_blank(text)) throw DocumentError(1, "", "the line is empty");
   if (parser.parse(text.data(), text.size()).get(root)) return Document(text, Comments::refused);
   Document document;
   document.nodes_.reserve(64);  // of two tetrahedra: 41

@@ -6,6 +6,9 @@
 
 namespace walkthroughs {
 
+/// Returns: `text` as one word of a shell.
+std::string shell_quoted(const std::string& text);
+
 /// Returns: `path` as one word of a shell, and not an option.
 std::string shell_word(const std::filesystem::path& path);
 

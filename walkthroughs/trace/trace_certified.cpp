@@ -163,9 +163,10 @@ void check_value(const gjk::SignTaken<double>& event, const Fraction& exactly) {
 
 class CertifiedCheck::Course {
  public:
-  Course(const Scene& scene, const gjk::Result<double>& guess)
+  Course(const Scene& scene, const gjk::Result<double>& guess, std::vector<Point> found)
       : scene_(scene),
         guess_(guess),
+        found_(std::move(found)),
         a_(std::get<Points>(scene.a.form)),
         b_(std::get<Points>(scene.b.form)),
         expected_{event_index<gjk::ProofTried>} {
@@ -253,6 +254,7 @@ class CertifiedCheck::Course {
       const std::string against = objection_to(*point, *object, along, scene_.scalar);
       require(against.empty(), key + against);
     }
+    require_new(event, found_);
     has_looked_ = true;
     expected_ = {event_index<gjk::SignTaken>};
   }
@@ -369,6 +371,7 @@ class CertifiedCheck::Course {
 
   const Scene& scene_;
   const gjk::Result<double> guess_;
+  std::vector<Point> found_;  // places, by both searches
   const gjk::PointSet<double> a_, b_;
   std::vector<std::size_t> expected_;
   Proof next_proof_;
@@ -383,8 +386,8 @@ class CertifiedCheck::Course {
   Status status_ = Status::undecided;
 };
 
-CertifiedCheck::CertifiedCheck(const Scene& scene, const gjk::Result<double>& guess)
-    : course_(std::make_unique<Course>(scene, guess)) {}
+CertifiedCheck::CertifiedCheck(const Scene& scene, const gjk::Result<double>& guess, std::vector<Point> found)
+    : course_(std::make_unique<Course>(scene, guess, std::move(found))) {}
 CertifiedCheck::~CertifiedCheck() = default;
 
 void CertifiedCheck::operator()(const gjk::Event<double>& event) {

@@ -20,8 +20,8 @@ namespace walkthroughs {
 /// The events of one scene that follow those of its first search, given one by one.
 class CertifiedCheck {
  public:
-  /// `scene` must outlive the check. Requires: that it is certified.
-  CertifiedCheck(const Scene& scene, const gjk::Result<double>& guess);
+  /// `scene` must outlive the check. `found`: the places that its first search found. Requires: that it is certified.
+  CertifiedCheck(const Scene& scene, const gjk::Result<double>& guess, std::vector<Point> found);
   ~CertifiedCheck();
 
   /// Errors: Contradiction, about the first thing that is wrong with this event. Requires: an expected kind.

@@ -137,9 +137,7 @@ void TraceCheck::check(const gjk::SupportFound<double>& event) {
   const std::string against_b =
       objection_to(v.b, scene_.b, is_backward ? direction_ : Point(-direction_), scene_.scalar);
   require(against_b.empty(), "'b' " + against_b);
-  require(event.is_new == !is_known(v.w), event.is_new ? "'new' is true, but an earlier w of this scene is the same"
-                                                       : "'new' is false, but no earlier w of this scene is the same");
-  if (event.is_new) known_.push_back(v.w);
+  require_new(event, known_);
   vertex_ = v;
   is_new_ = event.is_new;
   reach_ = dot({v.w}, {direction_}, scene_.scalar);
@@ -306,7 +304,7 @@ void TraceCheck::check(const gjk::Finished<double>& event) {
   if (result.separation) check_separation(result);
   check_cycle(result);
   expected_.clear();
-  if (scene_.certified) certified_.emplace(scene_, result);
+  if (scene_.certified) certified_.emplace(scene_, result, known_);
 }
 
 void TraceCheck::check_cycle(const gjk::Result<double>& result) const {
@@ -330,10 +328,6 @@ void TraceCheck::check_separation(const gjk::Result<double>& result) const {
 }
 
 bool TraceCheck::reach_may_be_crossed() const { return reach_.may_be_positive_or_zero() || reach_counts_as_zero(); }
-
-bool TraceCheck::is_known(const Point& w) const {
-  return std::ranges::any_of(known_, [&](const Point& earlier) { return earlier == w; });
-}
 
 bool TraceCheck::has(const Point& w) const {
   for (int i = 0; i < simplex_.size(); ++i)

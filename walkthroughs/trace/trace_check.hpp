@@ -83,7 +83,6 @@ class TraceCheck {
   void end_outside(gjk::Reason reason);
   void check_separation(const gjk::Result<double>& result) const;
   void check_cycle(const gjk::Result<double>& result) const;
-  bool is_known(const Point& w) const;
   bool has(const Point& w) const;
 
   const Scene& scene_;

@@ -81,10 +81,12 @@ Points times(Points points, double factor) {
   return points;
 }
 
-/// By no more than 2^8, so that floats have room, too.
-PairOfSets<double> scaled_a_little(const PairOfSets<double>& pair, Dice& dice) {
+/// By no more than 2^8, so that floats have room, too. Nothing where doubles have none.
+std::optional<PairOfSets<double>> scaled_a_little(const PairOfSets<double>& pair, Dice& dice) {
   const double factor = std::ldexp(1.0, dice.coin() ? dice.whole(1, 8) : -dice.whole(1, 8));
-  return {times(pair.a, factor), times(pair.b, factor)};
+  PairOfSets<double> scaled{times(pair.a, factor), times(pair.b, factor)};
+  if (times(scaled.a, 1 / factor) != pair.a || times(scaled.b, 1 / factor) != pair.b) return std::nullopt;
+  return scaled;
 }
 
 std::optional<Pair> changed(Symmetry symmetry, const Pair& pair, Dice& dice) {
@@ -92,8 +94,7 @@ std::optional<Pair> changed(Symmetry symmetry, const Pair& pair, Dice& dice) {
   const auto *a = std::get_if<Points>(&pair.a), *b = std::get_if<Points>(&pair.b);
   if (!a || !b) return std::nullopt;
   const PairOfSets<double> sets{*a, *b};
-  const auto after_it =
-      symmetry == Symmetry::scaled ? std::optional(scaled_a_little(sets, dice)) : after(symmetry, sets, dice);
+  const auto after_it = symmetry == Symmetry::scaled ? scaled_a_little(sets, dice) : after(symmetry, sets, dice);
   if (!after_it) return std::nullopt;
   return Pair{after_it->a, after_it->b};
 }

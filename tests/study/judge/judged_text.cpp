@@ -65,7 +65,8 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
   if (replies.outlives_its_input) sentences.push_back("It does not end when its input ends, and was ended.");
   for (const Judged& each : judged.pairs)
     if (!each.detail.empty()) {
-      sentences.push_back("First pair without an answer: " + each.named.name + ": " + printable(each.detail) + ".");
+      sentences.push_back("First pair without an answer: " + printable(each.named.name) + ": " +
+                          printable(each.detail) + ".");
       break;
     }
   const std::size_t last = replies.said.find_last_not_of(" \r\n");
@@ -153,10 +154,20 @@ Table step_table(const ProgramJudged& judged) {
   return table;
 }
 
+/// Names of others may hold anything.
+std::string markdown_cell(const std::string& text) {
+  std::string cell;
+  for (const char c : printable(text)) cell += c == '|' ? "\\|" : c == '<' ? "\\<" : std::string(1, c);
+  return cell;
+}
+
 void write(std::ostream& out, const Table& table) {
   out << "## " << table.heading << "\n\n";
   heading(out, table.titles, table.words);
-  for (const Cells& cells : table.rows) row(out, cells);
+  for (Cells cells : table.rows) {
+    std::ranges::transform(cells, cells.begin(), markdown_cell);
+    row(out, cells);
+  }
   out << '\n';
   for (const std::string& sentence : table.sentences) paragraph(out, sentence);
 }
@@ -204,8 +215,16 @@ std::string verdict_line(const ProgramJudged& judged) {
   const std::string pairs = count_of(judged.all.pairs, "pair", "pairs");
   const std::uint64_t undecided = judged.all.of(Verdict::undecided);
   const std::string left = undecided == 0 ? "" : ", " + std::to_string(undecided) + " undecided";
+  if (judged.is_good() && undecided == judged.all.pairs)
+    return "nothing is wrong, and nothing decided: " + pairs + left;
   if (judged.is_good()) return "nothing is wrong: " + pairs + left;
-  std::string line = "wrong: " + std::to_string(judged.all.wrong.count) + " of " + pairs + left;
+  const std::uint64_t wrong = judged.all.wrong.count, not_asked = judged.all.of(Verdict::not_asked);
+  const std::uint64_t unanswered =
+      judged.all.of(Verdict::unreadable) + judged.all.of(Verdict::ended) + judged.all.of(Verdict::late);
+  std::string line = wrong == 0 ? "something is wrong: " + pairs : "wrong: " + std::to_string(wrong) + " of " + pairs;
+  if (unanswered > 0) line += ", " + std::to_string(unanswered) + " of these without an answer";
+  if (not_asked > 0) line += ", " + std::to_string(not_asked) + " not asked";
+  line += left;
   std::uint64_t changed = 0;
   for (const Change& change : judged.changes) changed += change.other_answers;
   if (changed > 0) line += "; " + count_of(changed, "answer", "answers") + " changed where nothing may";

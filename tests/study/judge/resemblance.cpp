@@ -137,7 +137,10 @@ std::vector<Resemblance> resemblances(const std::vector<Judged>& judged) {
   add(best[mistakes().size() + 2], always("yes"), yes_is_right, all);
   add(best[mistakes().size() + 3], always("no"), no_is_right, all);
   std::erase_if(best, [](const Resemblance& each) { return each.both == 0; });
-  std::ranges::stable_sort(best, is_more);
+  // Of two that explain the same, the one that needs no search.
+  std::ranges::stable_sort(best, [](const Resemblance& x, const Resemblance& y) {
+    return is_more(x, y) || (!is_more(y, x) && !x.mistake && y.mistake);
+  });
   return best;
 }
 

@@ -130,7 +130,7 @@ double expected_share(const std::string& name) {
   return found != shares.end() ? found->second : 0.5;
 }
 
-TEST_CASE("Families: about half of the pairs meet, or the share that is in the family's nature", "[families]") {
+TEST_CASE("Families: about half of the pairs meet, or the share that is in the family's nature", "[families][unsanitized]") {
   for (const Family& family : families()) {
     const auto pairs = pairs_of(family, 400);
     const double share = static_cast<double>(hits(pairs)) / static_cast<double>(pairs.size());

@@ -45,13 +45,13 @@ void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::st
 constexpr std::size_t largest_file = std::size_t{64} << 20;
 
 void write(const ToldRun& run, const StepsChecked& checked) {
-  std::cout << run.named.name << ": ";
+  std::cout << walkthroughs::printable(run.named.name) << ": ";
   if (run.steps.empty())
     std::cout << "no step is told\n";
   else if (checked.iteration == 0)
     std::cout << "every step is one that the report's algorithm may make\n";
   else
-    std::cout << "iteration " << checked.iteration << ": " << checked.words << '\n';
+    std::cout << "iteration " << checked.iteration << ": " << walkthroughs::printable(checked.words) << '\n';
   for (const std::size_t mistake : checked.mistakes)
     std::cout << "  that is what follows from M" << mistake + 1 << ": " << mistakes()[mistake].name << '\n';
   for (const std::string& choice : checked.other_choices) std::cout << "  as right: " << choice << '\n';

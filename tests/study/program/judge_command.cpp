@@ -13,7 +13,9 @@
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"
 #include "tests/study/steps/judged_steps.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/program/places.hpp"
+#include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
@@ -93,12 +95,14 @@ std::vector<NamedPair> JudgeCommand::chosen_pairs() const {
 
 JudgedHead JudgeCommand::head() const {
   const std::string name = joined(program, " ");
-  std::string command = "gjkstep-study judge";
+  std::string command = "gjkstep-study judge", asked;
+  for (const std::string& word : program) asked += " " + walkthroughs::shell_quoted(word);
   if (!families.empty()) command += " --families " + joined(families, ",");
   if (makes_pairs()) command += " --count " + std::to_string(count) + " --seed " + std::to_string(seed);
-  if (pairs) command += " --pairs " + *pairs;
+  if (pairs) command += " --pairs " + walkthroughs::shell_word(*pairs);
+  if (time_limit != usual_time_limit) command += " --time-limit " + walkthroughs::number_text(time_limit);
   if (steps) command += " --steps";
-  return {name, command + " -- " + name, makes_pairs()};
+  return {name, command + " --" + asked, makes_pairs()};
 }
 
 void JudgeCommand::run() const {

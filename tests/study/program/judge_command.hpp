@@ -15,7 +15,8 @@ struct JudgeCommand {
   std::vector<std::string> program, families;
   std::optional<std::string> pairs, failures, html;
   std::uint64_t count = 100, seed = 1, max_failures = 5;
-  double time_limit = 2;
+  static constexpr double usual_time_limit = 2;
+  double time_limit = usual_time_limit;
   bool json = false, steps = false;
 
   void add_to(CLI::App& app);

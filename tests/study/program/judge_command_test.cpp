@@ -222,6 +222,62 @@ TEST_CASE("judge: options of the program are its own", "[judge]") {
       run("judge --families boxes --count 2 -- sh -c 'while read x; do echo \"$1\"; done' --json --count");
   CHECK(has(outcome.out, "First pair without an answer: boxes-0: "));
   CHECK_FALSE(outcome.out.starts_with("{"));
+  // Behind a list, too.
+  const Outcome own = run("judge --count 2 --families boxes -- " + quoted(GJKSTEP_ITSELF) + " query --certified");
+  CHECK(own.exit_code == 0);
+  CHECK(has(own.out, "query --certified: nothing is wrong: 2 pairs\n"));
+}
+
+TEST_CASE("judge: the headline says what kind of wrong there is", "[judge]") {
+  const auto headline = [](const std::string& program) {
+    const Outcome outcome = run("judge --families boxes,triangles --count 2 -- " + program);
+    return outcome.out.substr(0, outcome.out.find('\n'));
+  };
+  CHECK(has(headline("sed s/.*/\\\"undecided\\\"/"), "nothing is wrong, and nothing decided: 4 pairs, 4 undecided"));
+  CHECK(has(headline("sed s/.*/perhaps/"), "wrong: 4 of 4 pairs, 4 of these without an answer"));
+  CHECK(has(headline("true"), " without an answer"));
+}
+
+TEST_CASE("judge: the command that is told can be given to a shell again", "[judge]") {
+  const Outcome outcome = run("judge --families boxes --count 1 --time-limit 7.5 -- sh -c 'sed s/.*/true/; exit'");
+  CHECK(has(outcome.out,
+            "gjkstep-study judge --families boxes --count 1 --seed 1 --time-limit 7.5 -- sh -c "
+            "'sed s/.*/true/; exit'`"));
+}
+
+TEST_CASE("judge: names of pairs are shown escaped, in tables too", "[judge]") {
+  const Folder folder;
+  std::ofstream(folder.path() / "pairs.jsonl")
+      << R"({"name":"\u001b[31m<b>|n","family":"<b>|\u001b","a":{"points":[[0,0,0]]},"b":{"points":[[1,0,0]]}})"
+      << "\n";
+  const Outcome outcome = run("judge --pairs " + in(folder, "pairs.jsonl") + " -- sed s/.*/perhaps/");
+  CHECK_FALSE(has(outcome.out, "\x1b"));
+  CHECK(has(outcome.out, "| \\<b>\\|\\x1b | 1 |"));
+}
+
+TEST_CASE("judge: a pair that has no room to be scaled is not", "[judge]") {
+  const Folder folder;
+  std::ofstream(folder.path() / "pairs.jsonl")
+      << R"({"a":{"points":[[0,0,0],[1e308,1e-308,3e-320]]},"b":{"points":[[-1e308,0,5e-324],[1e308,1,1]]}})"
+      << "\n";
+  const Outcome outcome =
+      run("judge --pairs " + in(folder, "pairs.jsonl") + " -- " + quoted(GJKSTEP_ITSELF) + " query --certified");
+  INFO(outcome.out);
+  CHECK(outcome.exit_code == 0);
+}
+
+TEST_CASE("judge: an adapter that is asked about what it cannot read says so", "[judge]") {
+  for (const std::string& program :
+       {quoted(JUDGED_WRONG_GJK),
+        std::string("sh -c 'cd " JUDGE_ADAPTERS " && exec python3 -B judge_main.py boxes_overlap'")}) {
+    const Outcome outcome = run("judge --families spheres --count 1 -- " + program);
+    CHECK(outcome.exit_code == 1);
+    CHECK(has(outcome.out, "about points, and this pair has a round shape"));
+  }
+}
+
+TEST_CASE("judge: of two that explain the same the simpler one is named", "[judge]") {
+  CHECK(has(run("judge --families triangles -- sed s/.*/false/").out, "It behaves like a program that always says no"));
 }
 
 }  // namespace

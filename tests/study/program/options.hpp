@@ -46,6 +46,7 @@ void add_list(CLI::App& command, const std::string& name, std::vector<T>& values
           },
           what)
       ->expected(1)
+      ->allow_extra_args(false)  // what follows is not one of them, nor is a "--"
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name(std::same_as<T, int> ? "INT,..." : "TEXT,...");
 }

@@ -203,6 +203,43 @@ TEST_CASE(
   }
 }
 
+namespace {
+
+/// A search that keeps a triangle in an order from which the next faces point inward, and then `kept`.
+StepsChecked checked_behind_an_order(const Points& kept) {
+  const std::vector<NamedPair> all = kept_pairs();
+  const auto pair = std::ranges::find(all, std::string("one-ulp-885"), &NamedPair::name);
+  REQUIRE(pair != all.end());
+  const Vec D(4, 4, 0x1p-48), C(-13, -11, -7), B(-1, -14, -2);
+  return check_steps({*pair,
+                      {{Vec(1, 0, 0), {Vec(7, -11, -8)}},
+                       {Vec(-7, 11, 8), {Vec(7, -11, -8), D}},
+                       {Vec(-1336.0000000000005, -471.99999999999977, 383.99999999999932), {D, C}},
+                       {Vec(-75.999999999999801, -331.99999999999977, 895.99999999999864), {D, C, B}},
+                       {Vec(-96.000000000000014, 0.99999999999995737, 231), kept},
+                       {Vec(7, 6, -0x1p-48), {kept.back()}}},
+                      {}});
+}
+
+const Vec newest(-7, -6, 0x1p-48);
+
+}  // namespace
+
+TEST_CASE("Steps: an order is to blame also where the program tests more than the report", "[steps]") {
+  const StepsChecked found = checked_behind_an_order({newest});
+  INFO(found.words);
+  CHECK(found.iteration == 4);
+  CHECK(found.mistakes == std::vector<std::size_t>{13});
+}
+
+TEST_CASE("Steps: what decides is told in the letters of the simplex that was told", "[steps]") {
+  const StepsChecked found = checked_behind_an_order({Vec(4, 4, 0x1p-48), Vec(-13, -11, -7), newest});
+  INFO(found.words);
+  CHECK(found.iteration == 5);
+  // AB×AD·AO of the places told, not that of vertices in the order in which the report would have them.
+  CHECK(found.words.starts_with("from [D, C, B, A] the report finds ABDn·AO = 7.999999999999503 > 0: keep [D, B, A];"));
+}
+
 TEST_CASE("Steps: with its faces tested in another order it is not blamed, and told where it chose otherwise",
           "[steps]") {
   std::size_t other_choices = 0;

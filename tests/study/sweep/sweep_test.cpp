@@ -24,7 +24,7 @@ bool is_of_points(const Family& family) {
   return std::holds_alternative<Points>(pair.a) && std::holds_alternative<Points>(pair.b);
 }
 
-TEST_CASE("The exact scalar is never wrong where it decides", "[sweep]") {
+TEST_CASE("The exact scalar is never wrong where it decides", "[sweep][unsanitized]") {
   for (const Family& family : families()) {
     if (!is_of_points(family)) continue;
     const Counts counts = counts_of(plan_for({&family}, {&method_named("as-intended exact exact")}, 12, 12));

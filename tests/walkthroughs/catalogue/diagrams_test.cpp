@@ -46,7 +46,7 @@ TEST_CASE("The figures that no search makes are in the catalogue, in the report'
   for (const Walkthrough* each : diagram_walkthroughs()) CHECK(each->scenes.empty());
 }
 
-TEST_CASE("Every diagram draws in every theme with all labels clear") {
+TEST_CASE("Every diagram draws in every theme with all labels clear", "[unsanitized]") {
   render::Font font(render::Font::default_directory());
   for (const Walkthrough* each : diagram_walkthroughs()) {
     const std::vector<Diagram> diagrams = each->diagrams();

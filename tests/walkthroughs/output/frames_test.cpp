@@ -216,7 +216,7 @@ std::vector<std::size_t> one_of_each_focus(const StagedStory& story) {
 
 }  // namespace
 
-TEST_CASE("Every theme draws every kind of frame on its own paper") {
+TEST_CASE("Every theme draws every kind of frame on its own paper", "[unsanitized]") {
   Studio studio;
   for (const render::Theme& theme : {render::themes::report, render::themes::slides, render::themes::dark})
     for (const StagedStory& story : of_each_kind())
@@ -228,7 +228,7 @@ TEST_CASE("Every theme draws every kind of frame on its own paper") {
       }
 }
 
-TEST_CASE("Nothing is drawn outside the panels of a frame without text") {
+TEST_CASE("Nothing is drawn outside the panels of a frame without text", "[unsanitized]") {
   // A search has panels of these widths in page units, 14 apart; a pair of scenes has two alike.
   const std::vector<std::pair<int, int>> search = {{40, 340}, {354, 854}, {868, 1240}}, pair = {{40, 633}, {647, 1240}};
   constexpr int top = 20, bottom = 468, border = 2;
@@ -338,7 +338,7 @@ TEST_CASE("Each file is reported once, in order") {
   for (std::size_t i = 0; i < indices.size(); ++i) CHECK(indices[i] == i);
 }
 
-TEST_CASE("Frames without text show the same panels at the same scale, and are less high") {
+TEST_CASE("Frames without text show the same panels at the same scale, and are less high", "[unsanitized]") {
   const Folder folder;
   rendered(usual);  // before the studio here: a thread has one context
   Studio studio;

@@ -39,6 +39,7 @@ TEST_CASE("A page that holds all leaves no style, script and events of an earlie
     REQUIRE(run("render figure-4-left --page=" + std::string(kind) + out_of(folder)).exit_code == 0);
     for (const char* file : {"page.css", "page.js", "events.js"})
       CHECK(fs::exists(folder.path() / "figure-4-left" / file) == (kind == std::string("beside")));
+    CHECK(fs::exists(folder.path() / "figure-4-left/trace.jsonl"));  // which may be somebody's own
   }
 }
 

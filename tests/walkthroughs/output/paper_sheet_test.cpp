@@ -19,10 +19,11 @@ namespace {
 
 constexpr const char* papers[] = {"a4", "letter-across"};
 
-PaperLayout layout_of(const std::string& name, const std::string& paper, Look look = {}) {
+PaperLayout layout_of(const std::string& name, const std::string& paper, Look look = {}, bool larger_text = true) {
   static render::Font font{render::Font::default_directory()};
   const StagedStory story(tell(walkthrough(name)));
-  return paper_layout(story, {.folder = {}, .size = frame_page, .look = look}, paper_named(paper).value(), true, font);
+  return paper_layout(story, {.folder = {}, .size = frame_page, .look = look}, paper_named(paper).value(), larger_text,
+                      font);
 }
 
 /// What a command says on standard output.
@@ -68,6 +69,12 @@ TEST_CASE("The letters of the panels are as small as they may be, so that many f
   CHECK(layout.pages.size() == 6);          // of 18 frames
   CHECK(layout.look.style.theme.text > 1);  // with usual letters the panels would be larger on paper
   CHECK(layout.words_width > 150);
+}
+
+TEST_CASE("Letters whose size was asked for keep it on paper", "[paper-sheet]") {
+  const PaperLayout layout = layout_of("figure-4-left", "a4", {}, false);
+  CHECK(layout.look.style.theme.text == Look{}.style.theme.text);
+  CHECK(layout.picture_height > layout_of("figure-4-left", "a4").picture_height);
 }
 
 TEST_CASE("Without captions panels fill the page, and nothing stands beside them", "[paper-sheet]") {

@@ -225,6 +225,28 @@ class Page(unittest.TestCase):
 
     # -- Read
 
+    def test_turning_by_keys_and_buttons(self):
+        out = self.folder / "turned-by-keys"
+        render(out, hit, "--page", "--turn", "3")
+        self.browser.get(f"file://{out / hit / 'index.html'}")
+        usual = self.find(".now img").get_attribute("src")
+        views = [usual]
+        for _ in range(4):
+            self.find("#turn-on").click()
+            views.append(self.find(".now img").get_attribute("src"))
+        self.assertEqual(len(set(views)), 4)
+        self.assertEqual(views[4], usual)
+        self.find("#turn-back").click()
+        self.assertEqual(self.find(".now img").get_attribute("src"), views[3])
+        self.assertEqual(self.find("#live").get_attribute("textContent"), "View 4 of 4")
+        ActionChains(self.browser).key_down(Keys.SHIFT).send_keys(Keys.ARROW_RIGHT).key_up(Keys.SHIFT).perform()
+        self.assertEqual(self.find(".now img").get_attribute("src"), usual)
+        self.assertEqual(self.step(), 1)
+        self.open(hit)  # without further views
+        self.assertFalse(self.find("#turn-on").is_displayed())
+        ActionChains(self.browser).key_down(Keys.SHIFT).send_keys(Keys.ARROW_RIGHT).key_up(Keys.SHIFT).perform()
+        self.assertEqual(self.step(), 2)
+
     def test_what_is_said_is_text(self):
         self.open(searched, "#23")
         step = self.find(".step.now")
@@ -304,9 +326,15 @@ class Page(unittest.TestCase):
         count = self.answer_all(lambda question: 1 if question["right"] == 0 else 0)
         self.assertEqual(self.find("#points").text, f"0 of {count} right")
         self.assertEqual(len(self.all("#score .no")), 4)
-        self.assertIn("gjkstep render regions/", self.find("#score").text)
+        seen = "const box = document.getElementById('score').getBoundingClientRect(); return box.top >= 0 && box.top < innerHeight"
+        self.assertTrue(self.js(seen))
+        self.assertIn("practise with regions/", self.find("#score").text)
+        self.assertIn("gjkstep render regions --page makes these pages.", self.find("#score").text)
         self.browser.refresh()
-        self.press("p", Keys.END)
+        self.press("p")  # all have been answered
+        self.assertTrue(self.find("#forget").is_displayed())
+        self.assertIn("who forgets", self.find("#live").get_attribute("textContent"))
+        self.press(Keys.END)
         self.assertEqual(self.find("#points").text, f"0 of {count} right")
         self.find("#forget").click()
         self.assertEqual(self.step(), 1)
@@ -383,6 +411,39 @@ class Page(unittest.TestCase):
         self.js("document.getElementById('letters').checked = false")
         self.press("p")
         self.assertEqual(self.find("#predict").get_attribute("aria-pressed"), "false")
+
+    def test_who_skips_a_question_gets_the_next_one_about_that_step(self):
+        self.open(searched)
+        self.press("p")
+        before = [question["before"] for question in self.questions()]
+        at = next(at for at in before if before.count(at) > 1)
+        self.open(searched, f"#{at}")
+        self.press("p", Keys.ARROW_RIGHT)
+        for k in range(before.count(at)):
+            self.assertEqual(self.step(), at)
+            self.assertTrue(self.find("#quiz").is_displayed())
+            self.find("#onward").click()
+        self.assertEqual(self.step(), at + 1)
+        self.press(Keys.ARROW_LEFT, Keys.ARROW_RIGHT)  # a skipped one is asked again
+        self.assertTrue(self.find("#quiz").is_displayed())
+
+    def test_nothing_beside_a_question_tells_its_answer(self):
+        self.open(searched)
+        current = lambda: self.all(".now .code [aria-current]")
+        title = self.browser.title
+        self.press("p")
+        self.assertNotIn(title.split(" ", 1)[1], self.browser.title)
+        asked = self.questions()[0]["before"]
+        self.open(searched, f"#{asked}")
+        self.assertEqual(len(current()), 1)
+        self.press("p", Keys.ARROW_RIGHT)
+        self.assertTrue(self.find("#quiz").is_displayed())
+        self.assertEqual(current(), [])
+        self.assertFalse([b for b in self.all(".now .code b") if b.is_displayed()])
+        self.press(Keys.ARROW_LEFT)
+        self.assertEqual(len(current()), 1)
+        self.press("p")
+        self.assertIn(title.split(" ", 1)[1], self.browser.title)
 
     # -- Everywhere
 

@@ -133,6 +133,28 @@ TEST_CASE("A page is small without its pictures: below 60 kB up to 50 steps, and
   }
 }
 
+TEST_CASE("What to practise with is a link by its title where it has a page, and else its name") {
+  const Story story = tell(walkthrough("figure-4-left"));
+  PageSurroundings around;
+  const auto practices = [&] {
+    std::vector<nlohmann::json> all;
+    const nlohmann::json data = data_of(page_html(story, pictures, around));
+    for (const nlohmann::json& question : data["questions"]) all.push_back(question["practice"]);
+    return all;
+  };
+  const std::vector<nlohmann::json> names = practices();
+  around.page_of = [](const std::string& name) { return "../" + name; };
+  const std::vector<nlohmann::json> links = practices();
+  REQUIRE(names.size() == links.size());
+  REQUIRE_FALSE(names.empty());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = names[i][0];
+    CHECK(names[i][1] == "");
+    CHECK(links[i][0] == (name.empty() ? "" : find_walkthrough(name)->title));
+    CHECK(links[i][1] == (name.empty() ? "" : "../" + name));
+  }
+}
+
 TEST_CASE("A page with files beside it holds none of them, and says where they are") {
   const Story story = tell(walkthrough("figure-4"));
   const std::string page = page_html(

@@ -355,7 +355,8 @@ TEST_CASE("In space at most two labels of a frame are crowded and any in at most
   CHECK(with_a_crowded_label * 20 <= frames);
 }
 
-TEST_CASE("No label of the strip of any figure stands over a line or over another label or outside its panel") {
+TEST_CASE("No label of the strip of any figure stands over a line or over another label or outside its panel",
+          "[unsanitized]") {
   render::Font font{render::Font::default_directory()};
   for (const Walkthrough& w : catalogue()) {
     if (!w.name.starts_with("figure-")) continue;

@@ -142,7 +142,7 @@ TEST_CASE("An excerpt of pseudo-code that ends before the algorithm does has dot
   CHECK(without > 0);
 }
 
-TEST_CASE("Strips with larger text are higher, and as wide", "[text-scale]") {
+TEST_CASE("Strips with larger text are higher, and as wide", "[text-scale][unsanitized]") {
   render::Font font{render::Font::default_directory()};
   for (const char* name : {"figure-4-left", "figure-5", "figure-8"}) {
     const StagedStory story(tell(walkthrough(name)));

@@ -150,7 +150,7 @@ TEST_CASE("A folder names all of its walkthroughs, which are written into folder
   CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
 }
 
-TEST_CASE("A walkthrough named twice is rendered once") {
+TEST_CASE("A walkthrough named twice is rendered once", "[unsanitized]") {
   const Folder folder;
   const Outcome outcome =
       run("render figure-5 --all figure-5 --frames 1 --size 32x18 --out " + quoted(folder.path().string()));
@@ -159,6 +159,16 @@ TEST_CASE("A walkthrough named twice is rendered once") {
   const auto first = outcome.out.find(file);
   REQUIRE(first != std::string::npos);
   CHECK(outcome.out.find(file, first + 1) == std::string::npos);
+}
+
+TEST_CASE("Who draws pictures anew is told where a page of an earlier run shows them") {
+  const Folder folder;
+  const std::string command = "render figure-5 --frames 1 --size 32x18 --out " + quoted(folder.path().string());
+  CHECK(run(command).err.empty());
+  CHECK(run(command + " --page").err.empty());
+  CHECK(run(command + " --page").err.empty());
+  CHECK(run(command).err ==
+        "gjkstep: figure-5: its page is of an earlier run, and may tell of other pictures; --page writes it anew\n");
 }
 
 TEST_CASE("gjkstep render --letters fixed gives each vertex one letter, and corners keep theirs") {

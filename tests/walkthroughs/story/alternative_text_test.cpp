@@ -24,7 +24,7 @@ TEST_CASE("Alternative text says what the panels show and what was decided") {
         "True: E·d = 4.375 > 0: the origin was crossed.");
 }
 
-TEST_CASE("Alternative text has no markup and describes each scene of a comparison") {
+TEST_CASE("Alternative text has no markup and describes each scene of a comparison", "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
     const Story story = tell(w);
     for (std::size_t i = 0; i < story.frames.size(); ++i) {

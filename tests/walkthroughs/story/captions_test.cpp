@@ -119,7 +119,7 @@ std::vector<double> components(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
-TEST_CASE("Each caption is one sentence on one line") {
+TEST_CASE("Each caption is one sentence on one line", "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
     for (const Frame& f : tell(w).frames) {
       INFO(f.caption);

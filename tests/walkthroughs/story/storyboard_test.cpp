@@ -20,7 +20,7 @@ TEST_CASE("A walkthrough has one frame for each event that changes the picture, 
   }
 }
 
-TEST_CASE("The numbers of frames are those that were looked at") {
+TEST_CASE("The numbers of frames are those that were looked at", "[unsanitized]") {
   const auto frames = [](const std::string& name) { return tell(walkthrough(name)).frames.size(); };
   CHECK(frames("figure-1") == 1);
   CHECK(frames("figure-2") == 4);

@@ -52,6 +52,8 @@ bool collide(const judge::Points& a, const judge::Points& b);
 
 int main() {
   for (std::string line; std::getline(std::cin, line);) {
+    if (line.find("\"center\"") != std::string::npos)
+      return std::cerr << "judge_main.hpp asks about points, and this pair has a round shape\n", 2;
     const bool meet = collide(judge::points_of("\"a\"", line), judge::points_of("\"b\"", line));
     std::cout << (meet ? "true" : "false") << std::endl;
   }
