@@ -111,8 +111,6 @@ TEST_CASE("A line is read as the other reader reads it where it is odd or wrong"
                                                           "\"",
                                                           "\"a",
                                                           "\"\\",
-                                                          "",
-                                                          " ",
                                                           "[] []",
                                                           "[]x",
                                                           "// no\n[]",
@@ -126,6 +124,13 @@ TEST_CASE("A line is read as the other reader reads it where it is odd or wrong"
                                                           "[\"\t\"]",
                                                           "['a']"})
     check_both_ways(text);
+}
+
+TEST_CASE("A line without anything is told as a line, not as a file") {
+  for (const char* text : {"", " ", "\t\r"}) {
+    INFO('"' << text << '"');
+    CHECK(reading([&] { return Document::of_line(text); }).complaint == "1:: the line is empty");
+  }
 }
 
 TEST_CASE("The limits of a document are those of a line") {
