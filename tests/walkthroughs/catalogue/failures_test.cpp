@@ -109,6 +109,11 @@ TEST_CASE("A search that exact arithmetic decides alike has no wrong turn") {
   CHECK_THROWS_AS(remarks_on({"cause", "truth"}, scene, run(scene)), std::logic_error);
 }
 
+TEST_CASE("Exact numbers that no double holds are written as the others") {
+  const Scene scene = walkthrough_of({{1e-170, 0, 0}}).scenes[0];
+  CHECK(remarks_on({"cause", "truth"}, scene, run(scene)).at(0).fact == "in exact arithmetic: P·d = −1e−340");
+}
+
 TEST_CASE("The relative zero test mends the failures that come from rounding, not those of range") {
   const auto answer = [](const char* name) {
     Scene scene = walkthrough(name).scenes[0];
