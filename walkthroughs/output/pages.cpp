@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <fstream>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "render/file.hpp"
 #include "render/html.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/page/compare_page.hpp"
+#include "walkthroughs/page/index_page.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
@@ -44,16 +48,54 @@ void remove_stale(const fs::path& file) {
 }
 
 /// What the page asks for, before there is a page that asks. Where it asks for nothing, that of an earlier run goes.
-void write_files_beside(const Story& story, const PageSurroundings& around, const fs::path& folder) {
+void write_files_beside(const Story& story, const PagePictures& pictures, const PageSurroundings& around,
+                        const fs::path& folder) {
   if (!around.has_files) {
     for (const char* stale : files_asked_for) remove_stale(folder / stale);
     return;  // a trace stays: it may be somebody's own
   }
-  for (const PageFile& file : page_files(story)) render::write_file(folder / file.name, file.content);
+  for (const PageFile& file : page_files(story, pictures, around)) render::write_file(folder / file.name, file.content);
   if (around.trace_command.empty()) return;
   std::vector<Trace> traces;
   for (const Telling& telling : story.tellings) traces.push_back(telling.trace);
   render::write_file(folder / trace_file, traces_json(story.walkthrough, traces));
+}
+
+/// Returns: what the page in `folder`/`name` says of itself; nothing where there is none, or none that belongs there.
+std::optional<IndexEntry> entry_at(const fs::path& folder, const std::string& name) {
+  std::string beginning(std::size_t{1} << 20, '\0');
+  std::ifstream file(folder / name / page_file, std::ios::binary);
+  if (!file) return std::nullopt;
+  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(file.gcount()));
+  std::optional<IndexEntry> entry = entry_of(beginning);
+  if (!entry || entry->name != name) return std::nullopt;
+  entry->picture_url = name + "/" + picture_name(entry->picture);
+  std::error_code unreadable;
+  return fs::exists(folder / entry->picture_url, unreadable) ? entry : std::nullopt;
+}
+
+/// Returns: the folders in which a walkthrough may lie, by name, in the order of the catalogue, scenes of one's own last.
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, unreadable);
+       !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
+    if (at.depth() == 1) at.disable_recursion_pending();
+    if (at->is_directory(unreadable)) names.push_back(at->path().lexically_relative(folder).generic_string());
+  }
+  const auto place = [](const std::string& name) {
+    return std::ranges::find(catalogue(), name, &Walkthrough::name) - catalogue().begin();
+  };
+  std::ranges::sort(names, {}, [&](const std::string& name) { return std::pair(place(name), name); });
+  return names;
+}
+
+std::vector<IndexEntry> pages_in(const fs::path& folder) {
+  std::vector<IndexEntry> entries;
+  for (const std::string& name : names_in(folder))
+    if (std::optional<IndexEntry> entry = entry_at(folder, name)) entries.push_back(std::move(*entry));
+  return entries;
 }
 
 }  // namespace
@@ -101,27 +143,21 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
                               .part = pictures_of_frame(w, output.look),
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
-  IndexEntry entry = index_entry(*story);
-  entry.picture_url = w.name + "/" + picture_name(entry.picture);
-  entry.page = pictures.page;
-  entry.part = pictures.part;
-  entry.is_dark = pictures.is_dark;
-  entries_.push_back(std::move(entry));
   renderer.then([=, written = written_, around = surroundings_of(w, folder)] {
-    write_files_beside(*story, around, folder);
+    write_files_beside(*story, pictures, around, folder);
     render::write_file(folder / page_file, page_html(*story, pictures, around));
     written(folder / page_file, *story);
   });
 }
 
-void Pages::write_index(const fs::path& folder) const {
-  const std::vector<IndexEntry> searches = comparable(entries_);
+void write_index(const fs::path& folder) {
+  const std::vector<IndexEntry> entries = pages_in(folder), searches = comparable(entries);
   const bool is_pair = searches.size() >= 2;
   if (is_pair)
     render::write_file(folder / compare_file, compare_html(searches));
   else
     remove_stale(folder / compare_file);  // of an earlier run
-  render::write_file(folder / page_file, index_html(entries_, is_pair ? compare_file : ""));
+  render::write_file(folder / page_file, index_html(entries, is_pair ? compare_file : ""));
 }
 
 }  // namespace walkthroughs

@@ -1,4 +1,4 @@
-/// A page a walkthrough, and one over all walkthroughs of a run.
+/// A page a walkthrough, and one over all of them.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "walkthroughs/output/sink.hpp"
-#include "walkthroughs/page/index_page.hpp"
 #include "walkthroughs/page/page.hpp"
 
 namespace walkthroughs {
@@ -21,8 +20,7 @@ struct PageOrigin {
   std::filesystem::path file;  ///< empty where it is one of the catalogue
 };
 
-/// FOLDER/NAME/index.html and what it asks for, beside the files of Frames, which must be given the story before; and
-/// FOLDER/index.html.
+/// FOLDER/NAME/index.html and what it asks for, beside the files of Frames, which must be given the story before.
 class Pages : public Sink {
  public:
   enum class Pictures {
@@ -36,9 +34,6 @@ class Pages : public Sink {
       : pictures_(pictures), options_(std::move(options)), origins_(std::move(origins)), written_(std::move(written)) {}
 
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
-  /// Writes FOLDER/index.html over all that were added, and where two of them show a search FOLDER/compare.html, where
-  /// not removes it. Errors: render::FileError.
-  void write_index(const std::filesystem::path& folder) const;
 
  private:
   PageSurroundings surroundings_of(const Walkthrough& walkthrough, const std::filesystem::path& folder) const;
@@ -47,8 +42,11 @@ class Pages : public Sink {
   std::string options_;
   std::vector<PageOrigin> origins_;
   FileWritten written_;
-  std::vector<IndexEntry> entries_;
 };
+
+/// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a search
+/// FOLDER/compare.html, where not removes it. Errors: render::FileError.
+void write_index(const std::filesystem::path& folder);
 
 /// Returns: the names of the files that may be written beside the pictures of a walkthrough of that origin.
 std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin);

@@ -7,7 +7,7 @@
 #include "render/html.hpp"
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/page/templates.hpp"
-#include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -38,32 +38,15 @@ std::string_view group_of(const IndexEntry& entry) {
   return std::ranges::find_if(groups, [&](const Group& group) { return entry.name.starts_with(group.prefix); })->title;
 }
 
-std::string answers(const Story& story) {
-  std::string all;
-  for (const Telling& telling : story.tellings) {
-    const std::string answer(to_string(answer_of(telling.trace)));
-    if (all.find(answer) == std::string::npos) all += (all.empty() ? "" : ", ") + answer;
-  }
-  return all;
-}
-
-/// Returns: where two searches part, else the last decision about a region; the last frame where there is neither.
-std::size_t telling_frame(const Story& story) {
-  const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
-  if (parting != story.frames.end()) return static_cast<std::size_t>(parting - story.frames.begin());
-  for (std::size_t i = story.frames.size(); i-- > 0;)
-    if (story.frames[i].focus == Focus::region) return i;
-  return story.frames.size() - 1;
-}
-
 std::string card(const IndexEntry& entry) {
   const std::string steps = std::to_string(entry.steps) + (entry.steps == 1 ? " step" : " steps");
-  std::string html = "<li class=\"card\" data-answer=\"" + escaped(entry.answer) + "\">\n<a href=\"" +
-                     escaped(entry.name) + "/index.html\">\n<span class=\"shot\" style=\"" +
-                     cut_out(entry.page, entry.part) + "\"><img src=\"" + escaped(entry.picture_url) +
+  const std::string pictures = entry.is_dark ? "dark-pictures" : "light-pictures";
+  std::string html = "<li class=\"card " + pictures + "\" data-answer=\"" + escaped(entry.answer) + "\">\n<a href=\"" +
+                     escaped(entry.name) + "/index.html\">\n<span class=\"shot\" style=\"" + escaped(entry.cut) +
+                     "\"><img src=\"" + escaped(entry.picture_url) +
                      "\" alt=\"\" loading=\"lazy\"></span>\n<strong dir=\"auto\">" + escaped(entry.title) +
                      "</strong></a>\n";
-  html += "<p>" + entry.sentence + "</p>\n<p class=\"small\">" + escaped(entry.section);
+  html += "<p>" + html_of(entry.sentence) + "</p>\n<p class=\"small\">" + escaped(entry.section);
   html += (entry.section.empty() ? "" : " · ") + steps;
   if (!entry.answer.empty()) html += " · <b>" + escaped(entry.answer) + "</b>";
   return html + "<br><code>" + escaped(entry.name) + "</code></p>\n</li>\n";
@@ -80,32 +63,16 @@ std::string section(std::string_view title, const std::vector<IndexEntry>& entri
 
 }  // namespace
 
-IndexEntry index_entry(const Story& story) {
-  const Walkthrough& w = story.walkthrough;
-  IndexEntry entry;
-  entry.name = w.name;
-  entry.title = w.title;
-  entry.section = w.source;
-  entry.sentence = w.region_case ? html_of(w.region_case->text) : escaped(w.summary);
-  entry.answer = answers(story);
-  entry.steps = story.frames.size();
-  if (!story.frames[0].moments.empty()) entry.iteration_ends = last_of_each_iteration(story.frames);
-  entry.picture = telling_frame(story);
-  return entry;
-}
-
 std::string index_html(const std::vector<IndexEntry>& entries, const std::string& compare_url) {
   std::string sections;
   for (std::size_t i = 0; i < groups.size(); ++i)
     if (i == 0 || groups[i].title != groups[i - 1].title) sections += section(groups[i].title, entries);
-  const bool is_dark = std::ranges::any_of(entries, &IndexEntry::is_dark);
   return filled(templates::index_html,
                 {{"count", std::to_string(entries.size())},
                  {"compare", compare_url.empty() ? ""
                                                  : "<p><a href=\"" + escaped(compare_url) +
                                                        "\">Two searches beside each other</a></p>\n"},
                  {"sections", sections},
-                 {"pictures", is_dark ? "dark-pictures" : "light-pictures"},
                  {"css", std::string(templates::colors_css) + std::string(templates::index_css)},
                  {"js", std::string(templates::index_js)}});
 }

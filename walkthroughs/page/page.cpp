@@ -7,6 +7,7 @@
 
 #include "render/html.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/page/index_entry.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/page/templates.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
@@ -80,12 +81,12 @@ std::string fact(const Fact& fact) {
       case Fact::Mark::skipped: return {"skipped", "skipped: "};
       case Fact::Mark::answer: return {"answer", ""};
       case Fact::Mark::truth: return {"truth", ""};
-      case Fact::Mark::none: return {"plain", ""};
+      case Fact::Mark::none: return {"", ""};
     }
-    return {"plain", ""};
+    return {"", ""};
   }();
-  const std::string words = kind.words;
-  return std::string("<li class=\"") + kind.name + "\">" + (words.empty() ? "" : "<i>" + words + "</i>") +
+  const std::string name = kind.name, words = kind.words;
+  return (name.empty() ? "<li>" : "<li class=\"" + name + "\">") + (words.empty() ? "" : "<i>" + words + "</i>") +
          html_of(fact.text) + "</li>\n";
 }
 
@@ -104,7 +105,7 @@ std::string step(const Story& story, const PagePictures& pictures, std::size_t i
   for (const Fact& each : frame.facts) facts += fact(each);
   const std::string url = escaped(pictures.url(index, 0));
   return "<section class=\"step\" id=\"" + std::to_string(index + 1) + "\">\n<div class=\"shot\"><img src=\"" + url +
-         "\" alt=\"" + escaped(description(story, index)) + "\" loading=\"lazy\"></div>\n<div class=\"text\">\n" +
+         "\" alt=\"" + escaped(picture_in_words(story, index)) + "\" loading=\"lazy\"></div>\n<div class=\"text\">\n" +
          element("p class=\"where\"", html_of(where(story, index))) + element("h2", html_of(frame.caption)) +
          element("ul", facts) + running_line(story, index) + "</div>\n</section>\n";
 }
@@ -283,10 +284,14 @@ std::string style() { return std::string(templates::colors_css) + std::string(te
 std::string script() { return std::string(templates::page_js); }
 
 std::string linked_style() { return std::string("<link rel=\"stylesheet\" href=\"") + style_file + "\">\n"; }
-std::string linked_script() { return std::string("<script src=\"") + script_file + "\"></script>\n"; }
+std::string linked_script(const std::string& file) { return "<script src=\"" + file + "\"></script>\n"; }
 
-std::string events_inside(const Story& story) {
-  return "<script type=\"application/json\" id=\"events\">" + scenes(story) + "</script>\n";
+std::string inside(const std::string& id, const std::string& json) {
+  return "<script type=\"application/json\" id=\"" + id + "\">" + json + "</script>\n";
+}
+
+std::string file_that_sets(const std::string& name, const std::string& json) {
+  return "'use strict';\nwindow." + name + " = " + json + ";\n";
 }
 
 }  // namespace
@@ -298,10 +303,12 @@ std::string cut_out(render::Size page, const render::Box& part) {
          std::to_string(std::lround(part.height()));
 }
 
-std::vector<PageFile> page_files(const Story& story) {
+std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures,
+                                 const PageSurroundings& surroundings) {
   return {{style_file, style()},
           {script_file, script()},
-          {events_file, "'use strict';\nwindow.gjkstepEvents = " + scenes(story) + ";\n"}};
+          {steps_file, file_that_sets("gjkstepSteps", data(story, pictures, surroundings))},
+          {events_file, file_that_sets("gjkstepEvents", scenes(story))}};
 }
 
 std::string page_html(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
@@ -309,20 +316,22 @@ std::string page_html(const Story& story, const PagePictures& pictures, const Pa
   const bool is_whole = !surroundings.has_files;
   std::string steps;
   for (std::size_t i = 0; i < story.frames.size(); ++i) steps += step(story, pictures, i);
-  return filled(templates::page_html,
-                {{"title", escaped(w.title)},
-                 {"summary", escaped(w.summary)},
-                 {"source", escaped(w.source)},
-                 {"count", std::to_string(story.frames.size())},
-                 {"cut", ".shot{" + cut_out(pictures.page, pictures.part) + "}"},
-                 {"pictures", pictures.is_dark ? "dark-pictures" : "light-pictures"},
-                 {"ways", ways(surroundings)},
-                 {"origin", origin(w, surroundings)},
-                 {"steps", steps},
-                 {"data", data(story, pictures, surroundings)},
-                 {"style", is_whole ? "<style>\n" + style() + "</style>\n" : linked_style()},
-                 {"events", is_whole ? events_inside(story) : ""},
-                 {"script", is_whole ? "<script>\n" + script() + "</script>\n" : linked_script()}});
+  return filled(
+      templates::page_html,
+      {{"title", escaped(w.title)},
+       {"summary", escaped(w.summary)},
+       {"source", escaped(w.source)},
+       {"count", std::to_string(story.frames.size())},
+       {"cut", ".shot{" + cut_out(pictures.page, pictures.part) + "}"},
+       {"pictures", pictures.is_dark ? "dark-pictures" : "light-pictures"},
+       {"entry", entry_element(index_entry(story, pictures))},
+       {"ways", ways(surroundings)},
+       {"origin", origin(w, surroundings)},
+       {"steps", steps},
+       {"style", is_whole ? "<style>\n" + style() + "</style>\n" : linked_style()},
+       {"data", is_whole ? inside("data", data(story, pictures, surroundings)) + inside("events", scenes(story))
+                         : linked_script(steps_file)},
+       {"script", is_whole ? "<script>\n" + script() + "</script>\n" : linked_script(script_file)}});
 }
 
 }  // namespace walkthroughs

@@ -48,14 +48,15 @@ struct PageFile {
   std::string name, content;
 };
 
-inline constexpr const char *style_file = "page.css", *script_file = "page.js", *events_file = "events.js",
-                            *trace_file = "trace.jsonl";
+inline constexpr const char *style_file = "page.css", *script_file = "page.js", *steps_file = "steps.js",
+                            *events_file = "events.js", *trace_file = "trace.jsonl";
 /// Of these what page_files() makes.
-inline constexpr std::array files_asked_for{style_file, script_file, events_file};
+inline constexpr std::array files_asked_for{style_file, script_file, steps_file, events_file};
 
-/// Returns: what a page asks for that does not hold it all: its style, its script, and the events, which are loaded when a reader
-/// asks for them (as a script: pages that are files themselves may read nothing else).
-std::vector<PageFile> page_files(const Story& story);
+/// Returns: what a page asks for that does not hold it all: its style, its script, what that needs to know of the steps, and the
+/// events, which are loaded when a reader asks for them (as scripts: pages that are files themselves may read nothing else).
+std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures,
+                                 const PageSurroundings& surroundings);
 
 /// Returns: the style attribute of what shows only `part` of pictures that are laid out on `page`; style sheets say how.
 std::string cut_out(render::Size page, const render::Box& part);

@@ -1,6 +1,8 @@
 'use strict';
 (() => {
-  const data = JSON.parse(document.getElementById('data').textContent);
+  const inside = document.getElementById('data');  // else it came from a file beside the page
+  const data = inside ? JSON.parse(inside.textContent) : window.gjkstepSteps;
+  if (!data) return document.documentElement.classList.remove('js');  // that was left behind: all steps below each other
   const steps = [...document.querySelectorAll('.step')];
   const title = document.title;
   const heading = document.querySelector('h1'), name = heading.textContent;

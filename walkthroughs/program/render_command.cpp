@@ -106,18 +106,20 @@ class Rendering {
     expect_writable_captions(selection, output.folder);
     if (is_asked_for_pages()) expect_writable_index(output.folder);
     Written written;  // before the renderer, which writes what it was given even when it goes early
-    const Formats formats = formats_for(selection, written);
+    const Sinks sinks = sinks_for(selection, written);
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
-      render(each, output_of(each, output), formats, renderer, written);
+      render(each, output_of(each, output), sinks, renderer, written);
     }
     renderer.finish();
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
     if (command_.rendered_by) write_rendered_by(studio, output.folder);
     if (command_.captions) write_captions(written.frames);
     if (command_.movie) print_movies(selection, output);
-    if (formats.pages) write_index(*formats.pages, output.folder);
+    if (!is_asked_for_pages()) return;
+    write_index(output.folder);
+    std::cout << "open " << printable((output.folder / page_file).string()) << '\n';
   }
 
  private:
@@ -141,13 +143,10 @@ class Rendering {
     std::deque<Walkthrough> walkthroughs;  ///< that they tell
   };
 
-  /// The formats that are asked for, in the order in which each story is given to them.
-  struct Formats {
-    std::vector<std::unique_ptr<Sink>> sinks = {};
-    const Pages* pages = nullptr;  ///< where they are among them
-  };
+  /// One for each format that is asked for, in the order in which each story is given to them.
+  using Sinks = std::vector<std::unique_ptr<Sink>>;
 
-  Formats formats_for(const Selection& selection, Written& written) const {
+  Sinks sinks_for(const Selection& selection, Written& written) const {
     const auto report_frame = [this, &written](const std::filesystem::path& file, const Story& story,
                                                std::size_t index) {
       const FrameFile frame{file, story, index};
@@ -157,21 +156,17 @@ class Rendering {
     const auto report_file = [](const std::filesystem::path& file, const Story& story) {
       std::cout << printable(file.string()) << "  " << story.walkthrough.title << std::endl;
     };
-    Formats formats;
-    formats.sinks.push_back(std::make_unique<Frames>(report_frame));
-    if (command_.apng) formats.sinks.push_back(std::make_unique<AnimatedPng>(command_.frame_time, report_file));
-    if (command_.strip) formats.sinks.push_back(std::make_unique<Strip>(report_file));
-    if (command_.sheet == "one") formats.sinks.push_back(std::make_unique<Sheet>(report_file));
+    Sinks sinks;
+    sinks.push_back(std::make_unique<Frames>(report_frame));
+    if (command_.apng) sinks.push_back(std::make_unique<AnimatedPng>(command_.frame_time, report_file));
+    if (command_.strip) sinks.push_back(std::make_unique<Strip>(report_file));
+    if (command_.sheet == "one") sinks.push_back(std::make_unique<Sheet>(report_file));
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
-      formats.sinks.push_back(
-          std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
-    if (is_asked_for_pages()) {
-      auto pages =
-          std::make_unique<Pages>(pictures_of_pages(), options_of_pictures(), origins_of(selection), report_file);
-      formats.pages = pages.get();
-      formats.sinks.push_back(std::move(pages));
-    }
-    return formats;
+      sinks.push_back(std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
+    if (is_asked_for_pages())
+      sinks.push_back(
+          std::make_unique<Pages>(pictures_of_pages(), options_of_pictures(), origins_of(selection), report_file));
+    return sinks;
   }
 
   /// Corners of a planar hull have letters of their own anyway.
@@ -299,7 +294,7 @@ class Rendering {
                          "; choose others, or leave that walkthrough out");
   }
 
-  void render(const Selection::Chosen& chosen, const Output& output, const Formats& formats, Renderer& renderer,
+  void render(const Selection::Chosen& chosen, const Output& output, const Sinks& sinks, Renderer& renderer,
               Written& written) const {
     const Walkthrough& w = written.walkthroughs.emplace_back(in_letters(*chosen.walkthrough));
     progress(w.name + ": searching");
@@ -311,7 +306,7 @@ class Rendering {
     if (!is_asked_for_pages() && has_page(output.folder / w.name))
       note(w.name + ": its page is of an earlier run, and may tell of other pictures; --page writes it anew");
     if (command_.captions) written.stories.push_back(story);
-    for (const std::unique_ptr<Sink>& sink : formats.sinks) sink->add(story, output, renderer);
+    for (const std::unique_ptr<Sink>& sink : sinks) sink->add(story, output, renderer);
   }
 
   static bool has_page(const std::filesystem::path& folder) {
@@ -359,11 +354,6 @@ class Rendering {
     const std::string text = captions_json(written);
     render::write_file(*command_.captions, text);
     std::cout << printable(*command_.captions) << "  captions and descriptions of the frames\n";
-  }
-
-  static void write_index(const Pages& pages, const std::filesystem::path& folder) {
-    pages.write_index(folder);
-    std::cout << "open " << printable((folder / page_file).string()) << '\n';
   }
 
   void print_movies(const Selection& selection, const Output& output) const {

@@ -13,20 +13,36 @@ using Json = nlohmann::ordered_json;
 
 constexpr int captions_version = 1;
 
-/// Returns: the vertices of the difference or the simplex with their places, as far as they have names.
+using Places = std::vector<Point>;
+
+/// Returns: "A (1, 2), B (3, 4)".
+std::string with_names(const Places& places, const Names& names, Dimension dimension) {
+  std::string text;
+  for (const Point& w : places) text += (text.empty() ? "" : ", ") + names.label(w) + " " + vector(w, dimension);
+  return text;
+}
+
+/// Returns: of the difference, as far as they have names.
+Places corners_of(const Telling& telling) {
+  Places corners;
+  for (const render::Vec2& corner : telling.hull.corners) corners.emplace_back(corner.x(), corner.y(), 0);
+  return corners;
+}
+
+Places vertices_of(const Simplex& simplex) {
+  Places vertices;
+  for (int i = 0; i < simplex.size(); ++i) vertices.push_back(simplex[i].w);
+  return vertices;
+}
+
 std::string vertices_in_words(const Telling& telling, const Names& names, const Moment& now) {
   const std::string both = with_article(telling.scene.a.name) + " and " + with_article(telling.scene.b.name);
-  std::string text;
-  const auto append = [&](const Point& w) {
-    text += (text.empty() ? "" : ", ") + names.label(w) + " " + vector(w, telling.scene.dimension);
-  };
-  if (!telling.hull.corners.empty()) {
-    for (const render::Vec2& corner : telling.hull.corners) append({corner.x(), corner.y(), 0});
-    return "The difference of " + both + " has the corners " + text + ". ";
-  }
-  for (int i = 0; i < now.simplex.size(); ++i) append(now.simplex[i].w);
+  const auto named = [&](const Places& places) { return with_names(places, names, telling.scene.dimension); };
+  if (const Places corners = corners_of(telling); !corners.empty())
+    return "The difference of " + both + " has the corners " + named(corners) + ". ";
   const std::string what = "It is about the difference of " + both + ". ";
-  return text.empty() ? what : what + "The vertices of the simplex are " + text + ". ";
+  return now.simplex.size() == 0 ? what
+                                 : what + "The vertices of the simplex are " + named(vertices_of(now.simplex)) + ". ";
 }
 
 std::string described(const Telling& telling, const Names& names, const Moment& now) {
@@ -39,6 +55,19 @@ std::string described(const Telling& telling, const Names& names, const Moment& 
     text += " The support points are a " + vector(now.found->a.point, dimension) + " and b " +
             vector(now.found->b.point, dimension) + "; a minus b is " + names.of(now.found->w) + " " +
             vector(now.found->w, dimension) + ".";
+  return text;
+}
+
+std::string described_briefly(const Telling& telling, const Names& names, const Moment& now) {
+  const auto at = [&](const Point& place) { return vector(place, telling.scene.dimension); };
+  const auto named = [&](const Places& places) { return with_names(places, names, telling.scene.dimension); };
+  const Places corners = corners_of(telling), vertices = vertices_of(now.simplex);
+  std::string text = corners.empty() ? "" : "The difference has the corners " + named(corners) + ". ";
+  text += vertices.empty() ? "There is no simplex yet." : "The simplex is " + named(vertices) + ".";
+  if (now.direction) text += " d is " + at(now.direction->value) + ".";
+  if (now.found)
+    text += " a is " + at(now.found->a.point) + ", b " + at(now.found->b.point) + "; a minus b is " +
+            names.of(now.found->w) + " " + at(now.found->w) + ".";
   return text;
 }
 
@@ -68,9 +97,9 @@ Json json(const FrameFile& item) {
           {"events", events}};
 }
 
-}  // namespace
+using Describe = std::string (*)(const Telling&, const Names&, const Moment&);
 
-std::string description(const Story& story, std::size_t index) {
+std::string panels_in_words(const Story& story, std::size_t index, Describe describe) {
   const Frame& frame = story.frames[index];
   std::string text;
   const auto append = [&](const std::string& sentences) { text += (text.empty() ? "" : "\n") + sentences; };
@@ -78,7 +107,7 @@ std::string description(const Story& story, std::size_t index) {
   for (std::size_t s = 0; s < frame.moments.size(); ++s) {
     const bool several = frame.moments.size() > 1;
     append((several ? "Of the two, " + story.tellings[s].scene.name + ": " : "") +
-           described(story.tellings[s], story.names(index, s), frame.moments[s]));
+           describe(story.tellings[s], story.names(index, s), frame.moments[s]));
   }
   if (story.walkthrough.panels.decision && frame.moments.size() == 1)
     if (const auto line = number_line(frame.moments[0], frame.focus, story.names(index, 0)))
@@ -87,6 +116,14 @@ std::string description(const Story& story, std::size_t index) {
     for (const DecisionView& view : decision_views(frame.moments[0], frame.focus))
       append(plain(in_words(view, frame.moments[0], story.names(index, 0))));
   return text;
+}
+
+}  // namespace
+
+std::string description(const Story& story, std::size_t index) { return panels_in_words(story, index, described); }
+
+std::string picture_in_words(const Story& story, std::size_t index) {
+  return panels_in_words(story, index, described_briefly);
 }
 
 std::string alternative_text(const Story& story, std::size_t index) {

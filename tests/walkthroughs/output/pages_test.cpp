@@ -33,11 +33,43 @@ TEST_CASE("gjkstep render --page writes a page beside the frames and one over al
   CHECK_FALSE(fs::exists(folder.path() / "figure-1/trace.jsonl"));
 }
 
+TEST_CASE("The index is over all pages of the folder, those of earlier runs, too, in the order of the catalogue") {
+  const Folder folder;
+  const auto index = [&] { return bytes_of(folder.path() / "index.html"); };
+  const fs::path scene = folder.path() / "mine.json";
+  std::ofstream(scene) << R"({"dimension": 2, "a": {"points": [[0, 0]]}, "b": {"points": [[1, 1]]}})";
+  for (const std::string& name : {quoted(scene.string()), std::string("figure-6"), std::string("regions/2-simplex-r3"),
+                                  std::string("figure-4-right --theme dark"), std::string("figure-1 --page=single")})
+    REQUIRE(run("render --page " + name + out_of(folder)).exit_code == 0);
+  const auto place = [&](const std::string& name) { return index().find("href=\"" + name + "/index.html\""); };
+  CHECK(place("figure-1") < place("figure-4-right"));
+  CHECK(place("figure-4-right") < place("figure-6"));
+  CHECK(place("figure-6") < place("regions/2-simplex-r3"));
+  CHECK(place("regions/2-simplex-r3") < place("mine"));
+  CHECK(place("mine") != std::string::npos);
+  CHECK(has(index(), "5 shown"));
+  CHECK(has(bytes_of(folder.path() / "compare.html"), "<option>"));
+
+  REQUIRE(run("render --page figure-1" + out_of(folder)).exit_code == 0);
+  const std::string whole = index();
+  REQUIRE(run("render --page figure-1 figure-6 regions/2-simplex-r3" + out_of(folder)).exit_code == 0);
+  CHECK(index() == whole);
+
+  fs::rename(folder.path() / "figure-6", folder.path() / "elsewhere");     // a page that was moved,
+  fs::remove_all(folder.path() / "regions");                               // removed,
+  for (const auto& file : fs::directory_iterator(folder.path() / "mine"))  // or has lost its pictures
+    if (file.path().extension() == ".png") fs::remove(file);
+  fs::create_directories(folder.path() / "foreign");
+  std::ofstream(folder.path() / "foreign/index.html") << "<!doctype html><title>of somebody else</title>";
+  REQUIRE(run("render --page figure-1" + out_of(folder)).exit_code == 0);
+  CHECK(has(index(), "2 shown"));
+}
+
 TEST_CASE("A page that holds all leaves no style, script and events of an earlier one beside it") {
   const Folder folder;
   for (const char* kind : {"beside", "single"}) {
     REQUIRE(run("render figure-4-left --page=" + std::string(kind) + out_of(folder)).exit_code == 0);
-    for (const char* file : {"page.css", "page.js", "events.js"})
+    for (const char* file : {"page.css", "page.js", "steps.js", "events.js"})
       CHECK(fs::exists(folder.path() / "figure-4-left" / file) == (kind == std::string("beside")));
     CHECK(fs::exists(folder.path() / "figure-4-left/trace.jsonl"));  // which may be somebody's own
   }
@@ -67,8 +99,9 @@ TEST_CASE("The same command writes the same pages") {
   const Folder one, other;
   for (const Folder* folder : {&one, &other})
     REQUIRE(run("render figure-1 figure-4-left --page" + out_of(*folder)).exit_code == 0);
-  for (const char* page : {"index.html", "figure-1/index.html", "figure-4-left/index.html", "figure-4-left/events.js",
-                           "figure-4-left/page.js", "figure-4-left/page.css", "figure-4-left/trace.jsonl"})
+  for (const char* page :
+       {"index.html", "figure-1/index.html", "figure-4-left/index.html", "figure-4-left/events.js",
+        "figure-4-left/page.js", "figure-4-left/steps.js", "figure-4-left/page.css", "figure-4-left/trace.jsonl"})
     CHECK(bytes_of(one.path() / page) == bytes_of(other.path() / page));
 }
 

@@ -11,7 +11,7 @@ using namespace walkthroughs::test;
 TEST_CASE("Searches can be compared, diagrams cannot, and each iteration has its last frame") {
   std::vector<IndexEntry> entries;
   for (const char* name : {"figure-1", "figure-4-left", "figure-6", "figure-4"})
-    entries.push_back(index_entry(tell(walkthrough(name))));
+    entries.push_back(index_entry(tell(walkthrough(name)), {}));
   const std::vector<IndexEntry> searches = comparable(entries);
   REQUIRE(searches.size() == 2);
   CHECK(searches[0].name == "figure-4-left");
@@ -25,8 +25,8 @@ TEST_CASE("Searches can be compared, diagrams cannot, and each iteration has its
 }
 
 TEST_CASE("The page that compares names each search once on either side, and titles of others are text in it") {
-  std::vector<IndexEntry> entries{index_entry(tell(walkthrough("figure-4-left"))),
-                                  index_entry(tell(walkthrough("figure-4-right")))};
+  std::vector<IndexEntry> entries{index_entry(tell(walkthrough("figure-4-left")), {}),
+                                  index_entry(tell(walkthrough("figure-4-right")), {})};
   entries[0].title = "</option><script>alert(1)</script>";
   const std::string page = compare_html(entries);
   CHECK(page.find("</option><script>") == std::string::npos);

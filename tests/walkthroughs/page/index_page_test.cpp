@@ -11,8 +11,6 @@ namespace {
 IndexEntry entry_named(const std::string& name) {
   IndexEntry entry;
   entry.name = name;
-  entry.page = {1280, 720};
-  entry.part = {{40, 72}, {1240, 520}};
   return entry;
 }
 
@@ -45,22 +43,18 @@ TEST_CASE("Every walkthrough of the catalogue belongs to a group of the report")
   }
 }
 
-TEST_CASE(
-    "An entry of the index says answer, section and number of steps, and shows the last decision about a region") {
-  const Story left = tell(walkthrough("figure-4-left"));
-  const IndexEntry entry = index_entry(left);
-  CHECK(entry.answer == "intersecting");
-  CHECK(entry.section == left.walkthrough.source);
-  CHECK(entry.steps == left.frames.size());
-  CHECK(left.frames[entry.picture].focus == Focus::region);
-  CHECK(index_entry(tell(walkthrough("figure-4"))).answer == "intersecting, separated");
-  const Story mistaken = tell(walkthrough("mistakes/m9-abn-inward"));
-  CHECK(mistaken.frames[index_entry(mistaken).picture].focus == Focus::parting);
-  CHECK(index_entry(tell(walkthrough("figure-1"))).answer.empty());
-}
-
 TEST_CASE("Titles of others are text in the index") {
   IndexEntry entry = entry_named("x");
   entry.title = "<img src=x onerror=alert(1)>";
-  CHECK(index_html({entry}).find("<img src=x ") == std::string::npos);
+  entry.sentence = "<b onclick=alert(1)>R_1";
+  entry.cut = "\"><img src=x ";
+  const std::string page = index_html({entry});
+  CHECK(page.find("<img src=x ") == std::string::npos);
+  CHECK(page.find("&lt;b onclick=alert(1)&gt;R<sub>1</sub>") != std::string::npos);
+}
+
+TEST_CASE("In the dark a card's picture is turned over where it was drawn on a light ground") {
+  IndexEntry light = entry_named("light"), dark = entry_named("dark");
+  dark.is_dark = true;
+  CHECK(stand_in_order(index_html({light, dark}), {"card light-pictures", "light/", "card dark-pictures", "dark/"}));
 }

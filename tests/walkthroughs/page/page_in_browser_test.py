@@ -280,6 +280,15 @@ class Page(unittest.TestCase):
         self.wait(lambda: "events.js" in self.find(".step.now .events pre").text)
         self.browser.get_log("browser")  # which has the missing file
 
+    def test_without_what_scripts_know_of_the_steps_all_stand_below_each_other(self):
+        alone = self.folder / "without-steps"
+        shutil.copytree(self.out / searched, alone)
+        (alone / "steps.js").unlink()
+        self.browser.get(f"file://{alone / 'index.html'}")
+        self.assertTrue(all(step.is_displayed() for step in self.all(".step")))
+        self.assertFalse(self.find(".controls").is_displayed())
+        self.browser.get_log("browser")  # which has the missing file
+
     def test_every_picture_has_words_and_every_control_a_name(self):
         self.open(searched)
         for picture in self.all("img"):
@@ -291,8 +300,11 @@ class Page(unittest.TestCase):
 
     # -- Predict
 
+    def steps_of(self, name):
+        return json.loads((self.out / name / "steps.js").read_text().partition("gjkstepSteps = ")[2].rstrip(";\n"))
+
     def questions(self):
-        return self.js("return JSON.parse(document.getElementById('data').textContent).questions")
+        return self.js("return gjkstepSteps.questions")
 
     def answer_all(self, choose):
         """Presses → until the end and answers each question by its key. Returns how many there were."""
@@ -348,7 +360,7 @@ class Page(unittest.TestCase):
         self.press("p", Keys.ARROW_RIGHT)
         wrong = 1 if question["right"] == 0 else 0
         self.all("#choices button")[wrong].click()
-        texts = self.js("return JSON.parse(document.getElementById('data').textContent).texts")
+        texts = self.js("return gjkstepSteps.texts")
         plain = lambda place: re.sub("<[^>]*>", "", texts[place]).replace("&gt;", ">")
         verdict = self.find("#verdict").get_attribute("textContent")
         self.assertTrue(verdict.endswith("Try once more."), verdict)
@@ -541,8 +553,7 @@ class Page(unittest.TestCase):
             return [shown["Left walkthrough"][1], shown["Right walkthrough"][1]]
 
         def end(name, iteration):
-            data = json.loads(re.search(r'id="data">(.*?)</script>', (self.out / name / "index.html").read_text(), re.DOTALL).group(1))
-            numbers = [i + 1 for i, step in enumerate(data["steps"]) if step["iteration"] <= iteration]
+            numbers = [i + 1 for i, step in enumerate(self.steps_of(name)["steps"]) if step["iteration"] <= iteration]
             return f"#{numbers[-1]}&bare"
 
         self.wait(lambda: steps() == [end(hit, 2), end(searched, 2)])
@@ -576,12 +587,12 @@ class Page(unittest.TestCase):
     def test_ten_thousand_steps(self):
         page = (self.out / searched / "index.html").read_text()
         section = re.search(r'<section class="step" id="2">.*?</section>\n', page, re.DOTALL).group(0)
-        data = json.loads(re.search(r'id="data">(.*?)</script>', page, re.DOTALL).group(1))
+        data = self.steps_of(searched)
         data["steps"] = [data["steps"][1]] * 10000
         data["questions"] = []
         many = "".join(section.replace('id="2"', f'id="{i + 1}"') for i in range(10000))
         page = re.sub(r'<div id="steps">.*</div>\n<div class="controls"', lambda _: f'<div id="steps">{many}</div>\n<div class="controls"', page, flags=re.DOTALL)
-        page = re.sub(r'id="data">.*?</script>', lambda _: f'id="data">{json.dumps(data)}</script>', page, flags=re.DOTALL)
+        page = page.replace('<script src="steps.js">', f'<script type="application/json" id="data">{json.dumps(data)}')
         (self.out / searched / "many.html").write_text(page.replace(f'max="{last}"', 'max="10000"'))
         self.browser.get(f"file://{self.out / searched / 'many.html'}#5000")
         self.press(Keys.ARROW_RIGHT)

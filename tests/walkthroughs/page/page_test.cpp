@@ -163,13 +163,17 @@ TEST_CASE("A page with files beside it holds none of them, and says where they a
   CHECK(count(page, "<link rel=\"stylesheet\" href=\"page.css\">") == 1);
   CHECK(count(page, "<script src=\"page.js\"></script>") == 1);
   CHECK(count(page, "href=\"trace.jsonl\"") == 1);
+  CHECK(count(page, "<script src=\"steps.js\"></script>") == 1);
+  CHECK(count(page, "id=\"data\"") == 0);
   CHECK(count(page, "id=\"events\"") == 0);
   const std::string whole = page_of(story);
-  const std::vector<PageFile> files = page_files(story);
+  const std::vector<PageFile> files = page_files(story, pictures, {});
   CHECK(std::ranges::equal(files, files_asked_for, {}, &PageFile::name));
   for (const PageFile& file : files) {
     INFO(file.name);
-    const std::string held = file.name == events_file ? "\"event\":\"support-found\"" : file.content;
+    const std::string held = file.name == events_file  ? "\"event\":\"support-found\""
+                             : file.name == steps_file ? "\"listings\":"
+                                                       : file.content;
     CHECK(count(file.content, held) >= 1);
     CHECK(count(whole, held) >= 1);
     CHECK(count(page, held) == 0);
