@@ -179,3 +179,12 @@ TEST_CASE("A page with files beside it holds none of them, and says where they a
     CHECK(count(page, held) == 0);
   }
 }
+
+TEST_CASE("A page without pictures and the files beside it is below 60 KB", "[unsanitized]") {
+  const PageSurroundings around{
+      .command = "gjkstep render", .trace_command = {}, .sources = {}, .ways = {}, .has_files = true};
+  for (const Walkthrough& w : catalogue()) {
+    INFO(w.name);
+    CHECK(page_html(tell(w), pictures, around).size() < 60 * 1024);
+  }
+}
