@@ -164,14 +164,15 @@ Json step_data(const Story& story, std::size_t index, Listings& listings) {
   return step;
 }
 
-/// Returns: the frame that answers the question about that event; nothing where the frame before it does not show what is asked
-/// about, as where there is one frame an iteration.
-std::optional<std::size_t> answering_frame(const Story& story, std::size_t event) {
+/// Returns: the frame that answers the question; nothing where the frame before it does not show what is asked about, as where there
+/// is one frame an iteration.
+std::optional<std::size_t> answering_frame(const Story& story, const Question& question) {
+  const auto [scene, event] = std::pair(question.scene, question.event);
   for (std::size_t i = 1; i < story.frames.size(); ++i) {
-    const EventRange range = story.frames[i].events.at(0);
+    const EventRange range = story.frames[i].events.at(scene);
     if (range.last != event) continue;
     for (std::size_t e = range.first; e < event; ++e)
-      if (std::holds_alternative<gjk::SupportFound<double>>(story.tellings[0].trace.events[e])) return std::nullopt;
+      if (std::holds_alternative<gjk::SupportFound<double>>(story.tellings[scene].trace.events[e])) return std::nullopt;
     return i;
   }
   return std::nullopt;
@@ -207,7 +208,7 @@ class Texts {
 Json questions(const Story& story, const PageSurroundings& surroundings, Texts& texts) {
   Json list = Json::array();
   for (const Question& question : questions_of(story)) {
-    const std::optional<std::size_t> frame = answering_frame(story, question.event);
+    const std::optional<std::size_t> frame = answering_frame(story, question);
     if (!frame) continue;
     const auto place_of = [&](const std::string& text) { return texts.place_of(html_of(text)); };
     Json choices = Json::array();

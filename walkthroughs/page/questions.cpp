@@ -23,13 +23,13 @@ using Region = gjk::RegionTested<double>;
 // -- Choices ----------------------------------------------------------------------------------------------------------
 
 /// Returns: the question with its choices in the order of the alphabet; nothing where there is no choice, or none is right.
-std::optional<Question> asked(Decision decision, std::size_t event, std::string text, std::vector<Choice> choices,
-                              const std::string& right) {
+std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t event, std::string text,
+                              std::vector<Choice> choices, const std::string& right) {
   std::ranges::sort(choices, {}, &Choice::text);
   const auto found = std::ranges::find(choices, right, &Choice::text);
   if (choices.size() < 2 || found == choices.end()) return std::nullopt;
   const auto place = static_cast<std::size_t>(found - choices.begin());
-  return Question{std::move(decision), event, std::move(text), std::move(choices), place};
+  return Question{std::move(decision), scene, event, std::move(text), std::move(choices), place};
 }
 
 void add_once(std::vector<Choice>& choices, Choice choice) {
@@ -60,13 +60,14 @@ std::string skipped_in_words(const Region& region, const std::string& name) {
 
 // -- One iteration ----------------------------------------------------------------------------------------------------
 
-/// What one iteration of a search asks. Events are counted from 0 in the trace.
+/// What one iteration of the search of a scene asks. Events are counted from 0 in its trace.
 class Iteration {
  public:
   /// `tests`: the place of the first region test that was made; the following ones are looked for.
-  Iteration(const Story& story, std::size_t tests)
+  Iteration(const Story& story, std::size_t scene, std::size_t tests)
       : story_(story),
-        telling_(story.tellings[0]),
+        scene_(scene),
+        telling_(story.tellings[scene]),
         events_(telling_.trace.events),
         first_(tests),
         end_(end_of_tests(tests)),
@@ -147,7 +148,7 @@ class Iteration {
     const std::string text = size_ == 4   ? "Above which face does Algorithm 5 find the origin first?"
                              : size_ == 1 ? "Is this vertex the origin?"
                                           : "In which region does the origin lie?";
-    return asked(decision(Kind::region), first_, text, std::move(choices), right);
+    return asked(decision(Kind::region), scene_, first_, text, std::move(choices), right);
   }
 
   /// What was found out about a feature by the complete rules, which ask several things of it.
@@ -165,7 +166,7 @@ class Iteration {
     for (const std::string feature : {"A", "AB", "AC", "AD", "ABC", "ACD", "ADB", "ABCD"})
       if (std::ranges::all_of(feature, [&](char letter) { return letter - 'A' < size_; }))
         choices.push_back({words(feature), reason_of(feature)});
-    return asked(decision(Kind::region), first_, "On which feature does the point nearest to the origin lie?",
+    return asked(decision(Kind::region), scene_, first_, "On which feature does the point nearest to the origin lie?",
                  std::move(choices), words(last_chosen()->feature));
   }
 
@@ -188,7 +189,7 @@ class Iteration {
     for (std::size_t i = end_; i-- > first_;)
       if (std::get<Region>(events_[i]).face == face.feature) event = i;
     if (event == end_) return std::nullopt;
-    return asked(decision(Kind::region), event,
+    return asked(decision(Kind::region), scene_, event,
                  "The origin lies above face " + name + ". Beyond which of its edges does its foot lie?",
                  std::move(choices), right);
   }
@@ -229,7 +230,7 @@ class Iteration {
     const std::string right = in_list(reduction() ? reduction()->kept : "CBA");
     const std::string why = names_.translate(
         reduction() ? reduction()->why : "the origin lies above the triangle, on the side of its normal");
-    return asked(decision(Kind::vertices), end_, "Which vertices stay, and in which order?",
+    return asked(decision(Kind::vertices), scene_, end_, "Which vertices stay, and in which order?",
                  ways(right, why, [&](const Way& way) { return in_list(way.kept); }), right);
   }
 
@@ -238,11 +239,12 @@ class Iteration {
     const std::string right = names_.translate(direction()->expression);
     const std::string why =
         caption(events_[direction_at()], story_, telling_, replay(telling_.trace, direction_at() + 1))->facts[0].text;
-    return asked(decision(Kind::direction), direction_at(), "Along which formula does the search go on?",
+    return asked(decision(Kind::direction), scene_, direction_at(), "Along which formula does the search go on?",
                  ways(right, why, [&](const Way& way) { return names_.translate(way.direction); }), right);
   }
 
   const Story& story_;
+  const std::size_t scene_;
   const Telling& telling_;
   const std::vector<gjk::Event<double>>& events_;
   const std::size_t first_, end_;  ///< of the region tests that were made
@@ -254,15 +256,15 @@ class Iteration {
 
 // -- The crossing test ------------------------------------------------------------------------------------------------
 
-std::optional<Question> of_crossing(const Story& story, std::size_t at) {
-  const auto& event = std::get<gjk::CrossingTested<double>>(story.tellings[0].trace.events[at]);
+std::optional<Question> of_crossing(const Story& story, std::size_t scene, std::size_t at) {
+  const Telling& telling = story.tellings[scene];
+  const auto& event = std::get<gjk::CrossingTested<double>>(telling.trace.events[at]);
   if (!event.value) return std::nullopt;
-  const Telling& telling = story.tellings[0];
   const std::string why =
       caption(telling.trace.events[at], story, telling, replay(telling.trace, at + 1))->facts[0].text;
   const bool is_crossed = event.verdict == gjk::Crossing::crossed;
   const std::string yes = "yes, or just reached", no = "no";
-  return asked({Kind::crossing, 0, is_crossed ? "crossed" : "not crossed"}, at, "Was the origin crossed?",
+  return asked({Kind::crossing, 0, is_crossed ? "crossed" : "not crossed"}, scene, at, "Was the origin crossed?",
                {{yes, why}, {no, why}}, is_crossed ? yes : no);
 }
 
@@ -297,6 +299,7 @@ std::optional<Question> of_line(const Story& story) {
     });
   };
   Question question{{Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
+                    0,
                     parting->events[0].last,
                     "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?",
                     {},
@@ -314,24 +317,32 @@ std::optional<Question> of_line(const Story& story) {
   return question;
 }
 
-}  // namespace
-
-std::vector<Question> questions_of(const Story& story) {
-  std::vector<Question> questions;
-  if (story.tellings.size() == 2 && story.tellings[0].scene.mistake)
-    if (auto question = of_line(story)) questions.push_back(std::move(*question));
-  if (story.tellings.size() != 1) return questions;
-  const std::vector<gjk::Event<double>>& events = story.tellings[0].trace.events;
+void ask_about(std::size_t scene, const Story& story, std::vector<Question>& questions) {
+  const std::vector<gjk::Event<double>>& events = story.tellings[scene].trace.events;
   bool is_asked = false;  // about the regions of this iteration
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (std::holds_alternative<gjk::SupportFound<double>>(events[i])) is_asked = false;
     if (std::holds_alternative<gjk::CrossingTested<double>>(events[i]))
-      if (const auto question = of_crossing(story, i)) questions.push_back(*question);
+      if (const auto question = of_crossing(story, scene, i)) questions.push_back(*question);
     const auto* region = std::get_if<Region>(&events[i]);
     if (!region || region->verdict == Verdict::skipped || is_asked) continue;
-    Iteration(story, i).ask(questions);
+    Iteration(story, scene, i).ask(questions);
     is_asked = true;
   }
+}
+
+}  // namespace
+
+std::vector<Question> questions_of(const Story& story) {
+  std::vector<Question> questions;
+  if (story.tellings.size() == 2 && story.tellings[0].scene.mistake) {
+    if (auto question = of_line(story)) questions.push_back(std::move(*question));
+    return questions;
+  }
+  for (std::size_t scene = 0; scene < story.tellings.size(); ++scene) ask_about(scene, story, questions);
+  if (story.tellings.size() > 1)
+    for (Question& question : questions)
+      question.text = story.tellings[question.scene].scene.name + ": " + question.text;
   return questions;
 }
 

@@ -27,16 +27,17 @@ struct Decision {
 
 struct Question {
   Decision decision;
-  std::size_t event;  ///< of the trace, which answers it; what was told before may be known
+  std::size_t scene;  ///< of the story,
+  std::size_t event;  ///< of its trace, which answers it; what was told before may be known
   std::string text;
   std::vector<Choice>
       choices;        ///< in the order of the alphabet, lines in their own; two or more, no two with the same text
   std::size_t right;  ///< the one of them that is what the trace did
 };
 
-/// Returns: the questions about the search of a story, in the order of its events: at each crossing test that was applied, each
-/// simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one. Of a search with a mistake
-/// beside the report's one question: which line is wrong. None where the story has no scene or several others.
+/// Returns: the questions about the searches of a story, scene by scene in the order of the events: at each crossing test that was
+/// applied, each simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one. Of a search
+/// with a mistake beside the report's one question: which line is wrong.
 std::vector<Question> questions_of(const Story& story);
 
 /// Returns: the name of the first walkthrough of regions, `but` left out, in which the search decides likewise, or at least
