@@ -332,6 +332,19 @@ class Page(unittest.TestCase):
         self.assertEqual(self.find("#points").text, f"{count} of {count} right")
         self.assertFalse(self.all("#score .no"))
 
+    def test_of_two_searches_each_is_asked_about(self):
+        render(self.folder / "two", "figure-5", "--page")
+        self.browser.get(f"file://{self.folder / 'two' / 'figure-5' / 'index.html'}#2")
+        self.press("p", Keys.ARROW_RIGHT)
+        self.assertEqual(self.find("#question").text, "left: Was the origin crossed?")
+        self.press("2")
+        self.find("#onward").click()
+        self.assertEqual(self.find("#question").text, "right: Was the origin crossed?")
+        self.press("1")
+        self.find("#onward").click()
+        self.assertEqual(self.step(), 3)
+        self.assertEqual(self.find("#points").text, "2 of 2 right")
+
     def test_all_predicted_wrongly_kept_and_forgotten(self):
         self.open(searched)
         self.press("p")
