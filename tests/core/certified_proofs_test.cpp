@@ -211,6 +211,17 @@ TEST_CASE("C2: points are neither so near that what underflows counts nor so far
   REQUIRE_FALSE(enclose_with_length(0x1p40F));
 }
 
+TEST_CASE("C2: of a proof that cannot be tried neither numbers nor a bound are told", "[certified]") {
+  const auto told = [](double length) {
+    const Corners<double> corners = around_origin<double>(length, length, length);
+    return detail::TetrahedronProof<double>(corners[0], corners[1], corners[2], corners[3]).told();
+  };
+  CHECK(told(0x1p330).numbers.empty());
+  CHECK(told(0x1p330).bound == 0);
+  CHECK(told(2).numbers.size() == 4);
+  CHECK(told(2).bound == 64 * u<double> * 8);
+}
+
 TEMPLATE_TEST_CASE("C2: what is infinite or not a number proves nothing", "[certified]", float, double) {
   using S = TestType;
   for (const S wrong : {std::numeric_limits<S>::infinity(), std::numeric_limits<S>::quiet_NaN()})

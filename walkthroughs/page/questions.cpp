@@ -87,8 +87,9 @@ class Iteration {
   }
 
  private:
+  /// Behind the tests something follows: the last event of a search is Finished.
   std::size_t end_of_tests(std::size_t at) const {
-    while (at < events_.size() && std::holds_alternative<Region>(events_[at])) ++at;
+    while (std::holds_alternative<Region>(events_[at])) ++at;
     return at;
   }
 
@@ -196,12 +197,11 @@ class Iteration {
 
   /// Whether the search goes on, and from where.
   const gjk::SimplexReduced<double>* reduction() const {
-    return end_ < events_.size() ? std::get_if<gjk::SimplexReduced<double>>(&events_[end_]) : nullptr;
+    return std::get_if<gjk::SimplexReduced<double>>(&events_[end_]);
   }
   std::size_t direction_at() const { return reduction() ? end_ + 1 : end_; }
   const gjk::DirectionChosen<double>* direction() const {
-    const std::size_t at = direction_at();
-    return at < events_.size() ? std::get_if<gjk::DirectionChosen<double>>(&events_[at]) : nullptr;
+    return std::get_if<gjk::DirectionChosen<double>>(&events_[direction_at()]);
   }
 
   std::string in_list(const std::string& roles) const {
