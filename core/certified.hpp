@@ -206,7 +206,8 @@ CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Option
 /// proven in S, and where that fails decided anew, exactly. No iteration limit, no tolerance; touching is intersecting.
 ///
 /// `observer`: is told the events of collision(), then the proofs, the second search and the end. Nothing is made for one that
-/// is not there.
+/// is not there. collision() finds a cycle at once where somebody listens: of a pair that goes round the numbers of iterations
+/// and the certificate may then be others.
 /// Requires: finite coordinates; any S but float and double would need its own bounds.
 /// Returns: the answer with its certificate. Never undecided.
 /// Errors: std::runtime_error where denormal numbers are flushed to zero or rounding is not to nearest.

@@ -121,6 +121,39 @@ TEST_CASE("Who listens hears the answer that others get", "[certified]") {
   }
 }
 
+/// Requires: the point of its plane that is nearest to the origin in it.
+Rational squared_distance(const Simplex<double>& simplex) {
+  ExactVecs vertices;
+  for (int i = 0; i < simplex.size(); ++i) vertices.push_back(exact(simplex[i].w));
+  const std::vector<Rational> weights = coordinates_of_origin(vertices);
+  ExactVec nearest = ExactVec::Zero();
+  for (std::size_t i = 0; i < vertices.size(); ++i) nearest += times(weights[i], vertices[i]);
+  return nearest.dot(nearest);
+}
+
+TEST_CASE("C4: each simplex that the second search keeps is nearer to the origin than the one before, up to the origin",
+          "[certified]") {
+  std::vector<Pair<double>> pairs{pair_of<double>(cycling_apart_a, cycling_apart_b),
+                                  pair_of<double>(cycling_meeting_a, cycling_meeting_b)};
+  Dice dice(43);
+  for (int i = 0; i < 5000; ++i)
+    pairs.push_back(pair_of<double>(dice.points(dice.between(1, 6), 3), dice.points(dice.between(1, 6), 3)));
+  int kept = 0;
+  for (const Pair<double>& pair : pairs) {
+    std::optional<Rational> before;
+    for (const Event<double>& event : told(pair).events) {
+      const auto* feature = std::get_if<FeatureKept<double>>(&event);
+      if (!feature) continue;
+      const Rational now = squared_distance(feature->after);
+      CHECK((now == 0) == feature->contains_origin);
+      if (before) CHECK(now < *before);
+      before = now;
+      ++kept;
+    }
+  }
+  CHECK(kept > 1000);
+}
+
 TEST_CASE("A vertex is new where neither search has found its place before", "[certified]") {
   int again = 0, news = 0;
   for (const Pair<double>& pair :

@@ -33,21 +33,18 @@ std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
   return sign.formula.empty() ? name : name + " (" + names.sorted(face_of(sign)) + ")";
 }
 
-/// Returns: a number that is no smaller, with one digit.
-std::string error_text(double error) {
-  if (!(error > 0)) return "0";
-  const int exponent = static_cast<int>(std::floor(std::log10(error)));
-  const double unit = std::pow(10.0, exponent);
-  return unit > 0 ? number(std::ceil(error / unit) * unit) : number(error);
-}
-
 std::string with_error(const gjk::SignTaken<double>& sign) {
-  const std::string numbers = short_number(sign.value) + " ± " + error_text(sign.error);
+  const std::string numbers = short_number(sign.value) + " ± " + short_number(sign.error);
   return sign.power ? "(" + numbers + ") · 2^(" + short_number(-*sign.power) + ")" : numbers;
 }
 
-const std::string bounds_are_wide =
-    "the bound is derived, not measured: rounding never exceeds it, and is mostly far smaller";
+/// Where a bound comes from. `roundings`: how many, of `what`.
+std::string derived(int roundings, const std::string& what) {
+  return "the bound is derived, not measured: " + std::to_string(roundings) + " roundings of the largest " + what +
+         "; rounding never exceeds it, and is mostly far smaller";
+}
+
+const std::string undecided = "the answer may be right or wrong: a second search decides";
 
 Frame caption_of_direction(const gjk::ProofTried<double>& event, const Names& names) {
   if (event.numbers.empty())
@@ -55,16 +52,17 @@ Frame caption_of_direction(const gjk::ProofTried<double>& event, const Names& na
                        "The direction cannot be proven in these numbers: some are too large or too small");
   const gjk::ProofNumber& gap = event.numbers[0];
   const std::string numbers = name_of(gap, names) + " = " + short_number(gap.value);
+  const std::string bound = derived(16, "sum that points of this size can make along d");
   if (event.holds)
-    return frame_about(Focus::proof,
-                       "The direction is a proof: nothing of the difference reaches the origin's level, whatever was "
-                       "rounded",
-                       {{Mark::yes, numbers + " > " + short_number(event.bound) + ", more than all that was rounded"},
-                        {Mark::none, bounds_are_wide}});
-  return frame_about(
-      Focus::proof, "The direction is no proof: rounding alone could have put the difference behind the origin's level",
-      {{Mark::no, numbers + " ≤ " + short_number(event.bound) + ", which rounding may make"},
-       {Mark::none, "the answer may be right or wrong: a second search decides"}});
+    return frame_about(
+        Focus::proof, "The direction is a proof: all of the difference stays short of the origin, whatever was rounded",
+        {{Mark::yes, numbers + " > " + short_number(event.bound) + ", more than all that was rounded"},
+         {Mark::none, bound}});
+  return frame_about(Focus::proof,
+                     "The direction is no proof: by so little as it leaves free, rounding alone may have been off",
+                     {{Mark::no, numbers + " ≤ " + short_number(event.bound) + ", which rounding may make"},
+                      {Mark::none, bound},
+                      {Mark::none, undecided}});
 }
 
 Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& names, const Moment& now) {
@@ -86,12 +84,14 @@ Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& 
                        "The tetrahedron is a proof: the origin lies inside by more than all that was rounded",
                        {{Mark::yes, "all four lie beyond ±" + bound + ", on one side of 0"},
                         {Mark::none, list},
-                        {Mark::none, "each is the volume, six times, between the origin and one face"}});
+                        {Mark::none, "each is the volume, six times, between the origin and one face"},
+                        {Mark::none, derived(64, "product of three coordinates")}});
   return frame_about(Focus::proof,
                      "The tetrahedron is no proof: the origin is nearer to a face than rounding can tell, or outside",
                      {{Mark::no, "not all four lie beyond ±" + bound + ", on one side of 0"},
                       {Mark::none, list},
-                      {Mark::none, "the answer may be right or wrong: a second search decides"}});
+                      {Mark::none, derived(64, "product of three coordinates")},
+                      {Mark::none, undecided}});
 }
 
 constexpr std::size_t signs_in_a_line = 3;
@@ -186,8 +186,9 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
   if (!std::holds_alternative<gjk::SeparatingDirection>(result.certificate))
     frame.facts.push_back(
         {Mark::none,
-         is_apart ? "from its point nearest to the origin the way to the origin separates them: multiply to check"
-                  : "the origin lies in it: multiply to check"});
+         is_apart ? "from its point nearest to the origin the way to the origin separates them: no difference a − b "
+                    "reaches farther that way"
+                  : "the origin lies in it: weights of at least 0, of sum 1, bring its vertices together there"});
   if (now.guess && *now.guess != result.status)
     frame.facts.push_back({Mark::truth, "the first search had ended " + std::string(gjk::to_string(*now.guess))});
   return frame;

@@ -176,7 +176,7 @@ std::string_view example_scene() {
   "crossing_test": "on",   // "off": go on until there are no new points
   "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake; "eager": P·d < 0 ends
                            // the search at the first point, too; "complete": keeps what is nearest to the origin,
-                           // no region skipped by history, and always ends
+                           // no region skipped by history; goes round only where numbers round
   "zero_test": "exact",    // "relative": products that rounding may have made count as zero
   "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
   "certified": false,      // true: the answer is proven, and where doubles cannot do that, found anew by a second

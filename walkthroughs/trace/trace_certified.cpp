@@ -268,10 +268,28 @@ class CertifiedCheck::Course {
                 std::to_string(second_iterations_));
     require(claim_of(result.certificate) == status_, "'certificate' is of another answer than 'status'");
     require(holds(result.certificate, a_, b_), "'certificate' does not hold");
+    require(is_of_what_was_found(result.certificate),
+            "'certificate' is not of the " + std::string(proof_ == Proof::direction ? "direction" : "simplex") +
+                " that was found");
     expected_.clear();
   }
 
  private:
+  bool is_of_what_was_found(const gjk::Certificate& certificate) const {
+    if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&certificate))
+      return direction->d == guess_.separation->direction;
+    const auto* feature = std::get_if<gjk::SeparatingFeature>(&certificate);
+    const gjk::IndexPairs& pairs = feature ? feature->of : std::get<gjk::CommonSimplex>(certificate).of;
+    const Simplex& simplex = proof_ == Proof::second_search ? simplex_ : guess_.simplex;
+    if (pairs.size() != simplex.size()) return false;
+    const auto point = [](const gjk::PointSet<double>& set, int index) -> const Point& {
+      return set.points()[static_cast<std::size_t>(index)];
+    };
+    for (int i = 0; i < simplex.size(); ++i)
+      if (point(a_, pairs[i].a) != simplex[i].a.point || point(b_, pairs[i].b) != simplex[i].b.point) return false;
+    return true;
+  }
+
   template <class S>
   void check_proof(const gjk::ProofTried<double>& event) const {
     const gjk::ProofTried<double> found = proof_of<S>();

@@ -75,6 +75,17 @@ TEST_CASE("No event of a second search can be left out or told twice", "[trace]"
   }
 }
 
+TEST_CASE("A certificate that holds, but is not of what the search has kept, is refused", "[trace]") {
+  std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("certified/coplanar-askew")));
+  OrderedJson& certificate = lines.back()["certificate"];
+  const OrderedJson other = OrderedJson::parse(R"({"simplex":[[0,0],[1,1],[2,1]]})");  // which holds the origin, too
+  REQUIRE(certificate["simplex"].size() == 3);
+  REQUIRE(certificate["simplex"] != other["simplex"]);
+  certificate["simplex"] = other["simplex"];
+  CHECK_THAT(complaint_about_trace(text_of(lines)),
+             Catch::Contains("'certificate' is not of the simplex that was found"));
+}
+
 TEST_CASE("What contradicts a certified trace is named", "[trace]") {
   const std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("certified/one-step-apart")));
   const auto complaint = [&](const std::string& event, const std::string& key, const OrderedJson& value,
