@@ -58,8 +58,7 @@ Frame caption_of_direction(const gjk::ProofTried<double>& event, const Names& na
         Focus::proof, "The direction is a proof: all of the difference stays short of the origin, whatever was rounded",
         {{Mark::yes, numbers + " > " + short_number(event.bound) + ", more than all that was rounded"},
          {Mark::none, bound}});
-  return frame_about(Focus::proof,
-                     "The direction is no proof: by so little as it leaves free, rounding alone may have been off",
+  return frame_about(Focus::proof, "The direction is no proof: rounding alone may have made so small a gap",
                      {{Mark::no, numbers + " ≤ " + short_number(event.bound) + ", which rounding may make"},
                       {Mark::none, bound},
                       {Mark::none, undecided}});
@@ -188,7 +187,7 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
         {Mark::none,
          is_apart ? "from its point nearest to the origin the way to the origin separates them: no difference a − b "
                     "reaches farther that way"
-                  : "the origin lies in it: weights of at least 0, of sum 1, bring its vertices together there"});
+                  : "the origin lies in it: it is the mean of these points, with weights of at least 0"});
   if (now.guess && *now.guess != result.status)
     frame.facts.push_back({Mark::truth, "the first search had ended " + std::string(gjk::to_string(*now.guess))});
   return frame;
