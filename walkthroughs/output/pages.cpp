@@ -61,14 +61,19 @@ void write_files_beside(const Story& story, const PagePictures& pictures, const 
   render::write_file(folder / trace_file, traces_json(story.walkthrough, traces));
 }
 
-/// Returns: what the page in `folder`/`name` says of itself; nothing where there is none, or none that belongs there.
-std::optional<IndexEntry> entry_at(const fs::path& folder, const std::string& name) {
-  std::string beginning(std::size_t{1} << 20, '\0');
-  std::ifstream file(folder / name / page_file, std::ios::binary);
-  if (!file) return std::nullopt;
+/// Returns: so many bytes at most; none where there is no such file.
+std::string beginning_of(const fs::path& path, std::size_t bytes) {
+  std::string beginning(bytes, '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return "";
   file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   beginning.resize(static_cast<std::size_t>(file.gcount()));
-  std::optional<IndexEntry> entry = entry_of(beginning);
+  return beginning;
+}
+
+/// Returns: what the page in `folder`/`name` says of itself; nothing where there is none, or none that belongs there.
+std::optional<IndexEntry> entry_at(const fs::path& folder, const std::string& name) {
+  std::optional<IndexEntry> entry = entry_of(beginning_of(folder / name / page_file, std::size_t{1} << 20));
   if (!entry || entry->name != name) return std::nullopt;
   entry->picture_url = name + "/" + picture_name(entry->picture);
   std::error_code unreadable;
@@ -100,6 +105,11 @@ std::vector<IndexEntry> pages_in(const fs::path& folder) {
 
 }  // namespace
 
+bool is_of_others(const fs::path& page) {
+  const std::string beginning = beginning_of(page, std::size_t{1} << 12);
+  return !beginning.empty() && beginning.find("<meta name=\"generator\" content=\"gjkstep\">") == std::string::npos;
+}
+
 std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin) {
   std::vector<std::string> files{page_file};
   if (pictures == Pages::Pictures::inside) return files;
@@ -117,13 +127,18 @@ PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs
   if (pictures_ == Pictures::inside) return all;
   all.has_files = true;
   if (!here->file.empty())
-    all.sources.push_back({url_of(fs::absolute(here->file).lexically_relative(fs::absolute(folder).lexically_normal())),
-                           here->file.filename().string()});
+    all.sources.push_back(
+        {url_of(
+             fs::absolute(here->file).lexically_relative(fs::absolute(folder / walkthrough.name).lexically_normal())),
+         here->file.filename().string()});
   const std::string up = up_from(walkthrough.name);
   const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
-  all.page_of = [way_to, origins = origins_](const std::string& other) {
-    const auto found = std::ranges::find(origins, other, &PageOrigin::name);
-    return found == origins.end() ? "" : way_to(*found);
+  all.page_of = [up, folder, origins = origins_](const std::string& other) {
+    const fs::path page = fs::path(other) / page_file;
+    std::error_code unreadable;
+    const bool is_there =
+        std::ranges::count(origins, other, &PageOrigin::name) || fs::exists(folder / page, unreadable);
+    return is_there ? up + page.generic_string() : "";
   };
   all.ways.push_back({up + page_file, "All walkthroughs"});
   if (here != origins_.begin()) all.ways.push_back({way_to(*(here - 1)), "← " + (here - 1)->title});
@@ -143,7 +158,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
                               .part = pictures_of_frame(w, output.look),
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
-  renderer.then([=, written = written_, around = surroundings_of(w, folder)] {
+  renderer.then([=, written = written_, around = surroundings_of(w, output.folder)] {
     write_files_beside(*story, pictures, around, folder);
     render::write_file(folder / page_file, page_html(*story, pictures, around));
     written(folder / page_file, *story);

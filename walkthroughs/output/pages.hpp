@@ -36,6 +36,7 @@ class Pages : public Sink {
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
 
  private:
+  /// `folder`: that holds one for each walkthrough.
   PageSurroundings surroundings_of(const Walkthrough& walkthrough, const std::filesystem::path& folder) const;
 
   Pictures pictures_;
@@ -47,6 +48,9 @@ class Pages : public Sink {
 /// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a search
 /// FOLDER/compare.html, where not removes it. Errors: render::FileError.
 void write_index(const std::filesystem::path& folder);
+
+/// Returns: whether something is written there that is no page of gjkstep.
+bool is_of_others(const std::filesystem::path& page);
 
 /// Returns: the names of the files that may be written beside the pictures of a walkthrough of that origin.
 std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin);

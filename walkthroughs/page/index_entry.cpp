@@ -24,12 +24,20 @@ std::string answers(const Story& story) {
   return all;
 }
 
-/// Returns: where two searches part, else the last decision about a region; the last frame where there is neither.
+/// Of a region's walkthrough the iteration that it is about, which its first remark explains.
+std::optional<int> told_iteration(const Walkthrough& w) {
+  return w.region_case && !w.remarks.empty() ? std::optional(w.remarks[0].iteration) : std::nullopt;
+}
+
+/// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last frame where there
+/// is none.
 std::size_t telling_frame(const Story& story) {
   const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
   if (parting != story.frames.end()) return static_cast<std::size_t>(parting - story.frames.begin());
+  const std::optional<int> iteration = told_iteration(story.walkthrough);
   for (std::size_t i = story.frames.size(); i-- > 0;)
-    if (story.frames[i].focus == Focus::region) return i;
+    if (story.frames[i].focus == Focus::region && (!iteration || story.frames[i].moments[0].iteration == *iteration))
+      return i;
   return story.frames.size() - 1;
 }
 

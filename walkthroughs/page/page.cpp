@@ -265,10 +265,11 @@ std::string scenes(const Story& story) {
 
 std::string origin(const Walkthrough& walkthrough, const PageSurroundings& surroundings) {
   std::string html = element("p id=\"summary\"", escaped(walkthrough.summary));
-  if (!surroundings.command.empty()) html += "<p>Made by <code>" + escaped(surroundings.command) + "</code></p>\n";
+  if (!surroundings.command.empty())
+    html += "<p class=\"made\">Made by <code>" + escaped(surroundings.command) + "</code></p>\n";
   if (!surroundings.trace_command.empty())
-    html += "<p>Its trace: " + (surroundings.has_files ? link({trace_file, trace_file}) : "") + "<code>" +
-            escaped(surroundings.trace_command) + "</code></p>\n";
+    html += "<p class=\"made\">Its trace: " + (surroundings.has_files ? link({trace_file, trace_file}) : "") +
+            "<code>" + escaped(surroundings.trace_command) + "</code></p>\n";
   for (const PageLink& source : surroundings.sources) html += "<p>Made from " + link(source) + "</p>\n";
   return html;
 }

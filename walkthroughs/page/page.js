@@ -94,7 +94,7 @@
   function entitle() {
     document.title = `${at + 1}/${steps.length} ${predicting ? untold : title}`;
     heading.textContent = predicting ? untold : name;
-    $('summary').hidden = predicting;
+    for (const told of [$('summary'), ...document.querySelectorAll('.made')]) told.hidden = predicting;
   }
 
   const go = i => { pause(); show(i, 'push'); };
@@ -122,13 +122,11 @@
     clearTimeout(timer);
     timer = 0;
     $('play').textContent = 'Play';
-    $('play').setAttribute('aria-pressed', 'false');
   }
   function play() {
     if (timer) return pause();
     if (at + 1 === steps.length) show(0, 'push');
     $('play').textContent = 'Pause';
-    $('play').setAttribute('aria-pressed', 'true');
     playOn();
   }
 
@@ -173,6 +171,7 @@
     $('onward').textContent = 'Skip';
     steps[at].querySelector('.text').prepend($('quiz'));
     steps[at].classList.add('asking');
+    hideWords(true);
     mark(false);
     $('quiz').hidden = false;
     $('question').focus();
@@ -193,6 +192,7 @@
       buttons[c].disabled = true;
       $('verdict').innerHTML = `${why} Try once more.`;
       $('onward').textContent = 'Show the answer';
+      $('onward').scrollIntoView({block: 'nearest'});
     } else {
       tell(buttons, c, c === right ? 'Right' : `${why} It is <b>${choices[right][0]}</b>`);
     }
@@ -206,6 +206,7 @@
     buttons[right].className = 'right';
     $('verdict').innerHTML = `${said}: ${choices[right][1]}.`;
     $('onward').textContent = 'Go on';
+    hideWords(false);
     $('onward').focus();
   }
 
@@ -215,8 +216,16 @@
     if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
   }
 
+  // What is told of the picture tells where the origin lies.
+  function hideWords(hides) {
+    const picture = steps[at].querySelector('img');
+    picture.dataset.words ??= picture.alt;
+    picture.alt = hides ? 'The picture; it is told in words once the question is answered.' : picture.dataset.words;
+  }
+
   function close() {
     asked = null;
+    hideWords(false);
     mark(true);
     $('quiz').hidden = $('score').hidden = true;
     steps[at].classList.remove('asking');

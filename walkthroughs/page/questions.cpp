@@ -120,12 +120,21 @@ class Iteration {
     return caption(events_[at], story_, telling_, replay(telling_.trace, at + 1))->facts[0].text;
   }
 
-  /// Why the search has not found what that line asks about, or that it has.
+  const Region* made(const std::string& face, const std::string& feature) const {
+    const auto found = std::ranges::find_if(now_.regions, [&](const Region& region) {
+      return region.verdict != Verdict::skipped && region.face == face && region.feature == feature;
+    });
+    return found == now_.regions.end() ? nullptr : &*found;
+  }
+
+  /// Why the search has not found what that line asks about, or that it has: its own test; else that of the face in which it asks
+  /// about an edge; else the one that was right before it.
   std::string reason_of(const CodeLine& line) const {
-    for (const Region& region : now_.regions)
-      if (region.verdict != Verdict::skipped && region.face == line.face && region.feature == line.feature)
-        return value_of(region);
-    return "not looked at, since an earlier test has decided: " + value_of(*last_chosen());
+    if (const Region* own = made(line.face, line.feature)) return value_of(*own);
+    const Region* face = line.face.empty() ? nullptr : made("", line.face);
+    if (face && face->verdict != Verdict::chosen) return value_of(*face);
+    return "not looked at, since an earlier test has decided: " +
+           value_of(face ? *last_chosen() : *chosen_without_face());
   }
 
   bool is_of(const CodeLine& line, const Region& region) const {
@@ -210,7 +219,8 @@ class Iteration {
     return "[" + list + "]";
   }
 
-  /// Choices from the ways on of the running algorithm, each with what the test before it has found.
+  /// Choices from the ways on of the running algorithm, each with what the tests before it have found: two lines of a tetrahedron's
+  /// may lead the same way.
   template <class Words>
   std::vector<Choice> ways(const std::string& right, const std::string& why, const Words& words) const {
     std::vector<Choice> choices;
@@ -219,8 +229,12 @@ class Iteration {
       if (line.kind == LineKind::test) test = &line;
       const std::optional<Way> way = way_of(line);
       if (!way || !test) continue;
-      const std::string text = words(*way);
-      add_once(choices, {text, text == right ? why : reason_of(*test)});
+      const std::string text = words(*way), reason = text == right ? why : reason_of(*test);
+      const auto known = std::ranges::find(choices, text, &Choice::text);
+      if (known == choices.end())
+        choices.push_back({text, reason});
+      else if (known->reason.find(reason) == std::string::npos)
+        known->reason += "; " + reason;
     }
     return choices;
   }

@@ -65,6 +65,24 @@ TEST_CASE("The index is over all pages of the folder, those of earlier runs, too
   CHECK(has(index(), "2 shown"));
 }
 
+TEST_CASE("A page that others have written is not replaced by the index") {
+  const Folder folder;
+  std::ofstream(folder.path() / "index.html") << "<!doctype html><title>mine</title>";
+  check_failure("render figure-1 --page" + out_of(folder), 2, {"index.html' is not of gjkstep", "--out"});
+  CHECK(bytes_of(folder.path() / "index.html") == "<!doctype html><title>mine</title>");
+  CHECK_FALSE(fs::exists(folder.path() / "figure-1"));
+}
+
+TEST_CASE("What to practise is linked where its page is there, of an earlier run, too") {
+  const Folder folder;
+  const auto steps = [&] { return bytes_of(folder.path() / "figure-4-left/steps.js"); };
+  REQUIRE(run("render figure-4-left --page" + out_of(folder)).exit_code == 0);
+  CHECK_FALSE(has(steps(), "../regions/2-simplex-r3/index.html"));
+  REQUIRE(run("render regions/2-simplex-r3 --page" + out_of(folder)).exit_code == 0);
+  REQUIRE(run("render figure-4-left --page" + out_of(folder)).exit_code == 0);
+  CHECK(has(steps(), "../regions/2-simplex-r3/index.html"));
+}
+
 TEST_CASE("A page that holds all leaves no style, script and events of an earlier one beside it") {
   const Folder folder;
   for (const char* kind : {"beside", "single"}) {

@@ -31,6 +31,20 @@ TEST_CASE(
   CHECK(entry_for("figure-1").answer.empty());
 }
 
+TEST_CASE("The picture of a region's walkthrough is of the decision for that region") {
+  for (const auto& [name, label] : std::vector<std::pair<std::string, std::string>>{
+           {"2-simplex-r3", "R3"}, {"2-simplex-r7", "R7"}, {"2-simplex-r1-below", "R1"}}) {
+    INFO(name);
+    const Story story = tell(walkthrough("regions/" + name));
+    const Frame& frame = story.frames[index_entry(story, pictures).picture];
+    const auto& regions = frame.moments[0].regions;
+    REQUIRE(!regions.empty());
+    CHECK(regions.back().verdict == gjk::Verdict::chosen);
+    CHECK(regions.back().label == label);
+    CHECK(frame.moments[0].processed.size() == 3);
+  }
+}
+
 TEST_CASE("What a page says of itself is read as it was written, whatever its texts are") {
   IndexEntry entry = entry_for("figure-4-right");
   entry.title = "</script><b>é\n\"";

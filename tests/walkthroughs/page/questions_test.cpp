@@ -187,6 +187,32 @@ TEST_CASE("A wrong choice is answered by the value that decided, or by why its r
   CHECK(reason("R7: beyond edge AC").starts_with("not looked at, since an earlier test has decided: R3: AB_n·AO = "));
 }
 
+TEST_CASE(
+    "Of a tetrahedron a wrong choice is answered by the face that ruled it out, and by the edge where that was asked") {
+  const Story story = tell(walkthrough("regions/3-simplex-face-adb-edge-ad"));
+  std::map<Kind, const Question*> last;
+  const std::vector<Question> questions = questions_of(story);
+  for (const Question& question : questions)
+    if (question.decision.simplex_size == 4) last[question.decision.kind] = &question;
+  const auto reason = [&](Kind kind, const std::string& text) {
+    const auto& choices = last.at(kind)->choices;
+    const auto choice = std::ranges::find(choices, text, &Choice::text);
+    return choice == choices.end() ? "" : choice->reason;
+  };
+  const std::string face_abc = reason(Kind::vertices, "[C, B, A]"), face_acd = reason(Kind::vertices, "[D, C, A]");
+  CHECK(face_abc.find("ABC_n·AO = −37") != std::string::npos);
+  CHECK(face_acd.find("ACD_n·AO = −8") != std::string::npos);
+  CHECK(reason(Kind::vertices, "[C, A]") == face_abc + "; " + face_acd);  // both have the edge AC
+  CHECK(reason(Kind::vertices, "[B, A]").find("AB_n·AO = −333") != std::string::npos);
+  CHECK(reason(Kind::direction, "ACD_n") == face_acd);
+  for (const Question& question : questions)
+    if (question.decision.simplex_size == 4 && question.text.starts_with("Above which face")) {
+      const auto inside = std::ranges::find(question.choices, "inside: above none of them", &Choice::text);
+      REQUIRE(inside != question.choices.end());
+      CHECK(inside->reason.find("ADB_n·AO = 28") != std::string::npos);
+    }
+}
+
 TEST_CASE("What is asked about a simplex says of how many points it is") {
   std::map<int, std::string> asked;
   for (const char* const name :
