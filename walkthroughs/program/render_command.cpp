@@ -268,7 +268,7 @@ class Rendering {
   static void expect_writable_index(const std::filesystem::path& folder) {
     render::make_folder(folder, "choose another with --out");
     if (is_of_others(folder / page_file))
-      throw UsageError(in_quotes((folder / page_file).string()) +
+      throw UsageError(printable((folder / page_file).string()) +
                        " is not of gjkstep and would be replaced; choose another folder with --out");
     render::expect_writable(folder / page_file);
   }

@@ -68,7 +68,7 @@ TEST_CASE("The index is over all pages of the folder, those of earlier runs, too
 TEST_CASE("A page that others have written is not replaced by the index") {
   const Folder folder;
   std::ofstream(folder.path() / "index.html") << "<!doctype html><title>mine</title>";
-  check_failure("render figure-1 --page" + out_of(folder), 2, {"index.html' is not of gjkstep", "--out"});
+  check_failure("render figure-1 --page" + out_of(folder), 2, {"index.html is not of gjkstep", "--out"});
   CHECK(bytes_of(folder.path() / "index.html") == "<!doctype html><title>mine</title>");
   CHECK_FALSE(fs::exists(folder.path() / "figure-1"));
 }

@@ -323,6 +323,16 @@ class Page(unittest.TestCase):
                 self.find("#onward").click()
         return count
 
+    def test_while_a_question_stands_nothing_read_aloud_tells_the_answer(self):
+        self.open(searched, "#11")
+        words = self.find(".now img").get_attribute("alt")
+        self.press("p", Keys.ARROW_RIGHT)
+        self.assertTrue(self.find("#quiz").is_displayed())
+        self.assertNotIn("triangle", self.find(".now img").get_attribute("alt"))
+        self.assertFalse(any(told.is_displayed() for told in self.all(".made, #summary")))
+        self.all("#choices button")[next(q for q in self.questions() if q["before"] == 11)["right"]].click()
+        self.assertEqual(self.find(".now img").get_attribute("alt"), words)
+
     def test_all_predicted_rightly(self):
         self.open(searched)
         self.press("p")
