@@ -605,6 +605,7 @@ class Page(unittest.TestCase):
         self.press(Keys.END)
         self.assertEqual(self.step(), len(self.all(".step")))
         self.find(".step.now .events summary").click()
+        self.wait(lambda: self.all(".step.now .events pre"))
         self.assertEqual(json.loads(self.find(".step.now .events pre").text.splitlines()[-1])["event"], "finished")
 
     def test_ten_thousand_steps(self):
