@@ -306,15 +306,27 @@ class Rendering {
     const auto story = std::make_shared<const StagedStory>(std::move(told));
     progress(w.name + ": drawing");
     for (const std::string& sentence : story->left_out()) note(w.name + ": " + sentence);
-    if (!is_asked_for_pages() && has_page(output.folder / w.name))
-      note(w.name + ": its page is of an earlier run, and may tell of other pictures; --page writes it anew");
+    note_what_stays(w, output.folder / w.name);
     if (command_.captions) written.stories.push_back(story);
     for (const std::unique_ptr<Sink>& sink : sinks) sink->add(story, output, renderer);
   }
 
-  static bool has_page(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    return std::filesystem::exists(folder / page_file, ignored);
+  /// What an earlier run has left beside the frames, and this one does not make.
+  void note_what_stays(const Walkthrough& w, const std::filesystem::path& folder) const {
+    struct Kind {
+      const char *file, *option;
+      bool is_made;
+    };
+    const bool is_on_paper = paper_named(command_.sheet).has_value();
+    for (const Kind& kind :
+         {Kind{page_file, "--page", is_asked_for_pages()}, Kind{"strip.png", "--strip", command_.strip},
+          Kind{"animation.png", "--apng", command_.apng}, Kind{"sheet.png", "--sheet", command_.sheet == "one"},
+          Kind{"sheet.pdf", "--sheet=a4", is_on_paper}}) {
+      std::error_code unreadable;
+      if (!kind.is_made && std::filesystem::exists(folder / kind.file, unreadable))
+        note(w.name + ": " + kind.file + " is of an earlier run, and may tell of other pictures; " + kind.option +
+             " writes it anew");
+    }
   }
 
   /// One line for each file, and how far it is.

@@ -161,14 +161,20 @@ TEST_CASE("A walkthrough named twice is rendered once", "[unsanitized]") {
   CHECK(outcome.out.find(file, first + 1) == std::string::npos);
 }
 
-TEST_CASE("Who draws pictures anew is told where a page of an earlier run shows them") {
+TEST_CASE("Who draws pictures anew is told what an earlier run has left beside them, and how it is made anew") {
   const Folder folder;
-  const std::string command = "render figure-5 --frames 1 --size 32x18 --out " + quoted(folder.path().string());
+  const std::string command = "render figure-5 --frames 1 --size 640x360 --out " + quoted(folder.path().string());
+  const auto note = [](const std::string& file, const std::string& option) {
+    return "gjkstep: figure-5: " + file + " is of an earlier run, and may tell of other pictures; " + option +
+           " writes it anew\n";
+  };
   CHECK(run(command).err.empty());
   CHECK(run(command + " --page").err.empty());
   CHECK(run(command + " --page").err.empty());
-  CHECK(run(command).err ==
-        "gjkstep: figure-5: its page is of an earlier run, and may tell of other pictures; --page writes it anew\n");
+  CHECK(run(command + " --strip --apng --sheet").err == note("index.html", "--page"));
+  CHECK(run(command + " --sheet=a4 --page").err ==
+        note("strip.png", "--strip") + note("animation.png", "--apng") + note("sheet.png", "--sheet"));
+  CHECK(run(command + " --page --strip --apng --sheet").err == note("sheet.pdf", "--sheet=a4"));
 }
 
 TEST_CASE("gjkstep render --letters fixed gives each vertex one letter, and corners keep theirs") {
