@@ -24,9 +24,11 @@ std::string answers(const Story& story) {
   return all;
 }
 
-/// Of a region's walkthrough the iteration that it is about, which its first remark explains.
+/// Of a region's walkthrough the iteration that it is about: that of the test which it explains, else of what it explains first.
 std::optional<int> told_iteration(const Walkthrough& w) {
-  return w.region_case && !w.remarks.empty() ? std::optional(w.remarks[0].iteration) : std::nullopt;
+  if (!w.region_case || w.remarks.empty()) return std::nullopt;
+  const auto test = std::ranges::find(w.remarks, Remark::At::region_tested, &Remark::at);
+  return (test == w.remarks.end() ? w.remarks.front() : *test).iteration;
 }
 
 /// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last frame where there
