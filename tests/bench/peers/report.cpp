@@ -152,6 +152,28 @@ void write_proof_aim(std::ostream& out, const std::vector<Match>& matches, const
   }
 }
 
+/// How many times as fast as the exact peer proven answers are aimed to be about random tetrahedra. On hard families they are to
+/// be no slower, but on those whose flat faces stand square to an axis, where its predicates need no exact number.
+constexpr double exact_aim = 5;
+
+/// Where are proven answers as fast as those of the exact peer?
+void write_exact_aim(std::ostream& out, const std::vector<Match>& matches, const std::vector<Contender>& contenders) {
+  const std::optional<std::size_t> exact = find(contenders, exact_peer);
+  for (const Proving& each : provings(contenders)) {
+    std::string faster, slower;
+    for (const Match& match : matches) {
+      const auto ratio = quotient(time_of(match, exact), time_of(match, each.prover));
+      if (!ratio) continue;
+      std::string& list = *ratio >= 1 ? faster : slower;
+      list += (list.empty() ? "" : ", ") + match.family + " (" + fixed(*ratio, 2) +
+              (match.family == "tetrahedra" ? ", aim " + fixed(exact_aim, 1) : "") + ")";
+    }
+    if (!faster.empty() || !slower.empty())
+      out << "* " << contenders[each.prover].name << " is at least as fast as " << exact_peer
+          << " on: " << (faster.empty() ? "none" : faster) << (slower.empty() ? "" : "; slower on: " + slower) << "\n";
+  }
+}
+
 // -- Aims -----------------------------------------------------------------------------------------------------------------
 
 /// On which families is the fastest peer slower by the factor that is aimed at? Of those that the aim is about, also by which it
@@ -246,6 +268,7 @@ void write_markdown(std::ostream& out, const std::string& title, const std::vect
   write_proofs(out, matches, contenders);
   write_aim(out, matches, contenders);
   write_proof_aim(out, matches, contenders);
+  write_exact_aim(out, matches, contenders);
   write_lost(out, matches, contenders);
   write_failures(out, matches, contenders);
 }

@@ -48,6 +48,16 @@ TEST_CASE("The report tells what a proof costs and how long the exact and the fa
   CHECK_THAT(text, Contains("| triangles | 1.05 | 2.00 | 1.40 |\n"));
 }
 
+TEST_CASE("The report tells where a proven answer takes no longer than an exact one", "[peers]") {
+  const std::string text = report({match("triangles", {100, 90, 105, 104, 147}),
+                                   match("tetrahedra", {100, 90, 105, 420, 147}), match("hulls-8", {1, 1, 1, 0, 1})});
+  CHECK_THAT(text,
+             Contains("* gjkstep certified is at least as fast as CGAL exact on: tetrahedra (4.00, aim 5.0); slower "
+                      "on: triangles (0.99)\n"));
+  CHECK(report({match("hulls-8", {1, 1, 1, 0, 1})}).find("as CGAL exact on") == std::string::npos);
+  CHECK_THAT(report({match("touching", {1, 1, 2, 2, 1})}), Contains("as CGAL exact on: touching (1.00)\n"));
+}
+
 TEST_CASE("The report tells on which families the fastest peer is slower as is aimed at, and by how much else",
           "[peers]") {
   const std::string text =
