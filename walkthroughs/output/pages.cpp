@@ -83,11 +83,11 @@ std::optional<IndexEntry> entry_at(const fs::path& folder, const std::string& na
 /// Returns: the folders in which a walkthrough may lie, by name, in the order of the catalogue, scenes of one's own last.
 std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code unreadable;
+  std::error_code unreadable, no_status;
   for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, unreadable);
        !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
     if (at.depth() == 1) at.disable_recursion_pending();
-    if (at->is_directory(unreadable)) names.push_back(at->path().lexically_relative(folder).generic_string());
+    if (at->is_directory(no_status)) names.push_back(at->path().lexically_relative(folder).generic_string());
   }
   const auto place = [](const std::string& name) {
     return std::ranges::find(catalogue(), name, &Walkthrough::name) - catalogue().begin();

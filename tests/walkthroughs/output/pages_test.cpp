@@ -59,6 +59,7 @@ TEST_CASE("The index is over all pages of the folder, those of earlier runs, too
   fs::remove_all(folder.path() / "regions");                               // removed,
   for (const auto& file : fs::directory_iterator(folder.path() / "mine"))  // or has lost its pictures
     if (file.path().extension() == ".png") fs::remove(file);
+  fs::create_symlink("nowhere", folder.path() / "broken");
   fs::create_directories(folder.path() / "foreign");
   std::ofstream(folder.path() / "foreign/index.html") << "<!doctype html><title>of somebody else</title>";
   REQUIRE(run("render --page figure-1" + out_of(folder)).exit_code == 0);
