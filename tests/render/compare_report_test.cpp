@@ -132,6 +132,15 @@ TEST_CASE("The histogram of the page begins a bin where pixels begin to be off a
     CHECK(count(report.html(), "<th scope=\"row\">" + std::string(bin) + "</th>") == 1);
 }
 
+TEST_CASE("Where only 255 is off it has a bin of its own") {
+  ComparedFiles pair = different("a.png");
+  pair.comparison.tolerance.channel = 254;
+  CompareReport report(head);
+  report.add(pair, "cp");
+  for (const char* bin : {"129–254", "255"})
+    CHECK(count(report.html(), "<th scope=\"row\">" + std::string(bin) + "</th>") == 1);
+}
+
 TEST_CASE("The bins of pixels that are off are marked and no others") {
   for (const int tolerance : {0, 2, 3, 4, 255}) {
     ComparedFiles pair = different("a.png");
