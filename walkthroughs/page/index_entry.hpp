@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "walkthroughs/page/page.hpp"
+#include "walkthroughs/page/page_pictures.hpp"
 #include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {

@@ -1,7 +1,6 @@
 #include "walkthroughs/page/page.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -27,12 +26,6 @@ std::string element(const std::string& name, const std::string& content) {
 
 std::string link(const PageLink& to, const std::string& attributes = "") {
   return "<a " + attributes + "href=\"" + escaped(to.url) + "\">" + escaped(to.text) + "</a>\n";
-}
-
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f%%", 100 * share);
-  return text;
 }
 
 // -- One step ---------------------------------------------------------------------------------------------------------
@@ -297,13 +290,6 @@ std::string file_that_sets(const std::string& name, const std::string& json) {
 }
 
 }  // namespace
-
-std::string cut_out(render::Size page, const render::Box& part) {
-  return "--width:" + percent(page.width / part.width()) + ";--left:" + percent(-part.min.x() / part.width()) +
-         ";--top:" + percent(-part.min.y() / part.height()) +
-         ";aspect-ratio:" + std::to_string(std::lround(part.width())) + "/" +
-         std::to_string(std::lround(part.height()));
-}
 
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures,
                                  const PageSurroundings& surroundings) {

@@ -3,25 +3,14 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "render/geometry.hpp"
+#include "walkthroughs/page/page_pictures.hpp"
 #include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {
-
-/// The pictures that a page shows, one a frame; drawn already, or to be drawn.
-struct PagePictures {
-  std::function<std::string(std::size_t frame, int turn)>
-      url;               ///< of a picture, seen from the page; `turn` 0: the usual view
-  render::Size page;     ///< on which they are laid out,
-  render::Box part;      ///< and what of it is shown
-  int turns = 0;         ///< further views of each, all around
-  bool is_dark = false;  ///< drawn on a dark ground
-};
 
 /// Something beside the page: a file or another page.
 struct PageLink {
@@ -57,8 +46,5 @@ inline constexpr std::array files_asked_for{style_file, script_file, steps_file,
 /// events, which are loaded when a reader asks for them (as scripts: pages that are files themselves may read nothing else).
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures,
                                  const PageSurroundings& surroundings);
-
-/// Returns: the style attribute of what shows only `part` of pictures that are laid out on `page`; style sheets say how.
-std::string cut_out(render::Size page, const render::Box& part);
 
 }  // namespace walkthroughs

@@ -113,13 +113,6 @@ TEST_CASE("Titles and names of others are text in a page, whatever they hold") {
   CHECK(data_of(page, "events")[0]["name"] == hostile);
 }
 
-TEST_CASE("A part of a picture fills the place of the whole") {
-  CHECK(cut_out({1000, 500}, {{0, 0}, {1000, 500}}) ==
-        "--width:100.000%;--left:-0.000%;--top:-0.000%;aspect-ratio:1000/500");
-  CHECK(cut_out({1000, 500}, {{250, 100}, {750, 500}}) ==
-        "--width:200.000%;--left:-50.000%;--top:-25.000%;aspect-ratio:500/400");
-}
-
 TEST_CASE("A page is small without its pictures: below 60 kB up to 50 steps, and 1.3 for each", "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);

@@ -1,0 +1,25 @@
+/// The pictures of a page: where they are, and what of them is shown.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "render/geometry.hpp"
+
+namespace walkthroughs {
+
+/// The pictures that a page shows, one a frame; drawn already, or to be drawn.
+struct PagePictures {
+  std::function<std::string(std::size_t frame, int turn)>
+      url;               ///< of a picture, seen from the page; `turn` 0: the usual view
+  render::Size page;     ///< on which they are laid out,
+  render::Box part;      ///< and what of it is shown
+  int turns = 0;         ///< further views of each, all around
+  bool is_dark = false;  ///< drawn on a dark ground
+};
+
+/// Returns: the style attribute of what shows only `part` of pictures that are laid out on `page`; style sheets say how.
+std::string cut_out(render::Size page, const render::Box& part);
+
+}  // namespace walkthroughs
