@@ -12,9 +12,9 @@
 ///  C8. Together: a closed surface of triangles between points that were found, which goes around the origin, and of which no
 ///      triangle comes as near to it as ε. Were every point where it truly is, no triangle would have passed the origin on the
 ///      way there; so the surface still goes around it, and the origin is in the hull of its points.
-///  C9. No farther apart than the triangle of that surface that is nearest to the origin, and ε; of a flat difference, which has
+///  C9. No farther apart than the triangle of that surface that is nearest to the origin, and 2ε; of a flat difference, which has
 ///      none, than g where it surrounds the origin once grown by a ball of radius g. And no deeper in each other than the
-///      difference reaches along the direction in which it reaches least, and ε.
+///      difference reaches along the direction in which it reaches least, and 2ε.
 #pragma once
 
 #include <algorithm>
@@ -50,13 +50,14 @@ using Place = Vec3<double>;
 template <class S, class A, class B>
 class DoubtfulDifference {
  public:
-  /// ε: w = a − b is rounded by u|w|, w·d is off by 3u|w||d|; all in doubles.
+  /// ε: w = a − b is rounded by u|w|, and w·d/|d| or the height of a triangle is off by 6.5u|w| at most: 3u for the product, 2.5u
+  /// for the length, 1u for the quotient; all in doubles.
   DoubtfulDifference(const A& a, const B& b) : a_(a), b_(b) {
     const Doubt of_a = doubt(a), of_b = doubt(b);
     if (const double largest = std::max({of_a.size, of_b.size, of_a.error, of_b.error}); std::isfinite(largest))
       exponent_ = std::ilogb(largest);
-    const double size = in_units(of_a.size) + in_units(of_b.size);
-    error_ = (in_units(of_a.error) + in_units(of_b.error) + 8 * roundoff * size) * (1 + 0x1p-20);
+    size_ = in_units(of_a.size) + in_units(of_b.size);
+    error_ = (in_units(of_a.error) + in_units(of_b.error) + 8 * roundoff * size_) * (1 + 0x1p-20);
   }
 
   /// Returns: a length in the units of the shapes, rounded up.
@@ -65,7 +66,11 @@ class DoubtfulDifference {
     return in_units(nearest) < length ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
   }
 
-  double error() const { return error_; }
+  /// ε; once the difference is grown by a ball, more: its radius over |d| is off by 3.5u, the way and the point are rounded by u
+  /// each, and the height by 6.5u.
+  double error(double radius = 0) const { return error_ + 16 * roundoff * radius; }
+  /// No point of it is farther from the origin.
+  double size() const { return size_; }
   int times_asked() const { return times_asked_; }
   /// The difference itself reaches at most so far along some direction: to part the shapes takes no more than that.
   double least_reach() const { return least_reach_; }
@@ -94,7 +99,7 @@ class DoubtfulDifference {
   const A& a_;
   const B& b_;
   int exponent_ = 0;
-  double error_;
+  double size_, error_;
   int times_asked_ = 0;
   double least_reach_ = std::numeric_limits<double>::infinity();
   std::optional<Place> separation_;
@@ -102,6 +107,8 @@ class DoubtfulDifference {
 
 /// A closed surface of triangles, each counter-clockwise seen from outside, which points are added to.
 class Surface {
+  using Edge = std::array<std::size_t, 2>;
+
  public:
   struct Face {
     std::array<std::size_t, 3> corners;
@@ -125,26 +132,18 @@ class Surface {
                                [&](std::size_t i) { return face.normal.dot(p) > face.normal.dot(points_[i]); });
   }
 
-  /// Takes away the faces that p is beyond, and joins p to the edges of what is left. It stays closed, whatever rounds: each edge
-  /// that is left open has two triangles again.
+  /// Takes away the lowest face and those beside it that p is beyond, and joins p to the edges of what is left. It stays closed,
+  /// whatever rounds: each edge that is left open has two triangles again.
   void add(const Place& p) {
-    std::vector<std::array<std::size_t, 2>> open;
-    std::vector<Face> kept;
-    for (const Face& face : faces_) {
-      if (!is_below(face, p)) {
-        kept.push_back(face);
-        continue;
-      }
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::array edge{face.corners[i], face.corners[(i + 1) % 3]};
-        const auto other_side = std::ranges::find(open, std::array{edge[1], edge[0]});
+    std::vector<Edge> open;
+    for (const Face& face : take_away(p))
+      for (const auto& [i, j] : edges_of(face)) {
+        const auto other_side = std::ranges::find(open, Edge{j, i});
         if (other_side != open.end())
           open.erase(other_side);
         else
-          open.push_back(edge);
+          open.push_back({i, j});
       }
-    }
-    faces_ = std::move(kept);
     points_.push_back(p);
     for (const auto& [i, j] : open) add_face(i, j, points_.size() - 1);
   }
@@ -179,8 +178,34 @@ class Surface {
   }
 
  private:
+  static std::array<Edge, 3> edges_of(const Face& face) {
+    const auto& [i, j, k] = face.corners;
+    return {{{i, j}, {j, k}, {k, i}}};
+  }
+
+  /// Returns: the lowest face and those that p is beyond, as far as they hang together by their edges. Beyond any other, such as
+  /// one of a flat side in whose plane p lies, rounding alone has put it: without that the surface would run through itself.
+  std::vector<Face> take_away(const Place& p) {
+    std::vector<Face> taken;
+    const auto take = [&](auto face) {
+      taken.push_back(*face);
+      faces_.erase(face);
+    };
+    take(std::ranges::min_element(faces_, {}, &Face::height));
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      for (const auto& [from, to] : edges_of(taken[i])) {
+        const auto across = std::ranges::find_if(faces_, [&, edge = Edge{to, from}](const Face& face) {
+          return std::ranges::count(edges_of(face), edge) > 0 && is_below(face, p);
+        });
+        if (across != faces_.end()) take(across);
+      }
+    return taken;
+  }
+
+  /// The normal is first brought near length 1: squares of the least doubles would vanish.
   void add_face(std::size_t i, std::size_t j, std::size_t k) {
-    const Place n = (points_[j] - points_[i]).cross(points_[k] - points_[i]), normal = n / n.norm();
+    const Place n = (points_[j] - points_[i]).cross(points_[k] - points_[i]);
+    const Place normal = (n / n.cwiseAbs().maxCoeff()).normalized();
     faces_.push_back(
         {{i, j, k}, normal, std::min({normal.dot(points_[i]), normal.dot(points_[j]), normal.dot(points_[k])})});
   }
@@ -259,7 +284,7 @@ Surrounded surrounded(Difference& difference, double radius) {
   Surface surface(*corners);
   for (int i = 4; i < most_points && !difference.separation(); ++i) {
     const Surface::Face lowest = surface.lowest();
-    if (lowest.height > difference.error() * (1 + 0x1p-20) && surface.goes_around_origin()) return {true, 0};
+    if (lowest.height > difference.error(radius) * (1 + 0x1p-20) && surface.goes_around_origin()) return {true, 0};
     if (!lowest.normal.allFinite()) break;
     const Place w = difference.far_along(lowest.normal, radius);
     if (!surface.is_below(lowest, w)) break;
@@ -269,11 +294,15 @@ Surrounded surrounded(Difference& difference, double radius) {
   return {false, surface.nearness()};
 }
 
-/// C9. Requires: neither apart nor together by what was found. Returns: a bound on the distance.
+/// C9. Requires: neither apart nor together by what was found. Returns: a bound on the distance; on the way there they may be found
+/// apart, which ends it.
+///
+/// Beside ε, what the nearness itself is rounded by: the way to a point of a triangle, by 9u|w| at most, which is no more than
+/// another ε.
 template <class Difference>
 double distance_at_most(Difference& difference, double nearness) {
-  double distance = nearness + 2 * difference.error();
-  for (double radius = 4 * difference.error(); radius < distance; radius *= 4)
+  double distance = std::min(nearness, difference.size()) + 2 * difference.error();
+  for (double radius = 4 * difference.error(); radius < distance && !difference.separation(); radius *= 4)
     if (surrounded(difference, radius).is_origin) distance = radius;
   return distance;
 }

@@ -2,6 +2,7 @@
 #include "core/certified_shapes.hpp"
 
 #include <map>
+#include <stdexcept>
 
 #include "core/certified.hpp"
 #include "tests/catch.hpp"
@@ -22,6 +23,8 @@ struct Blurred {
 };
 Doubt doubt(const Blurred& blurred) { return {gjk::doubt(blurred.points).size + blurred.error, blurred.error}; }
 V near_support(const Blurred& blurred, const V& d) {
+  if (!d.allFinite() || d == V::Zero())
+    throw std::logic_error("a support function is asked along what is no direction");
   const V p = blurred.points.support(d).point;
   if (!blurred.is_off) return p;
   auto& dice = blurred.dice;
@@ -51,6 +54,15 @@ TEST_CASE("C7: a gap of ε separates nothing, a wider one does", "[certified]") 
   REQUIRE(beside_cube(0.25, V(1 + epsilon * (1 + 0x1p-18), 0, 0)).status == apart);
   REQUIRE(beside_cube(0.25, V(0, -1 - epsilon, 0)).status == undecided);
   REQUIRE(beside_cube(0.25, V(0, -1 - epsilon * (1 + 0x1p-18), 0)).status == apart);
+}
+
+TEST_CASE("C7: of points that are known exactly a gap of what is rounded separates nothing, a step more does",
+          "[certified]") {
+  // The cube and a point reach 3 and 1 from the origin: 8u(3 + 1) is 16 steps of the doubles above 1.
+  for (const V& side : {V(1, 0, 0), V(0, -1, 0), V(0, 0, 1)}) {
+    REQUIRE(beside_cube(0, side * (1 + 16 * 0x1p-52)).status == undecided);
+    REQUIRE(beside_cube(0, side * (1 + 17 * 0x1p-52)).status == apart);
+  }
 }
 
 TEST_CASE("C7: the direction separates by more than what is in doubt", "[certified]") {
@@ -144,9 +156,8 @@ TEST_CASE("C9: of points known to a quarter the bound holds for what is no neare
     const ShapesResult result = beside_cube(0.25, V(x, 0.1, -0.2));
     INFO("x " << x << ", gap " << result.gap);
     REQUIRE(result.status == undecided);
-    REQUIRE(result.gap >= std::abs(1 - x));
-    REQUIRE(result.gap >= 0.25);
-    REQUIRE(result.gap <= 1);
+    REQUIRE(result.gap >= std::abs(1 - x) + 2 * 0.25);
+    REQUIRE(result.gap <= std::abs(1 - x) + 2 * 0.25 + 1e-5);
   }
 }
 
@@ -164,6 +175,25 @@ TEST_CASE("C9: a flat difference has a bound, too, and the same point twice has 
   const ShapesResult same = certified_shapes(Turned(point, turned), Turned(point, turned));
   REQUIRE(same.status == undecided);
   REQUIRE(same.gap < 1e-12);
+}
+
+TEST_CASE(
+    "C7: flat shapes in one plane are soon found apart, and no support function is asked along what is no direction",
+    "[certified]") {
+  const auto flat = [](std::vector<V> points, const Eigen::Matrix3d& turned) {
+    for (V& p : points) p = V(turned * p);
+    return Blurred{PointSet<double>(std::move(points)), 0};
+  };
+  Dice dice(14);
+  for (int i = 0; i < 200; ++i) {
+    const V axis(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+    const Eigen::Matrix3d turned = Eigen::AngleAxisd(i == 0 ? 0 : dice.between(0.0, 3.0), axis.normalized()).matrix();
+    const ShapesResult result = certified_shapes(flat({V(0, 0, 0), V(2, 0, 0), V(0, 2, 0)}, turned),
+                                                 flat({V(1.5, 1.5, 0), V(2.5, 1.6, 0), V(1.6, 2.5, 0)}, turned));
+    INFO("turn " << i << ", gap " << result.gap);
+    REQUIRE(result.status == apart);
+    REQUIRE(result.iterations < 200);
+  }
 }
 
 TEST_CASE("C9: where rounding makes the surface run through itself the search ends all the same", "[certified]") {
@@ -249,6 +279,26 @@ TEMPLATE_TEST_CASE("Cylinders in flat contact are decided, rightly, down to gaps
         INFO("pair " << i << ", gap " << signed_gap);
         REQUIRE(certified_shapes<S>(a, b).status == (signed_gap > 0 ? apart : together));
         REQUIRE(certified_shapes<S>(b, a).status == (signed_gap > 0 ? apart : together));
+      }
+    }
+}
+
+TEST_CASE("Parallel cylinders side by side are decided, rightly, however their axis lies", "[certified]") {
+  Dice dice(15);
+  const auto any_direction = [&] {
+    return V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)).normalized();
+  };
+  for (const double gap : {0.3, 0.1, 1e-2, 1e-3, 1e-6, 1e-9})
+    for (int i = 0; i < 200; ++i) {
+      const V axis = any_direction(), across = axis.cross(any_direction()).normalized();
+      const double r = dice.between(0.3, 1.0), other_r = dice.between(0.3, 1.0);
+      const Cylinder<double> can(V(0, 0, 0), axis, r, dice.between(0.5, 2.0));
+      const double other_height = dice.between(0.5, 2.0);
+      for (const double signed_gap : {gap, -gap}) {
+        const V center = (r + other_r + signed_gap) * across + 0.1 * axis;
+        INFO("pair " << i << ", gap " << signed_gap);
+        REQUIRE(certified_shapes(can, Cylinder<double>(center, axis, other_r, other_height)).status ==
+                (signed_gap > 0 ? apart : together));
       }
     }
 }
