@@ -12,7 +12,7 @@ inline constexpr double roundoff_of = std::numeric_limits<S>::epsilon() / 2.0;
 inline constexpr double roundoff = roundoff_of<double>;
 
 /// The number that is meant lies within `error` of `value`. An operation rounds its value by u|value| and its error by less
-/// than 16u of it (five operations at most); what underflow loses is far below 1e-300 (each product at most 2^-1075, and no
+/// than 16u of it (six operations at most); what underflow loses is far below 1e-300 (each product at most 2^-1075, and no
 /// sum). Where something overflows the error is infinite or not a number, and no sign is certain.
 struct Bounded {
   double value = 0, error = 0;

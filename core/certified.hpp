@@ -52,8 +52,9 @@ struct Range<float> {
 ///
 /// s = Σ (r_A + r_B)|d| is as far as points can be along d (r: PointSet::extent()). The scan computes a·d to 3u of its part of
 /// s, so no point lies farther than the one found by more than 6u·s; w = a − b and w·d are off by 4u·s. Together 10u·s;
-/// 16u·s is asked for, since s and this very product are rounded, too. Nine operations may underflow, each by half the least
-/// denormal number; where s is not tiny they are far below the 6u·s left over; and where s is not huge, nothing overflows.
+/// 16u·s is asked for, since s and this very product are rounded, too. Fifteen products may underflow (of the point found and of
+/// one that is farther in both scans, and of w·d), each by half the least denormal number; where s is not tiny they are far below
+/// the 6u·s left over; and where s is not huge, nothing overflows.
 template <class S>
 class DirectionProof {
  public:
