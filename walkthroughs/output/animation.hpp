@@ -1,7 +1,9 @@
 /// All frames as an animated PNG.
 #pragma once
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "walkthroughs/output/sink.hpp"
 
@@ -14,6 +16,7 @@ inline constexpr double last_frame_times = 2;  // how much longer the last frame
 class AnimatedPng : public Sink {
  public:
   AnimatedPng(double seconds, FileWritten written) : seconds_(seconds), written_(std::move(written)) {}
+  std::vector<std::string> files(const Walkthrough&) const override { return {"animation.png"}; }
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
 
  private:

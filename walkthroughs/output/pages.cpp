@@ -110,16 +110,19 @@ bool is_of_others(const fs::path& page) {
   return !beginning.empty() && beginning.find("<meta name=\"generator\" content=\"gjkstep\">") == std::string::npos;
 }
 
-std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin) {
+std::vector<PageOrigin>::const_iterator Pages::origin_of(const Walkthrough& walkthrough) const {
+  return std::ranges::find(origins_, walkthrough.name, &PageOrigin::name);
+}
+
+std::vector<std::string> Pages::files(const Walkthrough& walkthrough) const {
   std::vector<std::string> files{page_file};
-  if (pictures == Pages::Pictures::inside) return files;
   files.insert(files.end(), files_asked_for.begin(), files_asked_for.end());
-  if (origin.option.empty()) files.push_back(trace_file);
+  if (pictures_ == Pictures::beside && origin_of(walkthrough)->option.empty()) files.push_back(trace_file);
   return files;
 }
 
 PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs::path& folder) const {
-  const auto here = std::ranges::find(origins_, walkthrough.name, &PageOrigin::name);
+  const auto here = origin_of(walkthrough);
   const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
   PageSurroundings all;
   all.command = "gjkstep render " + what + (pictures_ == Pictures::inside ? " --page=single" : " --page") + options_;

@@ -33,9 +33,12 @@ class Pages : public Sink {
   Pages(Pictures pictures, std::string options, std::vector<PageOrigin> origins, FileWritten written)
       : pictures_(pictures), options_(std::move(options)), origins_(std::move(origins)), written_(std::move(written)) {}
 
+  std::vector<std::string> files(const Walkthrough& walkthrough) const override;
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
 
  private:
+  /// Requires: the walkthrough is one of the run.
+  std::vector<PageOrigin>::const_iterator origin_of(const Walkthrough& walkthrough) const;
   /// `folder`: that holds one for each walkthrough.
   PageSurroundings surroundings_of(const Walkthrough& walkthrough, const std::filesystem::path& folder) const;
 
@@ -51,8 +54,5 @@ void write_index(const std::filesystem::path& folder);
 
 /// Returns: whether something is written there that is no page of gjkstep.
 bool is_of_others(const std::filesystem::path& page);
-
-/// Returns: the names of the files that may be written beside the pictures of a walkthrough of that origin.
-std::vector<std::string> files_of_page(Pages::Pictures pictures, const PageOrigin& origin);
 
 }  // namespace walkthroughs

@@ -1,7 +1,9 @@
 /// All frames in one picture, as on a contact sheet.
 #pragma once
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "walkthroughs/output/sink.hpp"
 
@@ -32,6 +34,7 @@ SheetLayout sheet_layout(int count, const Output& output);
 class Sheet : public Sink {
  public:
   explicit Sheet(FileWritten written) : written_(std::move(written)) {}
+  std::vector<std::string> files(const Walkthrough&) const override { return {"sheet.png"}; }
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
 
  private:

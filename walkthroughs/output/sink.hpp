@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "walkthroughs/output/renderer.hpp"
 
@@ -15,6 +17,10 @@ using FileWritten = std::function<void(const std::filesystem::path& file, const 
 class Sink {
  public:
   virtual ~Sink() = default;
+
+  /// Returns: the names of what this format writes, and may remove, in the folder of a walkthrough; where how many there
+  /// will be shows later, such as *.png for all with that ending.
+  virtual std::vector<std::string> files(const Walkthrough& walkthrough) const = 0;
 
   /// Asks `renderer` for what this format makes of a story, behind all that was asked for before: formats may read the files
   /// of those that were given the story before them. Errors: those of Renderer.

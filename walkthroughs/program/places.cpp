@@ -3,7 +3,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <map>
+#include <string_view>
 #include <system_error>
 
 #include "walkthroughs/program/exit_code.hpp"
@@ -41,8 +43,10 @@ fs::path resolved_but_for_last(const fs::path& path) {
   return is_name ? resolved(path.has_parent_path() ? path.parent_path() : ".") / last : resolved(path);
 }
 
-bool is_named_as_picture(const fs::path& file) {
-  return file.extension() == ".png" || file.extension() == ".mp4" || file.extension() == ".gif";
+bool is_one_of(const std::vector<std::string>& names, const std::string& file) {
+  return std::ranges::any_of(names, [&file](const std::string_view name) {
+    return name.starts_with('*') ? file.ends_with(name.substr(1)) : file == name;
+  });
 }
 
 [[noreturn]] void refuse(const std::string& one, const std::string& other, const fs::path& where) {
@@ -68,8 +72,8 @@ void Places::add(std::vector<Place>& places, const fs::path& file, const std::st
 void Places::read(const fs::path& file, const std::string& what) { add(read_, file, what); }
 void Places::write(const fs::path& file, const std::string& what) { add(written_, file, what); }
 
-void Places::write_pictures(const fs::path& folder, const std::string& what) {
-  pictures_.emplace_back(resolved(folder), what);
+void Places::write_into(const fs::path& folder, const std::vector<std::string>& names, const std::string& what) {
+  folders_.push_back({resolved(folder), names, what});
 }
 
 void Places::read_standard_input() {
@@ -81,20 +85,23 @@ void Places::write_standard_output() {
 }
 
 void Places::expect_apart() const {
-  std::map<fs::path, std::string> pictures, folders, files;
+  std::map<fs::path, const Folder*> written_into;
+  std::map<fs::path, std::string> folders, files;
   const auto add_folders = [&](fs::path folder, const std::string& what) {
     while (folders.emplace(folder, what).second && folder.has_relative_path()) folder = folder.parent_path();
   };
-  for (const auto& [place, what] : pictures_) {
-    if (const auto [there, is_new] = pictures.emplace(place, what); !is_new) refuse(there->second, what, place);
-    add_folders(place, what);
+  for (const Folder& folder : folders_) {
+    const auto [there, is_new] = written_into.emplace(folder.place, &folder);
+    if (!is_new) refuse(there->second->what, folder.what, folder.place);
+    add_folders(folder.place, folder.what);
   }
   for (const auto& [place, what] : written_) add_folders(place.parent_path(), what);
-  const auto expect_no_picture = [&](const fs::path& place, const std::string& what) {
-    const auto there = pictures.find(place.parent_path());
-    if (there != pictures.end() && is_named_as_picture(place)) refuse(what, there->second, place);
+  const auto expect_not_written_into = [&](const fs::path& place, const std::string& what) {
+    const auto there = written_into.find(place.parent_path());
+    if (there != written_into.end() && is_one_of(there->second->names, place.filename().string()))
+      refuse(what, there->second->what, place);
   };
-  for (const auto& [folder, what] : folders) expect_no_picture(folder, what);
+  for (const auto& [folder, what] : folders) expect_not_written_into(folder, what);
   const auto expect_no_folder = [&](const fs::path& place, const std::string& what) {
     if (const auto there = folders.find(place); there != folders.end()) refuse(what, there->second, place);
   };
@@ -102,7 +109,7 @@ void Places::expect_apart() const {
   for (const auto& [place, what] : written_)
     if (const auto [there, is_new] = files.emplace(place, what); !is_new) refuse(what, there->second, place);
   for (const auto& [place, what] : files) {
-    expect_no_picture(place, what);
+    expect_not_written_into(place, what);
     expect_no_folder(place, what);
   }
 }

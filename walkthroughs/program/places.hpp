@@ -17,8 +17,9 @@ class Places {
   void read(const std::filesystem::path& file, const std::string& what);
   /// A file that is written.
   void write(const std::filesystem::path& file, const std::string& what);
-  /// A folder in which pictures are written: nothing else of the run may be a picture or a film there (.png, .mp4, .gif).
-  void write_pictures(const std::filesystem::path& folder, const std::string& what);
+  /// A folder in which files of those names are written, *.png being all with that ending: nothing else of the run may be
+  /// one of them there.
+  void write_into(const std::filesystem::path& folder, const std::vector<std::string>& names, const std::string& what);
   /// Standard input, or standard output, where it is a file.
   void read_standard_input();
   void write_standard_output();
@@ -28,10 +29,16 @@ class Places {
 
  private:
   using Place = std::pair<std::filesystem::path, std::string>;  // and what is there
+  struct Folder {
+    std::filesystem::path place;
+    std::vector<std::string> names;
+    std::string what;
+  };
 
   static void add(std::vector<Place>& places, const std::filesystem::path& file, const std::string& what);
 
-  std::vector<Place> read_, written_, pictures_;
+  std::vector<Place> read_, written_;
+  std::vector<Folder> folders_;
 };
 
 }  // namespace walkthroughs

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <deque>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -102,11 +103,11 @@ class Rendering {
     const Output output = checked_output();
     const Selection selection = select();
     expect_chosen_frames(selection);
-    expect_apart(selection, output.folder);
-    expect_writable_captions(selection, output.folder);
-    if (is_asked_for_pages()) expect_writable_index(output.folder);
     Written written;  // before the renderer, which writes what it was given even when it goes early
     const Sinks sinks = sinks_for(selection, written);
+    expect_apart(selection, sinks, output.folder);
+    expect_writable_captions(selection, output.folder);
+    if (is_asked_for_pages()) expect_writable_index(output.folder);
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
@@ -206,23 +207,28 @@ class Rendering {
     return selection;
   }
 
-  void expect_apart(const Selection& selection, const std::filesystem::path& folder) const {
+  /// With films, which the reader may have made of the pictures.
+  static std::vector<std::string> files_of(const Walkthrough& walkthrough, const Sinks& sinks) {
+    std::vector<std::string> files{"*.mp4", "*.gif"};
+    for (const std::unique_ptr<Sink>& sink : sinks)
+      std::ranges::copy(sink->files(walkthrough), std::back_inserter(files));
+    return files;
+  }
+
+  void expect_apart(const Selection& selection, const Sinks& sinks, const std::filesystem::path& folder) const {
     Places places;
     for (const std::string& name : command_.names)
       if (is_scene_file(name)) places.read(name, "the scene file " + name);
     for (const std::string& file : command_.traces) places.read(file, "the trace " + file);
     for (const Selection::Chosen& each : selection.chosen())
-      places.write_pictures(folder / each.walkthrough->name, "the pictures of " + each.walkthrough->name);
+      places.write_into(folder / each.walkthrough->name, files_of(*each.walkthrough, sinks),
+                        "the pictures of " + each.walkthrough->name);
     if (command_.rendered_by) places.write(folder / render::rendered_by_file, "what --rendered-by notes");
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
     if (is_asked_for_pages()) {
       places.write(folder / page_file, "the page over all walkthroughs");
       places.write(folder / compare_file, "the page that compares two");
     }
-    for (const Selection::Chosen& each : selection.chosen())
-      if (is_asked_for_pages())
-        for (const std::string& file : files_of_page(pictures_of_pages(), each.origin))
-          places.write(folder / each.walkthrough->name / file, "the page of " + each.walkthrough->name);
     places.write_standard_output();
     places.expect_apart();
   }

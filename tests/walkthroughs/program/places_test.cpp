@@ -18,7 +18,7 @@ namespace {
 /// Whether what is written to `file` would be refused beside the pictures in `folder`.
 bool is_refused(const fs::path& folder, const fs::path& file) {
   Places places;
-  places.write_pictures(folder, "the pictures");
+  places.write_into(folder, {"*.png", "sheet.pdf"}, "the pictures");
   places.write(file, "the captions");
   try {
     places.expect_apart();
@@ -34,13 +34,13 @@ bool is_refused(const fs::path& folder, const fs::path& file) {
 
 TEST_CASE(
     "Where pictures are written nothing else may be named as one, and nothing may take the place of the folders") {
-  for (const char* file : {"out/a/000.png", "out/a/999-turn-2.png", "out/a/strip.png", "out/a/animation.mp4",
-                           "out/a/animation.gif", "out/a", "out", "./out/b/../a/000.png", "out//a/./000.png"}) {
+  for (const char* file : {"out/a/000.png", "out/a/999-turn-2.png", "out/a/strip.png", "out/a/sheet.pdf",
+                           "out/a/sheet.pdf/b", "out/a", "out", "./out/b/../a/000.png", "out//a/./000.png"}) {
     INFO(file);
     CHECK(is_refused("out/a", file));
   }
-  for (const char* file : {"captions.json", "out/captions.json", "out/a/captions.json", "out/000.png", "out/b/000.png",
-                           "out/a/b/000.png", "ou", "out/aa"}) {
+  for (const char* file : {"captions.json", "out/captions.json", "out/a/captions.json", "out/000.png",
+                           "out/a/my-sheet.pdf", "out/b/000.png", "out/a/b/000.png", "ou", "out/aa"}) {
     INFO(file);
     CHECK_FALSE(is_refused("out/a", file));
   }
@@ -93,9 +93,9 @@ TEST_CASE("Two files, two folders of pictures, or a file and the folder of anoth
   expect_refused([](Places& p) { p.write("a", "one"), p.write("./a", "two"); });
   expect_refused([](Places& p) { p.write("a", "one"), p.write("a/b", "two"); });
   expect_refused([](Places& p) { p.read("a", "one"), p.write("a/b", "two"); });
-  expect_refused([](Places& p) { p.write_pictures("a", "one"), p.write_pictures("b/../a", "two"); });
-  expect_refused([](Places& p) { p.write_pictures("a", "one"), p.write_pictures("a/b.png", "two"); });
-  expect_refused([](Places& p) { p.read("a/000.png", "one"), p.write_pictures("a", "two"); });
+  expect_refused([](Places& p) { p.write_into("a", {}, "one"), p.write_into("b/../a", {}, "two"); });
+  expect_refused([](Places& p) { p.write_into("a", {"*.png"}, "one"), p.write_into("a/b.png", {}, "two"); });
+  expect_refused([](Places& p) { p.read("a/000.png", "one"), p.write_into("a", {"*.png"}, "two"); });
 }
 
 TEST_CASE(
@@ -121,6 +121,37 @@ TEST_CASE(
   expect_refused("--from-trace " + quoted(root + "/t"), "/t");
   expect_refused("figure-5", "/log", {.out = root + "/log", .err = ""});
   CHECK(bytes_of(root + "/s.json") == before);
+}
+
+TEST_CASE("Captions in the place of any file that any format writes are exit code 2, and the file stays") {
+  const Folder folder;
+  const std::string root = folder.path().string(), scene = quoted(scene_file(folder.path() / "s.json").string());
+  for (const std::string formats : {"--sheet=a4 --page", "--sheet --page=single"}) {
+    const std::string command = "render " + scene + " --strip --apng --rendered-by --turn 1 " + formats + " --out " +
+                                quoted(root + "/out") + " --captions ";
+    REQUIRE(run(command + quoted(root + "/captions.json")).exit_code == 0);
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root + "/out")) {
+      if (!entry.is_regular_file()) continue;
+      ++files;
+      const std::string before = bytes_of(entry.path());
+      check_failure(command + quoted(entry.path().string()), 2, {"--captions", entry.path().string()});
+      CHECK(bytes_of(entry.path()) == before);
+    }
+    CHECK(files > 5);
+    fs::remove_all(root + "/out");
+  }
+}
+
+TEST_CASE("The sheets of an earlier run are exit code 2 where they are the trace that is read, or the output") {
+  const Folder folder;
+  const std::string root = folder.path().string(), pdf = root + "/figure-5/sheet.pdf";
+  fs::create_directories(folder.path() / "figure-5");
+  REQUIRE(run("trace figure-5", "", {.out = pdf, .err = ""}).exit_code == 0);
+  const std::string before = bytes_of(pdf), sheets = " --sheet=a4 --out " + quoted(root);
+  check_failure("render --from-trace " + quoted(pdf) + sheets, 2, {"the trace ", pdf});
+  CHECK(bytes_of(pdf) == before);
+  CHECK(run("render figure-5" + sheets, "", {.out = pdf, .err = ""}).exit_code == 2);
 }
 
 TEST_CASE("Two walkthroughs whose folders are one, by a link, are exit code 2 before a picture") {
