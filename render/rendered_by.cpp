@@ -9,6 +9,7 @@
 
 #include "render/file.hpp"
 #include "render/font.hpp"
+#include "render/json_text.hpp"
 
 namespace render {
 namespace {
@@ -93,7 +94,7 @@ RenderedBy rendered_by(const OffscreenContext& context, const fs::path& fonts) {
 std::string rendered_by_json(const RenderedBy& notes) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const auto& [key, value] : notes) json[key] = value;
-  return json.dump(2) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 }  // namespace render

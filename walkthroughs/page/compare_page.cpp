@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/html.hpp"
+#include "render/json_text.hpp"
 #include "walkthroughs/page/templates.hpp"
 
 namespace walkthroughs {
@@ -25,7 +26,7 @@ std::string compare_html(const std::vector<IndexEntry>& entries) {
   }
   return filled(templates::compare_html,
                 {{"options", options},
-                 {"data", json_for_html(data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))},
+                 {"data", json_for_html(render::json_text(data))},
                  {"css", std::string(templates::colors_css) + std::string(templates::page_css) +
                              std::string(templates::compare_css)},
                  {"js", std::string(templates::compare_js)}});

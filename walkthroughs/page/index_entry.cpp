@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/html.hpp"
+#include "render/json_text.hpp"
 #include "walkthroughs/page/templates.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
@@ -91,7 +92,7 @@ std::string entry_json(const IndexEntry& entry) {
                      {"picture", entry.picture},
                      {"cut", entry.cut},
                      {"is_dark", entry.is_dark}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return render::json_text(json);
 }
 
 std::string entry_element(const IndexEntry& entry) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "render/html.hpp"
+#include "render/json_text.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/page/index_entry.hpp"
 #include "walkthroughs/page/questions.hpp"
@@ -219,9 +220,7 @@ Json questions(const Story& story, const PageSurroundings& surroundings, Texts& 
 }
 
 /// Returns: JSON that may stand in a script.
-std::string script_text(const Json& json) {
-  return json_for_html(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
+std::string script_text(const Json& json) { return json_for_html(render::json_text(json)); }
 
 std::string data(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
   Listings listings;

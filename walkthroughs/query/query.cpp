@@ -5,6 +5,7 @@
 
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
+#include "render/json_text.hpp"
 #include "walkthroughs/query/query_certified.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_object.hpp"
@@ -37,7 +38,7 @@ void answer(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
 void write_error(const std::string& reason, std::size_t line_number, std::string& out) {
   using Json = nlohmann::ordered_json;
   // What was read may be in the reason, and need not be UTF-8.
-  out += Json{{"error", reason}, {"line", line_number}}.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  out += render::json_text(Json{{"error", reason}, {"line", line_number}}) + "\n";
 }
 
 void write_too_long(std::size_t line_number, std::string& out) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "render/json_text.hpp"
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/words.hpp"
@@ -137,7 +138,8 @@ std::string alternative_text(const Story& story, std::size_t index) {
 std::string captions_json(const std::vector<FrameFile>& frames) {
   Json list = Json::array();
   for (const FrameFile& frame : frames) list.push_back(json(frame));
-  return Json{{"schema", "gjkstep-captions"}, {"version", captions_version}, {"frames", list}}.dump(2) + "\n";
+  const Json all = {{"schema", "gjkstep-captions"}, {"version", captions_version}, {"frames", list}};
+  return render::json_text(all, 2) + "\n";
 }
 
 }  // namespace walkthroughs

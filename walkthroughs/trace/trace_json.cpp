@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "render/json_text.hpp"
 #include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/model/words_of.hpp"
@@ -176,7 +177,7 @@ Json json(const gjk::Event<double>& event) {
 
 }  // namespace
 
-std::string event_json(const gjk::Event<double>& event) { return json(event).dump(); }
+std::string event_json(const gjk::Event<double>& event) { return render::json_text(json(event)); }
 
 void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
   std::vector<Trace> traces;
@@ -192,12 +193,12 @@ std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>
               {"presentation", presentation(walkthrough, remarks_of(walkthrough, traces))},
               {"scenes", Json::array()}};
   for (const Scene& scene : walkthrough.scenes) header["scenes"].push_back(json(scene));
-  std::string lines = header.dump() + '\n';
+  std::string lines = render::json_text(header) + '\n';
   for (std::size_t s = 0; s < traces.size(); ++s) {
     for (const gjk::Event<double>& event : traces[s].events) {
       Json line{{"scene", walkthrough.scenes[s].name}};
       line.update(json(event));
-      lines += line.dump() + '\n';
+      lines += render::json_text(line) + '\n';
     }
   }
   return lines;
