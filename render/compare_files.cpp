@@ -6,6 +6,8 @@
 #include <new>
 #include <system_error>
 
+#include "render/limits.hpp"
+
 namespace render {
 namespace {
 
@@ -70,7 +72,7 @@ class Walk {
     std::error_code unknown;
     const bool is_folder = entry.is_directory(unknown), leads_nowhere = !is_folder && !entry.exists(unknown);
     const fs::path& path = entry.path();
-    const bool listed = is_folder ? bool(enter(path)) : is_picture(path) || (leads_nowhere && !path.has_extension());
+    const bool listed = is_folder ? bool(enter(path)) : leads_nowhere || is_picture(path);
     if (listed) names_.push_back(path.lexically_relative(root_).generic_string());
   }
 
@@ -94,7 +96,7 @@ Image read_picture(const fs::path& path) {
   try {
     return read_png(path);
   } catch (const std::bad_alloc&) {
-    throw ReadError("cannot read " + path.string() + ": not enough memory; compare smaller pictures");
+    throw ReadError("cannot read " + path.string() + ": not enough memory; compare smaller pictures" + memory_limit());
   }
 }
 

@@ -21,7 +21,7 @@ struct FilePair {
 
 /// Returns: the names of all *.png (or *.PNG) in `folder` and below, relative to it, sorted. Links are followed. Nothing
 /// that may hold pictures is left out: whatever else has such a name, a folder that cannot be read, a link that leads back
-/// to a folder around it, and one that leads nowhere and may have led to a folder are listed, and found unreadable when
+/// to a folder around it, and one that leads nowhere, which may have led to a folder, are listed, and found unreadable when
 /// they are compared.
 /// Errors: ReadError where `folder` itself cannot be read, or where it takes more than 1,000 links, as folders of links
 /// to folders of links do.

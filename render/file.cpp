@@ -124,13 +124,12 @@ class OldFile {
 
   /// Returns: all bytes. It may have grown since its size was asked for, and files of /proc do not tell theirs.
   std::vector<std::uint8_t> read(std::uintmax_t most) const {
-    std::vector<std::uint8_t> bytes(size(most) + 1);  // one more, to see the end
+    if (size() > most) fail_too_large(most);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size()) + 1);  // one more, to see the end
     for (std::size_t count = 0;;) {
       if (count == bytes.size()) bytes.resize(count + (1 << 16));
-      const ssize_t more = ::read(descriptor_, bytes.data() + count, bytes.size() - count);
-      if (more < 0 && errno == EINTR) continue;
-      if (more < 0) fail_of_disk();
-      count += static_cast<std::size_t>(more);
+      const std::size_t more = read_into(std::span(bytes).subspan(count));
+      count += more;
       if (count > most) fail_too_large(most);
       if (more > 0) continue;
       bytes.resize(count);
@@ -138,14 +137,32 @@ class OldFile {
     }
   }
 
+  /// Returns: the first bytes, `most` of them at most.
+  std::vector<std::uint8_t> read_beginning(std::size_t most) const {
+    size();  // which no pipe has
+    std::vector<std::uint8_t> bytes(most);
+    std::size_t count = 0;
+    for (std::size_t more = 1; more > 0 && count < most; count += more)
+      more = read_into(std::span(bytes).subspan(count));
+    bytes.resize(count);
+    return bytes;
+  }
+
  private:
-  std::size_t size(std::uintmax_t most) const {
+  /// Returns: how many bytes there were; 0 at the end.
+  std::size_t read_into(std::span<std::uint8_t> bytes) const {
+    while (true) {
+      const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+      if (count >= 0) return static_cast<std::size_t>(count);
+      if (errno != EINTR) fail_of_disk();
+    }
+  }
+  std::uintmax_t size() const {
     struct stat status;
     if (::fstat(descriptor_, &status) != 0) fail_of_disk();
     if (!S_ISREG(status.st_mode))
       fail(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file", "put a file in its place");
-    if (static_cast<std::uintmax_t>(status.st_size) > most) fail_too_large(most);
-    return static_cast<std::size_t>(status.st_size);
+    return static_cast<std::uintmax_t>(status.st_size);
   }
   [[noreturn]] void fail_of_disk() const { fail(reason(errno), "check the disk"); }
   [[noreturn]] void fail_too_large(std::uintmax_t most) const {
@@ -191,5 +208,9 @@ void make_folder(const fs::path& folder, const std::string& what_to_do) {
 }
 
 std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t most) { return OldFile(path).read(most); }
+
+std::vector<std::uint8_t> read_beginning(const fs::path& path, std::size_t most) {
+  return OldFile(path).read_beginning(most);
+}
 
 }  // namespace render

@@ -1,6 +1,7 @@
 /// Whole files in, whole files out.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -42,5 +43,8 @@ void make_folder(const std::filesystem::path& folder, const std::string& what_to
 /// Errors: ReadError, also where `path` is no regular file, such as a pipe or a device, which may never end, and where it
 /// is larger than `most` bytes. Reads no more, and waits for nobody.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uintmax_t most = max_file_bytes);
+
+/// Returns: the first bytes of the file, `most` of them at most. Errors: ReadError, also where it is no regular file.
+std::vector<std::uint8_t> read_beginning(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace render

@@ -7,6 +7,8 @@
 #include <csetjmp>
 #include <new>
 #include <optional>
+#include <system_error>
+#include <variant>
 
 #include "render/png_chunk.hpp"
 
@@ -123,20 +125,68 @@ std::optional<Fault> fault_after(const Header& header, std::span<const std::uint
   return Fault{"it is cut off: its end is missing"};
 }
 
-/// Looks at the file as a whole, before libpng decodes it, which stops where the last pixel is.
-std::optional<Fault> fault_of(std::span<const std::uint8_t> png) {
+/// Takes the signature and the header off the front of `png`. Returns: the header, or what is wrong with either.
+std::variant<Header, Fault> take_header(std::span<const std::uint8_t>& png) {
   if (png.empty()) return Fault{"it is empty"};
   const std::size_t begin = std::min(png.size(), png_signature.size());
   if (!std::ranges::equal(png.first(begin), std::span(png_signature).first(begin)))
     return Fault{"it is not a PNG file"};
-  std::span<const std::uint8_t> rest = png.subspan(begin);
-  const std::optional<PngChunk> first = take_png_chunk(rest);
+  png = png.subspan(begin);
+  const std::optional<PngChunk> first = take_png_chunk(png);
   if (!first) return Fault{"it is cut off: its end is missing"};
   const std::optional<Header> header = header_of(*first);
   if (!header) return Fault{"it is damaged: its header is wrong"};
   if (is_too_large(header->width, header->height))
     return Fault{too_large(header->width, header->height), "compare smaller pictures"};
-  return fault_after(*header, rest);
+  return *header;
+}
+
+/// Looks at the file as a whole, before libpng decodes it, which stops where the last pixel is.
+std::optional<Fault> fault_of(std::span<const std::uint8_t> png) {
+  const std::variant<Header, Fault> first = take_header(png);
+  if (const Fault* fault = std::get_if<Fault>(&first)) return *fault;
+  return fault_after(std::get<Header>(first), png);
+}
+
+[[noreturn]] void fail_reading(const std::string& name, const Fault& fault) {
+  throw ReadError("cannot read " + name + ": " + fault.what + "; " + fault.what_to_do);
+}
+
+/// Returns: how many pictures an animation says that it has, ahead of the first; 1 where it is none.
+std::uint32_t pictures_in(std::span<const std::uint8_t> after_header) {
+  while (const std::optional<PngChunk> chunk = take_png_chunk(after_header)) {
+    if (chunk->type == "acTL" && chunk->data.size() == 8) return std::max(get_32(chunk->data), 1u);
+    if (chunk->type == "IDAT") break;
+  }
+  return 1;
+}
+
+/// Returns: what a file of so many such pictures may need: its pixels twice, which even many small chunks of data that cannot
+/// be compressed do not take, four bytes a row for filters and for what interlacing adds, and notes such as colour profiles.
+std::uintmax_t most_bytes(const Header& header, std::uint32_t pictures) {
+  constexpr std::uintmax_t notes = std::uintmax_t{64} << 20;
+  const std::uintmax_t row = std::uintmax_t{header.width} * header.bits / 8 + 4;
+  const std::uintmax_t picture = std::max<std::uintmax_t>(2 * row * header.height, 1);
+  const std::uintmax_t enough = max_file_bytes / picture + 1;  // pictures, to stay within the range
+  return std::min(max_file_bytes, picture * std::min<std::uintmax_t>(pictures, enough) + notes);
+}
+
+/// Looks at the beginning of the file only. Returns: how many bytes it may have. Errors: ReadError where it has more.
+std::uintmax_t most_bytes_of(const std::filesystem::path& path) {
+  constexpr std::size_t beginning = 1 << 16;
+  const std::vector<std::uint8_t> bytes = read_beginning(path, beginning);
+  std::span<const std::uint8_t> rest = bytes;
+  const std::variant<Header, Fault> first = take_header(rest);
+  if (const Fault* fault = std::get_if<Fault>(&first)) fail_reading(path.string(), *fault);
+  const Header& header = std::get<Header>(first);
+  const std::uintmax_t most = most_bytes(header, pictures_in(rest));
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size > most)
+    fail_reading(path.string(),
+                 {"it has " + std::to_string(size >> 20) + " MiB, and its " + std::to_string(header.width) + "x" +
+                  std::to_string(header.height) + " pixels need " + std::to_string(most >> 20) + " MiB at most"});
+  return most;
 }
 
 /// libpng's simplified reader: converts every kind of PNG, and returns errors instead of jumping.
@@ -231,13 +281,12 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
 }
 
 Image decode_png(std::span<const std::uint8_t> png, const std::string& name) {
-  const auto fail = [&](const Fault& fault) {
-    throw ReadError("cannot read " + name + ": " + fault.what + "; " + fault.what_to_do);
-  };
-  if (const std::optional<Fault> fault = fault_of(png)) fail(*fault);
+  if (const std::optional<Fault> fault = fault_of(png)) fail_reading(name, *fault);
   PngReader reader;
   png_image& header = reader.header;
-  const auto damaged = [&] { fail({std::string("it cannot be decoded: libpng says: ") + header.message}); };
+  const auto damaged = [&] {
+    fail_reading(name, {std::string("it cannot be decoded: libpng says: ") + header.message});
+  };
   if (png_image_begin_read_from_memory(&header, png.data(), png.size()) == 0) damaged();
 
   Image image({static_cast<int>(header.width), static_cast<int>(header.height)});
@@ -250,6 +299,8 @@ Image decode_png(std::span<const std::uint8_t> png, const std::string& name) {
   return image;
 }
 
-Image read_png(const std::filesystem::path& path) { return decode_png(read_file(path), path.string()); }
+Image read_png(const std::filesystem::path& path) {
+  return decode_png(read_file(path, most_bytes_of(path)), path.string());
+}
 
 }  // namespace render

@@ -107,15 +107,20 @@ TEST_CASE("Links to folders of links cannot make a walk without end") {
   CHECK_THROWS_AS(pictures_in(folders.root / "0"), ReadError);
 }
 
-TEST_CASE("A folder that cannot be entered and a link that leads nowhere are told, and notes are not") {
+TEST_CASE("A link that leads nowhere is told whatever its name is, as it may have led to a folder") {
   const Folders folders;
   for (const fs::path& side : {folders.expected, folders.actual}) {
     draw(side / "a.png", {1, 2, 3});
     fs::create_symlink("gone", side / "link");
     fs::create_symlink("round", side / "round");
-    fs::create_symlink("gone.txt", side / "notes.txt");
+    fs::create_symlink("/gone/sub", side / "figures.old");
+    fs::create_symlink("self.v2", side / "self.v2");
+    write(side / "notes.txt", "no picture");
+    fs::create_symlink("notes.txt", side / "linked-notes.txt");
   }
-  CHECK(verdicts(folders) == std::vector{Verdict::same, Verdict::unreadable, Verdict::unreadable});
+  CHECK(pictures_in(folders.actual) == std::vector<std::string>{"a.png", "figures.old", "link", "round", "self.v2"});
+  CHECK(verdicts(folders) ==
+        std::vector{Verdict::same, Verdict::unreadable, Verdict::unreadable, Verdict::unreadable, Verdict::unreadable});
 }
 
 TEST_CASE("A folder that may not be read is told by its name, and the other pictures are compared") {

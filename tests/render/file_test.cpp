@@ -191,6 +191,17 @@ TEST_CASE("A file of so many bytes is read, and one of one more is not") {
   CHECK(read_file(folder.path / "empty", 0).empty());
 }
 
+TEST_CASE("Of a file its first bytes are read, and of a pipe none") {
+  const Folder folder;
+  write_file(folder.path / "file", bytes);
+  const auto begin = bytes.begin();
+  CHECK(read_beginning(folder.path / "file", 3) == std::vector<std::uint8_t>(begin, begin + 3));
+  CHECK(read_beginning(folder.path / "file", bytes.size()) == bytes);
+  CHECK(read_beginning(folder.path / "file", bytes.size() + 9) == bytes);
+  REQUIRE(mkfifo((folder.path / "pipe").c_str(), 0600) == 0);
+  CHECK_THROWS_AS(read_beginning(folder.path / "pipe", 3), ReadError);
+}
+
 TEST_CASE("A file that does not tell its size is read whole, and no more of it than allowed") {
   if (!fs::exists("/proc/self/status")) {
     WARN("skipped: no /proc");

@@ -219,6 +219,29 @@ TEST_CASE("reading: missing, a folder, empty, not a PNG") {
   }
 }
 
+TEST_CASE("reading: a file larger than its pixels can need is refused without being read, an animation has more") {
+  const Folder folder;
+  const fs::path path = folder.path / "a.png";
+  const auto stored = [&](const std::string& bytes, std::uintmax_t size) {
+    store(path, bytes);
+    fs::resize_file(path, size);  // with a hole, which takes no room
+    return error_of_reading(path);
+  };
+  const std::uintmax_t mebi = 1 << 20;
+  write_png(path, gradient({30, 20}), {});
+  const std::string whole = bytes_of(path), header = whole.substr(0, 33), rest = whole.substr(33);
+  REQUIRE(stored(whole, 60 * mebi).empty());
+  REQUIRE(stored(whole, 1000 * mebi) == "cannot read " + path.string() +
+                                            ": it has 1000 MiB, and its 30x20 pixels need 64 MiB at most; replace it "
+                                            "with an undamaged PNG file");
+  const auto animated = [&](std::uint32_t pictures) {
+    return header + chunk("acTL", big_endian(pictures) + big_endian(0)) + rest;
+  };
+  REQUIRE(stored(animated(1), 80 * mebi).find("need 64 MiB at most") != std::string::npos);
+  REQUIRE(stored(animated(10'000), 80 * mebi).empty());
+  REQUIRE(stored("no picture", 1000 * mebi).find("it is not a PNG file") != std::string::npos);
+}
+
 TEST_CASE("a PNG that is cut off anywhere is told so, also where all pixels are there") {
   const std::vector<std::uint8_t> whole = encode_png(gradient({30, 30}), {"title", ""});
   for (std::size_t size = 1; size < whole.size(); ++size) {
