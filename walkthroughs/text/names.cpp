@@ -22,7 +22,7 @@ bool is_blank(char32_t c) {
 /// Letters of all scripts, and what no shell and no page takes for anything else.
 bool may_begin_a_name(char32_t c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' || c == '-' ||
-         (c >= 0x80 && is_printable(c) && !is_blank(c));
+         (c >= 0x80 && is_part_of_words(c) && !is_blank(c));
 }
 
 bool may_be_in_a_name(char32_t c) { return may_begin_a_name(c) || c == '.'; }
@@ -39,7 +39,7 @@ std::string objection_to_words(std::string_view text, std::size_t longest) {
   const std::u32string points = code_points(text);
   if (std::ranges::all_of(points, [](char32_t c) { return c == U' '; }))
     return "is empty; write something, or leave the key out";
-  if (const auto hidden = std::ranges::find_if_not(points, is_printable); hidden != points.end())
+  if (const auto hidden = std::ranges::find_if_not(points, is_part_of_words); hidden != points.end())
     return "has " + code_point_name(*hidden) + ", which cannot be shown; leave it out";
   if (points.size() > longest)
     return "has " + std::to_string(points.size()) + " characters; shorten it to " + std::to_string(longest);
@@ -83,7 +83,7 @@ std::string title_from_file(const std::string& file_name) {
     rest.remove_prefix(letter.bytes.size());
     const bool divides = letter.code_point == U'_' || letter.code_point == U' ';
     if (divides && (title.empty() || title.ends_with(' '))) continue;
-    const bool can_be_shown = letter.is_well_formed && is_printable(letter.code_point);
+    const bool can_be_shown = letter.is_well_formed && is_part_of_words(letter.code_point);
     title += divides ? " " : can_be_shown ? std::string(letter.bytes) : "-";
     ++length;
   }

@@ -1,18 +1,42 @@
 #include "walkthroughs/text/printable.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <span>
 
 #include "render/utf8.hpp"
 
 namespace walkthroughs {
 namespace {
 
+struct Range {
+  char32_t first, last;
+};
+
+/// What is seen only by what it does to the letters around it: joiners and selectors of variants.
+constexpr Range shaping[] = {{0x034F, 0x034F}, {0x180B, 0x180D}, {0x180F, 0x180F},
+                             {0x200C, 0x200D}, {0xFE00, 0xFE0F}, {0xE0100, 0xE01EF}};
+
+/// The rest of what Unicode calls Default_Ignorable_Code_Point, of its categories Cc, Zl, Zp and, but for Arabic and Kaithi signs
+/// that are drawn, Cf, and of the code points that are no characters but for the two at the end of each plane.
+/// https://www.unicode.org/Public/16.0.0/ucd/DerivedCoreProperties.txt
+constexpr Range never_seen[] = {
+    {0x0000, 0x001F},   {0x007F, 0x009F},   {0x00AD, 0x00AD},   {0x061C, 0x061C},  {0x070F, 0x070F}, {0x115F, 0x1160},
+    {0x17B4, 0x17B5},   {0x180E, 0x180E},   {0x200B, 0x200B},   {0x200E, 0x200F},  {0x2028, 0x202E}, {0x2060, 0x206F},
+    {0x3164, 0x3164},   {0xFDD0, 0xFDEF},   {0xFEFF, 0xFEFF},   {0xFFA0, 0xFFA0},  {0xFFF0, 0xFFFB}, {0x13430, 0x1343F},
+    {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0xE00FF}, {0xE01F0, 0xE0FFF}};
+
+bool is_in(std::span<const Range> ranges, char32_t c) {
+  return std::ranges::any_of(ranges, [c](const Range& range) { return range.first <= c && c <= range.last; });
+}
+
 std::string escape(const render::Letter& letter) {
   char text[16];
   if (letter.code_point < 0x80 || !letter.is_well_formed)
     std::snprintf(text, sizeof text, "\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(letter.bytes[0])));
   else
-    std::snprintf(text, sizeof text, "\\u%04x", static_cast<unsigned>(letter.code_point));
+    std::snprintf(text, sizeof text, letter.code_point < 0x10000 ? "\\u%04x" : "\\U%08x",
+                  static_cast<unsigned>(letter.code_point));
   return text;
 }
 
@@ -40,13 +64,9 @@ std::u32string code_points(std::string_view text) {
   return points;
 }
 
-bool is_printable(char32_t c) {
-  const bool control = c < 0x20 || (0x7F <= c && c < 0xA0);
-  const bool turns_or_breaks_lines = (0x200E <= c && c <= 0x200F) || (0x2028 <= c && c <= 0x202E) ||
-                                     (0x2066 <= c && c <= 0x2069) || c == 0x061C || c == 0xFEFF;
-  const bool cannot_be_seen = c == 0x00AD || c == 0x200B || (0x2060 <= c && c <= 0x2064);
-  return !control && !turns_or_breaks_lines && !cannot_be_seen;
-}
+bool is_printable(char32_t c) { return !is_in(never_seen, c) && !is_in(shaping, c) && (c & 0xFFFE) != 0xFFFE; }
+
+bool is_part_of_words(char32_t c) { return is_printable(c) || is_in(shaping, c); }
 
 std::optional<std::size_t> first_not_utf_8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {

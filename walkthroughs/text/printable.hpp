@@ -12,13 +12,17 @@ namespace walkthroughs {
 std::u32string code_points(std::string_view text);
 
 /// Returns: whether a terminal or a picture can show it: no control character, nothing that breaks or turns lines, and
-/// nothing that only looks like nothing, such as a space of no width.
+/// nothing that only looks like nothing, such as a space of no width. By itself, so that two names that look the same are
+/// the same.
 bool is_printable(char32_t code_point);
+
+/// Returns: whether words may have it: what is printable, and what joins letters or chooses their variant.
+bool is_part_of_words(char32_t code_point);
 
 /// Returns: where the first byte is that is not UTF-8; nothing where all are.
 std::optional<std::size_t> first_not_utf_8(std::string_view text);
 
-/// Returns: `text` with escapes such as \x1b and \u202e for what is not printable or not UTF-8, in one line.
+/// Returns: `text` with escapes such as \x1b, \u202e and \U000e0001 for what is not printable or not UTF-8, in one line.
 std::string printable(std::string_view text);
 
 /// Returns: `text` in quotes, printable, and cut short where it is long.

@@ -3,11 +3,12 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace walkthroughs {
 
-/// Returns: `text` as one word of a shell.
-std::string shell_quoted(const std::string& text);
+/// Returns: `text` as one word of a POSIX shell, which has nothing but line breaks that a terminal would act upon or not show.
+std::string shell_quoted(std::string_view text);
 
 /// Returns: `path` as one word of a shell, and not an option.
 std::string shell_word(const std::filesystem::path& path);

@@ -1,10 +1,10 @@
 #include "walkthroughs/picture/movie.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include "tests/catch.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 using namespace walkthroughs;
 
@@ -24,10 +24,11 @@ std::string words_of(const std::string& line) {
 }  // namespace
 
 TEST_CASE("A folder of any name reaches ffmpeg as it is, and nothing of it a terminal") {
-  for (const std::string folder : {"/plain/a-b_c.d", "/it's \"mine\" $(no) `no`", "/red\x1b[31m\x07\x7f\t!", "/größe"})
+  for (const std::string folder :
+       {"/plain/a-b_c.d", "/it's \"mine\" $(no) `no`", "/red\x1b[31m\x07\x7f\t!", "/größe", "/o\xff\u202e"})
     for (const Movie kind : {Movie::mp4, Movie::gif}) {
       const std::string line = ffmpeg_line(kind, folder, 0.5, {1, 2, 3}), words = words_of(line);
-      CHECK(std::ranges::none_of(line, [](unsigned char c) { return c < 0x20 || c == 0x7F; }));
+      CHECK(printable(line) == line);
       CHECK(words.find("\n" + folder + "/%03d.png\n") != std::string::npos);
       CHECK(words.ends_with("\n" + folder + (kind == Movie::mp4 ? "/animation.mp4\n" : "/animation.gif\n")));
     }

@@ -105,3 +105,15 @@ TEST_CASE("Who does not read what is printed is told so, and what was asked for 
   }
   CHECK(listing(folder.path()).size() < 20);
 }
+
+TEST_CASE("Folders whose names are no UTF-8 are no obstacle to any format, and captions show U+FFFD in their place") {
+  const Folder folder;
+  const std::string captions = (folder.path() / "captions.json").string(), out = folder.path().string() + "/o\xff";
+  const Outcome outcome = run("render figure-5 --size 32x18 --rendered-by --page --captions " + quoted(captions) +
+                              " --movie mp4 --out " + quoted(out));
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(has(bytes_of(captions), "/o\ufffd/figure-5/000.png\""));
+  CHECK_FALSE(has(outcome.out, "\xff"));
+  CHECK(has(outcome.out, R"-(/o'"$(printf '\377')"'/figure-5/%03d.png')-"));
+}

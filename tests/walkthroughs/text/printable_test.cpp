@@ -1,5 +1,8 @@
 #include "walkthroughs/text/printable.hpp"
 
+#include <cstdint>
+#include <initializer_list>
+
 #include "tests/catch.hpp"
 
 using namespace walkthroughs;
@@ -8,8 +11,32 @@ TEST_CASE("What is not printable is shown as an escape, and the rest as it is") 
   CHECK(printable("plain, größe, ∞ 𝄞 'quoted' \\") == "plain, größe, ∞ 𝄞 'quoted' \\");
   CHECK(printable(std::string("\x1b[31m\r\n\t\0\x7f", 10)) == "\\x1b[31m\\x0d\\x0a\\x09\\x00\\x7f");
   CHECK(printable("a\u202eb\u2066c\u200fd\u061ce\ufefff\u0085") == "a\\u202eb\\u2066c\\u200fd\\u061ce\\ufefff\\u0085");
-  CHECK(printable("a\u00adb\u200bc\u2060d\u2064e\u200cf") == "a\\u00adb\\u200bc\\u2060d\\u2064e\u200cf");
+  CHECK(printable("a\u00adb\u200bc\u2060d\u2064e\u200cf") == "a\\u00adb\\u200bc\\u2060d\\u2064e\\u200cf");
+  CHECK(printable("\u206a\u180e\u3164\ufffb\U000e0001") == "\\u206a\\u180e\\u3164\\ufffb\\U000e0001");
   CHECK(printable("\xff\xc3(\xed\xa0\x80\xe2\x80") == "\\xff\\xc3(\\xed\\xa0\\x80\\xe2\\x80");
+}
+
+TEST_CASE("What cannot be seen by itself is not printable, and words may have what shapes letters") {
+  for (const char32_t hidden : std::initializer_list<char32_t>{
+           0x0085,  0x00AD,  0x070F,  0x115F,  0x17B4,  0x180E,  0x200B,  0x2028,  0x2065,
+           0x206A,  0x206F,  0x3164,  0xFDD0,  0xFFA0,  0xFFF9,  0xFFFB,  0xFFFF,  0x1343F,
+           0x1BCA0, 0x1D173, 0xE0001, 0xE0020, 0xE007F, 0xE00FF, 0xE01F0, 0xE0FFF, 0x10FFFE}) {
+    INFO(std::uint32_t(hidden));
+    CHECK_FALSE(is_printable(hidden));
+    CHECK_FALSE(is_part_of_words(hidden));
+  }
+  for (const char32_t shaping :
+       std::initializer_list<char32_t>{0x034F, 0x180B, 0x180F, 0x200C, 0x200D, 0xFE00, 0xFE0F, 0xE0100, 0xE01EF}) {
+    INFO(std::uint32_t(shaping));
+    CHECK_FALSE(is_printable(shaping));
+    CHECK(is_part_of_words(shaping));
+  }
+  for (const char32_t seen : std::initializer_list<char32_t>{0x0020, 0x00A0, 0x0601, 0x0915, 0x200A, 0x2010, 0x2070,
+                                                             0x3163, 0xFFFC, 0xFFFD, 0x1F600}) {
+    INFO(std::uint32_t(seen));
+    CHECK(is_printable(seen));
+    CHECK(is_part_of_words(seen));
+  }
 }
 
 TEST_CASE("The first byte that is not UTF-8 is found") {

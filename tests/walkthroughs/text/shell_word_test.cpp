@@ -1,7 +1,12 @@
 #include "walkthroughs/text/shell_word.hpp"
 
-#include "tests/catch.hpp"
+#include <algorithm>
+#include <cstdlib>
 
+#include "tests/catch.hpp"
+#include "walkthroughs/text/printable.hpp"
+
+using walkthroughs::printable;
 using walkthroughs::shell_word;
 
 TEST_CASE("A word of a shell is quoted only where it needs to be, and is no option") {
@@ -10,4 +15,20 @@ TEST_CASE("A word of a shell is quoted only where it needs to be, and is no opti
   CHECK(shell_word("it's; rm") == "'it'\\''s; rm'");
   CHECK(shell_word("-rf") == "./-rf");
   CHECK(shell_word("") == "''");
+}
+
+TEST_CASE("A word of a shell has nothing that a terminal would act upon, and a shell makes it what it was") {
+  CHECK(shell_word("a\x1b[31m") == R"-('a'"$(printf '\033')"'[31m')-");
+  for (const std::string name :
+       {"\x1b]0;x\x07", "o\xff", "\xff\xfe", "a\u202eb", "\U000e0041", "it's \r", "größe", "a\nb"}) {
+    const std::string word = shell_word(name);
+    INFO(word);
+    std::string shown = word;
+    std::erase(shown, '\n');
+    CHECK(printable(shown) == shown);
+    CHECK(std::system(("test " + word + " = \"$NAME\"").c_str()) != 0);
+    ::setenv("NAME", name.c_str(), 1);
+    CHECK(std::system(("test " + word + " = \"$NAME\"").c_str()) == 0);
+    ::unsetenv("NAME");
+  }
 }
