@@ -111,6 +111,13 @@ std::string reason_of_syntax_error(const Progress& progress, const nlohmann::det
   if (looks_not_finite(word)) return at_column + in_quotes(word) + " is not a number; write a finite one";
   if (said == "invalid literal" && !word.empty())
     return at_column + in_quotes(word) + " is not a value; names and other texts need double quotes";
+  if (said.find("surrogate") != std::string::npos)
+    return at_column +
+           "an escape is one half of a letter (a surrogate); write both halves, such as \\ud835\\udc65, or the letter";
+  if (said.find("4 hex digits") != std::string::npos)
+    return at_column + "after \\u come four hexadecimal digits, as in \\u00e4; write them, or the letter itself";
+  if (said.find("after backslash") != std::string::npos)
+    return at_column + "a backslash begins an escape such as \\n, and this is none; write \\\\ for a backslash";
   return at_column + said + "; check brackets, commas and quotes there";
 }
 

@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/catch.hpp"
 #include "tests/core/support.hpp"
@@ -164,5 +166,21 @@ TEST_CASE("Wherever a letter of a line is changed both readers agree") {
         changed[at] = letter;
     }
     check_both_ways(changed);
+  }
+}
+
+TEST_CASE("Halves of letters and escapes that there are not are told as what they are") {
+  for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"title": "\ud800"})", "one half of a letter (a surrogate); write both halves"},
+           {R"({"title": "\ud800\u0041"})", "one half of a letter (a surrogate); write both halves"},
+           {R"({"title": "\udc00"})", "one half of a letter (a surrogate); write both halves"},
+           {R"({"title": "\u12g4"})", "after \\u come four hexadecimal digits"},
+           {R"({"title": "\q"})", "this is none; write \\\\ for a backslash"}}) {
+    const std::string complaint = reading([&] { return Document(text, Document::Comments::refused); }).complaint;
+    INFO(complaint);
+    CHECK(complaint.find("is not JSON at column ") != std::string::npos);
+    CHECK(complaint.find(words) != std::string::npos);
+    CHECK(complaint.find("check brackets") == std::string::npos);
+    check_both_ways(text);
   }
 }
