@@ -81,11 +81,16 @@ void expect_apart(const std::vector<render::FilePair>& pairs, const fs::path& re
   places.expect_apart();
 }
 
-fs::path write_report(const render::CompareReport& report, const fs::path& folder) {
+/// Before all that is compared, not after it.
+void expect_writable_report(const fs::path& folder) {
   render::make_folder(folder, "choose another with --report");
+  render::expect_writable(folder / page_of_report);
+}
+
+void write_report(const render::CompareReport& report, const fs::path& folder) {
   const fs::path page = folder / page_of_report;
   render::write_file(page, report.html());
-  return page;
+  std::cout << "report: " << printable(page.string()) << std::endl;
 }
 
 /// Counts verdicts, and says each that is not plainly "same".
@@ -137,6 +142,7 @@ int CompareCommand::run() const {
   std::optional<render::CompareReport> page;
   if (report) {
     expect_apart(pairs, *report);
+    expect_writable_report(*report);
     page = empty_report(*this);
   }
   Tally tally;
@@ -146,7 +152,7 @@ int CompareCommand::run() const {
     if (page) page->add(compared, accept_command(compared));
   }
   std::cout << tally.summary() << std::endl;
-  if (page) std::cout << "report: " << printable(write_report(*page, *report).string()) << std::endl;
+  if (page) write_report(*page, *report);
   return tally.exit_code();
 }
 

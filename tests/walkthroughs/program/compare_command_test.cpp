@@ -227,6 +227,41 @@ TEST_CASE("A report that cannot be written is exit code 5") {
   CHECK(outcome.exit_code == 5);
   CHECK(has(outcome.err, "--report"));
   CHECK(bytes_of(sides.root.path() / "to") == "in the way");
+  CHECK(outcome.out.empty());  // not after all that is compared
+  check_failure("compare " + quoted((sides.expected / "a.png").string()) + " " +
+                    quoted((sides.expected / "a.png").string()) + " --report /dev/full",
+                5, {"/dev/full", "--report"});
+}
+
+/// Runs gjkstep with no more than so many MiB to use.
+Outcome within_memory(int mebibytes, const std::string& arguments) {
+  const Folder folder;
+  const std::string err = (folder.path() / "stderr").string();
+  const std::string command = "ulimit -v " + std::to_string(mebibytes * 1024) + "; " + quoted(GJKSTEP_PROGRAM) + " " +
+                              arguments + " >/dev/null 2>" + quoted(err);
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", bytes_of(err)};
+}
+
+TEST_CASE("Where memory is limited, a large file is looked at before it is read, and large pictures name the limit") {
+  constexpr int limit = 400;
+  const Folder folder;
+  const fs::path file = folder.path() / "x.png";
+  const std::string both = "compare " + quoted(file.string()) + " " + quoted(file.string());
+  draw(file, one);
+  if (within_memory(limit, both).exit_code != 0) {
+    WARN("skipped: the program itself takes more, as with sanitizers");
+    return;
+  }
+  std::ofstream(file) << "no picture";
+  fs::resize_file(file, 1'000'000'000);  // with a hole, which takes no room
+  const Outcome hole = within_memory(limit, both);
+  CHECK(hole.exit_code == 3);
+  CHECK(has(hole.err, "it is not a PNG file"));
+  draw(file, one, {8192, 8192});
+  const Outcome large = within_memory(limit, both);
+  CHECK(large.exit_code == 3);
+  CHECK(has(large.err, "compare smaller pictures; only 400 MiB of memory are allowed (ulimit -v)"));
 }
 
 TEST_CASE("Names of files cannot write more lines than their own") {
