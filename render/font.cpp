@@ -8,11 +8,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <new>
 #include <set>
 #include <string>
 #include <tuple>
 
 #include "render/bidi.hpp"
+#include "render/file.hpp"
 #include "render/limits.hpp"
 #include "render/utf8.hpp"
 
@@ -80,10 +82,20 @@ struct FaceDeleter {
 using Library = std::unique_ptr<FT_LibraryRec_, LibraryDeleter>;
 using Face = std::unique_ptr<FT_FaceRec_, FaceDeleter>;
 
+void expect_memory(FT_Error error) {
+  if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+}
+
 Library open_library() {
   FT_Library library = nullptr;
-  if (FT_Init_FreeType(&library) != 0) throw FontError("FreeType cannot be started: out of memory?" + memory_limit());
+  if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();  // there is no other reason
   return Library(library);
+}
+
+/// FreeType calls a file that it finds no memory for one of an unknown format.
+/// Errors: std::bad_alloc where there is less than twice the size of the file.
+void expect_memory_for(const std::filesystem::path& file) {
+  const std::vector<std::uint8_t> once = read_file(file), twice = read_file(file);
 }
 
 Face open_face(FT_Library library, const std::filesystem::path& file) {
@@ -91,6 +103,8 @@ Face open_face(FT_Library library, const std::filesystem::path& file) {
   const bool regular = std::filesystem::is_regular_file(file);  // a pipe would block
   const FT_Error error = regular ? FT_New_Face(library, file.c_str(), 0, &face) : FT_Err_Cannot_Open_Resource;
   if (error == 0) return Face(face);
+  expect_memory(error);
+  if (regular && !memory_limit().empty()) expect_memory_for(file);
   const std::string what = std::filesystem::exists(file)
                                ? "is not a font that FreeType reads (FreeType error " + std::to_string(error) + ")"
                                : "does not exist";
@@ -137,7 +151,8 @@ struct Font::Impl {
 FT_Face Font::Impl::resized(Weight weight, long size) {
   FT_Face face = faces[static_cast<std::size_t>(weight)].face.get();
   // At 72 dots per inch a point is a pixel.
-  if (FT_Set_Char_Size(face, 0, size, 72, 72) != 0) {
+  if (const FT_Error error = FT_Set_Char_Size(face, 0, size, 72, 72); error != 0) {
+    expect_memory(error);
     throw FontError("FreeType cannot set the text size " + std::to_string(from_26_6(size)) + " pixels" +
                     memory_limit());
   }
@@ -154,6 +169,7 @@ const CachedGlyph& Font::Impl::glyph(Weight weight, FT_UInt index, long size) {
 CachedGlyph Font::Impl::render(FT_Face face, FT_UInt index) {
   const FT_Error error = FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP | FT_LOAD_RENDER);
   if (error != 0) {
+    expect_memory(error);
     throw FontError("FreeType cannot draw glyph " + std::to_string(index) + " of " + face->family_name +
                     " (FreeType error " + std::to_string(error) + ")" + memory_limit());
   }

@@ -46,7 +46,7 @@ std::string freetype_version();
 class Font {
  public:
   /// Loads DejaVuSans.ttf and DejaVuSans-Bold.ttf.
-  /// Errors: FontError.
+  /// Errors: FontError; std::bad_alloc where memory is lacking.
   explicit Font(const std::filesystem::path& directory);
   ~Font();
   Font(const Font&) = delete;

@@ -3,8 +3,15 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -26,8 +33,8 @@ bool same_bitmap(const PlacedGlyph& a, const PlacedGlyph& b) {
 }  // namespace
 
 TEST_CASE("FreeType's version is that of its headers") {
-  CHECK(freetype_version() == std::to_string(FREETYPE_MAJOR) + "." + std::to_string(FREETYPE_MINOR) + "." +
-                                  std::to_string(FREETYPE_PATCH));
+  CHECK(freetype_version() ==
+        std::to_string(FREETYPE_MAJOR) + "." + std::to_string(FREETYPE_MINOR) + "." + std::to_string(FREETYPE_PATCH));
 }
 
 TEST_CASE_METHOD(Fixture, "subscripts are smaller and lower, one character or several") {
@@ -108,6 +115,32 @@ TEST_CASE_METHOD(Fixture, "size and weight change the letters, sizes outside the
   REQUIRE(font.set("x", 40, Weight::bold).advance > set("x", 40).advance);
   REQUIRE(set("x", 1e9).advance == set("x", Font::max_pixels).advance);
   REQUIRE(set("x", -5).advance == set("x", 1).advance);
+}
+
+TEST_CASE("a font that finds no memory is not called a wrong one") {
+  constexpr int lack_of_memory = 40, wrong_font = 41;
+  const pid_t child = fork();
+  if (child == 0) {
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlimit now{pages * static_cast<std::size_t>(getpagesize()), RLIM_INFINITY};
+    ::setrlimit(RLIMIT_AS, &now);
+    constexpr std::size_t much = 100'000;  // less than the files have, more than FreeType needs besides
+    while (void* taken = std::malloc(much)) std::memset(taken, 1, much);
+    try {
+      const Font font(Font::default_directory());
+    } catch (const std::bad_alloc&) {
+      ::_exit(lack_of_memory);
+    } catch (const FontError&) {
+      ::_exit(wrong_font);
+    }
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (WEXITSTATUS(status) != lack_of_memory && WEXITSTATUS(status) != wrong_font)
+    WARN("not tried: sanitizers end a program that has no memory left");
+  CHECK(WEXITSTATUS(status) != wrong_font);
 }
 
 TEST_CASE("a missing font is reported with its path and its package") {
