@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/places.hpp"
@@ -13,6 +15,12 @@ namespace walkthroughs {
 
 const Walkthrough& walkthrough_named(const std::string& name) {
   if (const Walkthrough* found = find_walkthrough(name)) return *found;
+  std::error_code unknown;
+  if (std::filesystem::exists(name, unknown) && !std::filesystem::is_directory(name, unknown))
+    throw UsageError(
+        in_quotes(name) +
+        " is a file, not a walkthrough; give a scene file a name that ends in .json, and draw a trace with "
+        "'gjkstep render --from-trace FILE'");
   throw UsageError("there is no walkthrough " + in_quotes(name) + "; did you mean '" + nearest_name(name) +
                    "'? 'gjkstep list' shows all");
 }
@@ -30,6 +38,9 @@ render::Size parse_size(const std::string& text) {
 
 void expect_named(const std::string& option, const std::string& name, const std::string& example) {
   if (name.empty() || name.starts_with("--")) throw UsageError(option + " " + in_quotes(name) + ": name " + example);
+  if (name == "-")
+    throw UsageError(option + " '-': this is not written to standard output; name " + example +
+                     ", or ./- if you mean it");
 }
 
 bool is_scene_file(const std::string& name) {

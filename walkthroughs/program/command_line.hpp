@@ -30,7 +30,7 @@ void add_backend_option(CLI::App& command, std::optional<std::string>& name);
 /// Errors: UsageError, with the names that there are.
 render::Backend chosen_backend(const std::optional<std::string>& name);
 
-/// Errors: UsageError where what is to be written has no name, or that of the next option. `example`: what to
+/// Errors: UsageError where what is to be written has no name, that of the next option, or "-". `example`: what to
 /// name, and how.
 void expect_named(const std::string& option, const std::string& name, const std::string& example);
 

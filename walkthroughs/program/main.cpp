@@ -33,9 +33,17 @@ void print_version(const std::optional<std::string>& gl) {
   std::cout << render::OffscreenContext(backend).description() << '\n';
 }
 
-/// Returns: the parser's complaint and what to do about it.
+/// Returns: the parser's complaint, that an option has too few or too many values in words of ours.
+std::string complaint_of(const CLI::ParseError& error) {
+  const std::string said = error.what(), option = said.substr(0, said.find(": "));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return said;
+  if (said.starts_with(option + ": At Most 1 ")) return option + " is given more than once; give it once";
+  return said.ends_with(" missing") ? option + " has no value; give it one" : said;
+}
+
+/// Returns: the complaint and what to do about it.
 std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
-  std::string complaint = error.what();
+  std::string complaint = complaint_of(error);
   if (app.get_subcommands().empty() && !app.remaining().empty()) {
     const std::string word = app.remaining().front();
     std::vector<std::string> commands;
@@ -81,6 +89,8 @@ int run(int argc, char** argv) {
   int answer = walkthroughs::ok;
   if (version && !app.get_subcommands().empty())
     throw UsageError("--version stands alone; leave it out, or '" + app.get_subcommands().front()->get_name() + "'");
+  if (render.gl && !version && !*render_command && !app.get_subcommands().empty())
+    throw UsageError("--gl: '" + app.get_subcommands().front()->get_name() + "' draws nothing; leave --gl out");
   if (version)
     print_version(render.gl);
   else if (*list_command)

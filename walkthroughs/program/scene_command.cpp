@@ -14,7 +14,8 @@ void SceneCommand::run() const {
   } else if (check) {
     expect_output_apart_from(*check);
     const std::string declared = summary(read_scene(*check));  // before the first word that says it is well
-    std::cout << printable(*check) << ": ok: " << declared << '\n';
+    std::cout << printable(*check) << ": ok: " << declared
+              << (is_scene_file(*check) ? "" : "; before it is drawn, give it a name that ends in .json") << '\n';
   } else {
     throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
   }

@@ -31,6 +31,25 @@ TEST_CASE("What is to be written needs a name that is not that of the next optio
   }
 }
 
+TEST_CASE("What is to be written is not written to standard output where its name is a hyphen") {
+  for (const char* command :
+       {"render figure-5 --size 32x18 --out -", "render figure-5 --size 32x18 --captions -", "compare x y --report -"})
+    check_failure(command, 2, {" '-': this is not written to standard output", ", or ./- if you mean it"});
+}
+
+TEST_CASE("An option without its value, or given twice, is told in one sentence of ours") {
+  for (const char* command : {"query --max-iterations=", "query --max-iterations"})
+    check_failure(command, 2, {"gjkstep: --max-iterations has no value; give it one; 'gjkstep --help'"});
+  check_failure("render figure-5 --theme dark --theme slides", 2,
+                {"gjkstep: --theme is given more than once; give it once; 'gjkstep --help'"});
+}
+
+TEST_CASE("The option --gl is refused where nothing is drawn") {
+  for (const std::string command : {"list", "trace figure-5", "scene --example"})
+    check_failure("--gl osmesa " + command, 2,
+                  {"--gl: '" + command.substr(0, command.find(' ')) + "' draws nothing; leave --gl out"});
+}
+
 TEST_CASE("The option --version prints the version and the OpenGL renderer") {
   const Outcome outcome = run("--version");
   CHECK(outcome.exit_code == 0);
@@ -65,6 +84,18 @@ TEST_CASE("An unknown walkthrough gets the nearest name for an answer, and nothi
   check_failure("render figur-4-lefd" + out.option, 2,
                 {"'figur-4-lefd'", "did you mean 'figure-4-left'?", "gjkstep list"});
   check_failure("trace figure5", 2, {"'figure5'", "did you mean 'figure-5'?", "gjkstep list"});
+}
+
+TEST_CASE(
+    "A file that is named as a walkthrough gets what to do with it for an answer, and is checked as a scene all the "
+    "same") {
+  const Untouched out;
+  const std::string file = scene_file(out.parent.path() / "plain").string();
+  for (const std::string& command : {"render " + quoted(file) + out.option, "trace " + quoted(file)})
+    check_failure(command, 2, {"plain' is a file, not a walkthrough", "ends in .json", "--from-trace FILE"});
+  CHECK(has(run("scene --check " + quoted(file)).out, "; before it is drawn, give it a name that ends in .json\n"));
+  const std::string named = scene_file(out.parent.path() / "s.json").string();
+  CHECK_FALSE(has(run("scene --check " + quoted(named)).out, "before it is drawn"));
 }
 
 TEST_CASE("One bad name among good ones writes nothing") {
