@@ -92,7 +92,7 @@ TEST_CASE(
   const Untouched out;
   const std::string file = scene_file(out.parent.path() / "plain").string();
   for (const std::string& command : {"render " + quoted(file) + out.option, "trace " + quoted(file)})
-    check_failure(command, 2, {"plain' is a file, not a walkthrough", "ends in .json", "--from-trace FILE"});
+    check_failure(command, 2, {"' is a file, not a walkthrough", "ends in .json", "--from-trace FILE"});
   CHECK(has(run("scene --check " + quoted(file)).out, "; before it is drawn, give it a name that ends in .json\n"));
   const std::string named = scene_file(out.parent.path() / "s.json").string();
   CHECK_FALSE(has(run("scene --check " + quoted(named)).out, "before it is drawn"));
