@@ -206,7 +206,8 @@ Json questions(const Story& story, const PageSurroundings& surroundings, Texts& 
     if (!frame) continue;
     const auto place_of = [&](const std::string& text) { return texts.place_of(html_of(text)); };
     Json choices = Json::array();
-    for (const Choice& choice : question.choices) choices.push_back({place_of(choice.text), place_of(choice.reason)});
+    for (const Choice& choice : question.choices)
+      choices.push_back({place_of(choice.text), place_of(choice.reason), place_of(choice.hint)});
     const std::string practice = practice_for(question.decision, story.walkthrough.name);
     const std::string page = practice.empty() ? "" : surroundings.page_of(practice);
     list.push_back({{"before", *frame},

@@ -85,16 +85,17 @@
       $(id).disabled = i === end;
     if (moved) $('live').textContent = said(i);
     if (moved) skipped.clear();
-    entitle();
     if (predicting && i === steps.length - 1) showScore();
+    entitle();
     if (how !== 'stay' && moved) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', `#${i + 1}`);
   }
 
-  // Titles tell how it ends.
+  // Titles tell how it ends: not before the score does.
   function entitle() {
-    document.title = `${at + 1}/${steps.length} ${predicting ? untold : title}`;
-    heading.textContent = predicting ? untold : name;
-    for (const told of [$('summary'), ...document.querySelectorAll('.made')]) told.hidden = predicting;
+    const isOpen = predicting && $('score').hidden;
+    document.title = `${at + 1}/${steps.length} ${isOpen ? untold : title}`;
+    heading.textContent = isOpen ? untold : name;
+    for (const told of [$('summary'), ...document.querySelectorAll('.made')]) told.hidden = isOpen;
   }
 
   const go = i => { pause(); show(i, 'push'); };
@@ -186,25 +187,27 @@
       answers[asked] = c;
       store(shop => shop.setItem(shelf, JSON.stringify(answers)));
     }
-    const why = choices[c][1] === choices[right][1] ? 'Not so.' : `Not so: ${choices[c][1]}.`;
     if (c !== right && isFirst && choices.length > 2) {
       buttons[c].classList.add('wrong');
       buttons[c].disabled = true;
-      $('verdict').innerHTML = `${why} Try once more.`;
+      $('verdict').innerHTML = `${notSo(choices[c][2])} Try once more.`;
       $('onward').textContent = 'Show the answer';
       $('onward').scrollIntoView({block: 'nearest'});
     } else {
-      tell(buttons, c, c === right ? 'Right' : `${why} It is <b>${choices[right][0]}</b>`);
+      tell(buttons, c);
     }
   }
 
-  function tell(buttons, c, said) {
-    const {choices, right} = questions[asked];
+  const notSo = why => why ? `Not so: ${why}.` : 'Not so.';
+
+  function tell(buttons, c) {
+    const {choices, right} = questions[asked], reason = choices[right][1];
     isTold = true;
     for (const button of buttons) button.disabled = true;
     buttons[c].classList.add('wrong');
     buttons[right].className = 'right';
-    $('verdict').innerHTML = `${said}: ${choices[right][1]}.`;
+    $('verdict').innerHTML = c === right ? `Right: ${reason}.`
+      : `${notSo(choices[c][1] === reason ? '' : choices[c][1])} The answer is <b>“${choices[right][0]}”</b>: ${reason}.`;
     $('onward').textContent = 'Go on';
     hideWords(false);
     $('onward').focus();
@@ -233,8 +236,7 @@
 
   function onward() {
     const first = answers[asked];
-    if (first !== null && !isTold)
-      return tell([...$('choices').querySelectorAll('button')], first, `It is <b>${questions[asked].choices[questions[asked].right][0]}</b>`);
+    if (first !== null && !isTold) return tell([...$('choices').querySelectorAll('button')], first);
     if (first === null) skipped.add(asked);
     if (stopsToAsk()) return;
     show(at + 1, 'push');
@@ -276,9 +278,9 @@
     $('predict').setAttribute('aria-pressed', predicting);
     close();
     skipped.clear();
-    entitle();
     const isOver = predicting && !answers.includes(null);
     if (isOver || (predicting && at === steps.length - 1)) showScore();
+    entitle();
     $('live').textContent = isOver ? 'All questions have been answered; who forgets the answers is asked again.'
       : predicting ? 'Before each decision a question will be asked.' : 'No questions will be asked.';
   }

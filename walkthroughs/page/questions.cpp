@@ -22,6 +22,18 @@ using Region = gjk::RegionTested<double>;
 
 // -- Choices ----------------------------------------------------------------------------------------------------------
 
+/// "R3", of "R3: beyond edge AB"; else all of it.
+std::string label_of(const std::string& text) { return text.substr(0, text.find(':')); }
+
+/// A hint that names the right choice, or what speaks for it, is none. Of two choices one that is wrong tells the other.
+void keep_open(std::vector<Choice>& choices, const Choice right) {
+  for (Choice& choice : choices) {
+    const auto tells = [&](const std::string& what) { return choice.hint.find(what) != std::string::npos; };
+    if (choices.size() == 2 || choice.text == right.text || tells(label_of(right.text)) || tells(right.reason))
+      choice.hint.clear();
+  }
+}
+
 /// Returns: the question with its choices in the order of the alphabet; nothing where there is no choice, or none is right.
 std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t event, std::string text,
                               std::vector<Choice> choices, const std::string& right) {
@@ -29,6 +41,7 @@ std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t 
   const auto found = std::ranges::find(choices, right, &Choice::text);
   if (choices.size() < 2 || found == choices.end()) return std::nullopt;
   const auto place = static_cast<std::size_t>(found - choices.begin());
+  keep_open(choices, *found);
   return Question{std::move(decision), scene, event, std::move(text), std::move(choices), place};
 }
 
@@ -127,14 +140,20 @@ class Iteration {
     return found == now_.regions.end() ? nullptr : &*found;
   }
 
-  /// Why the search has not found what that line asks about, or that it has: its own test; else that of the face in which it asks
-  /// about an edge; else the one that was right before it.
-  std::string reason_of(const CodeLine& line) const {
-    if (const Region* own = made(line.face, line.feature)) return value_of(*own);
+  /// Why the search has not found what that line asks about, or that it has, and what of it may be told first.
+  struct Why {
+    std::string reason, hint;
+  };
+
+  /// Its own test; else that of the face in which it asks about an edge; else the one that was right before it.
+  Why why_of(const CodeLine& line) const {
     const Region* face = line.face.empty() ? nullptr : made("", line.face);
-    if (face && face->verdict != Verdict::chosen) return value_of(*face);
-    return "not looked at, since an earlier test has decided: " +
-           value_of(face ? *last_chosen() : *chosen_without_face());
+    const Region* own = made(line.face, line.feature);
+    if (!own && face && face->verdict != Verdict::chosen) own = face;
+    if (own) return {value_of(*own), value_of(*own)};
+    const std::string decided = "an earlier test has decided";
+    return {"not looked at, since " + decided + " (" + value_of(face ? *last_chosen() : *chosen_without_face()) + ")",
+            decided};
   }
 
   bool is_of(const CodeLine& line, const Region& region) const {
@@ -149,24 +168,32 @@ class Iteration {
       if (line.kind != LineKind::test || !line.face.empty()) continue;
       const std::string text = region_in_words(size_, line.feature, names_.sorted(line.feature), line.relation);
       if (is_of(line, *chosen_without_face())) right = text;
-      add_once(choices, {text, reason_of(line)});
+      const Why why = why_of(line);
+      add_once(choices, {text, why.reason, why.hint});
     }
     for (const Region& region : now_.regions)
       if (region.verdict == Verdict::skipped && (size_ < 4 || region.feature.size() == 3))
-        add_once(choices, {skipped_in_words(region, names_.sorted(region.feature)),
-                           "skipped: " + names_.translate(region.reason)});
+        add_once(choices, {skipped_in_words(region, names_.sorted(region.feature)), names_.translate(region.reason),
+                           names_.translate(region.reason)});
     const std::string text = size_ == 4   ? "Above which face does Algorithm 5 find the origin first?"
                              : size_ == 1 ? "Is this vertex the origin?"
                                           : "In which region does the origin lie?";
     return asked(decision(Kind::region), scene_, first_, text, std::move(choices), right);
   }
 
-  /// What was found out about a feature by the complete rules, which ask several things of it.
+  /// The last test of the complete rules of that feature, which ask several things of it, with that verdict.
+  const Region* asked_of(const std::string& feature, Verdict verdict) const {
+    const auto found = std::find_if(now_.regions.rbegin(), now_.regions.rend(), [&](const Region& region) {
+      return region.verdict == verdict && region.feature == feature && !region.expression.empty();
+    });
+    return found == now_.regions.rend() ? nullptr : &*found;
+  }
+
+  /// What has decided for a feature, or ruled it out; what only left it possible speaks for it.
   std::string reason_of(const std::string& feature) const {
-    for (auto region = now_.regions.rbegin(); region != now_.regions.rend(); ++region)
-      if (region->verdict != Verdict::skipped && region->feature == feature && !region->expression.empty())
-        return value_of(*region);
-    return "not asked: what was asked before has decided";
+    for (const Verdict verdict : {Verdict::chosen, Verdict::rejected})
+      if (const Region* region = asked_of(feature, verdict)) return value_of(*region);
+    return "what was asked of other features has decided";
   }
 
   /// Of the complete rules, which decide for one feature among all that A belongs to.
@@ -175,7 +202,7 @@ class Iteration {
     std::vector<Choice> choices;
     for (const std::string feature : {"A", "AB", "AC", "AD", "ABC", "ACD", "ADB", "ABCD"})
       if (std::ranges::all_of(feature, [&](char letter) { return letter - 'A' < size_; }))
-        choices.push_back({words(feature), reason_of(feature)});
+        choices.push_back({words(feature), reason_of(feature), reason_of(feature)});
     return asked(decision(Kind::region), scene_, first_, "On which feature does the point nearest to the origin lie?",
                  std::move(choices), words(last_chosen()->feature));
   }
@@ -192,10 +219,11 @@ class Iteration {
       if (line.kind != LineKind::test || line.face != face.feature) continue;
       const std::string text = "beyond edge " + names_.sorted(line.feature);
       if (is_of(line, *last_chosen())) right = text;
-      values += (values.empty() ? "" : "; ") + reason_of(line);
-      add_once(choices, {text, reason_of(line)});
+      const Why why = why_of(line);
+      values += (values.empty() ? "" : "; ") + why.reason;
+      add_once(choices, {text, why.reason, why.hint});
     }
-    choices.push_back({neither, values});
+    choices.push_back({neither, values, ""});
     for (std::size_t i = end_; i-- > first_;)
       if (std::get<Region>(events_[i]).face == face.feature) event = i;
     if (event == end_) return std::nullopt;
@@ -219,6 +247,10 @@ class Iteration {
     return "[" + list + "]";
   }
 
+  static void add_part(std::string& text, const std::string& part) {
+    if (text.find(part) == std::string::npos) text += "; " + part;
+  }
+
   /// Choices from the ways on of the running algorithm, each with what the tests before it have found: two lines of a tetrahedron's
   /// may lead the same way.
   template <class Words>
@@ -229,12 +261,15 @@ class Iteration {
       if (line.kind == LineKind::test) test = &line;
       const std::optional<Way> way = way_of(line);
       if (!way || !test) continue;
-      const std::string text = words(*way), reason = text == right ? why : reason_of(*test);
+      const std::string text = words(*way);
+      const Why of_test = text == right ? Why{why, ""} : why_of(*test);
       const auto known = std::ranges::find(choices, text, &Choice::text);
-      if (known == choices.end())
-        choices.push_back({text, reason});
-      else if (known->reason.find(reason) == std::string::npos)
-        known->reason += "; " + reason;
+      if (known == choices.end()) {
+        choices.push_back({text, of_test.reason, of_test.hint});
+        continue;
+      }
+      add_part(known->reason, of_test.reason);
+      add_part(known->hint, of_test.hint);
     }
     return choices;
   }
@@ -279,7 +314,7 @@ std::optional<Question> of_crossing(const Story& story, std::size_t scene, std::
   const bool is_crossed = event.verdict == gjk::Crossing::crossed;
   const std::string yes = "yes, or just reached", no = "no";
   return asked({Kind::crossing, 0, is_crossed ? "crossed" : "not crossed"}, scene, at, "Was the origin crossed?",
-               {{yes, why}, {no, why}}, is_crossed ? yes : no);
+               {{yes, why, ""}, {no, why, ""}}, is_crossed ? yes : no);
 }
 
 // -- The line that is wrong -------------------------------------------------------------------------------------------
@@ -322,10 +357,9 @@ std::optional<Question> of_line(const Story& story) {
     const std::string text = line_in_letters(wrong.algorithm, code[i], names);
     if (code[i].text == wrong.right) {
       question.right = question.choices.size();
-      add_once(question.choices, {text, "here: " + wrong_text(wrong, names)});
+      add_once(question.choices, {text, "here: " + wrong_text(wrong, names), ""});
     } else if (has_run(code, i, wrong.algorithm, now, current) && !is_otherwise(code[i])) {
-      add_once(question.choices, {text, "this line is as in the report; here: " + wrong_text(wrong, names) +
-                                            " in place of " + names.translate(wrong.right)});
+      add_once(question.choices, {text, "this line is as in the report", "this line is as in the report"});
     }
   }
   return question;

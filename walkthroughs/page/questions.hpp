@@ -13,6 +13,7 @@ namespace walkthroughs {
 struct Choice {
   std::string text;    ///< here and below with the markup of render/font.hpp
   std::string reason;  ///< why it is right, or why the search has not gone there: a value, or why it need not be asked
+  std::string hint;    ///< of the reason what leaves open which choice is right; empty where nothing does, and of the right one
 };
 
 /// What a decision was about, so that walkthroughs with the same one can be found.

@@ -341,6 +341,7 @@ class Page(unittest.TestCase):
         self.assertGreater(count, 10)
         self.assertEqual(self.find("#points").text, f"{count} of {count} right")
         self.assertFalse(self.all("#score .no"))
+        self.assertNotEqual(self.find("h1").text, "What will the search find?")  # it has been found
 
     def test_of_two_searches_each_is_asked_about(self):
         render(self.folder / "two", "figure-5", "--page")
@@ -386,7 +387,8 @@ class Page(unittest.TestCase):
         texts = self.js("return gjkstepSteps.texts")
         plain = lambda place: re.sub("<[^>]*>", "", texts[place]).replace("&gt;", ">")
         verdict = self.find("#verdict").get_attribute("textContent")
-        self.assertTrue(verdict.endswith("Try once more."), verdict)
+        hint = plain(question["choices"][wrong][2])
+        self.assertEqual(verdict, ("Not so: " + hint if hint else "Not so") + ". Try once more.")
         self.assertFalse(self.all("#choices .right"))
         another = next(c for c in range(len(question["choices"])) if c not in (wrong, question["right"]))
         self.all("#choices button")[another].click()

@@ -183,8 +183,8 @@ TEST_CASE("A wrong choice is answered by the value that decided, or by why its r
   };
   CHECK(found->choices[found->right].text == "R3: beyond edge AB");
   CHECK(reason("R3: beyond edge AB").starts_with("R3: AB_n·AO = "));
-  CHECK(reason("R4: beyond B") == "skipped: ruled out when the search kept BC");
-  CHECK(reason("R7: beyond edge AC").starts_with("not looked at, since an earlier test has decided: R3: AB_n·AO = "));
+  CHECK(reason("R4: beyond B") == "ruled out when the search kept BC");
+  CHECK(reason("R7: beyond edge AC").starts_with("not looked at, since an earlier test has decided (R3: AB_n·AO = "));
 }
 
 TEST_CASE(
@@ -222,6 +222,37 @@ TEST_CASE("What is asked about a simplex says of how many points it is") {
   CHECK(asked[1] == "Is this vertex the origin?");
   CHECK(asked[3] == "In which region does the origin lie?");
   CHECK(asked[4] == "Above which face does Algorithm 5 find the origin first?");
+}
+
+TEST_CASE("No hint contains the right choice or its label, nor what speaks for it") {
+  int hints = 0;
+  for (const Walkthrough& w : catalogue())
+    for (const Question& question : questions_of(tell(w))) {
+      INFO(w.name << ": " << question.text);
+      const Choice& right = question.choices[question.right];
+      for (const Choice& choice : question.choices) {
+        INFO(choice.text << ": " << choice.hint);
+        CHECK(choice.hint.find(right.text) == std::string::npos);
+        CHECK(choice.hint.find(right.text.substr(0, right.text.find(':'))) == std::string::npos);
+        CHECK(choice.hint.find(right.reason) == std::string::npos);
+        hints += !choice.hint.empty();
+      }
+      CHECK(right.hint.empty());
+    }
+  CHECK(hints > 300);
+}
+
+TEST_CASE("By the complete rules a wrong feature is answered by what rules it out, not by what left it possible") {
+  const Question question = [] {
+    for (const Question& each : questions_of(tell(walkthrough("complete/cycle-separated"))))
+      if (each.decision.simplex_size == 4 && each.decision.found.starts_with("ACD")) return each;
+    return Question{};
+  }();
+  const auto edge = std::ranges::find_if(question.choices,
+                                         [](const Choice& c) { return c.reason.find("1191") != std::string::npos; });
+  CHECK(edge == question.choices.end());  // beyond AC in one plane, which speaks for AC
+  CHECK(std::ranges::any_of(question.choices,
+                            [](const Choice& c) { return c.reason.find("−453") != std::string::npos; }));
 }
 
 TEST_CASE("Practice is another walkthrough of regions in which the search decides likewise") {
