@@ -25,13 +25,6 @@ std::string answers(const Story& story) {
   return all;
 }
 
-/// Of a region's walkthrough the iteration that it is about: that of the test which it explains, else of what it explains first.
-std::optional<int> told_iteration(const Walkthrough& w) {
-  if (!w.region_case || w.remarks.empty()) return std::nullopt;
-  const auto test = std::ranges::find(w.remarks, Remark::At::region_tested, &Remark::at);
-  return (test == w.remarks.end() ? w.remarks.front() : *test).iteration;
-}
-
 /// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last frame where there
 /// is none.
 std::size_t telling_frame(const Story& story) {
@@ -64,6 +57,12 @@ IndexEntry entry_from(const Json& json) {
 }
 
 }  // namespace
+
+std::optional<int> told_iteration(const Walkthrough& w) {
+  if (!w.region_case || w.remarks.empty()) return std::nullopt;
+  const auto test = std::ranges::find(w.remarks, Remark::At::region_tested, &Remark::at);
+  return (test == w.remarks.end() ? w.remarks.front() : *test).iteration;
+}
 
 IndexEntry index_entry(const Story& story, const PagePictures& pictures) {
   const Walkthrough& w = story.walkthrough;

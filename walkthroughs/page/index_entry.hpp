@@ -38,4 +38,8 @@ std::string entry_element(const IndexEntry& entry);
 /// `page`: its first bytes, whoever has written them.
 std::optional<IndexEntry> entry_of(std::string_view page);
 
+/// Returns: of a region's walkthrough the iteration that it is about: that of the test which it explains, else of what it explains
+/// first; nothing of others.
+std::optional<int> told_iteration(const Walkthrough& w);
+
 }  // namespace walkthroughs

@@ -13,7 +13,8 @@ namespace walkthroughs {
 struct Choice {
   std::string text;    ///< here and below with the markup of render/font.hpp
   std::string reason;  ///< why it is right, or why the search has not gone there: a value, or why it need not be asked
-  std::string hint;    ///< of the reason what leaves open which choice is right; empty where nothing does, and of the right one
+  std::string
+      hint;  ///< of the reason what leaves open which choice is right; empty where nothing does, and of the right one
 };
 
 /// What a decision was about, so that walkthroughs with the same one can be found.
@@ -22,7 +23,7 @@ struct Decision {
   Kind kind;
   int simplex_size;  ///< 0 for a crossing test, and a line of Algorithm 1
   std::string
-      found;  ///< "crossed", or the last region that was chosen: "ABC positive", "ADB AD positive"; or the mistake
+      found;  ///< "crossed", or the last region that was chosen: "ABC > 0", "ADB AD > 0"; or the mistake
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
@@ -41,8 +42,8 @@ struct Question {
 /// with a mistake beside the report's one question: which line is wrong.
 std::vector<Question> questions_of(const Story& story);
 
-/// Returns: the name of the first walkthrough of regions, `but` left out, in which the search decides likewise, or at least
-/// about such a simplex; empty where there is none.
+/// Returns: the name of a walkthrough of regions, `but` left out: the first that is about just that decision; else about the same face or
+/// feature; else in which the search comes to decide so. Of a mistake that of the case which it gets wrong. Empty where there is none.
 std::string practice_for(const Decision& decision, const std::string& but);
 
 }  // namespace walkthroughs

@@ -272,3 +272,38 @@ TEST_CASE("Practice is another walkthrough of regions in which the search decide
   CHECK(practice_for({Kind::region, 3, "AB positive"}, "") == "regions/2-simplex-r3");
   CHECK(practice_for({Kind::region, 7, "nothing"}, "").empty());
 }
+
+TEST_CASE("Practice is about just the decision that was missed, where there is such a walkthrough") {
+  struct Row {
+    Decision missed;
+    std::string but, practice;
+  };
+  const std::vector<Row> rows{
+      {{Kind::crossing, 0, "not crossed"}, "", "1-simplex-r2-cannot-happen"},
+      {{Kind::region, 1, "A = 0"}, "", "0-simplex-a-is-origin"},
+      {{Kind::region, 2, "AB = 0"}, "", "1-simplex-on-segment"},
+      {{Kind::region, 3, "AB > 0"}, "", "2-simplex-r3"},
+      {{Kind::region, 3, "AB > 0"}, "2-simplex-r3", "2-simplex-r4-cannot-happen"},
+      {{Kind::vertices, 3, "AC > 0"}, "", "2-simplex-r7"},
+      {{Kind::region, 3, "ABC > 0"}, "", "2-simplex-r1-above"},
+      {{Kind::direction, 3, "ABC < 0"}, "", "2-simplex-r1-below"},
+      {{Kind::region, 3, "ABC = 0"}, "", "2-simplex-r1-in-plane"},
+      {{Kind::region, 4, "ACD > 0"}, "", "3-simplex-face-acd"},
+      {{Kind::region, 4, "ADB > 0"}, "", "3-simplex-face-adb"},
+      {{Kind::region, 4, "ADB AD > 0"}, "", "3-simplex-face-adb-edge-ad"},
+      {{Kind::region, 4, "ADB AD > 0"}, "3-simplex-face-adb-edge-ad", "3-simplex-face-adb"},
+      {{Kind::region, 4, "ABCD > 0"}, "", "3-simplex-inside"},
+      {{Kind::line, 2, "m13-origin-in-triangle"}, "", "2-simplex-r1-in-plane"},
+      {{Kind::line, 3, "m21-origin-in-face"}, "", "3-simplex-on-face"},
+  };
+  for (const Row& row : rows) {
+    INFO(row.missed.found << ", not " << row.but);
+    CHECK(practice_for(row.missed, "regions/" + row.but) == "regions/" + row.practice);
+  }
+  CHECK(practice_for({Kind::line, 0, "m1-wrong-side-of-b"}, "").empty());
+  for (const auto& mistake : wrong_on_purpose::all()) {
+    const std::string name = practice_for({Kind::line, 0, std::string(mistake.word)}, "");
+    INFO(mistake.word << ": " << name);
+    CHECK((name.empty() || find_walkthrough(name)));
+  }
+}
