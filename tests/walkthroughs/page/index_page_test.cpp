@@ -58,3 +58,11 @@ TEST_CASE("In the dark a card's picture is turned over where it was drawn on a l
   dark.is_dark = true;
   CHECK(stand_in_order(index_html({light, dark}), {"card light-pictures", "light/", "card dark-pictures", "dark/"}));
 }
+
+TEST_CASE("The rules that end where the report's do not stand in the index as the remedy, not where it goes wrong") {
+  IndexEntry entry;
+  entry.name = "complete/x";
+  const std::string page = index_html({entry}, "");
+  CHECK(page.find("The remedy: rules that end") != std::string::npos);
+  CHECK(page.find("Where it goes wrong") == std::string::npos);
+}
