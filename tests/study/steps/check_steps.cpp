@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "core/gjk.hpp"
 #include "tests/study/methods/mistakes.hpp"
@@ -53,17 +55,45 @@ Indices indices_of(const gjk::Simplex<S>& simplex) {
   return indices;
 }
 
+/// Returns: for reading, so without the sign of a zero, and short.
+std::string shown(double number) {
+  constexpr std::size_t longest = 10;
+  const std::string exact = walkthroughs::number_text(number + 0.0);
+  if (exact.size() <= longest) return exact;
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.6g", number);
+  return text.data();
+}
+
+/// Returns: the expression about vertices in that order, in the letters that they have as they were told.
+std::string in_told_letters(std::string text, const Indices& order) {
+  const std::size_t size = order.size();
+  for (char& c : text)
+    if (const std::size_t role = std::string_view("ABCD").find(c); role < size)
+      c = "ABCD"[size - 1 - static_cast<std::size_t>(order[size - 1 - role])];
+  return text;
+}
+
 /// Collects "ABCn·AO = 3 > 0" of what decided.
 template <class S>
 struct Reasons {
-  std::string text;
+  const Indices& order;  ///< of the vertices, as they were told
+  std::string text = {};
+
   void operator()(const gjk::RegionTested<S>& event) {
     const S* const value = std::get_if<S>(&event.value);
     if (event.verdict != gjk::Verdict::chosen || !value) return;
-    const double number = static_cast<double>(*value);
-    text += (text.empty() ? "" : ", ") + event.expression + " = " + walkthroughs::number_text(number) +
-            (*value > 0   ? " > 0"
-             : *value < 0 ? " < 0"
+    std::string expression = in_told_letters(event.expression, order);
+    S number = *value;
+    // The report names a normal in one order of its face: in the other it is the opposite.
+    for (const auto& [turned, named] : {std::pair{"ACBn", "ABCn"}, {"ADCn", "ACDn"}, {"ABDn", "ADBn"}})
+      if (const std::size_t at = expression.find(turned); at != std::string::npos) {
+        expression.replace(at, 4, named);
+        number = -number;
+      }
+    text += (text.empty() ? "" : ", ") + expression + " = " + shown(static_cast<double>(number)) +
+            (number > 0   ? " > 0"
+             : number < 0 ? " < 0"
                           : "");
   }
   template <class E>
@@ -79,24 +109,14 @@ Vec as_doubles(const gjk::Vec3<S>& direction) {
           static_cast<double>(S(direction[2] / most))};
 }
 
-/// Expressions about the vertices in that order, in the letters that they have as they were told: ABCn is AB×AC either way.
-std::string in_told_letters(std::string text, const Indices& order) {
-  const std::size_t size = order.size();
-  for (char& c : text)
-    if (const std::size_t role = std::string_view("ABCD").find(c); role < size)
-      c = "ABCD"[size - 1 - static_cast<std::size_t>(order[size - 1 - role])];
-  return text;
-}
-
 template <class S>
 Outcome processed(const Vertices& vertices, const Indices& order) {
   gjk::Simplex<S> simplex = simplex_of<S>(vertices, order);
-  Reasons<S> reasons;
+  Reasons<S> reasons{order};
   gjk::detail::Teller<Reasons<S>> tell(reasons, gjk::CrossingTest::on);
   const gjk::Next<S> next = gjk::detail::process<gjk::AsIntended>(simplex, tell);
-  const std::string why = in_told_letters(reasons.text, order);
-  if (next.contains_origin()) return {true, order, Vec::Zero(), why};
-  return {false, indices_of(simplex), as_doubles<S>(next.direction()), why};
+  if (next.contains_origin()) return {true, order, Vec::Zero(), reasons.text};
+  return {false, indices_of(simplex), as_doubles<S>(next.direction()), reasons.text};
 }
 
 /// Whether A lies in the direction BC×BD (Section 3.2.4), as far as rounding leaves that open: of a flat one any order is as good.
@@ -130,10 +150,7 @@ std::vector<Outcome> right_outcomes(const Vertices& vertices) {
 
 // -- Words ------------------------------------------------------------------------------------------------------------
 
-std::string words_of(const Vec& v) {
-  const auto number = [](double x) { return walkthroughs::number_text(x + 0.0); };  // 0 has no sign here
-  return "(" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + ")";
-}
+std::string words_of(const Vec& v) { return "(" + shown(v[0]) + ", " + shown(v[1]) + ", " + shown(v[2]) + ")"; }
 
 /// Returns: "[C, A]", the letters that vertices have in a simplex of that size.
 std::string letters_of(const Indices& indices, std::size_t size) {
@@ -208,7 +225,7 @@ class Following {
     const bool vanishes = size_ > 0 && size_ < 0x1p-255;
     const bool overflows = size_ > 0x1p+255;
     if (!vanishes && !overflows) return;
-    checked_.words += "; but of sets of the size " + walkthroughs::number_text(size_) + " products of four lengths " +
+    checked_.words += "; but of sets of the size " + shown(size_) + " products of four lengths " +
                       (vanishes ? "vanish" : "overflow") + " in doubles: that may be the reason, and no line wrong";
     checked_.mistakes.clear();
   }
@@ -306,12 +323,15 @@ class Following {
       return std::nullopt;
     }
     if (added.empty()) return among(right, d);
-    if (has(right, added.front())) return added.front();
+    if (has(right, added.front())) {
+      may_be_m1_ = may_be_m1_ && has(farthest_differences(d, d), added.front());
+      return added.front();
+    }
     const bool is_m1 = has(farthest_differences(d, d), added.front());
     blame(iteration(),
           words_of(added.front()) + " is no point of a − b farthest along " + words_of(step().direction) +
-              ": it reaches " + walkthroughs::number_text(added.front().dot(step().direction)) + ", " +
-              words_of(right.front()) + " reaches " + walkthroughs::number_text(right.front().dot(step().direction)),
+              ": it reaches " + shown(added.front().dot(step().direction)) + ", " + words_of(right.front()) +
+              " reaches " + shown(right.front().dot(step().direction)),
           is_m1 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
     return std::nullopt;
   }
@@ -345,9 +365,7 @@ class Following {
     is_done_ = true;
     if (!ends_with_no())
       blame(iteration(),
-            "P·d = " + walkthroughs::number_text(reach) +
-                " < 0: the origin was not crossed, so the answer is no; yours goes on",
-            {3});
+            "P·d = " + shown(reach) + " < 0: the origin was not crossed, so the answer is no; yours goes on", {3});
   }
 
   // -- The simplex ----------------------------------------------------------------------------------------------------
@@ -397,7 +415,7 @@ class Following {
       return blame_simplex(right.front(), run_.said == Said::separated ? "says no" : "says that it cannot tell");
     if (run_.said == Said::separated)
       blame(iteration(),
-            "the search was ended, and the answer is no, though P·d = " + walkthroughs::number_text(reach) +
+            "the search was ended, and the answer is no, though P·d = " + shown(reach) +
                 " ≥ 0 proves nothing; it should be undecided",
             makers_of_no({}));
   }
@@ -419,7 +437,6 @@ class Following {
     }
     const double reach = reach_along(ways.front());
     std::vector<std::size_t> makers;
-    if (reaches_back(ways.front())) makers.push_back(0);
     if (reach == 0) makers.push_back(2);
     for (std::size_t m = 0; m < mistakes().size(); ++m) {
       const Processed other = process_by(m);
@@ -427,16 +444,17 @@ class Following {
       const Vec d = shortened(other.direction);
       if (!parallel(d, ways.front()) && reach_along(d) < 0) makers.push_back(m);
     }
+    if (reaches_back(ways.front())) makers.push_back(0);
     blame(iteration(),
           "then the search was ended, and the answer is no, though along " + words_of(ways.front()) +
-              ", where the report goes on, P·d = " + walkthroughs::number_text(reach) + " ≥ 0 proves nothing",
+              ", where the report goes on, P·d = " + shown(reach) + " ≥ 0 proves nothing",
           makers);
     return true;
   }
 
-  /// Whether the vertex of M1 along `d` has P·d < 0.
+  /// Whether the vertex of M1 along `d` has P·d < 0, and M1 would have found those that were told.
   bool reaches_back(const Vec& d) const {
-    return std::ranges::any_of(farthest_differences(d, d), [&](const Vec& v) { return v.dot(d) < 0; });
+    return may_be_m1_ && std::ranges::any_of(farthest_differences(d, d), [&](const Vec& v) { return v.dot(d) < 0; });
   }
 
   /// Returns: also M1 where its vertex has P·d < 0.
@@ -516,7 +534,8 @@ class Following {
   std::size_t at_ = 0;
   Vertices before_, vertices_;  ///< the simplex before this step, and with its new vertex
   Indices told_indices_;
-  Vertices directions_;  ///< in which the next search may go
+  bool may_be_m1_ = true;  ///< whether every vertex is one that M1 finds, too
+  Vertices directions_;    ///< in which the next search may go
   std::optional<Suspect> suspect_;
   StepsChecked checked_;
   bool is_done_ = false;

@@ -97,6 +97,43 @@ TEST_CASE("Steps: of a mistake that ends with no, and does not tell that step, a
   CHECK(named == told_wrong);
 }
 
+TEST_CASE(
+    "Steps: who takes touching for apart is told that first, and a wrong side of B only where every vertex is of it",
+    "[steps]") {
+  constexpr std::size_t wrong_side = 0, touching = 2;
+  int all = 0;
+  for (const NamedPair& pair : smallest()) {
+    if (!shows(pair.pair, touching)) continue;
+    const ToldRun run =
+        told(pair, walkthroughs::run(walkthroughs::mistaken(scene_of(pair), walkthroughs::Mistake(touching))));
+    for (const ToldRun& each : {run, told_at_ends(run)}) {
+      const StepsChecked found = check_steps(each);
+      if (found.iteration == 0) continue;
+      INFO(pair.name << ", iteration " << found.iteration << ": " << found.words);
+      REQUIRE_FALSE(found.mistakes.empty());
+      CHECK(found.mistakes.front() == touching);
+      if (each.steps.size() > 2) CHECK(std::ranges::count(found.mistakes, wrong_side) == 0);
+      ++all;
+    }
+  }
+  CHECK(all > 20);
+}
+
+TEST_CASE("Steps: normals have the report's names, zero has no sign, and numbers are short", "[steps]") {
+  for (std::size_t m = 0; m < mistakes().size(); ++m)
+    for (const NamedPair& pair : kept_pairs()) {
+      if (!std::holds_alternative<Points>(pair.pair.a) || !shows(pair.pair, m)) continue;
+      const StepsChecked found =
+          check_steps(told(pair, walkthroughs::run(walkthroughs::mistaken(scene_of(pair), walkthroughs::Mistake(m)))));
+      INFO(found.words);
+      for (const char* const none : {"ACBn", "ADCn", "ABDn", "= -0 ", "= -0:", "-0,", "-0)"})
+        CHECK(found.words.find(none) == std::string::npos);
+      std::size_t digits = 0, most = 0;
+      for (const char c : found.words) most = std::max(most, digits = c >= '0' && c <= '9' ? digits + 1 : 0);
+      CHECK(most <= 10);
+    }
+}
+
 TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
   const NamedPair far{"far", "f", {Points{{0, 0, 0}, {1, 0, 0}}, Points{{5, 1, 0}, {5, -1, 0}}}};
   const auto words = [&](const std::vector<ToldStep>& steps, Said said) {
@@ -237,7 +274,7 @@ TEST_CASE("Steps: what decides is told in the letters of the simplex that was to
   INFO(found.words);
   CHECK(found.iteration == 5);
   // AB×AD·AO of the places told, not that of vertices in the order in which the report would have them.
-  CHECK(found.words.starts_with("from [D, C, B, A] the report finds ABDn·AO = 7.999999999999503 > 0: keep [D, B, A];"));
+  CHECK(found.words.starts_with("from [D, C, B, A] the report finds ADBn·AO = -8 < 0: keep [D, B, A];"));
 }
 
 TEST_CASE("Steps: with its faces tested in another order it is not blamed, and told where it chose otherwise",
