@@ -1,12 +1,14 @@
 #include "tests/study/judge/judge_program.hpp"
 
 #include <cstdlib>
+#include <fstream>
 
 #include "tests/catch.hpp"
 #include "tests/study/judge/judged_scenes.hpp"
 #include "tests/study/judge/judged_text.hpp"
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/methods/mistakes.hpp"
+#include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
@@ -73,7 +75,8 @@ TEST_CASE("Judge: it is told of how many failing families the first have their w
   const Pair pair{Points{{0, 0, 0}}, Points{{5, 0, 0}}};
   for (const char* const family : {"f", "f", "g", "h"})
     found.pairs.push_back({.named = {"p", family, pair}, .verdict = Verdict::wrong_yes});
-  found.pairs.push_back({.named = {"q", "round", {Ball{{0, 0, 0}, 1}, Ball{{0, 0, 0}, 1}}}, .verdict = Verdict::wrong_no});
+  found.pairs.push_back(
+      {.named = {"q", "round", {Ball{{0, 0, 0}, 1}, Ball{{0, 0, 0}, 1}}}, .verdict = Verdict::wrong_no});
   found.steps = {{.pair = "p", .iteration = 1, .words = "it is wrong"}};
   CHECK(has(told(found), "Of 3 families with failures the first 1 are told."));
 }
@@ -107,6 +110,23 @@ TEST_CASE("Judge: Python is judged through its adapter", "[judge]") {
   CHECK(found.all.of(Verdict::wrong_no) == 0);  // whoever meets has boxes that meet
   CHECK(found.all.of(Verdict::wrong_yes) > 10);
   CHECK(found.all.of(Verdict::undecided) == 0);
+}
+
+TEST_CASE("Judge: Python tells its steps where they are asked for, and only there", "[judge]") {
+  const walkthroughs::test::Folder folder;
+  std::ofstream(folder.path() / "stepping.py") << "from judge_main import step\n"
+                                                  "def collide(a, b):\n"
+                                                  "    step((1, 0, 0), [a[0]])\n"
+                                                  "    return True\n";
+  const std::string question = R"({"a":{"points":[[1,2,3]]},"b":{"points":[[0,0,0]]}})";
+  const auto lines = [&](const std::string& wanted) {
+    const std::string script =
+        "cd " + folder.path().string() + " && " + wanted + " exec python3 -B " JUDGE_ADAPTERS "/judge_main.py stepping";
+    return run_program({"sh", "-c", script}, std::vector{question}, std::chrono::seconds(60), 2).lines;
+  };
+  CHECK(lines("") == std::vector<std::string>{"true"});
+  CHECK(lines("export JUDGE_STEPS=1;") ==
+        std::vector<std::string>{R"({"direction": [1.0, 0.0, 0.0], "simplex": [[1.0, 2.0, 3.0]]})", "true"});
 }
 
 TEST_CASE("Judge: a program that always says yes is told as that, and so is no", "[judge]") {
