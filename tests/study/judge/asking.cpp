@@ -4,6 +4,8 @@
 #include <optional>
 #include <span>
 
+#include "walkthroughs/model/number_text.hpp"
+
 namespace study {
 namespace {
 
@@ -11,10 +13,33 @@ Reply::Kind kind_of(End end) {
   switch (end) {
     case End::ended: return Reply::ended;
     case End::late: return Reply::late;
-    case End::flooding: return Reply::flooding;
+    case End::flooding:
+    case End::long_line: return Reply::flooding;
     case End::answered: break;
   }
   return Reply::line;
+}
+
+bool is_flood(End end) { return end == End::flooding || end == End::long_line; }
+
+std::string in_seconds(std::chrono::milliseconds time) {
+  return walkthroughs::number_text(static_cast<double>(time.count()) / 1000) + " s";
+}
+
+/// Returns: why a run that was asked one question has no answer to it.
+std::string why_not_answered(const RunOfProgram& run, std::chrono::milliseconds limit) {
+  switch (run.end) {
+    case End::ended: return run.how;
+    case End::late:
+      return "no answer within " + in_seconds(limit) +
+             (run.closed_output  ? "; it had closed its output"
+              : run.closed_input ? "; it had closed its input"
+                                 : "");
+    case End::flooding: return "more lines than pairs";
+    case End::long_line: return "a line longer than 1 MB";
+    case End::answered: break;
+  }
+  return "";
 }
 
 constexpr int most_floods = 3;  // in a row, each at one pair alone
@@ -41,13 +66,14 @@ class Interview {
     const std::size_t count = std::min(size_, questions_.size() - at_);
     RunOfProgram run = run_program(program_.words, std::span(questions_).subspan(at_, count), program_.limit);
     note(run);
-    const std::size_t answered = run.end == End::flooding && count > 1 ? 0 : run.lines.size();
+    const std::size_t answered = is_flood(run.end) && count > 1 ? 0 : run.lines.size();
     for (std::size_t i = 0; i < answered; ++i) replies_.all[at_ + i] = {Reply::line, std::move(run.lines[i])};
     if (answered > 0) in_a_row_ = 0;
     const bool crashed = run.was_killed_by_signal && (run.end == End::ended || run.end == End::answered);
     if (crashed && !unexplained_ && (count > 1 || run.end == End::answered)) {
       unexplained_ = at_ + count;
       how_ = run.how;
+      answers_before_ = answered;
     }
     at_ += answered;
     if (count == 1) give_up_who_floods(run);
@@ -62,19 +88,20 @@ class Interview {
 
   /// Whose answers to single pairs are several lines has no answers, only lines.
   void give_up_who_floods(const RunOfProgram& run) {
-    floods_alone_ = run.end == End::flooding ? floods_alone_ + 1 : 0;
+    floods_alone_ = is_flood(run.end) ? floods_alone_ + 1 : 0;
     if (floods_alone_ == most_floods && at_ < questions_.size()) replies_.was_given_up = true;
   }
 
   void note(const RunOfProgram& run) {
     replies_.floods += run.end == End::flooding;
+    replies_.long_lines += run.end == End::long_line;
     replies_.outlives_its_input = replies_.outlives_its_input || run.outlives_its_input;
     if (run.end != End::answered && replies_.said.empty()) replies_.said = run.said;
   }
 
   /// Asked alone, the pair had no answer.
   void blame(const RunOfProgram& run) {
-    replies_.all[at_++] = {kind_of(run.end), run.end == End::ended ? run.how : ""};
+    replies_.all[at_++] = {kind_of(run.end), why_not_answered(run, program_.limit)};
     unexplained_.reset();
     in_a_row_ += run.end == End::late ? 10 : 1;
     if (in_a_row_ >= 50 && at_ < questions_.size()) replies_.was_given_up = true;
@@ -83,7 +110,10 @@ class Interview {
   /// A crash that no pair is to blame for.
   void forgive_or_count() {
     if (!unexplained_ || at_ < *unexplained_) return;
-    if (++replies_.crashes_in_company == 1) replies_.first_crash = how_;
+    if (++replies_.crashes_in_company == 1) {
+      replies_.first_crash = how_;
+      replies_.answers_before_first_crash = answers_before_;
+    }
     unexplained_.reset();
   }
 
@@ -93,6 +123,7 @@ class Interview {
   std::size_t at_ = 0, size_ = 16;
   std::optional<std::size_t> unexplained_;  ///< a run crashed that was to end here
   std::string how_;
+  std::size_t answers_before_ = 0;
   int in_a_row_ = 0, floods_alone_ = 0;
 };
 

@@ -17,7 +17,7 @@ namespace study {
 
 struct Reply {
   enum Kind { line, ended, late, flooding, not_asked } kind = not_asked;
-  std::string text;  ///< the line; or how it ended
+  std::string text;  ///< the line; or why there is none: "exit code 1", "no answer within 2 s"
 };
 
 struct Replies {
@@ -25,10 +25,12 @@ struct Replies {
   /// Runs that crashed although each of their pairs, asked in other company, was answered; and how the first did.
   std::uint64_t crashes_in_company = 0;
   std::string first_crash;
-  std::uint64_t floods = 0;         ///< runs that wrote more lines than they read
-  bool outlives_its_input = false;  ///< it did not end when its input did
-  bool was_given_up = false;        ///< several in a row had no answer, or too many lines; the rest were not asked
-  std::string said;                 ///< what it wrote to standard error in the first run that was not answered
+  std::size_t answers_before_first_crash = 0;  ///< in its run
+  std::uint64_t floods = 0;                    ///< runs that wrote more lines than they read
+  std::uint64_t long_lines = 0;                ///< runs that wrote a line longer than may be
+  bool outlives_its_input = false;             ///< it did not end when its input did
+  bool was_given_up = false;  ///< several in a row had no answer, or too many lines; the rest were not asked
+  std::string said;           ///< what it wrote to standard error in the first run that was not answered
 };
 
 struct AskedProgram {

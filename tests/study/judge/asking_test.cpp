@@ -1,5 +1,9 @@
 #include "tests/study/judge/asking.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -78,6 +82,7 @@ TEST_CASE("Asking: a crash after so many questions, whichever they are, is count
   check_echo_but(replies, {});
   CHECK(replies.crashes_in_company >= 1);
   CHECK(replies.first_crash == "signal 11 (Segmentation fault)");
+  CHECK(replies.answers_before_first_crash == 16);
   const Replies in_the_end = ask_shell(echo + "echo got $x; done; kill -ABRT $$", 5);
   check_echo_but(in_the_end, {});
   CHECK(in_the_end.crashes_in_company == 1);
@@ -87,6 +92,13 @@ TEST_CASE("Asking: who is late at one question is late for that one, and started
   const Replies replies = ask_shell(echo + "[ $x = 5 ] && sleep 100; echo got $x; done", 30, 2000);
   check_echo_but(replies, {5});
   CHECK(replies.all[5].kind == Reply::late);
+  CHECK(replies.all[5].text == "no answer within 2 s");
+}
+
+TEST_CASE("Asking: who is late and has closed its output or its input is told as that", "[judge]") {
+  CHECK(ask_shell("exec >&-; sleep 100", 1, 500).all[0].text == "no answer within 0.5 s; it had closed its output");
+  const Replies refused = ask_all(shell("exec <&-; sleep 100", 500), {std::string(1 << 20, 'x')});
+  CHECK(refused.all[0].text == "no answer within 0.5 s; it had closed its input");
 }
 
 TEST_CASE("Asking: who never answers is given up", "[judge]") {
@@ -114,10 +126,14 @@ TEST_CASE("Asking: who writes without end is stopped, by lines and without", "[j
   check_echo_but(lines, {});
   const Replies one_line = ask_shell("cat /dev/zero", 3);
   CHECK(count_of(one_line, Reply::flooding) == 3);
+  CHECK(one_line.all[0].text == "a line longer than 1 MB");
+  CHECK((one_line.floods == 0 && one_line.long_lines > 0));
 }
 
-TEST_CASE("Asking: who writes several lines for a pair is given up soon, whether output is kept back or not", "[judge]") {
-  for (const std::string& script : {echo + "echo asked; echo got $x; done", std::string("exec <&-; yes got 0 | head -1000")}) {
+TEST_CASE("Asking: who writes several lines for a pair is given up soon, whether output is kept back or not",
+          "[judge]") {
+  for (const std::string& script :
+       {echo + "echo asked; echo got $x; done", std::string("exec <&-; yes got 0 | head -1000")}) {
     INFO(script);
     const Replies replies = ask_shell(script, 40);
     CHECK(replies.was_given_up);
@@ -147,6 +163,18 @@ TEST_CASE("Asking: of a program that starts others nothing is left, wherever the
       for (std::string pid; list >> pid; ++count) CHECK_FALSE(is_running(pid));
       CHECK(count > 0);
     }
+}
+
+TEST_CASE("Asking: what this process had started before is left alone", "[judge]") {
+  const pid_t before = ::fork();
+  if (before == 0) {
+    ::pause();
+    ::_exit(0);
+  }
+  check_echo_but(ask_shell(echo + "echo got $x; done", 3), {});
+  CHECK(::waitpid(before, nullptr, WNOHANG) == 0);
+  ::kill(before, SIGKILL);
+  CHECK(::waitpid(before, nullptr, 0) == before);
 }
 
 TEST_CASE("Asking: a program is told that its reader has left as anywhere else", "[judge]") {

@@ -48,7 +48,7 @@ Reading read(const NamedPair& named, const Reply& reply) {
   Judged& judged = reading.judged;
   if (reply.kind != Reply::line) {
     judged.verdict = verdict_on(reply.kind);
-    judged.detail = reply.kind == Reply::flooding ? "more lines than pairs" : reply.text;
+    judged.detail = reply.text;
     return reading;
   }
   reading.answer = read_answer(reply.text, named.pair);
@@ -158,6 +158,7 @@ bool Judged::is_wrong() const {
 
 bool ProgramJudged::is_good() const {
   return all.wrong.count == 0 && all.of(Verdict::not_asked) == 0 && !crashes && replies.floods == 0 &&
+         replies.long_lines == 0 &&
          std::ranges::all_of(changes, [](const Change& change) { return change.other_answers == 0; });
 }
 

@@ -59,9 +59,13 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
         count_of(judged.all.of(Verdict::not_asked), "pair was", "pairs were") + " not asked.");
   if (replies.crashes_in_company > 0)
     sentences.push_back("It crashed " + count_of(replies.crashes_in_company, "time", "times") +
-                        ", though each of the pairs has its answer in another run: " + replies.first_crash + ".");
+                        ", though each of the pairs has its answer in another run: " + replies.first_crash +
+                        ", the first time after " + count_of(replies.answers_before_first_crash, "answer", "answers") +
+                        " of a run.");
   if (replies.floods > 0)
     sentences.push_back("It writes more lines than it reads: one answer a line, and nothing else on standard output.");
+  if (replies.long_lines > 0)
+    sentences.push_back("It writes a line longer than 1 MB: one short line an answer, with a line feed at its end.");
   if (replies.outlives_its_input) sentences.push_back("It does not end when its input ends, and was ended.");
   for (const Judged& each : judged.pairs)
     if (!each.detail.empty()) {

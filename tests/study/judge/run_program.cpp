@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -147,11 +148,16 @@ std::vector<pid_t> own_children() {
 }
 
 /// What a process has started becomes this one's when it ends (PR_SET_CHILD_SUBREAPER): so that, killed again and again,
-/// there is none left.
-void kill_all_that_is_left(pid_t group) {
+/// there is none left but those that were here before.
+void kill_all_that_is_left(pid_t group, const std::vector<pid_t>& before) {
   ::kill(-group, SIGKILL);
-  for (std::vector<pid_t> left = own_children(); !left.empty(); left = own_children())
-    for (const pid_t child : left) {
+  const auto left = [&] {
+    std::vector<pid_t> children = own_children();
+    std::erase_if(children, [&](pid_t child) { return std::ranges::find(before, child) != before.end(); });
+    return children;
+  };
+  for (std::vector<pid_t> now = left(); !now.empty(); now = left())
+    for (const pid_t child : now) {
       ::kill(child, SIGKILL);
       while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
     }
@@ -197,7 +203,10 @@ class Talk {
   }
 
   bool output_is_open() const { return streams_.out.read.is_open(); }
-  bool is_flooded() const { return lines_seen_ > most_lines_ || line_.size() > longest_line; }
+  bool input_was_refused() const { return input_was_refused_; }
+  bool has_too_many_lines() const { return lines_seen_ > most_lines_; }
+  bool has_long_line() const { return line_.size() > longest_line; }
+  bool is_flooded() const { return has_too_many_lines() || has_long_line(); }
 
  private:
   void take_question() {
@@ -212,7 +221,10 @@ class Talk {
       const ssize_t count = ::write(streams_.in.write.get(), unwritten_.data(), unwritten_.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && errno == EAGAIN) return;
-      if (count < 0) return streams_.in.write.close();  // it does not want to know more
+      if (count < 0) {  // it does not want to know more
+        input_was_refused_ = true;
+        return streams_.in.write.close();
+      }
       unwritten_.erase(0, static_cast<std::size_t>(count));
       if (unwritten_.empty()) take_question();
     }
@@ -246,6 +258,7 @@ class Talk {
   const std::size_t most_lines_;  // of all questions together
   std::size_t next_ = 0, lines_seen_ = 0;
   std::string unwritten_, line_;
+  bool input_was_refused_ = false;
 };
 
 /// Returns: its status, once it has ended.
@@ -261,6 +274,8 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
   const KeptBack signals;
   const NoSigpipe no_sigpipe;
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  // What this process was before, a shell that became it, may have started some, and they are its own.
+  const std::vector<pid_t> before = own_children();
   Streams streams;
   const pid_t child = start(words, streams, signals);
   Talk talk(std::move(streams), questions, most_lines);
@@ -273,14 +288,18 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
     status = status_of(child);
     if (talk.go_on(run) > 0) late = Clock::now() + limit;
   }
-  kill_all_that_is_left(child);
+  run.closed_input = talk.input_was_refused();
+  run.closed_output = !status && !talk.output_is_open();
+  kill_all_that_is_left(child, before);
   talk.go_on(run);
   if (status) {
     run.how = words_of_status(*status);
     run.was_killed_by_signal = WIFSIGNALED(*status);
   }
-  if (talk.is_flooded())
+  if (talk.has_too_many_lines())
     run.end = End::flooding;
+  else if (talk.has_long_line())
+    run.end = End::long_line;
   else if (run.lines.size() < questions.size())
     run.end = status ? End::ended : End::late;
   else

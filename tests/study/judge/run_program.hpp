@@ -14,7 +14,8 @@ enum class End {
   answered,  ///< as many lines as questions, or more that may be; how it ended then does not matter
   ended,     ///< by itself, too early
   late,      ///< was ended: no further line for too long
-  flooding   ///< was ended: more lines than may be, or a line without end
+  flooding,  ///< was ended: more lines than may be
+  long_line  ///< was ended: a line longer than 1 MB
 };
 
 struct RunOfProgram {
@@ -23,6 +24,8 @@ struct RunOfProgram {
   std::string
       how;  ///< "signal 11 (Segmentation fault)", "exit code 1"; where it ended by itself, also after its last answer
   bool was_killed_by_signal = false;  ///< by itself, as when it crashes
+  bool closed_input = false;          ///< before it had read all
+  bool closed_output = false;         ///< and was still there
   bool outlives_its_input = false;    ///< has answered all, but was still there when it was ended
   std::string said;                   ///< the end of what it wrote to standard error
 };
@@ -30,10 +33,11 @@ struct RunOfProgram {
 /// Starts the program, found as a shell finds it, writes the questions, one a line, closes its standard input, and reads until
 /// it ends, or too long no further line comes. Then nothing that it has started is left, processes that left its group among
 /// them; nor is it where this process is ended meanwhile, but by SIGKILL, which the program itself does not outlive either.
+/// Children that this process had before are left alone.
 ///
 /// `most_lines`: that a question may bring; the last is its answer.
 ///
-/// Requires: this process has no other children. Errors: walkthroughs::UsageError where the program cannot be started;
+/// Requires: no other thread of this process starts children meanwhile. Errors: walkthroughs::UsageError where the program cannot be started;
 /// std::system_error.
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
                          std::chrono::milliseconds limit, std::size_t most_lines = 1);
