@@ -26,7 +26,7 @@ std::vector<MistakenPair> pairs() {
       {Mistake::as_printed, {{-1, -1, 0}, {0, 0, 0}, {-1, 0, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 2, 0}}},
       {Mistake::origin_at_vertex_missed, {{0, 0, 0}, {-2, -2, 0}, {-1, 0, 0}}, {{0, 0, 0}, {0, 2, 0}, {1, 0, 0}}},
       {Mistake::origin_on_segment_missed, {{1, 1, 0}, {1, 0, 0}, {0, -1, 0}}, {{1, 0, 0}, {0, 0, 0}, {0, 1, 0}}},
-      {Mistake::direction_from_vertex, {{0, 2, 0}, {-1, 1, 0}, {0, -1, 0}}, {{1, 1, 0}, {2, -1, 0}, {1, 2, 0}}},
+      {Mistake::direction_from_vertex, {{-1, 0, 0}, {-1, 1, 0}, {0, -1, 0}}, {{1, 0, 0}, {1, 1, 0}, {0, 0, 0}}},
       {Mistake::triangle_normal_reversed, {{0, 1, 0}, {2, 0, 0}, {-2, 0, 0}}, {{0, -1, 0}, {-1, -1, 0}, {-1, 1, 0}}},
       {Mistake::triangle_abn_inward, wide, narrow},
       {Mistake::triangle_acn_inward, wide, narrow},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
@@ -48,6 +49,12 @@ void draw_axis(Canvas& canvas, const Chart& chart, const Style& style) {
   }
 }
 
+/// Returns: what stands behind a bar; that is all there is of a mistake that is none.
+std::string words_of(const wrong_on_purpose::Description& mistake, TestPairs pairs) {
+  return is_none_along_axes(mistake.value) ? "never wrong, begun along an axis"
+                                           : pairs_to_notice(mistake.value, pairs).text();
+}
+
 void draw_bar(Canvas& canvas, const Chart& chart, const wrong_on_purpose::Description& mistake, TestPairs pairs,
               const Style& style) {
   const PairsToNotice needed = pairs_to_notice(mistake.value, pairs);
@@ -57,12 +64,13 @@ void draw_bar(Canvas& canvas, const Chart& chart, const wrong_on_purpose::Descri
   text.align = render::Align::right;
   canvas.text({chart.left - 8, baseline}, wrong_on_purpose::number_of(mistake.value), text);
   canvas.text({chart.left - numbers_width, baseline}, mistake.meaning, text);
+  text.align = render::Align::left;
+  if (is_none_along_axes(mistake.value)) return canvas.text({chart.left + 8, baseline}, words_of(mistake, pairs), text);
   const Vec2 bar[] = {{chart.left, y - half}, {end, y - half}, {end, y + half}, {chart.left, y + half}};
   canvas.polygon(bar, needed.is_more ? style.object_b_fill : style.object_a_fill);
   canvas.outline(bar, {style.theme.ink, 1});
   if (needed.is_more) canvas.arrow({end, y}, {chart.right + 14, y}, {style.theme.ink, 1.5 * style.theme.line});
-  text.align = render::Align::left;
-  canvas.text({needed.is_more ? chart.right + 20 : end + 8, baseline}, needed.text(), text);
+  canvas.text({needed.is_more ? chart.right + 20 : end + 8, baseline}, words_of(mistake, pairs), text);
 }
 
 int draw(TestPairs pairs, Canvas& canvas, const Box& box, const Style& style) {
@@ -77,7 +85,7 @@ std::string described(TestPairs pairs) {
   std::string text = "One bar for each mistake.";
   for (const auto& mistake : wrong_on_purpose::all())
     text += " " + wrong_on_purpose::number_of(mistake.value) + ", " + std::string(mistake.meaning) + ": " +
-            pairs_to_notice(mistake.value, pairs).text() + ".";
+            words_of(mistake, pairs) + ".";
   return text;
 }
 
@@ -86,19 +94,27 @@ Diagram diagram(TestPairs pairs, const std::string& caption, std::vector<std::st
           [pairs](Canvas& canvas, const Box& box, const Style& style) { return draw(pairs, canvas, box, style); }};
 }
 
-std::size_t count_unseen(TestPairs pairs) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      wrong_on_purpose::all(), [&](const auto& mistake) { return pairs_to_notice(mistake.value, pairs).is_more; }));
+std::string count_where(const std::function<bool(const wrong_on_purpose::Description&)>& is_so) {
+  return std::to_string(std::ranges::count_if(wrong_on_purpose::all(), is_so));
 }
 
 std::vector<Diagram> survival_diagrams() {
-  const std::string of_all = " of " + std::to_string(wrong_on_purpose::all().size());
-  const auto unseen = [&](TestPairs pairs) { return std::to_string(count_unseen(pairs)) + of_all; };
+  const auto unseen = [](TestPairs pairs) {
+    return [pairs](const auto& mistake) { return pairs_to_notice(mistake.value, pairs).is_more; };
+  };
+  const auto show = [&](TestPairs pairs) {
+    return count_where(unseen(pairs)) + " of " + std::to_string(wrong_on_purpose::all().size()) +
+           " show on none of the pairs that were tried";
+  };
+  const std::string none = count_where([](const auto&mistake) { return is_none_along_axes(mistake.value); }),
+                    more = count_where([&](const auto&mistake) {
+                      return unseen(TestPairs::triangles)(mistake) && !unseen(TestPairs::grid_triangles)(mistake);
+                    });
   return {diagram(TestPairs::triangles, "How many random pairs of triangles it takes to notice a mistake.",
-                  {unseen(TestPairs::triangles) + " show on none of the pairs that were tried"}),
+                  {show(TestPairs::triangles) + "; of these " + none + " is never wrong, begun along an axis"}),
           diagram(TestPairs::grid_triangles,
                   "Triangles on a grid of 6 × 6 × 6 points touch more often, and some mistakes show sooner.",
-                  {unseen(TestPairs::grid_triangles) + " show on none: test with sets that touch"})};
+                  {more + " more show once sets touch; " + show(TestPairs::grid_triangles)})};
 }
 
 }  // namespace

@@ -11,6 +11,8 @@ namespace {
 
 using wrong_on_purpose::WrongLine;
 
+constexpr const char* none_along_axes = "begun along an axis this mistake is none";
+
 /// What a frame about that event would want the reader to look at; only what the pseudo-code asks.
 Focus focus_on(const gjk::Event<double>& event) {
   if (std::holds_alternative<gjk::RegionTested<double>>(event)) return Focus::region;
@@ -59,10 +61,24 @@ std::string both_lines(const WrongLine& line, const Names& names) {
          "; here: " + wrong_text(line, names);
 }
 
+std::string how_long_unnoticed(Mistake mistake) {
+  using wrong_on_purpose::TestPairs;
+  if (is_none_along_axes(mistake)) return none_along_axes;
+  const auto thrown = pairs_to_notice(mistake, TestPairs::triangles),
+             touching = pairs_to_notice(mistake, TestPairs::grid_triangles);
+  const std::string words = "it takes " + thrown.text() + " random pairs of triangles to notice the mistake";
+  return thrown.is_more && !touching.is_more ? words + ", but " + touching.text() + " on a grid, where they touch"
+                                             : words;
+}
+
+bool ends_wrongly(const Trace& mistaken, const Trace& right) {
+  return result_of(mistaken).status != result_of(right).status;
+}
+
 std::string how_it_ended(Mistake mistake, const Trace& mistaken, const Trace& right) {
-  return how_search_ended(result_of(mistaken), result_of(right)) + "; it takes " +
-         wrong_on_purpose::pairs_to_notice(mistake, wrong_on_purpose::TestPairs::triangles).text() +
-         " random pairs of triangles to notice the mistake";
+  if (is_none_along_axes(mistake) && !ends_wrongly(mistaken, right))
+    return std::string("The same answer, found sooner, and proven: ") + none_along_axes;
+  return how_search_ended(result_of(mistaken), result_of(right)) + "; " + how_long_unnoticed(mistake);
 }
 
 }  // namespace walkthroughs

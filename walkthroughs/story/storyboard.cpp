@@ -8,6 +8,7 @@
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
+#include "walkthroughs/wrong_on_purpose/measured.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -135,7 +136,8 @@ std::size_t last_event(const Story& story) {
 struct ToldMistake {
   std::string meaning;
   std::optional<std::string> lines;
-  std::string ending;
+  std::string survival, ending;
+  bool is_wrong_there, ends_wrongly;
 };
 
 std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
@@ -144,11 +146,18 @@ std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
   if (!mistake || common == mistaken.events.size()) return std::nullopt;
   const Moment parting = replay(right, common + 1);
   const Names names(story.walkthrough.naming, story.tellings[1].hull, parting);
-  ToldMistake told{
-      names.translate(wrong_on_purpose::description_of(*mistake).meaning), {}, how_it_ended(*mistake, mistaken, right)};
+  const wrong_on_purpose::Description& known = wrong_on_purpose::description_of(*mistake);
+  ToldMistake told{.meaning = names.translate(known.meaning),
+                   .lines = {},
+                   .survival = how_long_unnoticed(*mistake),
+                   .ending = how_it_ended(*mistake, mistaken, right),
+                   .is_wrong_there = !is_none_along_axes(*mistake),
+                   .ends_wrongly = ends_wrongly(mistaken, right)};
   if (const auto* const line = line_gone_wrong(*mistake, right, common)) told.lines = both_lines(*line, names);
   return told;
 }
+
+constexpr const char* both_go_on = "Both runs go on.";
 
 std::string sentence_for(const Story& story, std::size_t i, std::size_t common,
                          const std::optional<ToldMistake>& told) {
@@ -163,7 +172,23 @@ std::string sentence_for(const Story& story, std::size_t i, std::size_t common,
   for (const Telling& telling : story.tellings)
     if (i >= telling.trace.events.size())
       return "Only one run goes on: " + story.tellings[&telling == &story.tellings[0] ? 1 : 0].scene.name + ".";
-  return "Both runs go on.";
+  return both_go_on;
+}
+
+/// Where no run parts or ends, what the mistaken one does is the sentence, and only its numbers are left to tell below.
+void lead_with_mistaken(Frame& frame, const std::string& name, const Frame& mistaken) {
+  frame.caption = frame.headline = name + ": " + mistaken.caption;
+  frame.facts.erase(frame.facts.begin());
+  if (!mistaken.facts.empty())
+    frame.facts.insert(frame.facts.begin(), {Fact::Mark::none, name + ": " + mistaken.facts.front().text});
+}
+
+/// What a run says at an event. A mistaken one that goes on, or heals, may say what is true.
+Fact::Mark mark_of(const Scene& scene, const std::optional<ToldMistake>& told, Focus focus) {
+  if (!scene.mistake && gjk::not_crossed(scene.rules) == gjk::NotCrossed::answer_at_once) return Fact::Mark::yes;
+  if (!told) return Fact::Mark::no;
+  const bool is_wrong = focus == Focus::parting ? told->is_wrong_there : focus == Focus::end && told->ends_wrongly;
+  return is_wrong ? Fact::Mark::no : Fact::Mark::none;
 }
 
 /// Returns: a frame about event `i` of both runs, which part at `common`; nothing where neither has anything to say. The last tells
@@ -183,10 +208,13 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   const std::string sentence = sentence_for(story, i, common, told);
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
   for (const auto& [scene, one] : said) {
-    const bool is_sound = !scene->mistake && gjk::not_crossed(scene->rules) == gjk::NotCrossed::answer_at_once;
-    frame.facts.push_back({is_sound ? Fact::Mark::yes : Fact::Mark::no, scene->name + ": " + one.caption});
+    const Focus about = i == common ? Focus::parting : one.focus;
+    frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption});
     if (told && i == common) frame.facts.push_back({Fact::Mark::none, one.facts.at(0).text});
   }
+  const bool is_mistaken_first = told && said.front().first->mistake;
+  if (is_mistaken_first && sentence == both_go_on) lead_with_mistaken(frame, said.front().first->name, first);
+  if (told && i == common) frame.facts.push_back({Fact::Mark::none, told->survival});
   if (told && told->lines && i == common) frame.facts.push_back({Fact::Mark::truth, *told->lines});
   return frame;
 }

@@ -57,4 +57,6 @@ PairsToNotice pairs_to_notice(Mistake mistake, TestPairs pairs) {
   return known.at(static_cast<std::size_t>(mistake)).at(static_cast<std::size_t>(pairs));
 }
 
+bool is_none_along_axes(Mistake mistake) { return mistake == Mistake::first_point_tested; }
+
 }  // namespace walkthroughs::wrong_on_purpose

@@ -20,4 +20,8 @@ struct PairsToNotice {
 
 PairsToNotice pairs_to_notice(Mistake mistake, TestPairs pairs);
 
+/// Returns: whether a search that is begun along an axis is wrong with it nowhere, however many pairs are tried. That is proven: P·d of
+/// the first point is then a single difference, whose sign no rounding changes, and P·d < 0 proves separation wherever it is found.
+bool is_none_along_axes(Mistake mistake);
+
 }  // namespace walkthroughs::wrong_on_purpose

@@ -64,7 +64,9 @@ walkthroughs::Story Parting::story() const {
     if (frame.focus == walkthroughs::Focus::parting)
       frame.caption = frame.headline = "Here the two runs part: " + words + ".";
     for (walkthroughs::Fact& fact : frame.facts)
-      if (fact.text.starts_with(own_name + ": ")) fact.mark = walkthroughs::Fact::Mark::no;
+      if (fact.text.starts_with(own_name + ": "))  // what comes of a wrong step may be true again
+        fact.mark =
+            frame.focus == walkthroughs::Focus::parting ? walkthroughs::Fact::Mark::no : walkthroughs::Fact::Mark::none;
   }
   return story;
 }
