@@ -111,7 +111,7 @@ std::vector<Diagram> survival_diagrams() {
                       return unseen(TestPairs::triangles)(mistake) && !unseen(TestPairs::grid_triangles)(mistake);
                     });
   return {diagram(TestPairs::triangles, "How many random pairs of triangles it takes to notice a mistake.",
-                  {show(TestPairs::triangles) + "; of these " + none + " is never wrong, begun along an axis"}),
+                  {show(TestPairs::triangles), none + " of these is never wrong, begun along an axis"}),
           diagram(TestPairs::grid_triangles,
                   "Triangles on a grid of 6 × 6 × 6 points touch more often, and some mistakes show sooner.",
                   {more + " more show once sets touch; " + show(TestPairs::grid_triangles)})};
