@@ -159,6 +159,18 @@ TEST_CASE("A mistaken search is marked as wrong where it parts and where it ends
   }
 }
 
+TEST_CASE("Between the parting and the ends what the mistaken search does is the sentence") {
+  for (const Walkthrough* w : about_mistakes()) {
+    INFO(w->name);
+    const Story told = tell(*w);
+    for (const Frame& frame : told.frames)
+      if (frame.caption == "Both runs go on.")  // at an event of which only the report's search has something to say
+        CHECK((frame.facts.size() == 1 && frame.facts.front().text.starts_with("the report: ")));
+  }
+  const Story story = tell(walkthrough("mistakes/m18-edge-normals-reused"));
+  CHECK(std::ranges::any_of(story.frames, [](const Frame& frame) { return frame.caption.starts_with("M18: "); }));
+}
+
 TEST_CASE("The last frame of a mistake tells the ends of both searches") {
   for (const Walkthrough* w : about_mistakes()) {
     INFO(w->name);
