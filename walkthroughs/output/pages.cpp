@@ -159,6 +159,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   const PagePictures pictures{.url = url,
                               .page = page_of_frame(output.look.text),
                               .part = pictures_of_frame(w, output.look),
+                              .text_scale = output.look.style.theme.text,
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
   renderer.then([=, written = written_, around = surroundings_of(w, output.folder)] {

@@ -310,7 +310,7 @@ std::string page_html(const Story& story, const PagePictures& pictures, const Pa
        {"summary", escaped(w.summary)},
        {"source", escaped(w.source)},
        {"count", std::to_string(story.frames.size())},
-       {"cut", ".shot{" + cut_out(pictures.page, pictures.part) + "}"},
+       {"cut", ".shot{" + cut_out(pictures.page, pictures.part) + "}" + text_size(pictures.text_scale)},
        {"pictures", pictures.is_dark ? "dark-pictures" : "light-pictures"},
        {"entry", entry_element(index_entry(story, pictures))},
        {"ways", ways(surroundings)},

@@ -21,4 +21,6 @@ std::string cut_out(render::Size page, const render::Box& part) {
          std::to_string(std::lround(part.height()));
 }
 
+std::string text_size(double scale) { return scale == 1 ? "" : "html{font-size:" + percent(scale) + "}"; }
+
 }  // namespace walkthroughs

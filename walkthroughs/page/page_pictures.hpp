@@ -15,11 +15,15 @@ struct PagePictures {
       url;               ///< of a picture, seen from the page; `turn` 0: the usual view
   render::Size page;     ///< on which they are laid out,
   render::Box part;      ///< and what of it is shown
-  int turns = 0;         ///< further views of each, all around
-  bool is_dark = false;  ///< drawn on a dark ground
+  double text_scale = 1;  ///< of their text, which that of the page follows
+  int turns = 0;          ///< further views of each, all around
+  bool is_dark = false;   ///< drawn on a dark ground
 };
 
 /// Returns: the style attribute of what shows only `part` of pictures that are laid out on `page`; style sheets say how.
 std::string cut_out(render::Size page, const render::Box& part);
+
+/// Returns: the style that sets all of a page's text in that scale; empty at 1, where browsers' own size stays.
+std::string text_size(double scale);
 
 }  // namespace walkthroughs

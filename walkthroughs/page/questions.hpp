@@ -21,9 +21,8 @@ struct Choice {
 struct Decision {
   enum class Kind { crossing, region, vertices, direction, line };
   Kind kind;
-  int simplex_size;  ///< 0 for a crossing test, and a line of Algorithm 1
-  std::string
-      found;  ///< "crossed", or the last region that was chosen: "ABC > 0", "ADB AD > 0"; or the mistake
+  int simplex_size;   ///< 0 for a crossing test, and a line of Algorithm 1
+  std::string found;  ///< "crossed", or the last region that was chosen: "ABC > 0", "ADB AD > 0"; or the mistake
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 

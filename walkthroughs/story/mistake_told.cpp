@@ -37,6 +37,17 @@ std::string how_search_ended(const gjk::Result<double>& mistaken, const gjk::Res
          ": that is why such a mistake passes tests";
 }
 
+/// Returns: how many random pairs it takes to notice that mistake: without the full stop.
+std::string how_long_unnoticed(Mistake mistake) {
+  using wrong_on_purpose::TestPairs;
+  if (is_none_along_axes(mistake)) return none_along_axes;
+  const auto thrown = pairs_to_notice(mistake, TestPairs::triangles),
+             touching = pairs_to_notice(mistake, TestPairs::grid_triangles);
+  const std::string words = "it takes " + thrown.text() + " random pairs of triangles to notice the mistake";
+  return thrown.is_more && !touching.is_more ? words + ", but " + touching.text() + " on a grid, where they touch"
+                                             : words;
+}
+
 }  // namespace
 
 const WrongLine* line_gone_wrong(Mistake mistake, const Trace& right, std::size_t event) {
@@ -59,16 +70,6 @@ std::string both_lines(const WrongLine& line, const Names& names) {
   const CodeLine right{0, std::string(line.right)};
   return "Algorithm " + std::to_string(line.algorithm) + ": " + line_in_letters(line.algorithm, right, names) +
          "; here: " + wrong_text(line, names);
-}
-
-std::string how_long_unnoticed(Mistake mistake) {
-  using wrong_on_purpose::TestPairs;
-  if (is_none_along_axes(mistake)) return none_along_axes;
-  const auto thrown = pairs_to_notice(mistake, TestPairs::triangles),
-             touching = pairs_to_notice(mistake, TestPairs::grid_triangles);
-  const std::string words = "it takes " + thrown.text() + " random pairs of triangles to notice the mistake";
-  return thrown.is_more && !touching.is_more ? words + ", but " + touching.text() + " on a grid, where they touch"
-                                             : words;
 }
 
 bool ends_wrongly(const Trace& mistaken, const Trace& right) {

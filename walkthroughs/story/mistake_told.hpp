@@ -18,9 +18,6 @@ std::string both_lines(const wrong_on_purpose::WrongLine& line, const Names& nam
 /// Returns: what the mistaken program has there, in these letters.
 std::string wrong_text(const wrong_on_purpose::WrongLine& line, const Names& names);
 
-/// Returns: how many random pairs it takes to notice that mistake: without the full stop.
-std::string how_long_unnoticed(Mistake mistake);
-
 /// Returns: whether Algorithm 1 would then say what is not true, or the search says nothing.
 bool ends_wrongly(const Trace& mistaken, const Trace& right);
 

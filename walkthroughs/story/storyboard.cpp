@@ -136,7 +136,7 @@ std::size_t last_event(const Story& story) {
 struct ToldMistake {
   std::string meaning;
   std::optional<std::string> lines;
-  std::string survival, ending;
+  std::string ending;
   bool is_wrong_there, ends_wrongly;
 };
 
@@ -149,7 +149,6 @@ std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
   const wrong_on_purpose::Description& known = wrong_on_purpose::description_of(*mistake);
   ToldMistake told{.meaning = names.translate(known.meaning),
                    .lines = {},
-                   .survival = how_long_unnoticed(*mistake),
                    .ending = how_it_ended(*mistake, mistaken, right),
                    .is_wrong_there = !is_none_along_axes(*mistake),
                    .ends_wrongly = ends_wrongly(mistaken, right)};
@@ -214,7 +213,6 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   }
   const bool is_mistaken_first = told && said.front().first->mistake;
   if (is_mistaken_first && sentence == both_go_on) lead_with_mistaken(frame, said.front().first->name, first);
-  if (told && i == common) frame.facts.push_back({Fact::Mark::none, told->survival});
   if (told && told->lines && i == common) frame.facts.push_back({Fact::Mark::truth, *told->lines});
   return frame;
 }

@@ -30,7 +30,7 @@ TEST_CASE(
   REQUIRE(part != story.frames.end());
   CHECK(part->moments.front().iteration == 3);
   CHECK(story.frames.back().moments.front().iteration == 4);
-  REQUIRE(part->facts.size() == 6);
+  REQUIRE(part->facts.size() == 5);
   CHECK((part->facts[0].text.starts_with("M14: ") && part->facts[0].mark == walkthroughs::Fact::Mark::no));
   CHECK((part->facts[2].text.starts_with("the report: ") && part->facts[2].mark == walkthroughs::Fact::Mark::yes));
 }

@@ -120,7 +120,6 @@ TEST_CASE("Each mistake parts from the report's search where it says and ends as
     const std::string survival =
         "it takes " + thrown.text() + " random pairs of triangles to notice the mistake" + on_a_grid;
     CHECK(story.frames.back().caption.ends_with(survival + "."));
-    CHECK(std::ranges::count(parting.facts, survival, &Fact::text) == 1);
   }
 }
 

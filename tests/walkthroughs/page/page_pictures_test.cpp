@@ -10,3 +10,8 @@ TEST_CASE("A part of a picture fills the place of the whole") {
   CHECK(cut_out({1000, 500}, {{250, 100}, {750, 500}}) ==
         "--width:200.000%;--left:-50.000%;--top:-25.000%;aspect-ratio:500/400");
 }
+
+TEST_CASE("The text of a page is as large as that of its pictures") {
+  CHECK(text_size(1).empty());
+  CHECK(text_size(1.5) == "html{font-size:150.000%}");
+}

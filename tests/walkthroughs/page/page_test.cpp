@@ -113,6 +113,14 @@ TEST_CASE("Titles and names of others are text in a page, whatever they hold") {
   CHECK(data_of(page, "events")[0]["name"] == hostile);
 }
 
+TEST_CASE("A page whose pictures have larger text has larger text itself") {
+  const Story story = tell(walkthrough("figure-4-left"));
+  PagePictures larger = pictures;
+  larger.text_scale = 1.25;
+  CHECK(page_html(story, larger, {}).find("}html{font-size:125.000%}") != std::string::npos);
+  CHECK(page_html(story, pictures, {}).find("html{font-size") == std::string::npos);
+}
+
 TEST_CASE("A page is small without its pictures: below 60 kB up to 50 steps, and 1.3 for each", "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);
