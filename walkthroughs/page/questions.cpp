@@ -330,6 +330,15 @@ bool has_run(const std::vector<CodeLine>& code, std::size_t i, int number, const
   return code[i].kind == LineKind::plain ? !code[i].text.starts_with("else") : test_of(code[i], now) != nullptr;
 }
 
+/// Returns: the numbers of both searches where they part, which the frame before does not show: without them one could only
+/// guess. Empty where one search has nothing to say there, as of the first point.
+std::string what_each_finds(const Story& story, const Frame& parting) {
+  const std::vector<Fact>& facts = parting.facts;  // of each what it finds, then its numbers
+  if (facts.size() < 4) return "";
+  return " " + story.tellings[0].scene.name + ": " + facts[1].text + "; " + story.tellings[1].scene.name + ": " +
+         facts[3].text + ".";
+}
+
 /// Of the lines that ran, exactly one of which the mistaken program has otherwise: others that it has otherwise, too, are left out.
 std::optional<Question> of_line(const Story& story) {
   const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
@@ -352,7 +361,8 @@ std::optional<Question> of_line(const Story& story) {
   Question question{{Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
                     0,
                     parting->events[0].last,
-                    "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?",
+                    "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" +
+                        what_each_finds(story, *parting),
                     {},
                     0};
   for (std::size_t i = 0; i < code.size(); ++i) {

@@ -242,6 +242,20 @@ TEST_CASE("No hint contains the right choice or its label, nor what speaks for i
   CHECK(hints > 300);
 }
 
+TEST_CASE("Who is asked for the wrong line is told what both searches find there, which the picture does not show") {
+  for (const Walkthrough& w : catalogue()) {
+    const Story story = tell(w);
+    for (const Question& question : questions_of(story)) {
+      if (question.decision.kind != Kind::line) continue;
+      INFO(question.text);
+      const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+      if (*w.scenes[0].mistake == Mistake::first_point_tested) continue;  // of which the report says nothing
+      CHECK(question.text.find("? " + w.scenes[0].name + ": " + parting.facts[1].text) != std::string::npos);
+      CHECK(question.text.ends_with("; " + w.scenes[1].name + ": " + parting.facts[3].text + "."));
+    }
+  }
+}
+
 TEST_CASE("By the complete rules a wrong feature is answered by what rules it out, not by what left it possible") {
   const Question question = [] {
     for (const Question& each : questions_of(tell(walkthrough("complete/cycle-separated"))))
