@@ -44,8 +44,8 @@ const std::vector<Picture>& pictures() {
       {"regions/2-simplex-on-vertex", 12, "report", around, left_out,
        "a rejected region with the tested one and hatching"},
       {"as-printed-spheres", 5, "report", around, left_out, "two runs part: the frames around what differs first"},
-      {"mistakes/m9-abn-inward", 11, "report", around, left_out,
-       "a mistake parts from the report's search, in the plane"},
+      {"mistakes/m1-wrong-side-of-b", 3, "report", around, left_out,
+       "a mistake parts from the report's search, in the plane, each with what it finds"},
       {"mistakes/survival", 0, "report", around, left_out, "bars: how long mistakes survive; those that go on beyond"},
       // Space
       {"regions/2-simplex-r1-below", 5, "report", around, left_out, "a segment in space, camera, triad"},

@@ -10,7 +10,7 @@
 namespace walkthroughs {
 namespace {
 
-/// Two triangles.
+/// Two triangles; a triangle and a segment, where both searches are to find the same first point.
 struct MistakenPair {
   Mistake mistake;
   std::vector<Point> a, b;
@@ -20,7 +20,7 @@ struct MistakenPair {
 std::vector<MistakenPair> pairs() {
   const std::vector<Point> wide{{0, 0, 0}, {-1, 2, 0}, {-1, 0, 0}}, narrow{{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
   return {
-      {Mistake::wrong_side_of_b, {{1, -3, 0}, {-2, 1, 0}, {2, 0, 0}}, {{-1, -1, 0}, {-1, 0, 0}, {0, 0, 0}}},
+      {Mistake::wrong_side_of_b, {{0, 1, 0}, {-1, 0, 0}, {1, 0, 0}}, {{0, 2, 0}, {0, -1, 0}}},
       {Mistake::first_point_tested, {{-1, 1, 0}, {0, 0, 0}, {-1, -1, 0}}, {{2, 0, 0}, {1, 1, 0}, {1, 0, 0}}},
       {Mistake::touching_is_apart, {{-1, -2, 0}, {0, -1, 0}, {0, 0, 0}}, {{-1, 0, 0}, {0, 0, 0}, {-1, -1, 0}}},
       {Mistake::as_printed, {{-1, -1, 0}, {0, 0, 0}, {-1, 0, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 2, 0}}},
@@ -50,7 +50,7 @@ Scene scene_of(const MistakenPair& pair) {
   };
   return {.name = "the report",
           .a = {"triangle a", points(pair.a)},
-          .b = {"triangle b", points(pair.b)},
+          .b = {pair.b.size() == 2 ? "segment b" : "triangle b", points(pair.b)},
           .dimension = is_flat(pair.a) && is_flat(pair.b) ? Dimension::plane : Dimension::space};
 }
 

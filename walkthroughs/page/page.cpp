@@ -81,7 +81,7 @@ std::string fact(const Fact& fact) {
   }();
   const std::string name = kind.name, words = kind.words;
   return (name.empty() ? "<li>" : "<li class=\"" + name + "\">") + (words.empty() ? "" : "<i>" + words + "</i>") +
-         html_of(fact.text) + "</li>\n";
+         html_of(fact.text) + "</li>";
 }
 
 /// "Algorithm 4: else if ACn·AO > 0 (R7)"; scripts put the whole algorithm in its place.
@@ -99,9 +99,9 @@ std::string step(const Story& story, const PagePictures& pictures, std::size_t i
   for (const Fact& each : frame.facts) facts += fact(each);
   const std::string url = escaped(pictures.url(index, 0));
   return "<section class=\"step\" id=\"" + std::to_string(index + 1) + "\">\n<div class=\"shot\"><img src=\"" + url +
-         "\" alt=\"" + escaped(picture_in_words(story, index)) + "\" loading=\"lazy\"></div>\n<div class=\"text\">\n" +
+         "\" alt=\"" + escaped(picture_in_words(story, index)) + "\" loading=\"lazy\"></div>\n<div class=\"text\">" +
          element("p class=\"where\"", html_of(where(story, index))) + element("h2", html_of(frame.caption)) +
-         element("ul", facts) + running_line(story, index) + "</div>\n</section>\n";
+         element("ul", facts) + running_line(story, index) + "</div></section>\n";
 }
 
 // -- What scripts need ------------------------------------------------------------------------------------------------

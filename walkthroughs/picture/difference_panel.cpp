@@ -382,7 +382,7 @@ int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) 
 
 int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const int crowded = draw_search(canvas, place, shown);
-  if (shown.focus == Focus::parting) canvas.outline(corners_of(place.frame.grown(-3)), shown.style.parting);
+  if (shown.is_parting) canvas.outline(corners_of(place.frame.grown(-3)), shown.style.parting);
   return crowded;
 }
 

@@ -58,18 +58,20 @@ struct SceneOfFrame {
       : stage(story.stages[scene]),
         now(story.drawn(frame, scene)),
         names(story.walkthrough.naming, stage.telling->hull, now),
-        focus(story.frames[frame].focus_of(scene)) {}
+        focus(story.frames[frame].focus_of(scene)),
+        is_parting(story.frames[frame].focus == Focus::parting) {}
   SceneOfFrame(const SceneOfFrame&) = delete;  // names refer to it
   SceneOfFrame& operator=(const SceneOfFrame&) = delete;
 
   Shown shown(const Lens& lens, const Look& look) const {
-    return {*stage.telling, stage, now, names, focus, lens, look.style, look.values};
+    return {*stage.telling, stage, now, names, focus, lens, look.style, look.values, false, is_parting};
   }
 
   const Stage& stage;
   const Moment now;
   const Names names;
   const Focus focus;
+  const bool is_parting;
 };
 
 Lens turned(const Lens& lens, double degrees) {

@@ -137,7 +137,8 @@ class RegionPicture {
     text.size *= 0.85;
     for (const char* face : {"ABC", "ACD", "ADB"}) {
       const Region* region = find("", face);
-      if (state_of(region) != RegionState::rejected) continue;  // the one just tested is named by its normal
+      if (state_of(region) != RegionState::rejected) continue;      // the one just tested is named by its normal
+      if (!pencil_.lens().sees(face_of(face).outward())) continue;  // seen through others it has its name already
       const Point middle = (vertex(face[0]) + vertex(face[1]) + vertex(face[2])) / 3;
       pencil_.panel().label(pencil_.at(middle), Vec2::Zero(), shown_.names.sorted(face) + " ✗", text, cross_label_gap);
     }
@@ -229,15 +230,16 @@ class RegionPicture {
     return shown_.now.crossing->verdict == gjk::Crossing::switched_off && region.simplex_size == 2;
   }
 
-  /// The normal of the region just tested, from the middle of its feature.
+  /// The normal of the region just tested, from the middle of its feature; where searches part, also a vector that was found.
   void normal(const Region& region) {
-    if (!region.normal || asks_along_edge(region)) return;
+    const Point* const found = shown_.is_parting ? std::get_if<Point>(&region.value) : nullptr;
+    const Point* const vector = region.normal ? &*region.normal : found;
+    const bool out_of_page = !pencil_.in_space() && region.feature.size() == 3;
+    if (!vector || vector->isZero(0) || out_of_page || asks_along_edge(region)) return;
     std::vector<Point> corners;
     for (const char letter : region.feature) corners.push_back(vertex(letter));
     const std::string name = region.expression.substr(0, region.expression.find("·"));
-    const bool out_of_page = !pencil_.in_space() && region.feature.size() == 3;
-    if (!out_of_page && !region.normal->isZero(0))
-      pencil_.direction(middle_of(corners), *region.normal, style_.normal, shown_.names.translate(name));
+    pencil_.direction(middle_of(corners), *vector, style_.normal, shown_.names.translate(name));
   }
 
   /// Where the origin lies in the plane of the triangle, above or below which it is.
@@ -253,11 +255,13 @@ class RegionPicture {
   /// Whether the last test was of an edge in the plane of a face, so that the regions beside that face are drawn.
   bool edges_shown() const { return !shown_.now.regions.back().face.empty(); }
 
+  render::Face face_of(const std::string& name) const { return {{vertex(name[0]), vertex(name[1]), vertex(name[2])}}; }
+
   /// The faces from back to front. Of the three that meet A each may have been tested; BCD is behind the search.
   void faces() {
     const std::string names[] = {"ABC", "ACD", "ADB", "BCD"};
     std::vector<render::Face> list;
-    for (const std::string& name : names) list.push_back({{vertex(name[0]), vertex(name[1]), vertex(name[2])}});
+    for (const std::string& name : names) list.push_back(face_of(name));
     for (const std::size_t i : pencil_.lens().back_to_front(list)) face(names[i], list[i]);
     if (const Region* inside = find("", "ABCD"); inside != nullptr)
       for (const render::Face& face : list) pencil_.panel().polygon(pencil_.at(face.corners), style_.chosen_fill);

@@ -33,6 +33,7 @@ struct Shown {
   const Style& style;
   bool values = true;           ///< whether numbers that decide are written into the picture
   bool regions_beside = false;  ///< whether pictures of planes beside this one show the regions
+  bool is_parting = false;      ///< whether another search goes another way here
 };
 
 }  // namespace walkthroughs

@@ -206,6 +206,7 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   if (i < common) return Frame{first.focus, "Both: " + first.caption, first.headline, first.facts, {}, {}, {}};
   const std::string sentence = sentence_for(story, i, common, told);
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
+  if (i == common && said.size() == 2) frame.own_focus = {first.focus, said[1].second.focus};
   for (const auto& [scene, one] : said) {
     const Focus about = i == common ? Focus::parting : one.focus;
     frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption});

@@ -30,7 +30,7 @@ struct Seen {
 constexpr Status meet = Status::intersecting, apart = Status::separated, undecided = Status::undecided;
 
 const Seen seen[] = {
-    {"m1-wrong-side-of-b", 1, apart, meet, "A wrong answer: the objects do intersect"},
+    {"m1-wrong-side-of-b", 2, apart, meet, "A wrong answer: the objects do intersect"},
     {"m2-first-point-tested", 1, apart, apart,
      "The same answer, found sooner, and proven: begun along an axis this mistake is none."},
     {"m3-touching-is-apart", 2, apart, meet, "A wrong answer: the objects do intersect"},
@@ -91,7 +91,8 @@ TEST_CASE("Each mistake is on small whole numbers, of which the report's search 
   for (const Walkthrough* w : about_mistakes()) {
     INFO(w->name);
     for (const Object* object : {&w->scenes[1].a, &w->scenes[1].b}) {
-      REQUIRE(vertices_of(*object).size() == 3);
+      const std::size_t count = vertices_of(*object).size();
+      REQUIRE((count == 3 || count == 2));
       for (const Point& p : vertices_of(*object))
         for (const double x : p) CHECK((x == std::round(x) && std::abs(x) <= 3));
     }

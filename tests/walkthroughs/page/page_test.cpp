@@ -9,6 +9,7 @@
 #include "walkthroughs/page/templates.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -83,6 +84,18 @@ TEST_CASE("The data of a page hold each question of its story, before the step t
   }
 }
 
+TEST_CASE("The page of each mistake asks for its line, before the step where the searches part") {
+  for (const wrong_on_purpose::Description& mistake : wrong_on_purpose::all()) {
+    INFO(mistake.word);
+    const Story story = tell(walkthrough("mistakes/" + std::string(mistake.word)));
+    const nlohmann::json data = data_of(page_of(story));
+    REQUIRE(data["questions"].size() == 1);
+    const auto before = data["questions"][0]["before"].get<std::size_t>();
+    REQUIRE(before >= 1);
+    CHECK(story.frames[before].focus == Focus::parting);
+  }
+}
+
 TEST_CASE("The data of a page name the further views of each step, in order, and not the usual one") {
   const Story story = tell(walkthrough("figure-4"));
   PagePictures turning = pictures;
@@ -119,19 +132,6 @@ TEST_CASE("A page whose pictures have larger text has larger text itself") {
   larger.text_scale = 1.25;
   CHECK(page_html(story, larger, {}).find("}html{font-size:125.000%}") != std::string::npos);
   CHECK(page_html(story, pictures, {}).find("html{font-size") == std::string::npos);
-}
-
-TEST_CASE("A page is small without its pictures: below 60 kB up to 50 steps, and 1.3 for each", "[unsanitized]") {
-  for (const Walkthrough& w : catalogue()) {
-    INFO(w.name);
-    const Story story = tell(w);
-    const std::size_t size =
-        page_html(story, pictures,
-                  {.command = "gjkstep", .trace_command = {}, .sources = {}, .ways = {}, .has_files = true})
-            .size();
-    if (story.frames.size() <= 50) CHECK(size < 60'000);
-    CHECK(size < 10'000 + 1'300 * story.frames.size());
-  }
 }
 
 TEST_CASE("What to practise with is a link by its title where it has a page, and else its name") {
@@ -181,11 +181,15 @@ TEST_CASE("A page with files beside it holds none of them, and says where they a
   }
 }
 
-TEST_CASE("A page without pictures and the files beside it is below 60 KB", "[unsanitized]") {
+TEST_CASE("A page without pictures and the files beside it is below 60 kB, and 10 and 1.3 for each step",
+          "[unsanitized]") {
   const PageSurroundings around{
       .command = "gjkstep render", .trace_command = {}, .sources = {}, .ways = {}, .has_files = true};
   for (const Walkthrough& w : catalogue()) {
     INFO(w.name);
-    CHECK(page_html(tell(w), pictures, around).size() < 60 * 1024);
+    const Story story = tell(w);
+    const std::size_t size = page_html(story, pictures, around).size();
+    CHECK(size < 60'000);
+    CHECK(size < 10'000 + 1'300 * story.frames.size());
   }
 }
