@@ -24,10 +24,11 @@ run_tests() {
 # libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
 # libccd-dev, libfcl-dev and libbullet-dev: what gjkstep-peers times the plain call beside.
 # strace lets single calls of the system fail, as on a full disk.
+# slurm-wlm and munge: a real Slurm of one node runs the study's shards.
 # dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system (tests/package).
 require_packages $program_packages catch2 libbenchmark-dev python3 python3-jsonschema chromium chromium-driver \
   python3-selenium tidy poppler-utils libcgal-dev gnuplot-nox \
-  libccd-dev libfcl-dev libbullet-dev strace dpkg-dev file mmdebstrap python3-yaml
+  libccd-dev libfcl-dev libbullet-dev strace slurm-wlm munge dpkg-dev file mmdebstrap python3-yaml
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
 printf '\nPlain and observed calls\n'

@@ -66,6 +66,13 @@
       steps[j].querySelector('img').loading = 'eager';
   }
 
+  // Where the words stand beside the picture the line that runs stays in sight, and so does the picture.
+  const isWide = matchMedia('(min-width: 900px)');
+  function keepInSight() {
+    if (!isWide.matches || isBare) return;
+    for (const part of ['.code [aria-current]', '.shot']) steps[at].querySelector(part)?.scrollIntoView({block: 'nearest'});
+  }
+
   const said = i => [...steps[i].querySelectorAll('.where, .text > h2, .text > ul > li')].map(e => e.textContent.trim().replace(/\.$/, '')).join('. ');
 
   // -- From step to step ----------------------------------------------------------------------------------------------
@@ -83,6 +90,7 @@
     $('place').textContent = `${i + 1} / ${steps.length}`;
     for (const [id, end] of [['first', 0], ['back', 0], ['next', steps.length - 1], ['last', steps.length - 1]])
       $(id).disabled = i === end;
+    keepInSight();
     if (moved) $('live').textContent = said(i);
     if (moved) skipped.clear();
     if (predicting && i === steps.length - 1) showScore();
@@ -375,4 +383,5 @@
 
   document.documentElement.classList.toggle('bare', isBare);
   show(addressed(), 'stay');
+  addEventListener('load', keepInSight);  // the browser itself has gone to the step of the address by then
 })();

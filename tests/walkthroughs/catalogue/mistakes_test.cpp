@@ -111,6 +111,9 @@ TEST_CASE("Each mistake parts from the report's search where it says and ends as
     const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
     CHECK(parting.moments[0].iteration == each.iteration);
     CHECK(plain(parting.caption) == "Here the two runs part: " + w.summary + ".");
+    const bool has_both = w.scenes[0].mistake != Mistake::first_point_tested;  // of which the report says nothing there
+    CHECK(parting.own_focus.size() == (has_both ? 2 : 0));                     // each is drawn by what it finds
+    CHECK(std::ranges::count(parting.own_focus, Focus::parting) == 0);
     CHECK(story.frames.back().caption.starts_with(each.ending));
     const Mistake mistake = *w.scenes[0].mistake;
     if (is_none_along_axes(mistake)) continue;

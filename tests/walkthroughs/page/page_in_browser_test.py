@@ -507,6 +507,21 @@ class Page(unittest.TestCase):
                     if control.is_displayed():
                         self.assertGreaterEqual(min(control.size.values()), 24, control.get_attribute("outerHTML"))
 
+    def test_on_a_low_screen_the_line_that_runs_stays_in_sight_with_the_picture(self):
+        def assert_in_sight(number):
+            line, bar, picture = self.js("""
+                const box = selector => document.querySelector(selector)?.getBoundingClientRect();
+                return [box('.now .code [aria-current]')?.bottom ?? 0, box('.controls').top, box('.now .shot').top]""")
+            self.assertLessEqual(line, bar, number)
+            self.assertGreaterEqual(picture, 0, number)
+        self.look(1366, 768)
+        self.open(searched)
+        for number in range(1, last + 1):
+            assert_in_sight(number)
+            self.press(Keys.ARROW_RIGHT)
+        self.open(searched, "#23")
+        assert_in_sight("opened at step 23")
+
     def test_contrast_in_light_and_dark(self):
         for scheme in ("light", "dark"):
             self.cdp("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
