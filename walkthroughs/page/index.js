@@ -1,15 +1,18 @@
 'use strict';
 (() => {
+  const wordsOf = text => text.toLowerCase().split(/[\s/,;:()"“”·-]+/).filter(Boolean);
+  // As one begins to write it, but a number is whole: "m1" is not M18, nor "4" the report's 7474.
+  const fits = (word, wanted) => /\d$/.test(wanted) ? `${word}.`.startsWith(`${wanted}.`) : word.startsWith(wanted);
   const words = document.getElementById('words'), answer = document.getElementById('answer');
   const groups = [...document.querySelectorAll('.group')];
   const cards = groups.flatMap(group => [...group.querySelectorAll('.card')].map(
-    card => [card, (group.querySelector('h2').textContent + ' ' + card.textContent).toLowerCase()]));
+    card => [card, wordsOf(group.querySelector('h2').textContent + ' ' + card.textContent.replace(/ARL-TR-7474|\d+ steps?/g, ''))]));
 
   function filter() {
-    const wanted = words.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const wanted = wordsOf(words.value);
     let count = 0;
     for (const [card, text] of cards) {
-      card.hidden = !wanted.every(word => text.includes(word)) || !card.dataset.answer.includes(answer.value);
+      card.hidden = !wanted.every(word => text.some(each => fits(each, word))) || !card.dataset.answer.includes(answer.value);
       count += !card.hidden;
     }
     for (const group of groups) group.hidden = !group.querySelector('.card:not([hidden])');

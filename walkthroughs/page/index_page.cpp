@@ -49,7 +49,7 @@ std::string card(const IndexEntry& entry) {
   html += "<p>" + html_of(entry.sentence) + "</p>\n<p class=\"small\">" + escaped(entry.section);
   html += (entry.section.empty() ? "" : " · ") + steps;
   if (!entry.answer.empty()) html += " · <b>" + escaped(entry.answer) + "</b>";
-  return html + "<br><code>" + escaped(entry.name) + "</code></p>\n</li>\n";
+  return html + "<br>\n<code>" + escaped(entry.name) + "</code></p>\n</li>\n";
 }
 
 std::string section(std::string_view title, const std::vector<IndexEntry>& entries) {

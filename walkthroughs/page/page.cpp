@@ -31,25 +31,39 @@ std::string link(const PageLink& to, const std::string& attributes = "") {
 
 // -- One step ---------------------------------------------------------------------------------------------------------
 
-/// What runs while a frame of one search is shown.
+/// Whether a search with a mistake is shown beside the report's.
+bool shows_mistake(const Story& story) { return story.tellings.size() == 2 && story.tellings[0].scene.mistake; }
+
+/// What runs while a frame of one search is shown; beside a mistake the report's.
 struct Running {
-  Running(const Story& story, std::size_t index)
-      : now(story.frames[index].moments[0]),
-        names(story.names(index, 0)),
-        number(running_algorithm(now, story.frames[index].focus)),
-        title(title_of(number, story.tellings[0].scene.rules, names, now.processed)),
-        code(algorithm(number, story.tellings[0].scene.rules)),
-        current(current_line(code, now, story.frames[index].focus)) {}
+  Running(const Story& story, std::size_t index) : Running(story, index, shows_mistake(story) ? 1 : 0) {}
 
   const Moment& now;
+  const Focus focus;
   const Names names;
   const int number;
   const std::string title;
   const std::vector<CodeLine>& code;
   const std::optional<std::size_t> current;
+
+ private:
+  Running(const Story& story, std::size_t index, std::size_t scene)
+      : now(story.frames[index].moments[scene]),
+        focus(story.frames[index].focus_of(scene)),
+        names(story.names(index, scene)),
+        number(running_algorithm(now, focus)),
+        title((scene == 0 ? "" : story.tellings[scene].scene.name + ": ") +
+              title_of(number, story.tellings[scene].scene.rules, names, now.processed)),
+        code(algorithm(number, story.tellings[scene].scene.rules)),
+        current(current_line(code, now, focus)) {}
 };
 
-bool shows_code(const Story& story) {
+/// Where there is one search whose lines are to be shown, or the report's beside a mistake until they part: then each has its own.
+bool shows_code(const Story& story, std::size_t index) {
+  if (shows_mistake(story)) {
+    const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+    return story.frames.begin() + static_cast<std::ptrdiff_t>(index) <= parting;
+  }
   return story.walkthrough.layout == Layout::search && story.walkthrough.panels.algorithm;
 }
 
@@ -86,7 +100,7 @@ std::string fact(const Fact& fact) {
 
 /// "Algorithm 4: else if ACn·AO > 0 (R7)"; scripts put the whole algorithm in its place.
 std::string running_line(const Story& story, std::size_t index) {
-  if (!shows_code(story)) return "";
+  if (!shows_code(story, index)) return "";
   const Running running(story, index);
   const std::string line =
       running.current ? line_in_letters(running.number, running.code[*running.current], running.names) : "";
@@ -99,7 +113,7 @@ std::string step(const Story& story, const PagePictures& pictures, std::size_t i
   for (const Fact& each : frame.facts) facts += fact(each);
   const std::string url = escaped(pictures.url(index, 0));
   return "<section class=\"step\" id=\"" + std::to_string(index + 1) + "\">\n<div class=\"shot\"><img src=\"" + url +
-         "\" alt=\"" + escaped(picture_in_words(story, index)) + "\" loading=\"lazy\"></div>\n<div class=\"text\">" +
+         "\" alt=\"" + escaped(picture_in_words(story, index)) + "\" loading=lazy></div>\n<div class=\"text\">" +
          element("p class=\"where\"", html_of(where(story, index))) + element("h2", html_of(frame.caption)) +
          element("ul", facts) + running_line(story, index) + "</div></section>\n";
 }
@@ -152,7 +166,7 @@ Json step_data(const Story& story, std::size_t index, Listings& listings) {
   Json step = Json::object();
   if (!frame.moments.empty()) step["iteration"] = frame.moments[0].iteration;
   if (const std::string kind = kind_of(frame.focus); !kind.empty()) step["kind"] = kind;
-  if (shows_code(story)) step["code"] = code_of(Running(story, index), listings);
+  if (shows_code(story, index)) step["code"] = code_of(Running(story, index), listings);
   if (!frame.events.empty()) step["events"] = Json::array();
   for (const EventRange& range : frame.events) step["events"].push_back({range.first, range.last});
   return step;

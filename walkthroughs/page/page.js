@@ -147,7 +147,8 @@
   const shelf = `gjkstep ${location.pathname} ${data.name} ${questions.length}`;  // of two files with one name neither has the other's
   const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on',
                  line: 'Which line is wrong'};
-  const untold = 'What will the search find?', skipped = new Set();
+  const isAboutLine = questions.length > 0 && questions.every(question => question.kind === 'line');
+  const untold = isAboutLine ? 'Which line is wrong?' : 'What will the search find?', skipped = new Set();
   const nothing = () => questions.map(() => null);
   let answers = nothing(), predicting = false, asked = null, isTold = false;
 
@@ -290,7 +291,7 @@
     if (isOver || (predicting && at === steps.length - 1)) showScore();
     entitle();
     $('live').textContent = isOver ? 'All questions have been answered; who forgets the answers is asked again.'
-      : predicting ? 'Before each decision a question will be asked.' : 'No questions will be asked.';
+      : predicting ? `${isAboutLine ? 'Where the searches part' : 'Before each decision'} a question will be asked.` : 'No questions will be asked.';
   }
 
   function forget() {

@@ -289,6 +289,7 @@ class Iteration {
     if (size_ < 3 || !direction()) return std::nullopt;
     const std::string right = names_.translate(direction()->expression);
     const std::string why =
+        value_of(*last_chosen()) + "; " +
         caption(events_[direction_at()], story_, telling_, replay(telling_.trace, direction_at() + 1))->facts[0].text;
     return asked(decision(Kind::direction), scene_, direction_at(), "Along which formula does the search go on?",
                  ways(right, why, [&](const Way& way) { return names_.translate(way.direction); }), right);
@@ -321,22 +322,42 @@ std::optional<Question> of_crossing(const Story& story, std::size_t scene, std::
 
 // -- The line that is wrong -------------------------------------------------------------------------------------------
 
-/// Whether the step has come to that line: setting out, a test that was made, or what followed from it. Of Algorithm 1 each line that
-/// does something.
-bool has_run(const std::vector<CodeLine>& code, std::size_t i, int number, const Moment& now,
-             const std::optional<std::size_t>& current) {
-  if (number == 1) return code[i].kind != LineKind::plain;
-  if (i == current) return true;
-  return code[i].kind == LineKind::plain ? !code[i].text.starts_with("else") : test_of(code[i], now) != nullptr;
+bool is_answer(const std::string& line) { return line == "intersecting" || line == "separated" || line == "undecided"; }
+
+/// To which lines a step has come: setting out, the tests that were made, and what followed from the last. Of Algorithm 1 all that
+/// do something in every iteration; where one that answers is wrong, these, too.
+struct LinesRun {
+  const std::vector<CodeLine>& code;
+  const wrong_on_purpose::WrongLine& wrong;
+  const Moment& now;
+  Focus focus;
+
+  bool has(std::size_t i) const {
+    const CodeLine& line = code[i];
+    if (wrong.algorithm == 1)
+      return line.kind != LineKind::plain && (!is_answer(line.text) || is_answer(std::string(wrong.right)));
+    if (i == current_line(code, now, focus)) return true;
+    return line.kind == LineKind::plain ? !line.text.starts_with("else") : test_of(line, now) != nullptr;
+  }
+};
+
+/// Returns: "0" of "R3: ABn·AO = 0 ≤ 0"; what has no number as it is.
+std::string value_told(const std::string& text) {
+  const std::size_t at = text.rfind(" = ");
+  if (at == std::string::npos) return text;
+  const std::string value = text.substr(at + 3, text.find_first_of("≤>≠:", at + 3) - at - 3);
+  return value.substr(0, value.find_last_not_of(' ') + 1);
 }
 
-/// Returns: the numbers of both searches where they part, which the frame before does not show: without them one could only
-/// guess. Empty where one search has nothing to say there, as of the first point.
-std::string what_each_finds(const Story& story, const Frame& parting) {
-  const std::vector<Fact>& facts = parting.facts;  // of each what it finds, then its numbers
-  if (facts.size() < 4) return "";
-  return " " + story.tellings[0].scene.name + ": " + facts[1].text + "; " + story.tellings[1].scene.name + ": " +
-         facts[3].text + ".";
+/// Returns: what both searches find where they part, which the frame before does not show: without it one could only guess. Their
+/// numbers, or where these do not differ what they make of them. Of the first point only the mistaken search says anything.
+std::string what_each_finds(const Frame& parting) {
+  const std::vector<Fact>& facts = parting.facts;  // of each what it finds, with its name, then its numbers
+  if (facts.size() < 4) return " " + facts[0].text;
+  const auto words = [&](std::size_t i) { return facts[i].text.substr(0, facts[i].text.size() - 1); };  // no full stop
+  const auto name = [&](std::size_t i) { return facts[i].text.substr(0, facts[i].text.find(": ") + 2); };
+  const bool is_same = value_told(facts[1].text) == value_told(facts[3].text);
+  return " " + (is_same ? words(0) + "; " + words(2) : name(0) + facts[1].text + "; " + name(2) + facts[3].text) + ".";
 }
 
 /// Of the lines that ran, exactly one of which the mistaken program has otherwise: others that it has otherwise, too, are left out.
@@ -352,28 +373,34 @@ std::optional<Question> of_line(const Story& story) {
   const Moment& now = parting->moments[1];
   const Names names(story.walkthrough.naming, right.hull, now);
   const std::vector<CodeLine>& code = algorithm(wrong.algorithm, RuleSet::as_intended);
-  const auto current = current_line(code, now, Focus::direction);
   const auto is_otherwise = [&](const CodeLine& line) {
     return std::ranges::any_of(wrong_on_purpose::description_of(mistake).lines, [&](const auto& each) {
       return each.algorithm == wrong.algorithm && each.right == line.text;
     });
   };
-  Question question{{Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
-                    0,
-                    parting->events[0].last,
-                    "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" +
-                        what_each_finds(story, *parting),
-                    {},
-                    0};
-  for (std::size_t i = 0; i < code.size(); ++i) {
-    const std::string text = line_in_letters(wrong.algorithm, code[i], names);
-    if (code[i].text == wrong.right) {
-      question.right = question.choices.size();
-      add_once(question.choices, {text, "here: " + wrong_text(wrong, names), ""});
-    } else if (has_run(code, i, wrong.algorithm, now, current) && !is_otherwise(code[i])) {
-      add_once(question.choices, {text, "this line is as in the report", "this line is as in the report"});
+  Question question{
+      {Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
+      0,
+      parting->events[0].last,
+      "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" + what_each_finds(*parting),
+      {},
+      0};
+  const auto choose_among = [&](const LinesRun& run) {
+    question.choices.clear();
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      const std::string text = line_in_letters(wrong.algorithm, code[i], names);
+      if (code[i].text == wrong.right) {
+        question.right = question.choices.size();
+        add_once(question.choices, {text, "here: " + wrong_text(wrong, names), ""});
+      } else if (run.has(i) && !is_otherwise(code[i])) {
+        add_once(question.choices, {text, "this line is as in the report", "this line is as in the report"});
+      }
     }
-  }
+  };
+  const bool is_test = std::holds_alternative<Region>(right.trace.events[event]);
+  choose_among({code, wrong, now, is_test ? Focus::region : Focus::direction});
+  if (question.choices.size() < 2)
+    choose_among({code, wrong, now, Focus::direction});  // and what follows from the test
   return question;
 }
 
@@ -434,9 +461,12 @@ std::vector<Practice> practices() {
 /// The face or feature in words of Decision::found.
 std::string first_word(const std::string& found) { return found.substr(0, found.find(' ')); }
 
-/// The case that a mistake gets wrong; those of Algorithm 1 are about no region.
+/// The case that a mistake gets wrong; of mistakes in the crossing test what it rules out; that of M1 is about no region.
 std::string practice_for_mistake(const std::string& word) {
-  static const std::map<std::string, std::string> cases{{"m5", "0-simplex-a-is-origin"},
+  static const std::map<std::string, std::string> cases{{"m2", "1-simplex-r2-cannot-happen"},
+                                                        {"m3", "1-simplex-r2-cannot-happen"},
+                                                        {"m4", "1-simplex-r2-cannot-happen"},
+                                                        {"m5", "0-simplex-a-is-origin"},
                                                         {"m6", "1-simplex-on-segment"},
                                                         {"m7", "1-simplex-r3"},
                                                         {"m8", "2-simplex-r1-above"},

@@ -85,7 +85,7 @@ class Captions {
     if (event.verdict == Crossing::not_crossed && *event.value == 0)
       return frame_about(Focus::crossing,
                          "The move to " + name + " just reached the origin's level, and that counts as missed",
-                         {{Mark::no, value + ": this proves nothing"}});
+                         {{Mark::no, value + ": taken for a proof, which it is not"}});
     if (event.verdict == Crossing::not_crossed)
       return frame_about(
           Focus::crossing,
@@ -273,14 +273,26 @@ class Captions {
 
   /// Returns: "[D, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C"; where no letter moves only the list.
   std::string lettered_anew() const {
-    std::string list, moves;
-    for (int i = 0; i + 1 < now_.simplex.size(); ++i) {
-      const std::string now = names_.of(now_.simplex[i].w), before = names_.before(now_.simplex[i].w);
-      list += (list.empty() ? "" : ", ") + (before.empty() ? now : before);
-      if (!before.empty()) moves = before + " becomes " + now + (moves.empty() ? "" : ", ") + moves;
-    }
+    const int older = now_.simplex.size() - 1;
     const std::string simplex = names_.list(now_.simplex);
-    return moves.empty() ? "the simplex is " + simplex : "[" + list + "] and P are now " + simplex + ": " + moves;
+    if (walkthrough_.naming != Naming::roles || older == 0) return "the simplex is " + simplex;
+    std::string letters, list, moves;
+    for (int i = 0; i < older; ++i) {
+      const std::string now(1, static_cast<char>('A' + older - i)), before = letter_before(now_.simplex[i].w, letters);
+      letters += before;
+      list += (list.empty() ? "" : ", ") + before;
+      if (before != now) moves = before + " becomes " + now + (moves.empty() ? "" : ", ") + moves;
+    }
+    return "[" + list + "] and P are now " + simplex + ": " + moves;
+  }
+
+  /// Returns: the letter in the picture before; of vertices at one place, where a search comes back, one that is not yet taken.
+  std::string letter_before(const Point& w, const std::string& taken) const {
+    for (int role = now_.before.size(); role-- > 0;)
+      if (const char letter = static_cast<char>('A' + role);
+          now_.before.point(static_cast<gjk::Role>(role)) == w && taken.find(letter) == std::string::npos)
+        return {letter};
+    return "";
   }
 
   bool is_vertex(const Point& w) const {

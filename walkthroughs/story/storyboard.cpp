@@ -156,7 +156,7 @@ std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
   return told;
 }
 
-constexpr const char* both_go_on = "Both runs go on.";
+constexpr const char *both_go_on = "Both runs go on.", *only_one_goes_on = "Only one run goes on: ";
 
 std::string sentence_for(const Story& story, std::size_t i, std::size_t common,
                          const std::optional<ToldMistake>& told) {
@@ -170,16 +170,26 @@ std::string sentence_for(const Story& story, std::size_t i, std::size_t common,
     if (ends_here(telling)) return "Here one run ends: " + telling.scene.name + ".";
   for (const Telling& telling : story.tellings)
     if (i >= telling.trace.events.size())
-      return "Only one run goes on: " + story.tellings[&telling == &story.tellings[0] ? 1 : 0].scene.name + ".";
+      return only_one_goes_on + story.tellings[&telling == &story.tellings[0] ? 1 : 0].scene.name + ".";
   return both_go_on;
 }
 
-/// Where no run parts or ends, what the mistaken one does is the sentence, and only its numbers are left to tell below.
-void lead_with_mistaken(Frame& frame, const std::string& name, const Frame& mistaken) {
-  frame.caption = frame.headline = name + ": " + mistaken.caption;
+/// Where no run parts or ends, what the first that says anything does is the sentence, and only its numbers are left to tell below.
+void lead_with_first(Frame& frame, const std::string& name, const Frame& first) {
+  frame.caption = name + ": " + first.caption;
+  if ('a' <= frame.caption[0] && frame.caption[0] <= 'z') frame.caption[0] += 'A' - 'a';  // "The report: …", a sentence
+  frame.headline = frame.caption;
+  const Fact::Mark mark = frame.facts.front().mark;
   frame.facts.erase(frame.facts.begin());
-  if (!mistaken.facts.empty())
-    frame.facts.insert(frame.facts.begin(), {Fact::Mark::none, name + ": " + mistaken.facts.front().text});
+  if (!first.facts.empty()) frame.facts.front() = {mark, name + ": " + first.facts[0].text};
+}
+
+/// Of what one run says that which the other says, too: what holds for the rules of both.
+std::vector<Fact> said_by_both(const Frame& one, const Frame& other) {
+  std::vector<Fact> facts;
+  for (const Fact& fact : one.facts)
+    if (std::ranges::count(other.facts, fact.text, &Fact::text) > 0) facts.push_back(fact);
+  return facts;
 }
 
 /// What a run says at an event. A mistaken one that goes on, or heals, may say what is true.
@@ -203,17 +213,22 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   }
   if (said.empty()) return std::nullopt;
   const Frame& first = said[0].second;
-  if (i < common) return Frame{first.focus, "Both: " + first.caption, first.headline, first.facts, {}, {}, {}};
+  if (i < common)
+    return Frame{first.focus, "Both: " + first.caption, first.headline, said_by_both(first, said.back().second), {}, {},
+                 {}};
   const std::string sentence = sentence_for(story, i, common, told);
+  const bool is_between = sentence == both_go_on || sentence.starts_with(only_one_goes_on);
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
   if (i == common && said.size() == 2) frame.own_focus = {first.focus, said[1].second.focus};
   for (const auto& [scene, one] : said) {
     const Focus about = i == common ? Focus::parting : one.focus;
     frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption});
-    if (told && i == common) frame.facts.push_back({Fact::Mark::none, one.facts.at(0).text});
+    if (told && (i == common || is_between) && !one.facts.empty())
+      frame.facts.push_back({Fact::Mark::none, one.facts[0].text});
   }
-  const bool is_mistaken_first = told && said.front().first->mistake;
-  if (is_mistaken_first && sentence == both_go_on) lead_with_mistaken(frame, said.front().first->name, first);
+  if (told && is_between) lead_with_first(frame, said.front().first->name, first);
+  if (told && sentence.starts_with(only_one_goes_on))
+    frame.facts.push_back({Fact::Mark::none, "only this run goes on"});
   if (told && told->lines && i == common) frame.facts.push_back({Fact::Mark::truth, *told->lines});
   return frame;
 }

@@ -420,17 +420,21 @@ class Page(unittest.TestCase):
         self.assertTrue(self.find("#summary").is_displayed())
         self.press("p")
         self.assertFalse(self.find("#summary").is_displayed())  # it tells
+        self.assertEqual(self.find("h1").text, "Which line is wrong?")
         [question] = self.questions()
         for _ in range(question["before"]):
             self.press(Keys.ARROW_RIGHT)
         self.assertIn("In which line of Algorithm 4 is the mistake? M9: R3:", self.find("#question").text)
         self.assertEqual(len(self.all("#choices button")), len(question["choices"]))
+        self.assertEqual(self.find(".now .code h3").text, "the report: Algorithm 1")  # P has joined the simplex
         self.press(str(1 + question["right"]))
         self.assertEqual(len(self.all("#choices .right")), 1)
         self.assertIn("here: ABn ← ABCn×AB", self.find("#verdict").get_attribute("textContent"))
         self.find("#onward").click()
         self.assertEqual(self.step(), question["before"] + 1)
         self.assertIn("ABn of the triangle points inward", self.find(".now h2").text)
+        self.assertEqual(self.find(".now .code h3").text, "the report: Algorithm 4")
+        self.assertIn("ABn ← AB×ABCn", self.find(".now .code").text)
 
     def test_a_question_can_be_left_and_keys_be_switched_off(self):
         self.open(searched, "#2")
@@ -576,6 +580,9 @@ class Page(unittest.TestCase):
         self.browser.get(f"file://{self.out / 'index.html'}#words=tetrahedron+regions")  # of a heading
         self.browser.refresh()
         self.wait(lambda: 0 < len(cards()) < 5)
+        self.browser.get(f"file://{self.out / 'index.html'}#words=figure+4")  # a number is whole, and not that of the report
+        self.browser.refresh()
+        self.wait(lambda: len(cards()) == 1)
         self.browser.get(f"file://{self.out / 'index.html'}#words=nowhere")
         self.browser.refresh()
         self.wait(lambda: self.find("#found").text.startswith("none has all"))
