@@ -42,7 +42,9 @@ std::string why_not_answered(const RunOfProgram& run, std::chrono::milliseconds 
   return "";
 }
 
-constexpr int most_floods = 3;  // in a row, each at one pair alone
+constexpr int most_floods = 3;       // in a row, each at one pair alone
+constexpr int most_ended_runs = 10;  // in a row, each with few answers
+constexpr std::size_t few = 16;
 
 class Interview {
  public:
@@ -69,7 +71,10 @@ class Interview {
     const std::size_t answered = is_flood(run.end) && count > 1 ? 0 : run.lines.size();
     for (std::size_t i = 0; i < answered; ++i) replies_.all[at_ + i] = {Reply::line, std::move(run.lines[i])};
     if (answered > 0) in_a_row_ = 0;
-    const bool crashed = run.was_killed_by_signal && (run.end == End::ended || run.end == End::answered);
+    const bool crashed =
+        (run.failed && run.end == End::ended) || (run.was_killed_by_signal && run.end == End::answered);
+    replies_.early_ends += run.end == End::ended && !run.failed && answered > 0;
+    give_up_who_never_ends(run);
     if (crashed && !unexplained_ && (count > 1 || run.end == End::answered)) {
       unexplained_ = at_ + count;
       how_ = run.how;
@@ -90,6 +95,13 @@ class Interview {
   void give_up_who_floods(const RunOfProgram& run) {
     floods_alone_ = is_flood(run.end) ? floods_alone_ + 1 : 0;
     if (floods_alone_ == most_floods && at_ < questions_.size()) replies_.was_given_up = true;
+  }
+
+  /// Who answers a few and then hangs would take the time limit once for each pair.
+  void give_up_who_never_ends(const RunOfProgram& run) {
+    const bool was_ended = run.end == End::late || run.outlives_its_input;
+    ended_runs_ = was_ended && run.lines.size() < few ? ended_runs_ + 1 : 0;
+    if (ended_runs_ == most_ended_runs && at_ + run.lines.size() < questions_.size()) replies_.was_given_up = true;
   }
 
   void note(const RunOfProgram& run) {
@@ -124,7 +136,7 @@ class Interview {
   std::optional<std::size_t> unexplained_;  ///< a run crashed that was to end here
   std::string how_;
   std::size_t answers_before_ = 0;
-  int in_a_row_ = 0, floods_alone_ = 0;
+  int in_a_row_ = 0, floods_alone_ = 0, ended_runs_ = 0;
 };
 
 }  // namespace

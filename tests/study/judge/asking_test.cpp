@@ -83,9 +83,29 @@ TEST_CASE("Asking: a crash after so many questions, whichever they are, is count
   CHECK(replies.crashes_in_company >= 1);
   CHECK(replies.first_crash == "signal 11 (Segmentation fault)");
   CHECK(replies.answers_before_first_crash == 16);
+  const Replies by_exit_code = ask_shell("n=0; " + echo + "n=$((n+1)); [ $n = 17 ] && exit 1; echo got $x; done", 60);
+  check_echo_but(by_exit_code, {});
+  CHECK(by_exit_code.crashes_in_company >= 1);
+  CHECK(by_exit_code.first_crash == "exit code 1");
   const Replies in_the_end = ask_shell(echo + "echo got $x; done; kill -ABRT $$", 5);
   check_echo_but(in_the_end, {});
   CHECK(in_the_end.crashes_in_company == 1);
+  const Replies after_the_last = ask_shell(echo + "echo got $x; done; exit 3", 5);  // which says something else
+  CHECK(after_the_last.crashes_in_company == 0);
+}
+
+TEST_CASE("Asking: who answers one question and ends is started again for each, which is counted", "[judge]") {
+  const Replies replies = ask_shell("read x; echo got $x", 20);
+  check_echo_but(replies, {});
+  CHECK(replies.early_ends >= 10);
+  CHECK(replies.crashes_in_company == 0);
+}
+
+TEST_CASE("Asking: who answers a few questions and then hangs is given up", "[judge]") {
+  const Replies replies = ask_shell("read x; echo got $x; sleep 100", 100, 100);
+  CHECK(replies.was_given_up);
+  CHECK(count_of(replies, Reply::line) == 10);
+  CHECK(count_of(replies, Reply::not_asked) == 90);
 }
 
 TEST_CASE("Asking: who is late at one question is late for that one, and started again", "[judge]") {
@@ -97,8 +117,10 @@ TEST_CASE("Asking: who is late at one question is late for that one, and started
 
 TEST_CASE("Asking: who is late and has closed its output or its input is told as that", "[judge]") {
   CHECK(ask_shell("exec >&-; sleep 100", 1, 500).all[0].text == "no answer within 0.5 s; it had closed its output");
-  const Replies refused = ask_all(shell("exec <&-; sleep 100", 500), {std::string(1 << 20, 'x')});
-  CHECK(refused.all[0].text == "no answer within 0.5 s; it had closed its input");
+  for (const std::size_t length : {std::size_t{1} << 20, std::size_t{60}}) {  // more than a pipe holds, and less
+    const Replies refused = ask_all(shell("exec <&-; sleep 100", 500), {std::string(length, 'x')});
+    CHECK(refused.all[0].text == "no answer within 0.5 s; it had closed its input");
+  }
 }
 
 TEST_CASE("Asking: who never answers is given up", "[judge]") {

@@ -55,13 +55,18 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
   const Replies& replies = judged.replies;
   if (replies.was_given_up)
     sentences.push_back(
-        "It was given up after several pairs in a row without an answer, or with more lines than one; " +
+        "It was given up after several pairs in a row without an answer or with more lines than one, or several runs "
+        "in a row that "
+        "answered a few pairs and then had to be ended; " +
         count_of(judged.all.of(Verdict::not_asked), "pair was", "pairs were") + " not asked.");
   if (replies.crashes_in_company > 0)
     sentences.push_back("It crashed " + count_of(replies.crashes_in_company, "time", "times") +
                         ", though each of the pairs has its answer in another run: " + replies.first_crash +
                         ", the first time after " + count_of(replies.answers_before_first_crash, "answer", "answers") +
                         " of a run.");
+  if (replies.early_ends > 0)
+    sentences.push_back("It ended " + count_of(replies.early_ends, "time", "times") +
+                        " (exit code 0) before it had answered all of its pairs, and was started again.");
   if (replies.floods > 0)
     sentences.push_back("It writes more lines than it reads: one answer a line, and nothing else on standard output.");
   if (replies.long_lines > 0)

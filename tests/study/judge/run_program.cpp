@@ -261,6 +261,13 @@ class Talk {
   bool input_was_refused_ = false;
 };
 
+/// Whether that process, which is still there, has closed its standard input: what is written into a pipe is not missed.
+bool has_no_input(pid_t process) {
+  std::error_code error;  // whatever it leads to, such as a pipe, which has no name
+  const auto kind = std::filesystem::symlink_status("/proc/" + std::to_string(process) + "/fd/0", error).type();
+  return kind == std::filesystem::file_type::not_found;
+}
+
 /// Returns: its status, once it has ended.
 std::optional<int> status_of(pid_t child) {
   int status = 0;
@@ -288,13 +295,14 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
     status = status_of(child);
     if (talk.go_on(run) > 0) late = Clock::now() + limit;
   }
-  run.closed_input = talk.input_was_refused();
+  run.closed_input = talk.input_was_refused() || (!status && has_no_input(child));
   run.closed_output = !status && !talk.output_is_open();
   kill_all_that_is_left(child, before);
   talk.go_on(run);
   if (status) {
     run.how = words_of_status(*status);
     run.was_killed_by_signal = WIFSIGNALED(*status);
+    run.failed = *status != 0;
   }
   if (talk.has_too_many_lines())
     run.end = End::flooding;

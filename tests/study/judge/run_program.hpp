@@ -24,7 +24,8 @@ struct RunOfProgram {
   std::string
       how;  ///< "signal 11 (Segmentation fault)", "exit code 1"; where it ended by itself, also after its last answer
   bool was_killed_by_signal = false;  ///< by itself, as when it crashes
-  bool closed_input = false;          ///< before it had read all
+  bool failed = false;                ///< the same, or it ended by itself with another exit code than 0
+  bool closed_input = false;          ///< before it had read all, or when it was ended
   bool closed_output = false;         ///< and was still there
   bool outlives_its_input = false;    ///< has answered all, but was still there when it was ended
   std::string said;                   ///< the end of what it wrote to standard error

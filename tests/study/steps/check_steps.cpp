@@ -20,7 +20,8 @@ namespace {
 constexpr double same_place =
     1e-9;  // of the sets' size: programs may compute in floats elsewhere, and print fewer digits
 constexpr double same_direction = 1e-4;  // 1 - cosine
-constexpr double flat = 1e-12;           // BC×BD·BA, of edges whose largest coordinate is 1
+constexpr std::size_t most_differences = 1'000'000;
+constexpr double flat = 1e-12;  // BC×BD·BA, of edges whose largest coordinate is 1
 
 using Vertices = std::vector<Vec>;  // oldest first
 using Indices = std::vector<int>;   // into such a list
@@ -305,6 +306,13 @@ class Following {
     return best;
   }
 
+  /// Returns: whether it is one of all a - b; true where there are too many to look at.
+  bool is_difference(const Vec& v) const {
+    if (a_.size() * b_.size() > most_differences) return true;
+    return std::ranges::any_of(
+        a_, [&](const Vec& p) { return std::ranges::any_of(b_, [&](const Vec& q) { return are_same(p - q, v); }); });
+  }
+
   /// Of such a length that no product with it is beyond all doubles.
   static Vec shortened(const Vec& d) {
     const double most = d.cwiseAbs().maxCoeff();
@@ -326,6 +334,10 @@ class Following {
     if (has(right, added.front())) {
       may_be_m1_ = may_be_m1_ && has(farthest_differences(d, d), added.front());
       return added.front();
+    }
+    if (!is_difference(added.front())) {
+      blame(iteration(), words_of(added.front()) + " is no difference a − b of a point of each set", {});
+      return std::nullopt;
     }
     const bool is_m1 = has(farthest_differences(d, d), added.front());
     blame(iteration(),

@@ -145,6 +145,8 @@ TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
   CHECK(words({first, {{4, 1, 0}, {{-4, -1, 0}}}}, Said::separated) == "0: ");
   CHECK_THAT(words({{{1, 0, 0}, {{-5, 1, 0}}}}, Said::undecided),
              Contains("1: (-5, 1, 0) is no point of a − b farthest"));
+  CHECK_THAT(words({{{1, 0, 0}, {{9, 9, 0}}}}, Said::undecided),
+             Contains("1: (9, 9, 0) is no difference a − b of a point of each set"));
   CHECK_THAT(words({first, {{0, 1, 0}, {{-4, -1, 0}}}}, Said::separated),
              Contains("1: from [A], rightly kept, the report searches along (1, 0.25, 0)"));
   CHECK_THAT(words({first, {{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated), Contains("yours along (0, 0, 0)"));
