@@ -2,8 +2,8 @@
 # Installs what is missing, builds as users build the program, with warnings as errors, times plain and observed calls, and
 # runs all tests.
 #
-#     tests/run.sh               twelve minutes on two cores the first time, two when nothing has changed
-#     tests/run.sh --sanitize    builds and tests once more, under AddressSanitizer and UBSan: 45 minutes
+#     tests/run.sh               half an hour on two slow cores the first time, seven minutes when nothing has changed
+#     tests/run.sh --sanitize    builds and tests once more, under AddressSanitizer and UBSan: little more than an hour in all
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
