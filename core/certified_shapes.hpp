@@ -14,7 +14,7 @@
 ///      way there; so the surface still goes around it, and the origin is in the hull of its points.
 ///  C9. No farther apart than the triangle of that surface that is nearest to the origin, and 2ε; of a flat difference, which has
 ///      none, than g where it surrounds the origin once grown by a ball of radius g. And no deeper in each other than the
-///      difference reaches along the direction in which it reaches least, and 2ε.
+///      difference reaches along the direction in which it reaches least, and ε (C7).
 #pragma once
 
 #include <algorithm>
@@ -86,7 +86,7 @@ class DoubtfulDifference {
     ++times_asked_;
     const double reach = w.dot(along) / length;
     if (reach + error_ * (1 + 0x1p-20) < 0) separation_ = along;
-    least_reach_ = std::min(least_reach_, reach + 2 * error_);
+    least_reach_ = std::min(least_reach_, std::nextafter(reach + error_, std::numeric_limits<double>::infinity()));
     return w + along * (radius / length);
   }
 

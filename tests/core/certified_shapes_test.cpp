@@ -14,6 +14,14 @@ namespace {
 using V = Vec3<double>;
 constexpr auto apart = Status::separated, together = Status::intersecting, undecided = Status::undecided;
 
+/// A cylinder whose points are each said to be off by `error`; and are too short by that, along whatever direction.
+struct Short {
+  Cylinder<double> can;
+  double error;
+};
+Doubt doubt(const Short& s) { return {gjk::doubt(s.can).size + s.error, gjk::doubt(s.can).error + s.error}; }
+V near_support(const Short& s, const V& d) { return gjk::near_support(s.can, d) - s.error * d.normalized(); }
+
 /// Points that are each said to be off by `error`; and are, to that length, in a direction of its own each time.
 struct Blurred {
   PointSet<double> points;
@@ -283,24 +291,46 @@ TEMPLATE_TEST_CASE("Cylinders in flat contact are decided, rightly, down to gaps
     }
 }
 
-TEST_CASE("Parallel cylinders side by side are decided, rightly, however their axis lies", "[certified]") {
-  Dice dice(15);
+namespace {
+
+/// Two cylinders side by side, with one axis that lies anyhow. `gap`: of their sides.
+Cans<double> parallel_cans(Dice& dice, double gap) {
   const auto any_direction = [&] {
     return V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)).normalized();
   };
+  const V axis = any_direction(), across = axis.cross(any_direction()).normalized();
+  const double r = dice.between(0.3, 1.0), other_r = dice.between(0.3, 1.0), h = dice.between(0.5, 2.0);
+  return {{V(0, 0, 0), axis, r, h}, {(r + other_r + gap) * across + 0.1 * axis, axis, other_r, dice.between(0.5, 2.0)}};
+}
+
+}  // namespace
+
+TEST_CASE("Parallel cylinders side by side are decided, rightly, however their axis lies", "[certified]") {
+  Dice dice(15);
   for (const double gap : {0.3, 0.1, 1e-2, 1e-3, 1e-6, 1e-9})
-    for (int i = 0; i < 200; ++i) {
-      const V axis = any_direction(), across = axis.cross(any_direction()).normalized();
-      const double r = dice.between(0.3, 1.0), other_r = dice.between(0.3, 1.0);
-      const Cylinder<double> can(V(0, 0, 0), axis, r, dice.between(0.5, 2.0));
-      const double other_height = dice.between(0.5, 2.0);
+    for (int i = 0; i < 200; ++i)
       for (const double signed_gap : {gap, -gap}) {
-        const V center = (r + other_r + signed_gap) * across + 0.1 * axis;
+        const auto [a, b] = parallel_cans(dice, signed_gap);
         INFO("pair " << i << ", gap " << signed_gap);
-        REQUIRE(certified_shapes(can, Cylinder<double>(center, axis, other_r, other_height)).status ==
-                (signed_gap > 0 ? apart : together));
+        REQUIRE(certified_shapes(a, b).status == (signed_gap > 0 ? apart : together));
       }
+}
+
+TEST_CASE("C9: where a surface cannot grow to where the shapes end they are no deeper in each other than is said",
+          "[certified]") {
+  Dice dice(16);
+  int seen = 0;
+  for (const double depth : {1e-11, 1e-12})
+    for (int i = 0; i < 200; ++i) {
+      const auto [a, b] = parallel_cans(dice, -depth);
+      const ShapesResult result = certified_shapes(Short{a, depth / 20}, Short{b, depth / 20});
+      INFO("pair " << i << ", depth " << depth);
+      REQUIRE(result.status != apart);
+      if (result.status != undecided) continue;
+      ++seen;
+      REQUIRE(result.gap >= depth);
     }
+  REQUIRE(seen > 100);
 }
 
 TEST_CASE("A can in a posed box's way, a capsule, and a sum of sums are found where they are", "[certified]") {
