@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -78,14 +79,22 @@ std::string in_told_letters(std::string text, const Indices& order) {
 /// Collects "ABCn·AO = 3 > 0" of what decided.
 template <class S>
 struct Reasons {
-  const Indices& order;  ///< of the vertices, as they were told
-  std::string text = {};
+  const Indices& order;                     ///< of the vertices, as they were told
+  std::string chosen = {}, not_above = {};  ///< the region; the faces of a tetrahedron that the origin is not above
 
   void operator()(const gjk::RegionTested<S>& event) {
     const S* const value = std::get_if<S>(&event.value);
-    if (event.verdict != gjk::Verdict::chosen || !value) return;
-    std::string expression = in_told_letters(event.expression, order);
-    S number = *value;
+    if (!value) return;
+    if (event.verdict == gjk::Verdict::chosen) add(chosen, event.expression, *value);
+    if (event.verdict == gjk::Verdict::rejected && event.simplex_size == 4 && event.face.empty())
+      add(not_above, event.expression, *value);
+  }
+  template <class E>
+  void operator()(const E&) {}
+
+ private:
+  void add(std::string& text, const std::string& told_expression, S number) const {
+    std::string expression = in_told_letters(told_expression, order);
     // The report names a normal in one order of its face: in the other it is the opposite.
     for (const auto& [turned, named] : {std::pair{"ACBn", "ABCn"}, {"ADCn", "ACDn"}, {"ABDn", "ADBn"}})
       if (const std::size_t at = expression.find(turned); at != std::string::npos) {
@@ -97,8 +106,6 @@ struct Reasons {
              : number < 0 ? " < 0"
                           : "");
   }
-  template <class E>
-  void operator()(const E&) {}
 };
 
 /// As fractions, so that a long one does not become infinite: only the ratios count.
@@ -116,8 +123,9 @@ Outcome processed(const Vertices& vertices, const Indices& order) {
   Reasons<S> reasons{order};
   gjk::detail::Teller<Reasons<S>> tell(reasons, gjk::CrossingTest::on);
   const gjk::Next<S> next = gjk::detail::process<gjk::AsIntended>(simplex, tell);
-  if (next.contains_origin()) return {true, order, Vec::Zero(), reasons.text};
-  return {false, indices_of(simplex), as_doubles<S>(next.direction()), reasons.text};
+  if (next.contains_origin())
+    return {true, order, Vec::Zero(), reasons.chosen.empty() ? reasons.not_above : reasons.chosen};
+  return {false, indices_of(simplex), as_doubles<S>(next.direction()), reasons.chosen};
 }
 
 /// Whether A lies in the direction BC×BD (Section 3.2.4), as far as rounding leaves that open: of a flat one any order is as good.
@@ -132,19 +140,28 @@ bool points_outward(const Vertices& vertices, const Indices& order) {
   return !(edges[0].cross(edges[1]).dot(edges[2]) < -flat);
 }
 
+Indices as_told(const Vertices& vertices) {
+  Indices order(vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+/// Returns: those of the older vertices that leave normals outward, first the one in which they were told if it does.
+std::vector<Indices> outward_orders(const Vertices& vertices) {
+  std::vector<Indices> all;
+  Indices order = as_told(vertices);
+  do {
+    if (points_outward(vertices, order)) all.push_back(order);
+  } while (std::next_permutation(order.begin(), order.end() - 1));
+  return all;
+}
+
 /// Returns: all that is right, first what the report does with the vertices in their order.
 std::vector<Outcome> right_outcomes(const Vertices& vertices) {
-  Indices order;
-  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) order.push_back(i);
   std::vector<Outcome> all;
-  const Indices as_told = order;
-  for (const bool others : {false, true}) {
-    order = as_told;
-    do {
-      if ((order != as_told) != others || !points_outward(vertices, order)) continue;
-      all.push_back(processed<double>(vertices, order));
-      all.push_back(processed<Exact>(vertices, order));
-    } while (std::next_permutation(order.begin(), order.end() - 1));
+  for (const Indices& order : outward_orders(vertices)) {
+    all.push_back(processed<double>(vertices, order));
+    all.push_back(processed<Exact>(vertices, order));
   }
   return all;
 }
@@ -267,9 +284,8 @@ class Following {
     return false;
   }
 
-  Processed process_by(std::size_t mistake) const {
-    Indices order;
-    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) order.push_back(i);
+  Processed process_by(std::size_t mistake) const { return process_by(mistake, as_told(vertices_)); }
+  Processed process_by(std::size_t mistake, const Indices& order) const {
     return mistakes()[mistake].process(simplex_of<double>(vertices_, order));
   }
 
@@ -331,21 +347,30 @@ class Following {
       return std::nullopt;
     }
     if (added.empty()) return among(right, d);
-    if (has(right, added.front())) {
-      may_be_m1_ = may_be_m1_ && has(farthest_differences(d, d), added.front());
-      return added.front();
-    }
+    if (has(right, added.front())) return added.front();
     if (!is_difference(added.front())) {
       blame(iteration(), words_of(added.front()) + " is no difference a − b of a point of each set", {});
       return std::nullopt;
     }
-    const bool is_m1 = has(farthest_differences(d, d), added.front());
     blame(iteration(),
           words_of(added.front()) + " is no point of a − b farthest along " + words_of(step().direction) +
               ": it reaches " + shown(added.front().dot(step().direction)) + ", " + words_of(right.front()) +
               " reaches " + shown(right.front().dot(step().direction)),
-          is_m1 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
+          may_be_m1() ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
     return std::nullopt;
+  }
+
+  /// Whether every vertex, of later steps too, is one that M1 finds.
+  bool may_be_m1() const {
+    Vertices before;
+    for (const ToldStep& each : run_.steps) {
+      const Vec d = shortened(each.direction);
+      const Vertices by_m1 = farthest_differences(d, d);
+      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || has(by_m1, v); }))
+        return false;
+      before = each.simplex;
+    }
+    return true;
   }
 
   /// The direction of a step that was not told is not known: of larger numbers another formula than ours may have rounded it.
@@ -466,7 +491,7 @@ class Following {
 
   /// Whether the vertex of M1 along `d` has P·d < 0, and M1 would have found those that were told.
   bool reaches_back(const Vec& d) const {
-    return may_be_m1_ && std::ranges::any_of(farthest_differences(d, d), [&](const Vec& v) { return v.dot(d) < 0; });
+    return may_be_m1() && std::ranges::any_of(farthest_differences(d, d), [&](const Vec& v) { return v.dot(d) < 0; });
   }
 
   /// Returns: also M1 where its vertex has P·d < 0.
@@ -505,19 +530,32 @@ class Following {
     return !by_order.contains_origin && (is_last() || std::ranges::all_of(told_indices_, is_kept));
   }
 
-  void blame_simplex(const Outcome& right, const std::string& does) {
-    if (follows_from_order(does)) return blame(suspect_->iteration, suspect_->words, suspect_->makers);
+  /// Returns: those that do with the vertices in this order what the program does, and the report does not.
+  std::vector<std::size_t> makers_in(const Indices& order, const std::string& does) const {
+    const Outcome right = processed<double>(vertices_, order);
+    const bool says_yes = does == "says yes";
     std::vector<std::size_t> makers;
     for (std::size_t m = 0; m < mistakes().size(); ++m) {
-      const Processed other = process_by(m);
-      const bool says_yes = does == "says yes";
-      if (other.contains_origin != says_yes) continue;
-      if (says_yes || is_last() || are_same_set(indices_of(other.kept), told_indices_)) makers.push_back(m);
+      const Processed other = process_by(m, order);
+      if (other.contains_origin == says_yes && differs_from(right, other) &&
+          (says_yes || is_last() || are_same_set(indices_of(other.kept), told_indices_)))
+        makers.push_back(m);
     }
+    return makers;
+  }
+
+  /// Returns: those in the order of the vertices as they were told; where there are none, in the first other that has some.
+  std::vector<std::size_t> makers_of_simplex(const std::string& does) const {
+    for (const Indices& order : outward_orders(vertices_))
+      if (const std::vector<std::size_t> makers = makers_in(order, does); !makers.empty()) return makers;
+    return {};
+  }
+
+  void blame_simplex(const Outcome& right, const std::string& does) {
+    if (follows_from_order(does)) return blame(suspect_->iteration, suspect_->words, suspect_->makers);
+    std::vector<std::size_t> makers = makers_of_simplex(does);
     if (does == "says no" && at_ > 0) makers = makers_of_no(makers);
-    std::erase_if(makers, [&](std::size_t m) { return m != 0 && !differs_from(right, process_by(m)); });
-    Indices all;
-    for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) all.push_back(i);
+    const Indices all = as_told(vertices_);
     blame(iteration(),
           "from " + letters_of(all, vertices_.size()) + " the report finds " +
               (right.why.empty() ? "" : right.why + ": ") +
@@ -546,8 +584,7 @@ class Following {
   std::size_t at_ = 0;
   Vertices before_, vertices_;  ///< the simplex before this step, and with its new vertex
   Indices told_indices_;
-  bool may_be_m1_ = true;  ///< whether every vertex is one that M1 finds, too
-  Vertices directions_;    ///< in which the next search may go
+  Vertices directions_;  ///< in which the next search may go
   std::optional<Suspect> suspect_;
   StepsChecked checked_;
   bool is_done_ = false;

@@ -203,6 +203,11 @@ struct FacesFromTheLast : gjk::AsIntended {
   }
 };
 
+/// The same, with the normal of ADB turned inward: M17 in another order.
+struct FacesFromTheLastInward : FacesFromTheLast {
+  static auto ADBn(const auto& AD, const auto& AB) { return AB.cross(AD); }
+};
+
 template <class Rules>
 ToldRun told_by(const NamedPair& named) {
   gjk::Trace<double> trace;
@@ -291,6 +296,38 @@ TEST_CASE("Steps: with its faces tested in another order it is not blamed, and t
     other_choices += found.other_choices.size();
   }
   CHECK(other_choices >= 5);
+}
+
+TEST_CASE("Steps: a mistake is named whatever the order of the faces, and why the origin lies inside is told",
+          "[steps]") {
+  constexpr std::size_t abc_inward = 14, adb_inward = 16;
+  int all = 0, named = 0, inside = 0;
+  for (const NamedPair& pair : smallest()) {
+    if (!std::holds_alternative<Points>(pair.pair.a)) continue;
+    const StepsChecked found = check_steps(told_by<FacesFromTheLastInward>(pair));
+    if (found.iteration == 0) continue;
+    ++all;
+    // In another order of B, C and D the face may be another.
+    named += std::ranges::any_of(found.mistakes, [](auto m) { return m >= abc_inward && m <= adb_inward; });
+    if (found.words.find("the origin lies in it") == std::string::npos) continue;
+    ++inside;
+    CHECK(found.words.find("the report finds ABCn·AO = ") != std::string::npos);
+    CHECK(found.words.find("ADBn·AO = ") != std::string::npos);
+  }
+  CAPTURE(all, named, inside);
+  CHECK(all > 20);
+  CHECK(inside > 5);
+  CHECK(named == all);
+}
+
+TEST_CASE("Steps: a wrong vertex is that of B's wrong side only where all that are told are", "[steps]") {
+  const NamedPair pair{"p", "f", {Points{{-1, 0, 0}, {-2, 0, 0}}, Points{{3, 0, 0}, {4, 1, 0}}}};
+  const auto found = [&](const Vec& later) {
+    return check_steps({pair, {{{1, 0, 0}, {{-5, -1, 0}}}, {{0, -1, 0}, {{-5, -1, 0}, later}}}, Said::separated});
+  };
+  for (const Vec& later : {Vec(-4, 0, 0), Vec(-6, -1, 0)}) CHECK(found(later).iteration == 1);
+  CHECK(found({-4, 0, 0}).mistakes == std::vector<std::size_t>{0});  // along (0, -1, 0) of A and B
+  CHECK(found({-6, -1, 0}).mistakes.empty());                        // along (0, -1, 0) of A, and (0, 1, 0) of B
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tests/study/steps/told_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/study/judge/pairs_file.hpp"
@@ -71,12 +72,28 @@ void add_line(std::string_view line, std::size_t number, std::vector<ToldRun>& r
     run.steps.push_back(step_in(root));
 }
 
+/// Whether each step that adds one vertex to others, two at least, has it first.
+bool is_newest_first(const std::vector<ToldStep>& steps) {
+  int seen = 0;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const std::vector<Vec>&before = steps[i - 1].simplex, &now = steps[i].simplex;
+    const auto is_new = [&](const Vec& v) { return std::ranges::find(before, v) == before.end(); };
+    if (now.size() < 2 || std::ranges::count_if(now, is_new) != 1) continue;
+    if (!is_new(now.front())) return false;
+    ++seen;
+  }
+  return seen >= 2;
+}
+
 }  // namespace
 
 std::vector<ToldRun> read_told_runs(std::string_view text, const std::string& file) {
   std::vector<ToldRun> runs;
   for_each_line(text, file, [&](std::string_view line, std::size_t number) { add_line(line, number, runs); });
   if (runs.empty()) throw walkthroughs::InputError(file + ": is empty; the first line must be a pair");
+  for (ToldRun& run : runs)
+    if (is_newest_first(run.steps))
+      for (ToldStep& step : run.steps) std::ranges::reverse(step.simplex);
   return runs;
 }
 

@@ -5,8 +5,8 @@
 ///     {"direction":[-3,-1,0],"simplex":[[3,1,0],[-2,0,1]]}
 ///     true
 ///
-/// A step says along which direction it searched, and the simplex after it was reduced, points a - b, the newest last. The last
-/// simplex need not be reduced, and the step that ends a search with "no" need not be told: its vertex never becomes part of a
+/// A step says along which direction it searched, and the simplex after it was reduced, points a - b, the newest last; whoever
+/// has it first in every step is understood, too. The last simplex need not be reduced, and the step that ends a search with "no" need not be told: its vertex never becomes part of a
 /// simplex. A file holds as many such searches as it likes.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace study {
 
 struct ToldStep {
   Vec direction;
-  std::vector<Vec> simplex;  ///< one to four, oldest first
+  std::vector<Vec> simplex;  ///< one to four, oldest first, however they were told
 };
 
 struct ToldRun {

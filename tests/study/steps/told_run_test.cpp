@@ -26,6 +26,20 @@ TEST_CASE("Told runs: of a direction only the ratios count, however long it is",
   CHECK((d[0] >= 1 && d[0] < 2));
 }
 
+TEST_CASE("Told runs: the newest vertex is the last, whichever end it was told at in every step", "[steps]") {
+  const auto last_of = [](const std::vector<std::string>& simplices) {
+    std::string text = pair;
+    for (const std::string& simplex : simplices) text += "\n{\"direction\":[1,0,0],\"simplex\":[" + simplex + "]}";
+    return read_told_runs(text, "f").at(0).steps.back().simplex.back();
+  };
+  const std::string a = "[1,0,0]", b = "[2,0,0]", c = "[3,0,0]", d = "[4,0,0]";
+  CHECK(last_of({a, b + "," + a, c + "," + b + "," + a}) == Vec(3, 0, 0));
+  CHECK(last_of({a, b + "," + a, c + "," + a, d + "," + a}) == Vec(4, 0, 0));
+  CHECK(last_of({a, a + "," + b, a + "," + b + "," + c}) == Vec(3, 0, 0));
+  CHECK(last_of({a, b + "," + a, b + "," + a + "," + c, d + "," + c}) == Vec(3, 0, 0));  // once at the other end
+  CHECK(last_of({a, b + "," + a}) == Vec(1, 0, 0));                                      // one step may be a mistake
+}
+
 TEST_CASE("Told runs: what is no step is refused with its line and the reason", "[steps]") {
   const auto check_fails = [](const std::string& line, const std::string& words) {
     INFO(line);
