@@ -99,7 +99,7 @@ TEST_CASE("judge: the recipe says what happens", "[judge]") {
   CHECK(has(recipe, "# ./wrong_gjk" + verdict + "\n"));
   const std::string sentence = lines(out).at(2);
   CHECK(has(recipe, sentence.substr(0, sentence.find(';')) + "; …\n"));
-  const auto line = recipe.find("  return keep(s, {C, B, A}, d, -n);");
+  const auto line = recipe.find("  if (dot(n, AO) < 0) return s = {C, B, A}, -n;");
   CHECK(has(bytes_of(JUDGE_ADAPTERS "/wrong_gjk.cpp"), recipe.substr(line, recipe.find(';', line) - line)));
   const auto doubles = run("judge --json -- " + quoted(GJKSTEP_ITSELF) + " query");
   const auto all = nlohmann::json::parse(doubles.out)["all"];

@@ -24,7 +24,8 @@ static V from_triangle(Simplex& s, V A, V B, V C) {
   const V AB = B - A, AC = C - A, AO = -A, n = cross(AB, AC);
   if (dot(cross(n, AC), AO) > 0) return from_edge(s, A, dot(AC, AO) > 0 ? C : B);
   if (dot(cross(AB, n), AO) > 0) return from_edge(s, A, B);
-  return s = {C, B, A}, dot(n, AO) > 0 ? n : dot(n, AO) < 0 ? -n : V{0, 0, 0};
+  if (dot(n, AO) < 0) return s = {C, B, A}, -n;
+  return s = {C, B, A}, dot(n, AO) > 0 ? n : V{0, 0, 0};
 }
 static V toward_origin(Simplex& s) {  // zero where it is found
   const V A = s.back(), AO = -A;
