@@ -288,6 +288,23 @@ class ExactSimplex {
   mutable std::optional<FromA<Whole>> whole_;
 };
 
+/// A vector of whole numbers times 2^-cut, so that the largest has 60 bits at most.
+struct HighestBits {
+  Triple<Bounded> vector;
+  unsigned cut;
+};
+
+/// What is cut off is less than 1, and doubles round what is left by u of it at most; 4u for how that is rounded here.
+inline HighestBits highest_bits(const Triple<Whole>& d) {
+  const auto bits = [](const Whole& x) { return x == 0 ? 0U : static_cast<unsigned>(msb(abs(x))) + 1; };
+  const unsigned most = std::max({bits(d.x), bits(d.y), bits(d.z)}), cut = most > 60 ? most - 60 : 0;
+  const auto number = [cut](const Whole& x) {
+    const double size = static_cast<double>(static_cast<std::int64_t>(Whole(abs(x)) >> cut));
+    return Bounded{x < 0 ? -size : size, (1 + roundoff * size) * (1 + 4 * roundoff)};
+  };
+  return {{number(d.x), number(d.y), number(d.z)}, cut};
+}
+
 /// Looks for points of the difference along a direction that is known exactly: that from a simplex toward the origin.
 template <class S, class Obs = const NobodyListens>
 class AlongDirection {
@@ -297,7 +314,11 @@ class AlongDirection {
         from_(from),
         bounded_(from.template toward_origin<Bounded>()),
         power_(difference.powers(from.degree_of_direction()).bounded) {
-    if (!is_precise(bounded_)) bounded_ = rounded(whole());
+    if (!is_precise(bounded_)) {
+      const HighestBits highest = highest_bits(whole());
+      bounded_ = highest.vector;
+      power_ = difference.powers(from.degree_of_direction()).whole - static_cast<int>(highest.cut);
+    }
     aim();
     from_.tell()([&] { return DirectionChosen<S>{.expression = from_.words_of_direction(), .direction = told()}; });
   }
@@ -383,18 +404,6 @@ class AlongDirection {
       error = std::max(error, c.error);
     }
     return error < 0x1p-20 * largest;
-  }
-
-  /// The highest 60 bits of the largest component, and of the others what is as high: d, times some power of two.
-  Triple<Bounded> rounded(const Triple<Whole>& d) {
-    const auto bits = [](const Whole& x) { return x == 0 ? 0U : static_cast<unsigned>(msb(abs(x))) + 1; };
-    const unsigned most = std::max({bits(d.x), bits(d.y), bits(d.z)}), cut = most > 60 ? most - 60 : 0;
-    power_ = difference_.powers(from_.degree_of_direction()).whole - static_cast<int>(cut);
-    const auto number = [cut](const Whole& x) {
-      const double size = static_cast<double>(static_cast<std::int64_t>(Whole(abs(x)) >> cut));
-      return Bounded{x < 0 ? -size : size, 1 + 2 * roundoff * size};
-    };
-    return {number(d.x), number(d.y), number(d.z)};
   }
 
   /// Makes the direction that the support functions are asked in, so small that none of their products overflows, and how

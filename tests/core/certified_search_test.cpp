@@ -72,6 +72,29 @@ TEST_CASE("A direction that doubles know to 2^-20 is theirs, any other that of w
   CHECK(closely_above > 0);
 }
 
+TEST_CASE("Of whole numbers that no double holds the highest bits are off by 1 and a rounding at most", "[certified]") {
+  using detail::Whole;
+  const auto is_true = [](const Whole& x, const Bounded& found, unsigned cut) {
+    return abs(Rational(x) / Rational(Whole(1) << cut) - Rational(found.value)) <= Rational(found.error);
+  };
+  Dice dice(7474);
+  for (const unsigned bits : {3U, 59U, 60U, 61U, 130U, 700U})
+    for (int i = 0; i < 200; ++i) {
+      // Half way between two doubles, ones behind; or anything.
+      const Whole half_way = ((Whole(1) << 59) + 64 + 128 * dice.between(0, 3)), one = 1;
+      Whole any = dice.between(1, 3);
+      while (msb(any) + 1 < bits) any = (any << 8) + dice.between(0, 255);
+      const Whole x = i < 20 && bits > 60 ? (half_way << (bits - 60)) + (one << (bits - 60)) - 1 : any;
+      const detail::HighestBits found = detail::highest_bits({x, -x / 3, x / (one << 40)});
+      INFO(x << " cut by " << found.cut);
+      CHECK((found.cut == 0 || found.vector.x.value >= 0x1p59));
+      CHECK(found.vector.x.value <= 0x1p60);
+      CHECK(is_true(x, found.vector.x, found.cut));
+      CHECK(is_true(-x / 3, found.vector.y, found.cut));
+      CHECK(is_true(x / (one << 40), found.vector.z, found.cut));
+    }
+}
+
 // -- Scans ------------------------------------------------------------------------------------------------------------
 
 /// Sets of points on a line, by their places. Returns: whether the second search, which finds no vertex across, knows that

@@ -64,6 +64,40 @@ TEST_CASE("C7: a gap of ε separates nothing, a wider one does", "[certified]") 
   REQUIRE(beside_cube(0.25, V(0, -1 - epsilon * (1 + 0x1p-18), 0)).status == apart);
 }
 
+namespace {
+
+/// A cube that ends at x = 0, its points known to a quarter, and a point beside or in it.
+struct SideOfCube {
+  explicit SideOfCube(double x) : point{PointSet<double>({V(x, 0, 0)}), 0} {}
+
+  Status status() const { return certified_shapes(box, point).status; }
+  /// Returns: ε, a millionth greater: what it must be deeper or farther away than.
+  double needed() const {
+    const detail::DoubtfulDifference<double, Blurred, Blurred> difference(box, point);
+    return difference.unscaled(difference.error() * (1 + 0x1p-20));
+  }
+
+  Blurred box{PointSet<double>({V(-2, -1, -1), V(0, -1, -1), V(-2, 1, -1), V(0, 1, -1), V(-2, -1, 1), V(0, -1, 1),
+                                V(-2, 1, 1), V(0, 1, 1)}),
+              0.25},
+      point;
+};
+
+}  // namespace
+
+TEST_CASE("C7, C8: what is ε and two millionths far or deep is undecided, the next number is not", "[certified]") {
+  double needed = 0.25;  // it depends on where the point is, which is so far away
+  for (int i = 0; i < 9; ++i) needed = SideOfCube(needed).needed();
+  REQUIRE(SideOfCube(needed).needed() == needed);
+  const double epsilon = 0.25 + 8 * 0x1p-53 * (2 + 1 + 1 + 0.25 + needed);
+  CHECK(needed == Approx(epsilon * (1 + 0x1p-19)).epsilon(0x1p-24));
+  for (const double away : {needed, -needed}) {
+    INFO(away);
+    CHECK(SideOfCube(away).status() == undecided);
+    CHECK(SideOfCube(std::nextafter(away, 2 * away)).status() == (away > 0 ? apart : together));
+  }
+}
+
 TEST_CASE("C7: of points that are known exactly a gap of what is rounded separates nothing, a step more does",
           "[certified]") {
   // The cube and a point reach 3 and 1 from the origin: 8u(3 + 1) is 16 steps of the doubles above 1.
@@ -224,6 +258,29 @@ TEST_CASE("C9: of points at the origin, too, the bound is next to nothing", "[ce
   }
 }
 
+TEST_CASE("C8: a surface that passes the origin by less than rounding leaves open goes around nothing", "[certified]") {
+  Dice dice(7474);
+  const auto det = [](const V& x, const V& y, const V& z) {
+    const auto of = [](const V& v) {
+      return detail::Triple<Rational>{Rational(v.x()), Rational(v.y()), Rational(v.z())};
+    };
+    return detail::dot(detail::cross(of(x), of(y)), of(z));
+  };
+  int beside = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto any = [&] { return V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)); };
+    const V a = any(), b = any(),
+            c = -dice.between(0.2, 1.0) * a - dice.between(0.2, 1.0) * b;  // the origin between them
+    const V d = any();
+    const Rational of[] = {det(b, c, d), -det(a, c, d), det(a, b, d), -det(a, b, c)};
+    const bool is_inside = std::ranges::all_of(of, [&](const Rational& x) { return x * of[0] > 0; });
+    CAPTURE(i);
+    if (!is_inside) CHECK_FALSE(detail::Surface({a, b, c, d}).goes_around_origin());
+    beside += !is_inside;
+  }
+  CHECK(beside > 500);
+}
+
 TEST_CASE("C7 to C9: shapes of any size are answered as those of size 1", "[certified]") {
   const auto asked = [](int scale, const V& center) {
     const auto large = [scale](double x) { return std::ldexp(x, scale); };
@@ -243,6 +300,22 @@ TEST_CASE("C7 to C9: shapes of any size are answered as those of size 1", "[cert
       REQUIRE(result.iterations == usual.iterations);
     }
   }
+}
+
+TEST_CASE("C9: a length that is rounded in the units of the shapes is rounded up", "[certified]") {
+  using Point = PointSet<double>;
+  const Point small({V(0x1p-1060, 0, 0)});  // a least number is 2^-14 of the unit
+  const detail::DoubtfulDifference<double, Point, Point> difference(small, small);
+  for (const double least : {100.2, 100.5, 100.7, 101.0, 101.5})
+    CHECK(difference.unscaled(std::ldexp(least, -14)) == std::ldexp(std::ceil(least), -1074));
+}
+
+TEST_CASE("C8: a difference grown by a ball is known worse, by 16 roundings of its radius", "[certified]") {
+  using Point = PointSet<double>;
+  const Point point({V(1, 0, 0)});
+  const detail::DoubtfulDifference<double, Point, Point> difference(point, point);
+  for (const double radius : {0.5, 1.0, 1024.0})
+    CHECK(difference.error(radius) - difference.error() == Approx(16 * 0x1p-53 * radius));
 }
 
 TEST_CASE("C9: of what might overflow nothing is known", "[certified]") {

@@ -189,6 +189,9 @@ TEMPLATE_TEST_CASE("C3: a scan adds up the largest numbers without overflow", "[
                                  {V(1, 1, 1) * (most * static_cast<S>(b))});
     REQUIRE(across_from(pair, {0}) == IndexPair{2, 0});
   }
+  // All components of direction and point are the largest: their sum is three times as much.
+  const auto at = [&](double share) { return V(V(1, 1, 1) * (most * static_cast<S>(share))); };
+  REQUIRE(across_from(pair_of<S>({at(0), at(0.96), at(1)}, {at(0.98)}), {0}) == IndexPair{2, 0});
 }
 
 TEMPLATE_TEST_CASE("Bounded numbers have their largest coordinate near 1, and no error but what underflowed",
