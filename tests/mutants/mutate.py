@@ -176,12 +176,18 @@ def first_failure(out):
     return out if out == "does not end" else names[-1].splitlines()[0] if names else "crashes"
 
 
-def who_notices(turns, folder, patience):
-    """The first test that fails; empty where none does. None: this does not compile."""
+def patience_for(tests, seconds):
+    """How long to wait for tests that take so many seconds together, unmutated. A few of them take far less than that."""
+    return 60 + (2 if tests else 10) * seconds
+
+
+def who_notices(turns, folder, seconds):
+    """The first test that fails; empty where none does. None: this does not compile. `seconds`: of each program."""
     for program, tests in turns:
         if not build(folder, program):
             return None
-        out, code = run([f"build/{program}", "--filenames-as-tags", "--abort", *tests], folder, patience)
+        command = [f"build/{program}", "--filenames-as-tags", "--abort", *tests]
+        out, code = run(command, folder, patience_for(tests, seconds[program]))
         if code:
             return f"{program}: {first_failure(out)}"
     return ""
@@ -203,13 +209,13 @@ def bring_back_sound(folder):
             shutil.copy2(sound, file)
 
 
-def try_made(mutant, turns, folder, patience):
+def try_made(mutant, turns, folder, seconds):
     """Returns: 'noticed', 'SURVIVED' or 'no mutant', which the compiler refuses; prints it."""
     path, start = folder / mutant.file, time.monotonic()
     sound, times = path.read_text(), path.stat()
     path.write_text(sound[:mutant.start] + mutant.new + sound[mutant.end:])
     try:
-        by = who_notices(turns, folder, patience)
+        by = who_notices(turns, folder, seconds)
     finally:
         path.write_text(sound)
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
@@ -220,15 +226,17 @@ def try_made(mutant, turns, folder, patience):
     return verdict
 
 
-def patience_of(folder, programs):
-    """How many seconds a program may take with a mutant: ten times what all together take without one."""
+def seconds_of(folder, programs):
+    """How many seconds each program takes without a mutant."""
     if not build(folder, *programs):
         give_up("without any change this does not compile: nothing can be said of mutants")
-    start = time.monotonic()
+    seconds = {}
     for program in programs:
+        start = time.monotonic()
         if run([f"build/{program}"], folder)[1]:
             give_up(f"without any change {program} does not pass: nothing can be said of mutants")
-    return 60 + 10 * (time.monotonic() - start)
+        seconds[program] = time.monotonic() - start
+    return seconds
 
 
 def possible_mutants(top, words, only_fitting):
@@ -242,7 +250,7 @@ def try_all_made(arguments, folder):
     possible = {top: possible_mutants(top, arguments.words, arguments.fitting) for top in arguments.only or folders}
     samples = {top: made.sample(mutants, arguments.made, arguments.seed) for top, mutants in possible.items()}
     turns = {m.file: stages(m.file, arguments.fitting) for sample in samples.values() for m in sample}
-    patience = patience_of(folder, sorted({program for turn in turns.values() for program, _ in turn}))
+    seconds = seconds_of(folder, sorted({program for turn in turns.values() for program, _ in turn}))
     keep_sound(folder)
     table, good = [], True
     for top, sample in samples.items():
@@ -250,7 +258,7 @@ def try_all_made(arguments, folder):
         counts = dict.fromkeys(("noticed", "SURVIVED", "no mutant", "equivalent"), 0)
         for mutant in sample:
             known = (mutant.file, mutant.old_line, mutant.new_line) in equivalent
-            counts["equivalent" if known else try_made(mutant, turns[mutant.file], folder, patience)] += 1
+            counts["equivalent" if known else try_made(mutant, turns[mutant.file], folder, seconds)] += 1
         judged = counts["noticed"] + counts["SURVIVED"]
         good &= 100 * counts["noticed"] >= aim * judged
         score = f"{100 * counts['noticed'] / judged:.0f} %" if judged else "none"
