@@ -6,6 +6,7 @@
 
 #include "render/html.hpp"
 #include "render/json_text.hpp"
+#include "walkthroughs/page/index_groups.hpp"
 #include "walkthroughs/page/templates.hpp"
 
 namespace walkthroughs {
@@ -20,9 +21,13 @@ std::vector<IndexEntry> comparable(const std::vector<IndexEntry>& entries) {
 std::string compare_html(const std::vector<IndexEntry>& entries) {
   nlohmann::ordered_json data = nlohmann::ordered_json::array();
   std::string options;
-  for (const IndexEntry& entry : entries) {
-    data.push_back({{"name", entry.name}, {"last", entry.iteration_ends}});
-    options += "<option>" + render::escaped(entry.title) + "</option>\n";
+  for (const IndexGroup& group : in_groups(entries)) {
+    options += "<optgroup label=\"" + render::escaped(group.title) + "\">\n";
+    for (const IndexEntry& entry : group.entries) {
+      data.push_back({{"name", entry.name}, {"last", entry.iteration_ends}});
+      options += "<option>" + render::escaped(entry.title) + "</option>\n";
+    }
+    options += "</optgroup>\n";
   }
   return filled(templates::compare_html,
                 {{"options", options},

@@ -28,8 +28,7 @@ std::string answers(const Story& story) {
 /// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last frame where there
 /// is none.
 std::size_t telling_frame(const Story& story) {
-  const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
-  if (parting != story.frames.end()) return static_cast<std::size_t>(parting - story.frames.begin());
+  if (const auto parting = story.parting()) return *parting;
   const std::optional<int> iteration = told_iteration(story.walkthrough);
   for (std::size_t i = story.frames.size(); i-- > 0;)
     if (story.frames[i].focus == Focus::region && (!iteration || story.frames[i].moments[0].iteration == *iteration))

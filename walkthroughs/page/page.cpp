@@ -31,12 +31,16 @@ std::string link(const PageLink& to, const std::string& attributes = "") {
 
 // -- One step ---------------------------------------------------------------------------------------------------------
 
-/// Whether a search with a mistake is shown beside the report's.
-bool shows_mistake(const Story& story) { return story.tellings.size() == 2 && story.tellings[0].scene.mistake; }
-
-/// What runs while a frame of one search is shown; beside a mistake the report's.
+/// What runs in a search while a frame is shown.
 struct Running {
-  Running(const Story& story, std::size_t index) : Running(story, index, shows_mistake(story) ? 1 : 0) {}
+  Running(const Story& story, std::size_t index, std::size_t scene)
+      : now(story.frames[index].moments[scene]),
+        focus(story.frames[index].focus_of(scene)),
+        names(story.names(index, scene)),
+        number(running_algorithm(now, focus)),
+        title(whose(story, index, scene) + title_of(number, story.tellings[scene].scene.rules, names, now.processed)),
+        code(algorithm(number, story.tellings[scene].scene.rules)),
+        current(current_line(code, now, focus)) {}
 
   const Moment& now;
   const Focus focus;
@@ -47,24 +51,23 @@ struct Running {
   const std::optional<std::size_t> current;
 
  private:
-  Running(const Story& story, std::size_t index, std::size_t scene)
-      : now(story.frames[index].moments[scene]),
-        focus(story.frames[index].focus_of(scene)),
-        names(story.names(index, scene)),
-        number(running_algorithm(now, focus)),
-        title((scene == 0 ? "" : story.tellings[scene].scene.name + ": ") +
-              title_of(number, story.tellings[scene].scene.rules, names, now.processed)),
-        code(algorithm(number, story.tellings[scene].scene.rules)),
-        current(current_line(code, now, focus)) {}
+  static std::string whose(const Story& story, std::size_t index, std::size_t scene) {
+    if (story.tellings.size() == 1) return "";
+    return (scene == 0 && index < story.parting().value_or(0) ? "both" : story.tellings[scene].scene.name) + ": ";
+  }
 };
 
-/// Where there is one search whose lines are to be shown, or the report's beside a mistake until they part: then each has its own.
-bool shows_code(const Story& story, std::size_t index) {
-  if (shows_mistake(story)) {
-    const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
-    return story.frames.begin() + static_cast<std::ptrdiff_t>(index) <= parting;
+/// The searches whose lines are to be shown: of two that have not parted yet they are the same, and a mistaken one has its own.
+std::vector<std::size_t> scenes_with_code(const Story& story, std::size_t index) {
+  const std::optional<std::size_t> parting = story.parting();
+  switch (story.walkthrough.layout) {
+    case Layout::diagrams: return {};
+    case Layout::search:
+      return story.walkthrough.panels.algorithm ? std::vector<std::size_t>{0} : std::vector<std::size_t>{};
+    default: break;
   }
-  return story.walkthrough.layout == Layout::search && story.walkthrough.panels.algorithm;
+  if (story.shows_mistake()) return index <= parting ? std::vector<std::size_t>{1} : std::vector<std::size_t>{};
+  return index < parting ? std::vector<std::size_t>{0} : std::vector<std::size_t>{0, 1};
 }
 
 std::string where(const Story& story, std::size_t index) {
@@ -99,12 +102,16 @@ std::string fact(const Fact& fact) {
 }
 
 /// "Algorithm 4: else if ACn·AO > 0 (R7)"; scripts put the whole algorithm in its place.
-std::string running_line(const Story& story, std::size_t index) {
-  if (!shows_code(story, index)) return "";
-  const Running running(story, index);
-  const std::string line =
-      running.current ? line_in_letters(running.number, running.code[*running.current], running.names) : "";
-  return "<div class=\"code\">" + element("h3", html_of(running.title)) + element("code", html_of(line)) + "</div>\n";
+std::string running_lines(const Story& story, std::size_t index) {
+  std::string html;
+  for (const std::size_t scene : scenes_with_code(story, index)) {
+    const Running running(story, index, scene);
+    const std::string line =
+        running.current ? line_in_letters(running.number, running.code[*running.current], running.names) : "";
+    html +=
+        "<div class=\"code\">" + element("h3", html_of(running.title)) + element("code", html_of(line)) + "</div>\n";
+  }
+  return html;
 }
 
 std::string step(const Story& story, const PagePictures& pictures, std::size_t index) {
@@ -115,7 +122,7 @@ std::string step(const Story& story, const PagePictures& pictures, std::size_t i
   return "<section class=\"step\" id=\"" + std::to_string(index + 1) + "\">\n<div class=\"shot\"><img src=\"" + url +
          "\" alt=\"" + escaped(picture_in_words(story, index)) + "\" loading=lazy></div>\n<div class=\"text\">" +
          element("p class=\"where\"", html_of(where(story, index))) + element("h2", html_of(frame.caption)) +
-         element("ul", facts) + running_line(story, index) + "</div></section>\n";
+         element("ul", facts) + running_lines(story, index) + "</div></section>\n";
 }
 
 // -- What scripts need ------------------------------------------------------------------------------------------------
@@ -166,7 +173,8 @@ Json step_data(const Story& story, std::size_t index, Listings& listings) {
   Json step = Json::object();
   if (!frame.moments.empty()) step["iteration"] = frame.moments[0].iteration;
   if (const std::string kind = kind_of(frame.focus); !kind.empty()) step["kind"] = kind;
-  if (shows_code(story, index)) step["code"] = code_of(Running(story, index), listings);
+  for (const std::size_t scene : scenes_with_code(story, index))
+    step["code"].push_back(code_of(Running(story, index, scene), listings));
   if (!frame.events.empty()) step["events"] = Json::array();
   for (const EventRange& range : frame.events) step["events"].push_back({range.first, range.last});
   return step;

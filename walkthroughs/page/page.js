@@ -12,12 +12,13 @@
   const isBare = location.hash.endsWith('&bare');  // beside another walkthrough, in a page that steps both
   let at = 0, timer = 0;
 
+  const boxesOf = i => steps[i].querySelectorAll('.code');  // one for each search whose lines are shown
+
   // -- One step -------------------------------------------------------------------------------------------------------
 
-  function fillCode(step, code) {
-    const box = step.querySelector('.code');
-    if (!box || !code || box.querySelector('ol')) return;
-    const [listing, current, outcomes] = code, list = make('ol');
+  function fillCode(box, [listing, current, outcomes]) {
+    if (box.querySelector('ol')) return;
+    const list = make('ol');
     data.listings[listing].lines.forEach(([indent, html], i) => {
       const line = make('li');
       line.style.setProperty('--indent', indent);
@@ -60,7 +61,7 @@
   }
 
   function complete(i) {
-    fillCode(steps[i], data.steps[i].code);
+    boxesOf(i).forEach((box, b) => fillCode(box, data.steps[i].code[b]));
     addEvents(steps[i], data.steps[i].events);
     for (let j = Math.max(0, i - near); j <= Math.min(steps.length - 1, i + near); ++j)
       steps[j].querySelector('img').loading = 'eager';
@@ -222,10 +223,12 @@
     $('onward').focus();
   }
 
-  // The line that runs, which tells what is asked.
+  // The lines that run, which tell what is asked.
   function mark(isShown) {
-    const place = data.steps[at].code?.[1], line = steps[at].querySelectorAll('.code li')[place];
-    if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
+    boxesOf(at).forEach((box, b) => {
+      const line = box.querySelectorAll('li')[data.steps[at].code[b][1]];
+      if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
+    });
   }
 
   // What is told of the picture tells where the origin lies.

@@ -362,15 +362,16 @@ std::string what_each_finds(const Frame& parting) {
 
 /// Of the lines that ran, exactly one of which the mistaken program has otherwise: others that it has otherwise, too, are left out.
 std::optional<Question> of_line(const Story& story) {
-  const auto parting = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+  const std::optional<std::size_t> place = story.parting();
+  if (!place) return std::nullopt;
+  const Frame& parting = story.frames[*place];
   const Telling& right = story.tellings[1];
-  if (parting == story.frames.end()) return std::nullopt;
   const Mistake mistake = *story.tellings[0].scene.mistake;
-  const std::size_t event = parting->events[1].last;
+  const std::size_t event = parting.events[1].last;
   const auto* const found = line_gone_wrong(mistake, right.trace, event);
   if (!found) return std::nullopt;
   const wrong_on_purpose::WrongLine& wrong = *found;
-  const Moment& now = parting->moments[1];
+  const Moment& now = parting.moments[1];
   const Names names(story.walkthrough.naming, right.hull, now);
   const std::vector<CodeLine>& code = algorithm(wrong.algorithm, RuleSet::as_intended);
   const auto is_otherwise = [&](const CodeLine& line) {
@@ -381,8 +382,8 @@ std::optional<Question> of_line(const Story& story) {
   Question question{
       {Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
       0,
-      parting->events[0].last,
-      "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" + what_each_finds(*parting),
+      parting.events[0].last,
+      "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" + what_each_finds(parting),
       {},
       0};
   const auto choose_among = [&](const LinesRun& run) {
@@ -491,7 +492,7 @@ std::string practice_for_mistake(const std::string& word) {
 
 std::vector<Question> questions_of(const Story& story) {
   std::vector<Question> questions;
-  if (story.tellings.size() == 2 && story.tellings[0].scene.mistake) {
+  if (story.shows_mistake()) {
     if (auto question = of_line(story)) questions.push_back(std::move(*question));
     return questions;
   }

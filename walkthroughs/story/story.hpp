@@ -1,7 +1,9 @@
 /// A walkthrough as it is told: its frames, and what is said in each.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +72,13 @@ struct Story {
   std::vector<Diagram> diagrams;  ///< Layout::diagrams: one for each frame
   std::vector<Frame> frames;
 
+  /// Whether the first of two searches has a mistake in it, and the other has not.
+  bool shows_mistake() const { return tellings.size() == 2 && tellings[0].scene.mistake; }
+  /// The frame where two searches part; none where they do not.
+  std::optional<std::size_t> parting() const {
+    const auto found = std::ranges::find(frames, Focus::parting, &Frame::focus);
+    return found == frames.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - frames.begin()));
+  }
   Names names(std::size_t frame, std::size_t scene) const {
     return {walkthrough.naming, tellings[scene].hull, frames[frame].moments[scene]};
   }

@@ -1,7 +1,5 @@
 #include "tests/study/judge/drawn_frame.hpp"
 
-#include <algorithm>
-
 #include "walkthroughs/picture/draw.hpp"
 
 namespace study {
@@ -9,9 +7,7 @@ namespace {
 
 /// Where two runs part, or the end.
 std::size_t telling_frame(const walkthroughs::Story& story) {
-  const auto parting = std::ranges::find(story.frames, walkthroughs::Focus::parting, &walkthroughs::Frame::focus);
-  return parting == story.frames.end() ? story.frames.size() - 1
-                                       : static_cast<std::size_t>(parting - story.frames.begin());
+  return story.parting().value_or(story.frames.size() - 1);
 }
 
 }  // namespace

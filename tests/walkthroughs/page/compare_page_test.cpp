@@ -36,5 +36,6 @@ TEST_CASE("The page that compares names each search once on either side, and tit
   const auto data = nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
   REQUIRE(data.size() == 2);
   CHECK(data[1]["name"] == "figure-4-right");
+  CHECK(page.find("<optgroup label=\"Figures of the report\">") != std::string::npos);
   CHECK(data[1]["last"].size() == 2);
 }

@@ -572,7 +572,7 @@ class Page(unittest.TestCase):
         self.press(*[Keys.BACKSPACE] * 6)
         self.press(Keys.TAB, "i")  # the answer: intersecting
         self.assertEqual(len(cards()), 3)
-        self.press(Keys.TAB, Keys.ENTER)
+        self.press(Keys.TAB, Keys.TAB, Keys.ENTER)
         self.wait(lambda: self.all("#slider"))
         self.browser.back()
         self.wait(lambda: self.all(".card"))
@@ -585,7 +585,15 @@ class Page(unittest.TestCase):
         self.wait(lambda: len(cards()) == 1)
         self.browser.get(f"file://{self.out / 'index.html'}#words=nowhere")
         self.browser.refresh()
-        self.wait(lambda: self.find("#found").text.startswith("none has all"))
+        self.wait(lambda: self.find("#found").text.startswith("none fits"))
+        self.browser.get(f"file://{self.out / 'index.html'}")
+        self.browser.refresh()
+        self.wait(lambda: len(cards()) == 5)
+        self.press(Keys.TAB, Keys.TAB, Keys.TAB, Keys.TAB, "i")  # of the parts that in space
+        self.wait(lambda: len(cards()) == 1)
+        self.assertIn("part=In+space", self.browser.current_url)
+        self.browser.refresh()
+        self.wait(lambda: len(cards()) == 1)
 
     def test_two_searches_step_together(self):
         self.browser.get(f"file://{self.out / 'compare.html'}#{hit},{searched},2")

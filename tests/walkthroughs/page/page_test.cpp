@@ -96,6 +96,33 @@ TEST_CASE("The page of each mistake asks for its line, before the step where the
   }
 }
 
+TEST_CASE(
+    "Beside each step stand the lines that run: of two searches one algorithm until they part, then one for each") {
+  const auto titles_of = [](const std::string& name) {
+    const Story story = tell(walkthrough(name));
+    const nlohmann::json data = data_of(page_of(story));
+    std::vector<std::string> titles;
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      std::string all;
+      for (const auto& code : data["steps"][i].value("code", nlohmann::json::array()))
+        all += data["listings"][code[0].get<std::size_t>()]["title"].get<std::string>() + ". ";
+      titles.push_back(all);
+    }
+    return titles;
+  };
+  const std::vector<std::string> figure_4 = titles_of("figure-4"), spheres = titles_of("as-printed-spheres");
+  for (const std::string& both : figure_4) CHECK((count(both, "left: Alg") == 1 && count(both, "right: Alg") == 1));
+  const Story story = tell(walkthrough("as-printed-spheres"));
+  REQUIRE(story.parting() > 1U);
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    INFO(i << ": " << spheres[i]);
+    CHECK(count(spheres[i], ": Algorithm") == (i < story.parting() ? 1U : 2U));
+    CHECK(count(spheres[i], "both: ") == (i < story.parting() ? 1U : 0U));
+  }
+  for (const std::string& one : titles_of("figure-4-left")) CHECK(one.starts_with("Algorithm "));
+  CHECK(titles_of("figure-1") == std::vector<std::string>(titles_of("figure-1").size()));
+}
+
 TEST_CASE("The data of a page name the further views of each step, in order, and not the usual one") {
   const Story story = tell(walkthrough("figure-4"));
   PagePictures turning = pictures;
