@@ -20,6 +20,7 @@ constexpr const char* head_html = R"html(<!doctype html>
 <meta http-equiv="Content-Security-Policy"
       content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="gjkstep">
 <title>Comparison of pictures</title>
 <style>
 :root { color-scheme: light; --ink: #222; --grey: #5c5c5c; --faint: #dedede; --bad: #a33f00; --good: #00694f; }

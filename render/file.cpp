@@ -33,7 +33,10 @@ class NewFile {
         descriptor_(open_unnamed(target.parent_path())),
         shares_name_(descriptor_ >= 0) {
     temporary_ += shares_name_ ? ".unfinished" : "." + std::to_string(getpid()) + ".unfinished";
-    if (shares_name_) return;
+    if (shares_name_) {
+      expect_possible_name();
+      return;
+    }
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail("create " + temporary_.string(), errno);
     is_named_ = true;
@@ -66,6 +69,11 @@ class NewFile {
   }
 
  private:
+  /// So that it is told now, and not when all has been written; of the longer one, which a later run will need.
+  void expect_possible_name() const {
+    struct stat there;
+    if (::lstat(temporary_.c_str(), &there) != 0 && errno == ENAMETOOLONG) fail("give it its name", errno);
+  }
   /// Returns: whether it has got that name; otherwise errno says why not.
   bool name(const fs::path& path) const {
     const std::string self = "/proc/self/fd/" + std::to_string(descriptor_);

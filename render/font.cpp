@@ -100,13 +100,16 @@ void expect_memory_for(const std::filesystem::path& file) {
 
 Face open_face(FT_Library library, const std::filesystem::path& file) {
   FT_Face face = nullptr;
-  const bool regular = std::filesystem::is_regular_file(file);  // a pipe would block
+  std::error_code unknown;
+  const bool regular = std::filesystem::is_regular_file(file, unknown);  // a pipe would block
   const FT_Error error = regular ? FT_New_Face(library, file.c_str(), 0, &face) : FT_Err_Cannot_Open_Resource;
   if (error == 0) return Face(face);
   expect_memory(error);
   if (regular && !memory_limit().empty()) expect_memory_for(file);
-  const std::string what = std::filesystem::exists(file)
+  const std::string what = std::filesystem::exists(file, unknown)
                                ? "is not a font that FreeType reads (FreeType error " + std::to_string(error) + ")"
+                           : unknown && unknown != std::errc::no_such_file_or_directory
+                               ? "cannot be read: " + unknown.message()
                                : "does not exist";
   throw FontError("the font file " + file.string() + " " + what +
                   "; install it with: apt-get install fonts-dejavu-core, or set GJKSTEP_FONT_DIR to its folder" +

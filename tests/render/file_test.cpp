@@ -123,6 +123,10 @@ TEST_CASE("A file that cannot be written names itself, and the old one stays") {
 TEST_CASE("Whether a file can be written is found out without leaving anything there") {
   const Folder folder;
   expect_writable(folder.path / "file");
+  expect_writable(folder.path / std::string(255 - 11, 'x'));  // .unfinished
+  for (const int letters : {255 - 10, 255, 300})
+    REQUIRE_THROWS_WITH(expect_writable(folder.path / std::string(static_cast<std::size_t>(letters), 'x')),
+                        Catch::Contains("File name too long"));
   CHECK(entries(folder.path) == 0);
   write_file(folder.path / "file", bytes);
   expect_writable(folder.path / "file");

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <string>
@@ -153,6 +154,15 @@ TEST_CASE("a missing font is reported with its path and its package") {
     REQUIRE(what.find("does not exist") != std::string::npos);
     REQUIRE(what.find("apt-get install fonts-dejavu-core") != std::string::npos);
   }
+}
+
+TEST_CASE("a font whose path no system takes is reported as one that cannot be read") {
+  const std::filesystem::path loop =
+      std::filesystem::temp_directory_path() / ("gjkstep-loop-" + std::to_string(::getpid()));
+  std::filesystem::create_symlink(loop, loop);
+  CHECK_THROWS_WITH(Font(loop), Catch::Contains("cannot be read: Too many levels"));
+  std::filesystem::remove(loop);
+  CHECK_THROWS_WITH(Font(std::string(300, 'x')), Catch::Contains("cannot be read: File name too long"));
 }
 
 TEST_CASE("GJKSTEP_FONT_DIR names the folder of the fonts") {

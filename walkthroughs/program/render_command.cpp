@@ -107,7 +107,7 @@ class Rendering {
     const Sinks sinks = sinks_for(selection, written);
     expect_apart(selection, sinks, output.folder);
     expect_writable_captions(selection, output.folder);
-    if (is_asked_for_pages()) expect_writable_index(output.folder);
+    if (is_asked_for_pages()) expect_writable_pages(selection, output.folder);
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
@@ -271,12 +271,16 @@ class Rendering {
     return origins;
   }
 
-  static void expect_writable_index(const std::filesystem::path& folder) {
+  static void expect_writable_pages(const Selection& selection, const std::filesystem::path& folder) {
     render::make_folder(folder, "choose another with --out");
-    if (is_of_others(folder / page_file))
-      throw UsageError(printable((folder / page_file).string()) +
-                       " is not of gjkstep and would be replaced; choose another folder with --out");
-    render::expect_writable(folder / page_file);
+    std::vector<std::filesystem::path> pages{folder / page_file, folder / compare_file};
+    for (const Selection::Chosen& each : selection.chosen())
+      pages.push_back(folder / each.walkthrough->name / page_file);
+    for (const std::filesystem::path& page : pages)
+      if (is_of_others(page))
+        throw UsageError(printable(page.string()) +
+                         " is not of gjkstep and would be replaced; choose another folder with --out");
+    for (const char* page : {page_file, compare_file}) render::expect_writable(folder / page);
   }
 
   Story tell_all(const Selection::Chosen& chosen, const Walkthrough& walkthrough) const {

@@ -9,6 +9,7 @@
 #include "tests/study/program/options.hpp"
 #include "tests/study/steps/parting.hpp"
 #include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
@@ -69,6 +70,11 @@ void CheckStepsCommand::run() const {
   if (file.empty()) throw UsageError("check-steps '': name a file that tells searches step by step");
   if (draw) {
     expect_named("--draw", *draw);
+    walkthroughs::Places places;
+    places.read(file, "the steps " + file);
+    places.write_into(std::filesystem::path(*draw) / "parting", {"*.png"}, "the pictures of --draw");
+    places.write_standard_output();
+    places.expect_apart();
     render::make_folder(*draw, "choose another with --draw");
   }
   const std::string text = walkthroughs::read_text(file, {"file of steps", largest_file});

@@ -32,13 +32,15 @@ void list() {
   std::cout << '\n';
 }
 
-/// So that a shard is not written over by what it is merged into. A whole study may be, by itself.
-void expect_apart(const std::vector<std::string>& read, const std::vector<std::filesystem::path>& written) {
+/// So that a shard is not written over by what it is merged into. A whole study may be, by itself. `failures`: a folder of scenes.
+void expect_apart(const std::vector<std::string>& read, const std::vector<std::filesystem::path>& written,
+                  const std::optional<std::string>& failures = {}) {
   walkthroughs::Places places;
   for (const std::string& file : read)
     if (read.size() > 1) places.read(file, "the study " + file);
   for (const std::filesystem::path& file : written)
     places.write(file, "what --out gets, " + file.filename().string() + ",");
+  if (failures) places.write_into(*failures, {"*.json"}, scenes_of_failures);
   places.write_standard_output();
   places.expect_apart();
 }
@@ -99,7 +101,7 @@ void RunCommand::run() const {
   Plan plan = plan_of(wanted);
   if (shard) plan.shard = parse_shard(*shard);
   plan.threads = threads_of(threads);
-  expect_apart({}, plan.shard.count > 1 ? std::vector{shard_file(out, plan.shard)} : result_files(out));
+  expect_apart({}, plan.shard.count > 1 ? std::vector{shard_file(out, plan.shard)} : result_files(out), failures);
   render::make_folder(out, "choose another with --out");  // before the work, not after it
   if (failures) render::make_folder(*failures, "choose another with --save-failures");
   announce(plan);

@@ -112,6 +112,7 @@ void JudgeCommand::run() const {
   walkthroughs::Places places;
   if (html) places.write(*html, "what --html gets");
   if (pairs) places.read(*pairs, "the pairs " + *pairs);
+  if (failures) places.write_into(*failures, {"*.json"}, scenes_of_failures);
   places.write_standard_output();
   places.expect_apart();
   const std::vector<NamedPair> chosen = chosen_pairs();

@@ -92,6 +92,25 @@ TEST_CASE("judge: a page has the verdict, families and pictures in it, and nothi
   CHECK_FALSE(has(bytes_of(folder.path() / "sound.html"), "<img"));
 }
 
+TEST_CASE("judge: nothing that it writes lies over what it reads, or over what else it writes", "[judge]") {
+  const Folder folder;
+  const std::string pairs = in(folder, "f/mine.json");
+  std::filesystem::create_directories(folder.path() / "f/parting");
+  std::ofstream(folder.path() / "f/mine.json") << "mine";
+  const std::string before = bytes_of(folder.path() / "f/mine.json");
+  const auto check_refused = [&](const std::string& arguments) {
+    check_failure(arguments, 2, {"have the same place", "choose another place"});
+  };
+  check_refused("judge --pairs " + pairs + " --save-failures " + in(folder, "f") + " -- cat");
+  check_refused("judge --html " + in(folder, "f/x.json") + " --save-failures " + in(folder, "f") + " -- cat");
+  check_refused("judge --html " + in(folder, "g") + " --save-failures " + in(folder, "g") + " -- cat");
+  CHECK(bytes_of(folder.path() / "f/mine.json") == before);
+  std::filesystem::copy(folder.path() / "f/mine.json", folder.path() / "f/parting/000.png");
+  check_refused("check-steps " + in(folder, "f/parting/000.png") + " --draw " + in(folder, "f"));
+  CHECK(bytes_of(folder.path() / "f/parting/000.png") == before);
+  check_failure("judge --html " + std::string(300, 'x') + " -- cat", 5, {"File name too long"});
+}
+
 TEST_CASE("judge: the recipe says what happens", "[judge]") {
   const std::string recipe = bytes_of(JUDGE_ADAPTERS "/../README.md");
   const std::string out = run("judge -- " + quoted(JUDGED_WRONG_GJK)).out;

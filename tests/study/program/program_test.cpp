@@ -34,8 +34,8 @@ TEST_CASE("study: a run says its seed and leaves tables", "[program]") {
   INFO(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(has(outcome.err, "seed 5, 2 families, 20 methods"));
-  for (const char* const name :
-       {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md", "timings.md", "certified.md"}) {
+  for (const char* const name : {"study.json", "study.csv", "timings.csv", "tables.md", "errors.md", "settings.md",
+                                 "timings.md", "certified.md"}) {
     CHECK(has(outcome.out, name));
     CHECK(std::filesystem::file_size(folder.path() / "one" / name) > 100);
   }
@@ -206,7 +206,7 @@ TEST_CASE("study: a list takes no other option for one of its names", "[program]
     for (const std::string names : {",", "--out", "''", "a,,b", ",a", "a,"})
       check_failure("run " + list + " " + names, 2, {list + " '", "expected names, divided by single commas"});
   for (const std::string numbers : {",", "--out", "''", "5,", "-5", "5,x", "99999999999"})
-    check_failure("run --limit " + numbers, 2, {"--limit '", "expected whole numbers such as 5,20"});
+    check_failure("run --limit " + numbers, 2, {"--limit '", "expected whole numbers from 1 to 1000, such as 5,20"});
 }
 
 TEST_CASE("study: a list may be given in parts", "[program]") {
@@ -255,6 +255,9 @@ TEST_CASE("study: what would be written over what is read is refused", "[program
       run(few + "--out " + in(folder, "o"), "", {.out = (folder.path() / "o/study.csv").string(), .err = ""});
   CHECK(outcome.exit_code == 2);
   CHECK(has(outcome.err, "standard output"));
+  for (const char* failures : {"o", "o/study.json"})
+    check_failure(few + "--out " + in(folder, "o") + " --save-failures " + in(folder, failures), 2,
+                  {"the scenes of --save-failures", "have the same place"});
 }
 
 TEST_CASE("study: a folder that cannot be made ends with 5", "[program]") {

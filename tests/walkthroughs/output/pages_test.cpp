@@ -72,6 +72,14 @@ TEST_CASE("A page that others have written is not replaced by the index") {
   check_failure("render figure-1 --page" + out_of(folder), 2, {"index.html is not of gjkstep", "--out"});
   CHECK(bytes_of(folder.path() / "index.html") == "<!doctype html><title>mine</title>");
   CHECK_FALSE(fs::exists(folder.path() / "figure-1"));
+  for (const char* file : {"compare.html", "figure-1/index.html"}) {
+    const Folder other;
+    fs::create_directories(other.path() / "figure-1");
+    std::ofstream(other.path() / file) << "<!doctype html><title>mine</title>";
+    check_failure("render figure-1 --page" + out_of(other), 2, {std::string(file) + " is not of gjkstep", "--out"});
+    CHECK(bytes_of(other.path() / file) == "<!doctype html><title>mine</title>");
+    CHECK_FALSE(fs::exists(other.path() / "index.html"));
+  }
 }
 
 TEST_CASE("What to practise is linked where its page is there, of an earlier run, too") {
@@ -105,7 +113,7 @@ TEST_CASE("A trace that stands beside a page is drawn in its place, and stays as
 
 TEST_CASE("Pages of --page=single hold their pictures and lead nowhere") {
   const Folder folder;
-  std::ofstream(folder.path() / "compare.html") << "of an earlier run";
+  std::ofstream(folder.path() / "compare.html") << "<meta name=\"generator\" content=\"gjkstep\">of an earlier run";
   REQUIRE(run("render figure-2 figure-1 --page=single" + out_of(folder)).exit_code == 0);
   const std::string page = bytes_of(folder.path() / "figure-2/index.html");
   CHECK(has(page, "src=\"data:image/png;base64,"));
