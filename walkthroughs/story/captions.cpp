@@ -332,7 +332,7 @@ class Captions {
   /// How far the point found reaches along d, and the corner of the hull that comes next: "E·d = 4.375, then F·d = 3.25".
   std::string farthest_two(const gjk::SupportFound<double>& event) const {
     const auto text = [&](const Point& w) { return names_.of(w) + "·d = " + number(event.direction.dot(w)); };
-    if (hull_.corners.empty()) return text(event.vertex.w) + " is the largest w·d";
+    if (hull_.corners.empty()) return text(event.vertex.w) + " is the largest of all";
     std::vector<Point> others;
     for (const render::Vec2& corner : hull_.corners)
       if (corner != event.vertex.w.head<2>()) others.emplace_back(corner.x(), corner.y(), 0);

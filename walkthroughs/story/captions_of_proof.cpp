@@ -16,22 +16,7 @@ Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> fac
   return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
 }
 
-/// "ABC", where the formula is (AB·AO)(AB·AC) − … and so in the plane of that face. Requires: a formula.
-std::string face_of(const gjk::SignTaken<double>& sign) {
-  std::string roles = "ABCD";
-  std::erase_if(roles, [&](char role) { return sign.formula.find(role) == std::string::npos; });
-  return roles;
-}
-
 const char* sign_words(int sign) { return sign > 0 ? " > 0" : sign < 0 ? " < 0" : " = 0"; }
-
-/// "w·d" with the name of w, where it has one; of ABn·AO also the face in whose plane ABn is.
-std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
-  const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
-  if (!w.empty()) return sign.expression == "w·d" ? w + "·d" : "the largest w·d";
-  const std::string name = names.translate(sign.expression);
-  return sign.formula.empty() ? name : name + " (" + names.sorted(face_of(sign)) + ")";
-}
 
 std::string with_error(const gjk::SignTaken<double>& sign) {
   const std::string numbers = short_number(sign.value) + " ± " + short_number(sign.error);
@@ -40,7 +25,8 @@ std::string with_error(const gjk::SignTaken<double>& sign) {
 
 /// Where a bound comes from. `roundings`: how many, of `what`.
 std::string derived(int roundings, const std::string& what) {
-  return "the bound is derived, not measured: " + std::to_string(roundings) + " roundings of the largest " + what +
+  return "the bound is derived, not measured: " + std::to_string(roundings) +
+         " times half a unit in the last place of the largest " + what +
          "; rounding never exceeds it, and is mostly far smaller";
 }
 
@@ -93,20 +79,36 @@ Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& 
                       {Mark::none, undecided}});
 }
 
-constexpr std::size_t signs_in_a_line = 3;
+constexpr std::size_t signs_in_a_line = 3, most_signs = 6;
 
-/// Returns: the signs of this iteration of which doubles left no doubt, some in each line.
+/// Returns: of the signs of this iteration of which doubles left no doubt the last ones, which decide, some in each line.
 std::vector<Fact> signs_without_doubt(const Moment& now, const Names& names) {
+  std::vector<std::string> signs;
+  for (const gjk::SignTaken<double>& sign : now.signs)
+    if (sign.exact.empty()) signs.push_back(sign_in_words(sign, names));
+  const std::size_t left_out = signs.size() > most_signs ? signs.size() - most_signs : 0;
   std::vector<Fact> facts;
-  std::size_t in_line = 0;
-  for (const gjk::SignTaken<double>& sign : now.signs) {
-    if (!sign.exact.empty()) continue;
-    if (in_line++ % signs_in_a_line == 0)
-      facts.push_back({Mark::none, sign_in_words(sign, names)});
+  for (std::size_t i = left_out; i < signs.size(); ++i)
+    if ((i - left_out) % signs_in_a_line == 0)
+      facts.push_back({Mark::none, signs[i]});
     else
-      facts.back().text += ",  " + sign_in_words(sign, names);
-  }
+      facts.back().text += ",  " + signs[i];
+  if (left_out > 0)
+    facts.push_back({Mark::none, "and before these " + std::to_string(left_out) + " more, none in doubt"});
   return facts;
+}
+
+/// "exactly 3/2 > 0".
+std::string exactly(const gjk::SignTaken<double>& sign) {
+  const std::string fraction = short_fraction(sign.exact);
+  return "exactly " + std::string(fraction.starts_with("≈") ? "a long fraction, " : "") + fraction +
+         (sign.sign == 0 ? "" : sign_words(sign.sign));
+}
+
+/// Returns: the sign that says of no point that it reaches across the origin; none where the search has not ended so.
+const gjk::SignTaken<double>* of_the_farthest(const Moment& now) {
+  const bool is_told = !now.signs.empty() && now.signs.back().expression == "max w·d" && now.signs.back().sign < 0;
+  return is_told ? &now.signs.back() : nullptr;
 }
 
 /// "a₀ − b₂, a₁ − b₂", by the places of the points in their sets.
@@ -132,11 +134,17 @@ std::optional<Frame> caption_of(const gjk::ProofTried<double>& event, const Name
                                               : caption_of_tetrahedron(event, names, now);
 }
 
+/// Whether it is the height of the origin over the plane of a triangle.
+bool is_of_face(const gjk::SignTaken<double>& sign) {
+  return sign.formula.empty() && sign.expression.ends_with("n·AO");
+}
+
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, Dimension dimension) {
   const bool is_across_plane = event.expression.ends_with(".x") || event.expression.ends_with(".y");
-  if (event.exact.empty() || (dimension == Dimension::plane && event.expression.starts_with('(') && is_across_plane))
+  const bool is_out_of_plane = event.expression.starts_with('(') ? is_across_plane : is_of_face(event);
+  if (event.exact.empty() || (dimension == Dimension::plane && is_out_of_plane))
     return std::nullopt;  // in the plane these are 0, and nobody doubts it
-  const std::string name = name_of(event, names), exactly = short_fraction(event.exact);
+  const std::string name = name_of(event, names);
   const bool is_largest = event.expression != "w·d" && event.vertex;
   Frame frame = frame_about(
       Focus::sign,
@@ -144,7 +152,8 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
           ? "Whether any point reaches across is in doubt: those that reach farthest are compared in whole numbers"
           : "The sign of " + name + " is in doubt: 0 lies within its error, so it is taken of whole numbers",
       {{Mark::none, name + " = " + with_error(event) + ": of either sign, or 0"},
-       {Mark::answer, "exactly " + exactly + (event.sign == 0 ? "" : sign_words(event.sign))}});
+       {Mark::answer, exactly(event)},
+       {Mark::none, "all coordinates times one power of two are whole numbers, and with these nothing is rounded"}});
   if (!event.formula.empty()) frame.facts.push_back({Mark::none, "computed as " + names.translate(event.formula)});
   return frame;
 }
@@ -185,9 +194,13 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
   if (!std::holds_alternative<gjk::SeparatingDirection>(result.certificate))
     frame.facts.push_back(
         {Mark::none,
-         is_apart ? "from its point nearest to the origin the way to the origin separates them: no difference a − b "
-                    "reaches farther that way"
-                  : "the origin lies in it: it is the mean of these points, with weights of at least 0"});
+         is_apart
+             ? "from its point nearest to the origin the way to the origin, d, separates them: no difference a − b "
+               "reaches the origin that way"
+             : "the origin lies in it: it is the mean of these points, with weights of at least 0"});
+  if (const gjk::SignTaken<double>* farthest = is_apart ? of_the_farthest(now) : nullptr)
+    frame.facts.push_back({Mark::yes, farthest->exact.empty() ? sign_in_words(*farthest, names)
+                                                              : name_of(*farthest, names) + ": " + exactly(*farthest)});
   if (now.guess && *now.guess != result.status)
     frame.facts.push_back({Mark::truth, "the first search had ended " + std::string(gjk::to_string(*now.guess))});
   return frame;

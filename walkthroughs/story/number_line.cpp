@@ -40,6 +40,13 @@ Approximate approximate(const std::string& fraction) {
   return x;
 }
 
+/// "ABC", where the formula is (AB·AO)(AB·AC) − … and so in the plane of that face. Requires: a formula.
+std::string face_of(const gjk::SignTaken<double>& sign) {
+  std::string roles = "ABCD";
+  std::erase_if(roles, [&](char role) { return sign.formula.find(role) == std::string::npos; });
+  return roles;
+}
+
 NumberLine line_of(const gjk::ProofTried<double>& proof, const Names& names) {
   NumberLine line{.numbers = {},
                   .low = -proof.bound,
@@ -51,9 +58,7 @@ NumberLine line_of(const gjk::ProofTried<double>& proof, const Names& names) {
 }
 
 NumberLine line_of(const gjk::SignTaken<double>& sign, const Names& names) {
-  const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
-  const std::string name = w.empty() || sign.expression != "w·d" ? names.translate(sign.expression) : w + "·d";
-  NumberLine line{.numbers = {{name, short_number(sign.value), sign.value}},
+  NumberLine line{.numbers = {{name_of(sign, names), short_number(sign.value), sign.value}},
                   .low = sign.value - sign.error,
                   .high = sign.value + sign.error,
                   .meaning = "±" + short_number(sign.error) + ": it lies somewhere here"};
@@ -89,6 +94,14 @@ std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Name
   if (focus == Focus::proof) line = line_of(*now.proof, names);
   if (focus == Focus::sign && !now.signs.back().power) line = line_of(now.signs.back(), names);
   return line && is_drawable(*line) ? line : std::nullopt;
+}
+
+std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
+  if (sign.expression == "max w·d") return "the largest P·d";
+  const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
+  if (!w.empty() && sign.expression == "w·d") return w + "·d";
+  const std::string name = names.translate(sign.expression);
+  return sign.formula.empty() ? name : name + " (" + names.sorted(face_of(sign)) + ")";
 }
 
 std::string name_of(const gjk::ProofNumber& number, const Names& names) {

@@ -88,6 +88,21 @@ TEST_CASE("The five failures, and both circles, are told from their guess on, an
   }
 }
 
+TEST_CASE("A separation that the second search proves is told with the number that decides") {
+  int apart = 0;
+  for (const Walkthrough* each : find_walkthroughs("certified")) {
+    const Story story = tell(*each);
+    const gjk::CertifiedResult result = result_of(story);
+    if (result.proof != gjk::Proof::second_search || result.status != gjk::Status::separated) continue;
+    INFO(each->name);
+    const Fact& decides = *std::ranges::find(story.frames.back().facts, Fact::Mark::yes, &Fact::mark);
+    CHECK(decides.text.starts_with("the largest P·d"));
+    CHECK(decides.text.ends_with(" < 0"));
+    ++apart;
+  }
+  CHECK(apart >= 3);
+}
+
 TEST_CASE("A corner on an edge, and one double higher: the same decisions until a sign is another") {
   const Story touching = tell(walkthrough("certified/touching")), apart = tell(walkthrough("certified/one-step-apart"));
   CHECK(result_of(touching).status == gjk::Status::intersecting);
