@@ -245,9 +245,9 @@ TEMPLATE_TEST_CASE("C6: what a pose moves", "[certified]", float, double) {
 TEST_CASE("C6: what a matrix turns that is no rotation is not known", "[certified]") {
   Pose<double> pose;
   const PointSet<double> point({Vec3<double>(1, 0, 0)});
-  pose.rotation(0, 0) = 1.0004;
+  pose.rotation(0, 0) = std::sqrt(1 + 0.999e-3);
   REQUIRE(std::isfinite(doubt(Posed<double, PointSet<double>>(point, pose)).error));
-  pose.rotation(0, 0) = 1.0006;
+  pose.rotation(0, 0) = std::sqrt(1 + 1.001e-3);
   REQUIRE(std::isinf(doubt(Posed<double, PointSet<double>>(point, pose)).error));
 }
 
