@@ -11,6 +11,7 @@
 #include "walkthroughs/page/compare_page.hpp"
 #include "walkthroughs/page/index_page.hpp"
 #include "walkthroughs/page/page.hpp"
+#include "walkthroughs/picture/footer.hpp"
 #include "walkthroughs/picture/movie.hpp"
 #include "walkthroughs/program/listing.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
@@ -70,13 +71,25 @@ std::string layouts_of(const StagedStory& story, render::Font& font) {
   return sum.text();
 }
 
-/// Returns: its name, then checksums of page, captions and layouts.
+/// The words of its first and last frames, as they stand on paper.
+std::string words_of(const StagedStory& story, render::Font& font) {
+  const Look look;
+  render::Canvas canvas({400, 400}, {400, 400}, look.style.theme.paper, font);
+  Checksum sum;
+  for (const std::size_t index : {std::size_t{0}, story.frames.size() - 1})
+    sum.add(draw_words(canvas, 380, story, index, look.style));
+  sum.add(canvas);
+  return sum.text();
+}
+
+/// Returns: its name, then checksums of page, captions, layouts and words on paper.
 std::string line_of(const StagedStory& story, render::Font& font) {
   const Walkthrough& w = story.walkthrough;
   std::string page = page_html(story, pictures(w, {}), surroundings(w));
   for (const PageFile& file : page_files(story, pictures(w, {}), surroundings(w)))
     if (file.name == steps_file || file.name == events_file) page += file.content;
-  return w.name + " " + checksum_of(page) + " " + checksum_of(captions_of(story)) + " " + layouts_of(story, font);
+  return w.name + " " + checksum_of(page) + " " + checksum_of(captions_of(story)) + " " + layouts_of(story, font) +
+         " " + words_of(story, font);
 }
 
 std::string lists() {
@@ -108,6 +121,6 @@ TEST_CASE("outputs of all walkthroughs are as accepted") {
   now.push_back("lists " + checksum_of(lists()));
   now.push_back("pages-of-all " + checksum_of(index_html(entries, "compare.html") + compare_html(comparable(entries))));
   check_lines("outputs.txt", now, "outputs", [&](std::size_t i, const std::string& accepted) {
-    return "'" + accepted + "' is now '" + now[i] + "' (page, captions, places on paper)";
+    return "'" + accepted + "' is now '" + now[i] + "' (page, captions, places and words on paper)";
   });
 }

@@ -34,7 +34,8 @@
     [left, right].forEach((name, s) => {
       const place = data.findIndex(each => each.name === decoded(name));
       const usual = data.findIndex(each => each.name === ['figure-4-left', 'figure-4-right'][s]);
-      sides[s].select.selectedIndex = place >= 0 ? place : usual >= 0 ? usual : Math.min(s, data.length - 1);
+      const other = sides[0].select.selectedIndex === 0 ? 1 : 0;  // two are shown, and there are two
+      sides[s].select.selectedIndex = place >= 0 ? place : usual >= 0 ? usual : s === 0 ? 0 : other;
     });
     show(Number(number) - 1 || 0);
   }

@@ -11,6 +11,7 @@
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/page/templates.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
@@ -31,11 +32,22 @@ std::string link(const PageLink& to, const std::string& attributes = "") {
 
 // -- One step ---------------------------------------------------------------------------------------------------------
 
+/// What a search was at last. Of two each is at something of its own, whatever the frame is about.
+Focus own_focus(const Story& story, std::size_t index, std::size_t scene) {
+  const Frame& frame = story.frames[index];
+  if (story.tellings.size() == 1) return frame.focus;
+  const Telling& telling = story.tellings[scene];
+  for (std::size_t e = frame.events[scene].last + 1; e-- > 0;)
+    if (const auto told = caption(telling.trace.events[e], story, telling, replay(telling.trace, e + 1)))
+      return told->focus;
+  return frame.focus;
+}
+
 /// What runs in a search while a frame is shown.
 struct Running {
   Running(const Story& story, std::size_t index, std::size_t scene)
       : now(story.frames[index].moments[scene]),
-        focus(story.frames[index].focus_of(scene)),
+        focus(own_focus(story, index, scene)),
         names(story.names(index, scene)),
         number(running_algorithm(now, focus)),
         title(whose(story, index, scene) + title_of(number, story.tellings[scene].scene.rules, names, now.processed)),

@@ -10,7 +10,9 @@
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/page/index_entry.hpp"
 #include "walkthroughs/story/captions.hpp"
+#include "walkthroughs/story/captions_of_proof.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
+#include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
@@ -72,6 +74,9 @@ std::string skipped_in_words(const Region& region, const std::string& name) {
   if (region.feature.size() == 1) return label + "beyond " + name;
   return label + (region.feature.size() == 2 ? "beyond edge " : "above face ") + name;
 }
+
+/// What the newest vertex belongs to, of simplices of any size.
+constexpr const char* features_of_newest[] = {"A", "AB", "AC", "AD", "ABC", "ACD", "ADB", "ABCD"};
 
 // -- One iteration ----------------------------------------------------------------------------------------------------
 
@@ -202,7 +207,7 @@ class Iteration {
   std::optional<Question> of_nearest() const {
     const auto words = [&](const std::string& feature) { return with_kind(names_.sorted(feature)); };
     std::vector<Choice> choices;
-    for (const std::string feature : {"A", "AB", "AC", "AD", "ABC", "ACD", "ADB", "ABCD"})
+    for (const std::string feature : features_of_newest)
       if (std::ranges::all_of(feature, [&](char letter) { return letter - 'A' < size_; }))
         choices.push_back({words(feature), reason_of(feature), reason_of(feature)});
     return asked(decision(Kind::region), scene_, first_, "On which feature does the point nearest to the origin lie?",
@@ -320,6 +325,60 @@ std::optional<Question> of_crossing(const Story& story, std::size_t scene, std::
                {{yes, why, ""}, {no, why, ""}}, is_crossed ? yes : no);
 }
 
+// -- The second search ------------------------------------------------------------------------------------------------
+
+std::string alphabetical(std::string letters) {
+  std::ranges::sort(letters);
+  return letters;
+}
+
+/// Whether the sign is of what is asked about a feature: A by where the others lie, an edge by AB·AO, AB_n·AO and AB×AO, a face by the
+/// normals of its edges and its own, a tetrahedron by those of its faces.
+bool is_about(const gjk::SignTaken<double>& sign, const std::string& feature) {
+  const std::string& text = sign.expression;
+  const std::size_t from = text.find_first_of("ABCD"), to = text.find_first_not_of("ABCD", from);
+  if (from == std::string::npos || to == std::string::npos) return false;
+  const std::string own = text.substr(from, to - from);
+  const bool is_normal = text[to] == 'n';
+  if (feature.size() == 1) return own.size() == 2 && text.ends_with("·AO") && !is_normal;
+  if (feature.size() == 4) return own.size() == 3;
+  const bool is_of_its_edge = feature.size() == 3 && is_normal && own.size() == 2 && !sign.formula.empty() &&
+                              alphabetical(face_of(sign)) == alphabetical(feature);
+  return alphabetical(own) == alphabetical(feature) || is_of_its_edge;
+}
+
+/// Returns: what was found of that feature; where nothing was, what had decided before.
+std::string signs_about(const std::string& feature, const Moment& now, const Names& names, Dimension dimension) {
+  std::string text;
+  for (const gjk::SignTaken<double>& sign : now.signs)
+    if (is_about(sign, feature) && !(dimension == Dimension::plane && is_out_of_plane(sign)))
+      text += (text.empty() ? "" : "; ") + sign_in_words(sign, names);
+  return text.empty() ? "not looked at, since what was asked of other features has decided" : text;
+}
+
+/// Of a proof: what exact signs say of the simplex, in which nothing is ruled out by what was before.
+std::optional<Question> of_kept(const Story& story, std::size_t scene, std::size_t at) {
+  const Telling& telling = story.tellings[scene];
+  const auto& event = std::get<gjk::FeatureKept<double>>(telling.trace.events[at]);
+  const Moment now = replay(telling.trace, at);
+  const Names names(story.walkthrough.naming, telling.hull, now);
+  const auto is_kept = [&](char role) { return event.kept.find(role) != std::string::npos; };
+  std::vector<Choice> choices;
+  std::string found, right;
+  for (const std::string feature : features_of_newest) {
+    if (!std::ranges::all_of(feature, [&](char role) { return role - 'A' < event.before.size(); })) continue;
+    std::string letters;
+    for (const char role : feature) letters += names.of(event.before.point(static_cast<gjk::Role>(role - 'A')));
+    const std::string text = with_kind(alphabetical(letters));
+    add_once(choices, {text, signs_about(feature, now, names, telling.scene.dimension), ""});
+    if (feature.size() != event.kept.size() || !std::ranges::all_of(feature, is_kept)) continue;
+    found = feature;
+    right = text;
+  }
+  return asked({Kind::region, event.before.size(), found + " kept"}, scene, at,
+               "On which feature does the point nearest to the origin lie?", std::move(choices), right);
+}
+
 // -- The line that is wrong -------------------------------------------------------------------------------------------
 
 bool is_answer(const std::string& line) { return line == "intersecting" || line == "separated" || line == "undecided"; }
@@ -412,6 +471,8 @@ void ask_about(std::size_t scene, const Story& story, std::vector<Question>& que
     if (std::holds_alternative<gjk::SupportFound<double>>(events[i])) is_asked = false;
     if (std::holds_alternative<gjk::CrossingTested<double>>(events[i]))
       if (const auto question = of_crossing(story, scene, i)) questions.push_back(*question);
+    if (std::holds_alternative<gjk::FeatureKept<double>>(events[i]))
+      if (const auto question = of_kept(story, scene, i)) questions.push_back(*question);
     const auto* region = std::get_if<Region>(&events[i]);
     if (!region || region->verdict == Verdict::skipped || is_asked) continue;
     Iteration(story, scene, i).ask(questions);

@@ -134,16 +134,14 @@ std::optional<Frame> caption_of(const gjk::ProofTried<double>& event, const Name
                                               : caption_of_tetrahedron(event, names, now);
 }
 
-/// Whether it is the height of the origin over the plane of a triangle.
-bool is_of_face(const gjk::SignTaken<double>& sign) {
-  return sign.formula.empty() && sign.expression.ends_with("n·AO");
+bool is_out_of_plane(const gjk::SignTaken<double>& sign) {
+  const std::string& text = sign.expression;
+  return text.starts_with('(') ? text.ends_with(".x") || text.ends_with(".y")
+                               : sign.formula.empty() && text.ends_with("n·AO");
 }
 
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, Dimension dimension) {
-  const bool is_across_plane = event.expression.ends_with(".x") || event.expression.ends_with(".y");
-  const bool is_out_of_plane = event.expression.starts_with('(') ? is_across_plane : is_of_face(event);
-  if (event.exact.empty() || (dimension == Dimension::plane && is_out_of_plane))
-    return std::nullopt;  // in the plane these are 0, and nobody doubts it
+  if (event.exact.empty() || (dimension == Dimension::plane && is_out_of_plane(event))) return std::nullopt;
   const std::string name = name_of(event, names);
   const bool is_largest = event.expression != "w·d" && event.vertex;
   Frame frame = frame_about(

@@ -40,13 +40,6 @@ Approximate approximate(const std::string& fraction) {
   return x;
 }
 
-/// "ABC", where the formula is (AB·AO)(AB·AC) − … and so in the plane of that face. Requires: a formula.
-std::string face_of(const gjk::SignTaken<double>& sign) {
-  std::string roles = "ABCD";
-  std::erase_if(roles, [&](char role) { return sign.formula.find(role) == std::string::npos; });
-  return roles;
-}
-
 NumberLine line_of(const gjk::ProofTried<double>& proof, const Names& names) {
   NumberLine line{.numbers = {},
                   .low = -proof.bound,
@@ -94,6 +87,12 @@ std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Name
   if (focus == Focus::proof) line = line_of(*now.proof, names);
   if (focus == Focus::sign && !now.signs.back().power) line = line_of(now.signs.back(), names);
   return line && is_drawable(*line) ? line : std::nullopt;
+}
+
+std::string face_of(const gjk::SignTaken<double>& sign) {
+  std::string roles = "ABCD";
+  std::erase_if(roles, [&](char role) { return sign.formula.find(role) == std::string::npos; });
+  return roles;
 }
 
 std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {

@@ -123,6 +123,22 @@ TEST_CASE(
   CHECK(titles_of("figure-1") == std::vector<std::string>(titles_of("figure-1").size()));
 }
 
+TEST_CASE("Of two searches each has its own line marked, and at the end the one that answers") {
+  for (const Walkthrough& w : catalogue()) {
+    if (w.scenes.size() < 2 || w.layout == Layout::close_ups) continue;
+    INFO(w.name);
+    const Story story = tell(w);
+    const nlohmann::json data = data_of(page_of(story));
+    for (const auto& code : data["steps"].back().value("code", nlohmann::json::array())) {
+      const auto& lines = data["listings"][code[0].get<std::size_t>()]["lines"];
+      REQUIRE(code[1].is_number());
+      const std::string line = lines[code[1].get<std::size_t>()][1];
+      INFO(line);
+      CHECK((line == "intersecting" || line == "separated" || line == "undecided" || line.starts_with("P ← ")));
+    }
+  }
+}
+
 TEST_CASE("The data of a page name the further views of each step, in order, and not the usual one") {
   const Story story = tell(walkthrough("figure-4"));
   PagePictures turning = pictures;

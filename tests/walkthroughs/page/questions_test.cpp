@@ -55,6 +55,11 @@ std::string done(const Trace& trace, const Question& question) {
     case Kind::line: return line_gone_wrong_in(question);
     case Kind::region: break;
   }
+  if (const auto* kept = std::get_if<gjk::FeatureKept<double>>(&event)) {
+    std::string letters = kept->kept;
+    std::ranges::sort(letters);
+    return with_kind(letters);
+  }
   if (question.text.find("On which feature") != std::string::npos) {  // the complete rules
     std::string feature;
     for (std::size_t i = question.event; i < events.size() && std::holds_alternative<Region>(events[i]); ++i)
@@ -114,9 +119,12 @@ int decisions_in(const Scene& scene) {
   const bool is_complete = scene.rules == RuleSet::complete;  // of which one thing is asked about each simplex
   const Trace trace = run(scene);
   int count = 0, size = 0;
+  bool is_finished = false;
   const Region* before = nullptr;
   for (const auto& event : trace.events) {
-    if (std::holds_alternative<gjk::Finished<double>>(event)) break;  // nothing is asked about proofs
+    is_finished |= std::holds_alternative<gjk::Finished<double>>(event);
+    if (const auto* kept = std::get_if<gjk::FeatureKept<double>>(&event)) count += kept->before.size() > 1;
+    if (is_finished) continue;  // of proofs nothing else is asked
     const auto* region = std::get_if<Region>(&event);
     if (const auto* crossing = std::get_if<gjk::CrossingTested<double>>(&event)) count += crossing->value.has_value();
     if (const auto* added = std::get_if<gjk::VertexAdded<double>>(&event)) size = added->simplex.size();
@@ -262,6 +270,22 @@ TEST_CASE("Who is asked for the wrong line is told what both searches find there
     }
   }
   CHECK(by_words == std::vector<std::string>{"M3", "M5", "M6", "M12", "M13", "M21"});
+}
+
+TEST_CASE("At a feature that a proof keeps a wrong one is answered by the signs that were taken of it") {
+  const Story story = tell(walkthrough("certified/cycle-separated"));
+  const std::vector<Question> questions = questions_of(story);
+  int of_proof = 0;
+  for (const Question& question : questions) {
+    if (!std::holds_alternative<gjk::FeatureKept<double>>(story.tellings[0].trace.events[question.event])) continue;
+    ++of_proof;
+    INFO(question.choices[question.right].text);
+    CHECK(question.choices[question.right].reason.find(" ± ") != std::string::npos);
+    for (const Choice& choice : question.choices)
+      if (choice.text.starts_with("segment A") && choice.text != question.choices[question.right].text)
+        CHECK(choice.reason.starts_with(choice.text.substr(8) + "·AO = "));
+  }
+  CHECK(of_proof >= 3);
 }
 
 TEST_CASE("By the complete rules a wrong feature is answered by what rules it out, not by what left it possible") {
