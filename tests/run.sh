@@ -43,4 +43,4 @@ run_tests build/sanitized
 
 # A sample of what mutate.py does. Survivors are told, not judged: which mutants are made changes with every line of code.
 printf '\nDo tests notice mistakes that nobody chose?\n'
-python3 tests/mutants/mutate.py --made 3 --fitting --in render || [ $? = 1 ] || stop "mutate.py could not try its mutants"
+python3 tests/mutants/mutate.py --made 3 --fitting --in core || [ $? = 1 ] || stop "mutate.py could not try its mutants"

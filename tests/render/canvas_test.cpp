@@ -98,7 +98,8 @@ TEST_CASE("every dash of a line is drawn once, wherever the line begins and ends
       std::vector<Vec2> expected;  // from and to, along the line
       for (const auto& [first, last] : {std::pair(0, begin), std::pair(begin, begin + length)})
         for (int i = 0; i < 10; ++i)
-          if (const double from = std::max<double>(i * period, first), to = std::min<double>(i * period + straight, last);
+          if (const double from = std::max<double>(i * period, first),
+              to = std::min<double>(i * period + straight, last);
               from <= to && (first != last))
             expected.emplace_back(20 + from, 20 + to);
       INFO("a line of " << begin << " and on for " << length);

@@ -76,6 +76,15 @@ TEST_CASE("One command accepts all that differ and stands before the first of th
 
 TEST_CASE("A page of the usual limits has at most 64 MiB of pictures") { CHECK(ReportLimits{}.bytes == 67'108'864); }
 
+TEST_CASE("The page says in which folder its commands work, where it is known") {
+  for (const char* where : {"", "/here & there"}) {
+    CompareReport report({.expected = "e", .actual = "a", .where = where});
+    report.add(different("a.png"), "cp");
+    CHECK(has(report.html(), "Commands are to be run in <code>/here &amp; there</code>") == (*where != '\0'));
+    CHECK(has(report.html(), "Commands are to be run") == (*where != '\0'));
+  }
+}
+
 TEST_CASE("The page refers to nothing outside itself and forbids it") {
   CompareReport report(head);
   report.add(different("a.png"), "cp");

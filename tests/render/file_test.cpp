@@ -156,6 +156,20 @@ TEST_CASE("However many files are written and read, all are closed") {
   CHECK(entries("/proc/self/fd") == open);
 }
 
+TEST_CASE("Where standard input is closed its number is used, and given back") {
+  const Folder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    ::close(STDIN_FILENO);
+    write_file(folder.path / "file", bytes);
+    const bool is_read = read_file(folder.path / "file") == bytes;
+    _exit(is_read && ::fcntl(STDIN_FILENO, F_GETFD) == -1 ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(status == 0);
+}
+
 TEST_CASE("What the system says of a file that cannot be read is told") {
   try {
     read_file("/proc/self/mem");  // a regular file whose first bytes nobody may read
