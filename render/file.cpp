@@ -33,10 +33,7 @@ class NewFile {
         descriptor_(open_unnamed(target.parent_path())),
         shares_name_(descriptor_ >= 0) {
     temporary_ += shares_name_ ? ".unfinished" : "." + std::to_string(getpid()) + ".unfinished";
-    if (shares_name_) {
-      expect_possible_name();
-      return;
-    }
+    if (shares_name_) return;
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail("create " + temporary_.string(), errno);
     is_named_ = true;
@@ -69,11 +66,6 @@ class NewFile {
   }
 
  private:
-  /// So that it is told now, and not when all has been written; of the longer one, which a later run will need.
-  void expect_possible_name() const {
-    struct stat there;
-    if (::lstat(temporary_.c_str(), &there) != 0 && errno == ENAMETOOLONG) fail("give it its name", errno);
-  }
   /// Returns: whether it has got that name; otherwise errno says why not.
   bool name(const fs::path& path) const {
     const std::string self = "/proc/self/fd/" + std::to_string(descriptor_);
@@ -112,6 +104,13 @@ void refuse_other_than_file(const fs::path& path) {
     throw FileError("cannot write " + path.string() + ": it is " +
                     (fs::is_directory(status) ? "a folder" : "not a regular file") +
                     "; check that you mean it, and name a file");
+}
+
+/// So that it is told before all has been written; of the longer name, which the next file that replaces this one will need.
+void refuse_long_name(const fs::path& path) {
+  struct stat there;
+  if (::lstat((path.string() + ".unfinished").c_str(), &there) != 0 && errno == ENAMETOOLONG)
+    throw FileError("cannot write " + path.string() + ": " + reason(ENAMETOOLONG) + "; choose a shorter name");
 }
 
 std::string in_words(std::uintmax_t bytes) {
@@ -204,6 +203,7 @@ void write_file(const fs::path& path, std::string_view text) {
 
 void expect_writable(const fs::path& path) {
   refuse_other_than_file(path);
+  refuse_long_name(path);
   const NewFile file(path);
 }
 

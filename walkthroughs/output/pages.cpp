@@ -174,7 +174,7 @@ void write_index(const fs::path& folder) {
   const bool is_pair = searches.size() >= 2;
   if (is_pair)
     render::write_file(folder / compare_file, compare_html(searches));
-  else if (!is_of_others(folder / compare_file))
+  else
     remove_stale(folder / compare_file);  // of an earlier run
   render::write_file(folder / page_file, index_html(entries, is_pair ? compare_file : ""));
 }

@@ -34,8 +34,8 @@
     [left, right].forEach((name, s) => {
       const place = data.findIndex(each => each.name === decoded(name));
       const usual = data.findIndex(each => each.name === ['figure-4-left', 'figure-4-right'][s]);
-      const other = sides[0].select.selectedIndex === 0 ? 1 : 0;  // two are shown, and there are two
-      sides[s].select.selectedIndex = place >= 0 ? place : usual >= 0 ? usual : s === 0 ? 0 : other;
+      const taken = s === 1 ? sides[0].select.selectedIndex : -1;  // the right one is another, unless somebody asks for it
+      sides[s].select.selectedIndex = place >= 0 ? place : [usual, 0, 1].find(i => i >= 0 && i !== taken);
     });
     show(Number(number) - 1 || 0);
   }

@@ -32,8 +32,8 @@ std::string link(const PageLink& to, const std::string& attributes = "") {
 
 // -- One step ---------------------------------------------------------------------------------------------------------
 
-/// What a search was at last. Of two each is at something of its own, whatever the frame is about.
-Focus own_focus(const Story& story, std::size_t index, std::size_t scene) {
+/// What one of two searches has done last, whatever the frame tells of the other.
+Focus focus_of_search(const Story& story, std::size_t index, std::size_t scene) {
   const Frame& frame = story.frames[index];
   if (story.tellings.size() == 1) return frame.focus;
   const Telling& telling = story.tellings[scene];
@@ -43,11 +43,18 @@ Focus own_focus(const Story& story, std::size_t index, std::size_t scene) {
   return frame.focus;
 }
 
+/// Whether two searches have done the same so far.
+bool are_together(const Story& story, std::size_t index) {
+  const std::vector<EventRange>& events = story.frames[index].events;
+  return story.walkthrough.layout == Layout::until_they_part &&
+         (!story.parts_at || std::max(events[0].last, events[1].last) < *story.parts_at);
+}
+
 /// What runs in a search while a frame is shown.
 struct Running {
   Running(const Story& story, std::size_t index, std::size_t scene)
       : now(story.frames[index].moments[scene]),
-        focus(own_focus(story, index, scene)),
+        focus(focus_of_search(story, index, scene)),
         names(story.names(index, scene)),
         number(running_algorithm(now, focus)),
         title(whose(story, index, scene) + title_of(number, story.tellings[scene].scene.rules, names, now.processed)),
@@ -65,21 +72,20 @@ struct Running {
  private:
   static std::string whose(const Story& story, std::size_t index, std::size_t scene) {
     if (story.tellings.size() == 1) return "";
-    return (scene == 0 && index < story.parting().value_or(0) ? "both" : story.tellings[scene].scene.name) + ": ";
+    return (scene == 0 && are_together(story, index) ? "both" : story.tellings[scene].scene.name) + ": ";
   }
 };
 
-/// The searches whose lines are to be shown: of two that have not parted yet they are the same, and a mistaken one has its own.
+/// The searches whose lines are to be shown: of two that have not parted yet they are the same; a mistaken one has its own, and the
+/// report's are shown beside it as far as to where it should have gone on.
 std::vector<std::size_t> scenes_with_code(const Story& story, std::size_t index) {
-  const std::optional<std::size_t> parting = story.parting();
-  switch (story.walkthrough.layout) {
-    case Layout::diagrams: return {};
-    case Layout::search:
-      return story.walkthrough.panels.algorithm ? std::vector<std::size_t>{0} : std::vector<std::size_t>{};
-    default: break;
-  }
-  if (story.shows_mistake()) return index <= parting ? std::vector<std::size_t>{1} : std::vector<std::size_t>{};
-  return index < parting ? std::vector<std::size_t>{0} : std::vector<std::size_t>{0, 1};
+  const Layout layout = story.walkthrough.layout;
+  const bool is_one = layout == Layout::search;
+  if (layout == Layout::diagrams || (is_one && !story.walkthrough.panels.algorithm)) return {};
+  if (is_one || (are_together(story, index) && !story.shows_mistake())) return {0};
+  if (!story.shows_mistake()) return {0, 1};
+  const bool is_right_for_both = !story.parts_at || story.frames[index].events[1].last <= *story.parts_at;
+  return is_right_for_both ? std::vector<std::size_t>{1} : std::vector<std::size_t>{};
 }
 
 std::string where(const Story& story, std::size_t index) {
@@ -113,7 +119,7 @@ std::string fact(const Fact& fact) {
          html_of(fact.text) + "</li>";
 }
 
-/// "Algorithm 4: else if ACn·AO > 0 (R7)"; scripts put the whole algorithm in its place.
+/// "Algorithm 4: else if ACn·AO > 0 (R7)", of each search that is to be shown; scripts put the whole algorithm in its place.
 std::string running_lines(const Story& story, std::size_t index) {
   std::string html;
   for (const std::size_t scene : scenes_with_code(story, index)) {

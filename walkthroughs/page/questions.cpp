@@ -332,9 +332,17 @@ std::string alphabetical(std::string letters) {
   return letters;
 }
 
+/// Requires: roles of `simplex`.
+Simplex part_of(const Simplex& simplex, const std::string& roles) {
+  Simplex part;
+  for (const char role : {'D', 'C', 'B', 'A'})  // oldest first
+    if (roles.find(role) != std::string::npos) part.add(simplex[static_cast<gjk::Role>(role - 'A')]);
+  return part;
+}
+
 /// Whether the sign is of what is asked about a feature: A by where the others lie, an edge by AB·AO, AB_n·AO and AB×AO, a face by the
 /// normals of its edges and its own, a tetrahedron by those of its faces.
-bool is_about(const gjk::SignTaken<double>& sign, const std::string& feature) {
+bool is_of_feature(const gjk::SignTaken<double>& sign, const std::string& feature) {
   const std::string& text = sign.expression;
   const std::size_t from = text.find_first_of("ABCD"), to = text.find_first_not_of("ABCD", from);
   if (from == std::string::npos || to == std::string::npos) return false;
@@ -347,13 +355,13 @@ bool is_about(const gjk::SignTaken<double>& sign, const std::string& feature) {
   return alphabetical(own) == alphabetical(feature) || is_of_its_edge;
 }
 
-/// Returns: what was found of that feature; where nothing was, what had decided before.
+/// Returns: what was found of that feature; empty where nothing was.
 std::string signs_about(const std::string& feature, const Moment& now, const Names& names, Dimension dimension) {
   std::string text;
   for (const gjk::SignTaken<double>& sign : now.signs)
-    if (is_about(sign, feature) && !(dimension == Dimension::plane && is_out_of_plane(sign)))
+    if (is_of_feature(sign, feature) && !(dimension == Dimension::plane && is_out_of_plane(sign)))
       text += (text.empty() ? "" : "; ") + sign_in_words(sign, names);
-  return text.empty() ? "not looked at, since what was asked of other features has decided" : text;
+  return text;
 }
 
 /// Of a proof: what exact signs say of the simplex, in which nothing is ruled out by what was before.
@@ -367,14 +375,16 @@ std::optional<Question> of_kept(const Story& story, std::size_t scene, std::size
   std::string found, right;
   for (const std::string feature : features_of_newest) {
     if (!std::ranges::all_of(feature, [&](char role) { return role - 'A' < event.before.size(); })) continue;
-    std::string letters;
-    for (const char role : feature) letters += names.of(event.before.point(static_cast<gjk::Role>(role - 'A')));
-    const std::string text = with_kind(alphabetical(letters));
+    const std::string text = names.simplex(part_of(event.before, feature));
     add_once(choices, {text, signs_about(feature, now, names, telling.scene.dimension), ""});
     if (feature.size() != event.kept.size() || !std::ranges::all_of(feature, is_kept)) continue;
     found = feature;
     right = text;
   }
+  for (Choice& choice : choices)
+    if (choice.reason.empty())
+      choice.reason = choice.text == right ? "it is no other feature, and one it must be"
+                                           : "not looked at, since what was asked of other features has decided";
   return asked({Kind::region, event.before.size(), found + " kept"}, scene, at,
                "On which feature does the point nearest to the origin lie?", std::move(choices), right);
 }

@@ -37,9 +37,8 @@ struct Question {
 };
 
 /// Returns: the questions about the searches of a story, scene by scene in the order of the events: at each crossing test that was
-/// applied, each simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one; of a proof at each
-/// feature that is kept. Of a search
-/// with a mistake beside the report's one question: which line is wrong.
+/// applied, each simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one; of a
+/// proof at each feature that is kept. Of a search with a mistake beside the report's one question: which line is wrong.
 std::vector<Question> questions_of(const Story& story);
 
 /// Returns: the name of a walkthrough of regions, `but` left out: the first that is about just that decision; else about the same face or

@@ -271,6 +271,7 @@ class Rendering {
     return origins;
   }
 
+  /// Of others only pages are looked for: what else lies in the folder of a walkthrough belongs to the page there.
   static void expect_writable_pages(const Selection& selection, const std::filesystem::path& folder) {
     render::make_folder(folder, "choose another with --out");
     std::vector<std::filesystem::path> pages{folder / page_file, folder / compare_file};
@@ -279,7 +280,7 @@ class Rendering {
     for (const std::filesystem::path& page : pages)
       if (is_of_others(page))
         throw UsageError(printable(page.string()) +
-                         " is not of gjkstep and would be replaced; choose another folder with --out");
+                         " is not of gjkstep and would be replaced or removed; choose another folder with --out");
     for (const char* page : {page_file, compare_file}) render::expect_writable(folder / page);
   }
 

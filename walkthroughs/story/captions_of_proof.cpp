@@ -23,10 +23,10 @@ std::string with_error(const gjk::SignTaken<double>& sign) {
   return sign.power ? "(" + numbers + ") · 2^(" + short_number(-*sign.power) + ")" : numbers;
 }
 
-/// Where a bound comes from. `roundings`: how many, of `what`.
+/// Where a bound comes from: so many times u, of `what`.
 std::string derived(int roundings, const std::string& what) {
   return "the bound is derived, not measured: " + std::to_string(roundings) +
-         " times half a unit in the last place of the largest " + what +
+         " times u, half the step from 1 to the next number, of the largest " + what +
          "; rounding never exceeds it, and is mostly far smaller";
 }
 
@@ -105,7 +105,7 @@ std::string exactly(const gjk::SignTaken<double>& sign) {
          (sign.sign == 0 ? "" : sign_words(sign.sign));
 }
 
-/// Returns: the sign that says of no point that it reaches across the origin; none where the search has not ended so.
+/// Returns: the sign which shows that no point reaches across the origin; none where the search has not ended so.
 const gjk::SignTaken<double>* of_the_farthest(const Moment& now) {
   const bool is_told = !now.signs.empty() && now.signs.back().expression == "max w·d" && now.signs.back().sign < 0;
   return is_told ? &now.signs.back() : nullptr;

@@ -14,7 +14,7 @@ std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Nam
 std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names& names, const Moment& now,
                                 Dimension dimension);
 
-/// Whether it is 0 of all that lies in the plane, and nobody doubts it: a component of AB×AO, the height over a triangle.
+/// Whether it is 0 for everything that lies in the plane, and nobody doubts it: a component of AB×AO, the height over a triangle.
 bool is_out_of_plane(const gjk::SignTaken<double>& sign);
 
 /// Returns: "AB·AO = 3.2 ± 4e−16 > 0"; "w·d" with the name of w in its place.

@@ -98,7 +98,7 @@ std::string face_of(const gjk::SignTaken<double>& sign) {
 std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
   if (sign.expression == "max w·d") return "the largest P·d";
   const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
-  if (!w.empty() && sign.expression == "w·d") return w + "·d";
+  if (sign.expression == "w·d") return (w.empty() ? "P" : w) + "·d";
   const std::string name = names.translate(sign.expression);
   return sign.formula.empty() ? name : name + " (" + names.sorted(face_of(sign)) + ")";
 }

@@ -72,9 +72,12 @@ struct Story {
   std::vector<Diagram> diagrams;  ///< Layout::diagrams: one for each frame
   std::vector<Frame> frames;
 
+  /// Layout::until_they_part: the event from which on the searches differ; none where they never do, or are not compared.
+  std::optional<std::size_t> parts_at = {};
+
   /// Whether the first of two searches has a mistake in it, and the other has not.
   bool shows_mistake() const { return tellings.size() == 2 && tellings[0].scene.mistake; }
-  /// The frame where two searches part; none where they do not.
+  /// The frame of that event; none where it is left out, too.
   std::optional<std::size_t> parting() const {
     const auto found = std::ranges::find(frames, Focus::parting, &Frame::focus);
     return found == frames.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - frames.begin()));

@@ -237,6 +237,7 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
 void tell_until_they_part(Story& story) {
   const Trace &left = story.tellings[0].trace, &right = story.tellings[1].trace;
   const std::size_t common = common_events(left, right);
+  if (common <= last_event(story)) story.parts_at = common;
   const std::optional<ToldMistake> told = mistake_in(story, common);
   for (std::size_t i = 0; i <= last_event(story); ++i) {
     std::optional<Frame> frame = tell_both(story, i, common, told);

@@ -21,8 +21,8 @@ constexpr const char* footer =
   {"a": {"points": [[x, y, z], ...]}, "b": {"points": [[x, y, z], ...]}}
   {"direction": [x, y, z], "simplex": [[x, y, z], ...]}
   true
-the direction in which the iteration searched, and the simplex of points a - b after it was reduced, the newest last; the
-last one need not be reduced, and the iteration that ends with "no" need not be told. Further searches may follow, each with its pair.
+the direction in which the iteration searched, and the simplex of points a - b after it was reduced, the newest last (or
+first, if in every step); the last one need not be reduced, and the iteration that ends with "no" need not be told. Further searches may follow, each with its pair.
 Each step is made again from the simplex before it, as the file has it. Another face that sees the origin, directions of
 other length and vertices in other order are right, too, and told where the report chooses otherwise.
 What --draw shows is the mistake that would make the same step, on this pair and begun in the same direction; where there is none, the
@@ -30,9 +30,14 @@ steps of the file.
 Exit codes: 0 every step is right, 1 one is not, 2 wrong usage, 3 the file cannot be read, 4 --draw finds no OpenGL to draw
 with, 5 cannot write.)";
 
-/// Pictures of both runs, side by side, until they part.
-void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::string& folder) {
+/// Pictures of both runs, side by side, until they part. `file`: which they must not lie over.
+void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::string& file, const std::string& folder) {
   const std::optional<Parting> parting = parting_of(run, checked);
+  walkthroughs::Places places;
+  places.read(file, "the steps " + file);
+  places.write_into(std::filesystem::path(folder) / parting->walkthrough.name, {"*.png"}, "the pictures of --draw");
+  places.write_standard_output();
+  places.expect_apart();
   walkthroughs::Studio studio;
   walkthroughs::Renderer renderer(studio);
   walkthroughs::Frames frames([](const std::filesystem::path& file, const walkthroughs::Story&, std::size_t) {
@@ -70,11 +75,6 @@ void CheckStepsCommand::run() const {
   if (file.empty()) throw UsageError("check-steps '': name a file that tells searches step by step");
   if (draw) {
     expect_named("--draw", *draw);
-    walkthroughs::Places places;
-    places.read(file, "the steps " + file);
-    places.write_into(std::filesystem::path(*draw) / "parting", {"*.png"}, "the pictures of --draw");
-    places.write_standard_output();
-    places.expect_apart();
     render::make_folder(*draw, "choose another with --draw");
   }
   const std::string text = walkthroughs::read_text(file, {"file of steps", largest_file});
@@ -88,7 +88,7 @@ void CheckStepsCommand::run() const {
     write(run, checked);
     ++all;
     wrong += checked.iteration > 0;
-    if (draw && checked.iteration > 0 && wrong == 1) draw_parting(run, checked, *draw);
+    if (draw && checked.iteration > 0 && wrong == 1) draw_parting(run, checked, file, *draw);
   }
   std::cout.flush();
   if (wrong > 0)

@@ -32,7 +32,8 @@ void list() {
   std::cout << '\n';
 }
 
-/// So that a shard is not written over by what it is merged into. A whole study may be, by itself. `failures`: a folder of scenes.
+/// So that a shard is not written over by what it is merged into. A whole study may be, by itself. `failures`: a folder of
+/// scenes.
 void expect_apart(const std::vector<std::string>& read, const std::vector<std::filesystem::path>& written,
                   const std::optional<std::string>& failures = {}) {
   walkthroughs::Places places;

@@ -95,7 +95,7 @@ TEST_CASE("judge: a page has the verdict, families and pictures in it, and nothi
 TEST_CASE("judge: nothing that it writes lies over what it reads, or over what else it writes", "[judge]") {
   const Folder folder;
   const std::string pairs = in(folder, "f/mine.json");
-  std::filesystem::create_directories(folder.path() / "f/parting");
+  std::filesystem::create_directories(folder.path() / "f");
   std::ofstream(folder.path() / "f/mine.json") << "mine";
   const std::string before = bytes_of(folder.path() / "f/mine.json");
   const auto check_refused = [&](const std::string& arguments) {
@@ -105,9 +105,6 @@ TEST_CASE("judge: nothing that it writes lies over what it reads, or over what e
   check_refused("judge --html " + in(folder, "f/x.json") + " --save-failures " + in(folder, "f") + " -- cat");
   check_refused("judge --html " + in(folder, "g") + " --save-failures " + in(folder, "g") + " -- cat");
   CHECK(bytes_of(folder.path() / "f/mine.json") == before);
-  std::filesystem::copy(folder.path() / "f/mine.json", folder.path() / "f/parting/000.png");
-  check_refused("check-steps " + in(folder, "f/parting/000.png") + " --draw " + in(folder, "f"));
-  CHECK(bytes_of(folder.path() / "f/parting/000.png") == before);
   check_failure("judge --html " + std::string(300, 'x') + " -- cat", 5, {"File name too long"});
 }
 
@@ -141,6 +138,11 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   const Outcome drawn = run("check-steps " + steps + " --draw " + in(folder, "pictures"));
   CHECK(lines(drawn.out).size() == 2 + listing(folder.path() / "pictures").size());
   CHECK(std::filesystem::exists(folder.path() / "pictures/mistakes/m14-order-below-triangle/014.png"));
+  const fs::path over = folder.path() / "pictures/mistakes/m14-order-below-triangle/000.png";
+  fs::copy_file(folder.path() / "steps.jsonl", over, fs::copy_options::overwrite_existing);
+  check_failure("check-steps " + quoted(over.string()) + " --draw " + in(folder, "pictures"), 2,
+                {"the steps ", "the pictures of --draw have the same place"});
+  CHECK(bytes_of(over) == bytes_of(folder.path() / "steps.jsonl"));
   check_failure("check-steps " + steps + " --draw ''", 2, {"--draw '': name a folder"});
   check_failure("check-steps " + steps + " --draw /dev/null/x", 5, {"/dev/null/x"});
   check_failure("check-steps", 2, {"FILE"});

@@ -24,7 +24,7 @@ template <class T>
 void add_list(CLI::App& command, const std::string& name, std::vector<T>& values, const std::string& what) {
   const auto fail = [name](const std::string& text) {
     throw UsageError(name + " " + walkthroughs::in_quotes(text) + ": expected " +
-                     (std::same_as<T, int> ? "whole numbers from 1 to 1000, such as 5,20" : "names, divided by single commas") +
+                     (std::same_as<T, int> ? limits_in_words : "names, divided by single commas") +
                      "; 'gjkstep-study list' shows them");
   };
   const auto add = [&values, fail](const std::string& text) {

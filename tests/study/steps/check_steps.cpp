@@ -93,8 +93,8 @@ struct Reasons {
   void operator()(const E&) {}
 
  private:
-  void add(std::string& text, const std::string& told_expression, S number) const {
-    std::string expression = in_told_letters(told_expression, order);
+  void add(std::string& text, const std::string& in_order, S number) const {
+    std::string expression = in_told_letters(in_order, order);
     // The report names a normal in one order of its face: in the other it is the opposite.
     for (const auto& [turned, named] : {std::pair{"ACBn", "ABCn"}, {"ADCn", "ACDn"}, {"ABDn", "ADBn"}})
       if (const std::size_t at = expression.find(turned); at != std::string::npos) {
@@ -365,12 +365,20 @@ class Following {
     Vertices before;
     for (const ToldStep& each : run_.steps) {
       const Vec d = shortened(each.direction);
-      const Vertices by_m1 = farthest_differences(d, d);
-      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || has(by_m1, v); }))
+      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || is_by_m1(v, d); }))
         return false;
       before = each.simplex;
     }
     return true;
+  }
+
+  /// Whether it is a - b of points both farthest along d. Steps that nobody has looked at may tell directions along which all are.
+  bool is_by_m1(const Vec& v, const Vec& d) const {
+    const double tolerance = same_place * size_ * d.stableNorm();
+    const Vertices of_a = farthest(a_, d, tolerance), of_b = farthest(b_, d, tolerance);
+    return of_a.size() * of_b.size() <= most_differences && std::ranges::any_of(of_a, [&](const Vec& p) {
+             return std::ranges::any_of(of_b, [&](const Vec& q) { return are_same(p - q, v); });
+           });
   }
 
   /// The direction of a step that was not told is not known: of larger numbers another formula than ours may have rounded it.
@@ -544,16 +552,20 @@ class Following {
     return makers;
   }
 
+  struct Makers {
+    Indices order;  ///< of the vertices, in which they do that
+    std::vector<std::size_t> mistakes;
+  };
   /// Returns: those in the order of the vertices as they were told; where there are none, in the first other that has some.
-  std::vector<std::size_t> makers_of_simplex(const std::string& does) const {
+  Makers makers_of_simplex(const std::string& does) const {
     for (const Indices& order : outward_orders(vertices_))
-      if (const std::vector<std::size_t> makers = makers_in(order, does); !makers.empty()) return makers;
-    return {};
+      if (std::vector<std::size_t> makers = makers_in(order, does); !makers.empty()) return {order, std::move(makers)};
+    return {as_told(vertices_), {}};
   }
 
   void blame_simplex(const Outcome& right, const std::string& does) {
     if (follows_from_order(does)) return blame(suspect_->iteration, suspect_->words, suspect_->makers);
-    std::vector<std::size_t> makers = makers_of_simplex(does);
+    auto [order, makers] = makers_of_simplex(does);
     if (does == "says no" && at_ > 0) makers = makers_of_no(makers);
     const Indices all = as_told(vertices_);
     blame(iteration(),
@@ -563,7 +575,8 @@ class Following {
                : does == "says yes" && right.kept.size() == all.size()
                    ? "no origin in it and goes on"
                    : "keep " + letters_of(right.kept, vertices_.size())) +
-              "; yours " + does + "; there " + letters_and_places(vertices_),
+              "; yours " + does + "; there " + letters_and_places(vertices_) +
+              (order == all ? "" : "; in the order " + letters_of(order, vertices_.size()) + ", that is,"),
           makers);
   }
 

@@ -72,7 +72,7 @@ void add_line(std::string_view line, std::size_t number, std::vector<ToldRun>& r
     run.steps.push_back(step_in(root));
 }
 
-/// Whether each step that adds one vertex to others, two at least, has it first.
+/// Whether each step that adds a vertex to others has it first, and two steps at least do so.
 bool is_newest_first(const std::vector<ToldStep>& steps) {
   int seen = 0;
   for (std::size_t i = 1; i < steps.size(); ++i) {

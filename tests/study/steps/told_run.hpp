@@ -6,8 +6,8 @@
 ///     true
 ///
 /// A step says along which direction it searched, and the simplex after it was reduced, points a - b, the newest last; whoever
-/// has it first in every step is understood, too. The last simplex need not be reduced, and the step that ends a search with "no" need not be told: its vertex never becomes part of a
-/// simplex. A file holds as many such searches as it likes.
+/// has it first in every step is understood, too. The last simplex need not be reduced, and the step that ends a search with
+/// "no" need not be told: its vertex never becomes part of a simplex. A file holds as many such searches as it likes.
 #pragma once
 
 #include <cstddef>

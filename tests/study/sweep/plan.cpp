@@ -114,7 +114,8 @@ std::vector<int> limits_of(const Request& request) {
   if (chosen.empty()) chosen.assign(std::begin(limits), std::end(limits));
   std::ranges::sort(chosen);
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  if (chosen.front() < 1 || chosen.back() > 1000) throw UsageError("--limit: expected whole numbers from 1 to 1000, such as 5,20");
+  if (chosen.front() < 1 || chosen.back() > largest_limit)
+    throw UsageError(std::string("--limit: expected ") + limits_in_words);
   return chosen;
 }
 

@@ -12,6 +12,9 @@
 
 namespace study {
 
+inline constexpr int largest_limit = 1000;  ///< of iterations
+inline constexpr const char* limits_in_words = "whole numbers from 1 to 1000, such as 5,20";
+
 using walkthroughs::UsageError;
 
 inline constexpr std::uint64_t most_seed = ~std::uint64_t{0};

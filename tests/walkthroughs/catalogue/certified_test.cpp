@@ -95,9 +95,10 @@ TEST_CASE("A separation that the second search proves is told with the number th
     const gjk::CertifiedResult result = result_of(story);
     if (result.proof != gjk::Proof::second_search || result.status != gjk::Status::separated) continue;
     INFO(each->name);
-    const Fact& decides = *std::ranges::find(story.frames.back().facts, Fact::Mark::yes, &Fact::mark);
-    CHECK(decides.text.starts_with("the largest P·d"));
-    CHECK(decides.text.ends_with(" < 0"));
+    const auto decides = std::ranges::find(story.frames.back().facts, Fact::Mark::yes, &Fact::mark);
+    REQUIRE(decides != story.frames.back().facts.end());
+    CHECK(decides->text.starts_with("the largest P·d"));
+    CHECK(decides->text.ends_with(" < 0"));
     ++apart;
   }
   CHECK(apart >= 3);

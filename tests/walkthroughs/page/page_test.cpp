@@ -124,6 +124,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Of two searches each has its own line marked, and at the end the one that answers") {
+  int listings = 0;
   for (const Walkthrough& w : catalogue()) {
     if (w.scenes.size() < 2 || w.layout == Layout::close_ups) continue;
     INFO(w.name);
@@ -131,11 +132,29 @@ TEST_CASE("Of two searches each has its own line marked, and at the end the one 
     const nlohmann::json data = data_of(page_of(story));
     for (const auto& code : data["steps"].back().value("code", nlohmann::json::array())) {
       const auto& lines = data["listings"][code[0].get<std::size_t>()]["lines"];
+      ++listings;
       REQUIRE(code[1].is_number());
       const std::string line = lines[code[1].get<std::size_t>()][1];
       INFO(line);
+      // The last where no new vertex is found.
       CHECK((line == "intersecting" || line == "separated" || line == "undecided" || line.starts_with("P ← ")));
     }
+  }
+  CHECK(listings >= 8);
+}
+
+TEST_CASE("Beside a mistake the report's lines stand as far as to where they part, also where that frame is left out") {
+  const Walkthrough& w = walkthrough("mistakes/m14-order-below-triangle");
+  for (const Detail detail : {Detail::decision, Detail::step}) {
+    const Story story = tell(w, detail);
+    const nlohmann::json data = data_of(page_of(story));
+    int shown = 0;
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      const bool is_shown = data["steps"][i].contains("code");
+      CHECK(is_shown == (story.frames[i].events[1].last <= *story.parts_at));
+      shown += is_shown;
+    }
+    CHECK((0 < shown && shown < static_cast<int>(story.frames.size())));
   }
 }
 

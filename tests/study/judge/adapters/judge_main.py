@@ -13,7 +13,7 @@ import sys
 
 def step(searched_along, reduced_simplex):
     """Call it at the end of each iteration, if you like: where JUDGE_STEPS is set, it tells `gjkstep-study check-steps`
-    of the direction and of the simplex, its newest vertex last."""
+    of the direction and of the simplex, its newest vertex last (or always first)."""
     if "JUDGE_STEPS" in os.environ:
         simplex = [[float(x) for x in p] for p in reduced_simplex]
         print(json.dumps({"direction": [float(x) for x in searched_along], "simplex": simplex}), flush=True)
