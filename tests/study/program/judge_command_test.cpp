@@ -138,10 +138,11 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   const Outcome drawn = run("check-steps " + steps + " --draw " + in(folder, "pictures"));
   CHECK(lines(drawn.out).size() == 2 + listing(folder.path() / "pictures").size());
   CHECK(std::filesystem::exists(folder.path() / "pictures/mistakes/m14-order-below-triangle/014.png"));
-  const fs::path over = folder.path() / "pictures/mistakes/m14-order-below-triangle/000.png";
-  fs::copy_file(folder.path() / "steps.jsonl", over, fs::copy_options::overwrite_existing);
-  check_failure("check-steps " + quoted(over.string()) + " --draw " + in(folder, "pictures"), 2,
-                {"the steps ", "the pictures of --draw have the same place"});
+  const std::filesystem::path over = folder.path() / "pictures/mistakes/m14-order-below-triangle/000.png";
+  std::filesystem::copy_file(folder.path() / "steps.jsonl", over, std::filesystem::copy_options::overwrite_existing);
+  const Outcome refused = run("check-steps " + quoted(over.string()) + " --draw " + in(folder, "pictures"));
+  CHECK(refused.exit_code == 2);
+  CHECK(has(refused.err, "the pictures of --draw have the same place"));
   CHECK(bytes_of(over) == bytes_of(folder.path() / "steps.jsonl"));
   check_failure("check-steps " + steps + " --draw ''", 2, {"--draw '': name a folder"});
   check_failure("check-steps " + steps + " --draw /dev/null/x", 5, {"/dev/null/x"});
