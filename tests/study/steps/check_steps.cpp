@@ -1,19 +1,12 @@
 #include "tests/study/steps/check_steps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <numeric>
-#include <sstream>
-#include <string_view>
 #include <utility>
 
-#include "core/gjk.hpp"
 #include "tests/study/methods/mistakes.hpp"
-#include "tests/study/methods/question.hpp"
+#include "tests/study/steps/right_outcomes.hpp"
 #include "tests/study/truth/linear_program.hpp"
-#include "walkthroughs/model/number_text.hpp"
 
 namespace study {
 namespace {
@@ -22,149 +15,7 @@ constexpr double same_place =
     1e-9;  // of the sets' size: programs may compute in floats elsewhere, and print fewer digits
 constexpr double same_direction = 1e-4;  // 1 - cosine
 constexpr std::size_t most_differences = 1'000'000;
-constexpr double flat = 1e-12;  // BC×BD·BA, of edges whose largest coordinate is 1
-
-using Vertices = std::vector<Vec>;  // oldest first
-using Indices = std::vector<int>;   // into such a list
-
-// -- What the rules make of a simplex ---------------------------------------------------------------------------------
-
-struct Outcome {
-  bool contains_origin = false;
-  Indices kept;  ///< oldest first
-  Vec direction = Vec::Zero();
-  std::string why;
-};
-
-template <class S>
-gjk::Simplex<S> simplex_of(const Vertices& vertices, const Indices& order) {
-  gjk::Simplex<S> simplex;
-  for (const int i : order) {
-    const Vec& w = vertices[static_cast<std::size_t>(i)];
-    gjk::Vertex<S> vertex;
-    vertex.w = gjk::Vec3<S>(S(w[0]), S(w[1]), S(w[2]));
-    vertex.a = {vertex.w, i};
-    vertex.b.point = gjk::Vec3<S>(S(0), S(0), S(0));
-    simplex.add(vertex);
-  }
-  return simplex;
-}
-
-template <class S>
-Indices indices_of(const gjk::Simplex<S>& simplex) {
-  Indices indices;
-  for (int i = 0; i < simplex.size(); ++i) indices.push_back(*simplex[i].a.index);
-  return indices;
-}
-
-/// Returns: for reading, so without the sign of a zero, and short.
-std::string shown(double number) {
-  constexpr std::size_t longest = 10;
-  const std::string exact = walkthroughs::number_text(number + 0.0);
-  if (exact.size() <= longest) return exact;
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.6g", number);
-  return text.data();
-}
-
-/// Returns: the expression about vertices in that order, in the letters that they have as they were told.
-std::string in_told_letters(std::string text, const Indices& order) {
-  const std::size_t size = order.size();
-  for (char& c : text)
-    if (const std::size_t role = std::string_view("ABCD").find(c); role < size)
-      c = "ABCD"[size - 1 - static_cast<std::size_t>(order[size - 1 - role])];
-  return text;
-}
-
-/// Collects "ABCn·AO = 3 > 0" of what decided.
-template <class S>
-struct Reasons {
-  const Indices& order;                     ///< of the vertices, as they were told
-  std::string chosen = {}, not_above = {};  ///< the region; the faces of a tetrahedron that the origin is not above
-
-  void operator()(const gjk::RegionTested<S>& event) {
-    const S* const value = std::get_if<S>(&event.value);
-    if (!value) return;
-    if (event.verdict == gjk::Verdict::chosen) add(chosen, event.expression, *value);
-    if (event.verdict == gjk::Verdict::rejected && event.simplex_size == 4 && event.face.empty())
-      add(not_above, event.expression, *value);
-  }
-  template <class E>
-  void operator()(const E&) {}
-
- private:
-  void add(std::string& text, const std::string& in_order, S number) const {
-    std::string expression = in_told_letters(in_order, order);
-    // The report names a normal in one order of its face: in the other it is the opposite.
-    for (const auto& [turned, named] : {std::pair{"ACBn", "ABCn"}, {"ADCn", "ACDn"}, {"ABDn", "ADBn"}})
-      if (const std::size_t at = expression.find(turned); at != std::string::npos) {
-        expression.replace(at, 4, named);
-        number = -number;
-      }
-    text += (text.empty() ? "" : ", ") + expression + " = " + shown(static_cast<double>(number)) +
-            (number > 0   ? " > 0"
-             : number < 0 ? " < 0"
-                          : "");
-  }
-};
-
-/// As fractions, so that a long one does not become infinite: only the ratios count.
-template <class S>
-Vec as_doubles(const gjk::Vec3<S>& direction) {
-  const S most = direction.cwiseAbs().maxCoeff();
-  if (most == S(0)) return Vec::Zero();
-  return {static_cast<double>(S(direction[0] / most)), static_cast<double>(S(direction[1] / most)),
-          static_cast<double>(S(direction[2] / most))};
-}
-
-template <class S>
-Outcome processed(const Vertices& vertices, const Indices& order) {
-  gjk::Simplex<S> simplex = simplex_of<S>(vertices, order);
-  Reasons<S> reasons{order};
-  gjk::detail::Teller<Reasons<S>> tell(reasons, gjk::CrossingTest::on);
-  const gjk::Next<S> next = gjk::detail::process<gjk::AsIntended>(simplex, tell);
-  if (next.contains_origin())
-    return {true, order, Vec::Zero(), reasons.chosen.empty() ? reasons.not_above : reasons.chosen};
-  return {false, indices_of(simplex), as_doubles<S>(next.direction()), reasons.chosen};
-}
-
-/// Whether A lies in the direction BC×BD (Section 3.2.4), as far as rounding leaves that open: of a flat one any order is as good.
-bool points_outward(const Vertices& vertices, const Indices& order) {
-  if (order.size() < 4) return true;
-  const Vec B = vertices[static_cast<std::size_t>(order[2])];
-  std::array<Vec, 3> edges;
-  for (std::size_t i = 0; i < 3; ++i) {
-    edges[i] = vertices[static_cast<std::size_t>(order[i == 2 ? 3 : 1 - i])] - B;  // BC, BD, BA
-    if (const double most = edges[i].cwiseAbs().maxCoeff(); most > 0) edges[i] /= most;
-  }
-  return !(edges[0].cross(edges[1]).dot(edges[2]) < -flat);
-}
-
-Indices as_told(const Vertices& vertices) {
-  Indices order(vertices.size());
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
-
-/// Returns: those of the older vertices that leave normals outward, first the one in which they were told if it does.
-std::vector<Indices> outward_orders(const Vertices& vertices) {
-  std::vector<Indices> all;
-  Indices order = as_told(vertices);
-  do {
-    if (points_outward(vertices, order)) all.push_back(order);
-  } while (std::next_permutation(order.begin(), order.end() - 1));
-  return all;
-}
-
-/// Returns: all that is right, first what the report does with the vertices in their order.
-std::vector<Outcome> right_outcomes(const Vertices& vertices) {
-  std::vector<Outcome> all;
-  for (const Indices& order : outward_orders(vertices)) {
-    all.push_back(processed<double>(vertices, order));
-    all.push_back(processed<Exact>(vertices, order));
-  }
-  return all;
-}
+constexpr double rounded_away = 1e-12;  // P·d, of the sizes of its products
 
 // -- Words ------------------------------------------------------------------------------------------------------------
 
@@ -286,7 +137,7 @@ class Following {
 
   Processed process_by(std::size_t mistake) const { return process_by(mistake, as_told(vertices_)); }
   Processed process_by(std::size_t mistake, const Indices& order) const {
-    return mistakes()[mistake].process(simplex_of<double>(vertices_, order));
+    return mistakes()[mistake].process(simplex_of(vertices_, order));
   }
 
   // -- The new vertex -------------------------------------------------------------------------------------------------
@@ -389,7 +240,7 @@ class Following {
   }
 
   static bool is_near_zero(const Vec& newest, const Vec& d) {
-    return std::abs(newest.dot(d)) <= flat * newest.cwiseAbs().dot(d.cwiseAbs());
+    return std::abs(newest.dot(d)) <= rounded_away * newest.cwiseAbs().dot(d.cwiseAbs());
   }
 
   /// Whether every program finds that sign of P·d: it is far from 0, or 0 and nothing is rounded.
@@ -532,7 +383,7 @@ class Following {
   /// for the origin beyond A.
   bool follows_from_order(const std::string& does) const {
     if (!suspect_ || vertices_.size() != 4) return false;
-    const Outcome by_order = processed<double>(vertices_, {0, 1, 2, 3});
+    const Outcome by_order = outcome_of(vertices_, {0, 1, 2, 3});
     if (does == "says yes") return by_order.contains_origin;
     const auto is_kept = [&](int i) { return std::ranges::find(by_order.kept, i) != by_order.kept.end(); };
     return !by_order.contains_origin && (is_last() || std::ranges::all_of(told_indices_, is_kept));
@@ -540,7 +391,7 @@ class Following {
 
   /// Returns: those that do with the vertices in this order what the program does, and the report does not.
   std::vector<std::size_t> makers_in(const Indices& order, const std::string& does) const {
-    const Outcome right = processed<double>(vertices_, order);
+    const Outcome right = outcome_of(vertices_, order);
     const bool says_yes = does == "says yes";
     std::vector<std::size_t> makers;
     for (std::size_t m = 0; m < mistakes().size(); ++m) {
