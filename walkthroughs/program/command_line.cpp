@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/picture_size.hpp"
@@ -48,6 +49,12 @@ bool is_scene_file(const std::string& name) {
   for (char& c : end)
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return end == ".json";
+}
+
+void expect_own_page(const std::filesystem::path& page, const std::string& option) {
+  if (is_of_others(page))
+    throw UsageError(printable(page.string()) +
+                     " is not of gjkstep and would be replaced or removed; choose another folder with " + option);
 }
 
 void expect_output_apart_from(const std::string& scene_file) {

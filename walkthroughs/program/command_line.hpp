@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ render::Backend chosen_backend(const std::optional<std::string>& name);
 /// Errors: UsageError where what is to be written has no name, that of the next option, or "-". `example`: what to
 /// name, and how.
 void expect_named(const std::string& option, const std::string& name, const std::string& example);
+
+/// Errors: UsageError where a page stands there that gjkstep has not written. `option`: which chooses its folder.
+void expect_own_page(const std::filesystem::path& page, const std::string& option);
 
 /// Errors: UsageError where standard output is the scene file that is to be read.
 void expect_output_apart_from(const std::string& scene_file);

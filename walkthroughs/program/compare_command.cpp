@@ -8,7 +8,6 @@
 
 #include "render/compare_report.hpp"
 #include "render/file.hpp"
-#include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
@@ -85,9 +84,7 @@ void expect_apart(const std::vector<render::FilePair>& pairs, const fs::path& re
 /// Before all that is compared, not after it.
 void expect_writable_report(const fs::path& folder) {
   render::make_folder(folder, "choose another with --report");
-  if (is_of_others(folder / page_of_report))
-    throw UsageError(printable((folder / page_of_report).string()) +
-                     " is not of gjkstep and would be replaced; choose another folder with --report");
+  expect_own_page(folder / page_of_report, "--report");
   render::expect_writable(folder / page_of_report);
 }
 

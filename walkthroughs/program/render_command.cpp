@@ -277,10 +277,7 @@ class Rendering {
     std::vector<std::filesystem::path> pages{folder / page_file, folder / compare_file};
     for (const Selection::Chosen& each : selection.chosen())
       pages.push_back(folder / each.walkthrough->name / page_file);
-    for (const std::filesystem::path& page : pages)
-      if (is_of_others(page))
-        throw UsageError(printable(page.string()) +
-                         " is not of gjkstep and would be replaced or removed; choose another folder with --out");
+    for (const std::filesystem::path& page : pages) expect_own_page(page, "--out");
     for (const char* page : {page_file, compare_file}) render::expect_writable(folder / page);
   }
 

@@ -22,7 +22,8 @@ constexpr const char* footer =
   {"direction": [x, y, z], "simplex": [[x, y, z], ...]}
   true
 the direction in which the iteration searched, and the simplex of points a - b after it was reduced, the newest last (or
-first, if in every step); the last one need not be reduced, and the iteration that ends with "no" need not be told. Further searches may follow, each with its pair.
+first, if in every step); the last one need not be reduced, and the iteration that ends with "no" need not be told.
+Further searches may follow, each with its pair.
 Each step is made again from the simplex before it, as the file has it. Another face that sees the origin, directions of
 other length and vertices in other order are right, too, and told where the report chooses otherwise.
 What --draw shows is the mistake that would make the same step, on this pair and begun in the same direction; where there is none, the

@@ -219,6 +219,18 @@ TEST_CASE("The report says what rendered each side of folders and of files") {
   CHECK(has(sides.page(), cells));
 }
 
+TEST_CASE("A page that others have written is not replaced by a report, one of an earlier run is") {
+  const Sides sides;
+  sides.draw_both("a.png", one, other);
+  fs::create_directories(sides.report);
+  std::ofstream(sides.report / "index.html") << "mine";
+  CHECK(sides.compare_with_report().exit_code == 2);
+  CHECK(has(sides.compare_with_report().err, "index.html is not of gjkstep"));
+  CHECK(sides.page() == "mine");
+  fs::remove(sides.report / "index.html");
+  for (int i = 0; i < 2; ++i) CHECK(sides.compare_with_report().exit_code == 1);
+}
+
 TEST_CASE("A report that cannot be written is exit code 5") {
   const Sides sides;
   sides.draw_both("a.png", one, other);
