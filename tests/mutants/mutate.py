@@ -158,7 +158,8 @@ def tests_called(pattern, file):
 
 def stages(file, only_fitting):
     """Programs and which of their tests, those first that most likely notice. Each is built when its turn comes."""
-    top, own = file.split("/")[0], tests_called(f"{pathlib.PurePath(file).stem}*_test.cpp", file)
+    top, stem = file.split("/")[0], pathlib.PurePath(file).stem
+    own = sorted(tests_called(f"{stem}*_test.cpp", file), key=len)  # the one that is called as the file is comes first
     program = folders[top]
     if top == "core":  # all of which is compiled into each test
         first = [(test, []) for test in own]
@@ -167,7 +168,10 @@ def stages(file, only_fitting):
     if only_fitting:
         return first if own else []
     in_browser = [("browser-tests", [])] if top == "render" else []  # of the script of its reports
-    return [*first, ("golden-tests", []), (program, []), *in_browser]
+    rest = [("golden-tests", []), (program, [])]
+    if top == "core":  # whose tests are built sooner than the pictures
+        rest.reverse()
+    return [*first, *rest, *in_browser]
 
 
 def first_failure(out):

@@ -33,6 +33,22 @@ TEST_CASE("the palette is that of Okabe and Ito, channel by channel") {
   CHECK(palette::black == Color{0, 0, 0});
 }
 
+// Golden pictures allow a channel to be a little off.
+TEST_CASE("the colours of the themes for slides and on a dark ground, channel by channel") {
+  CHECK(themes::slides.ink == palette::black);
+  CHECK(themes::slides.grey == Color{80, 80, 80});
+  CHECK(themes::slides.faint == Color{205, 205, 205});
+  CHECK(themes::dark.paper == Color{22, 25, 31});
+  CHECK(themes::dark.ink == Color{240, 240, 240});
+  CHECK(themes::dark.grey == Color{170, 175, 182});
+  CHECK(themes::dark.faint == Color{58, 63, 72});
+  CHECK(themes::dark.blue == Color{98, 182, 240});
+  CHECK(themes::dark.vermillion == Color{255, 138, 76});
+  CHECK(themes::dark.green == Color{52, 205, 158});
+  CHECK(themes::dark.orange == Color{240, 180, 60});
+  CHECK(themes::dark.sky == Color{86, 180, 233});
+}
+
 TEST_CASE("the contrast of black on white is 21, of a colour on itself 1") {
   REQUIRE(contrast(palette::black, palette::white) == Approx(21));
   REQUIRE(contrast(palette::blue, palette::blue) == Approx(1));
