@@ -156,22 +156,26 @@ std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
   return told;
 }
 
-constexpr const char *both_go_on = "Both runs go on.", *only_one_goes_on = "Only one run goes on: ";
+/// What stands above a frame of two runs, and whether it only says that they go on, or that one does.
+struct Sentence {
+  std::string text;
+  enum class Says { what_happens, both_go_on, one_goes_on } says = Says::what_happens;
+};
 
-std::string sentence_for(const Story& story, std::size_t i, std::size_t common,
-                         const std::optional<ToldMistake>& told) {
-  if (told && i == last_event(story)) return told->ending + ".";
+Sentence sentence_for(const Story& story, std::size_t i, std::size_t common, const std::optional<ToldMistake>& told) {
+  using enum Sentence::Says;
+  if (told && i == last_event(story)) return {told->ending + "."};
   if (i == common)
-    return told ? "Here the two runs part: " + told->meaning + "."
-                : "Here the two runs part: these are the first events that differ.";
+    return {told ? "Here the two runs part: " + told->meaning + "."
+                 : "Here the two runs part: these are the first events that differ."};
   const auto ends_here = [i](const Telling& telling) { return i + 1 == telling.trace.events.size(); };
-  if (std::ranges::all_of(story.tellings, ends_here)) return "Here both runs end.";
+  if (std::ranges::all_of(story.tellings, ends_here)) return {"Here both runs end."};
   for (const Telling& telling : story.tellings)
-    if (ends_here(telling)) return "Here one run ends: " + telling.scene.name + ".";
-  for (const Telling& telling : story.tellings)
-    if (i >= telling.trace.events.size())
-      return only_one_goes_on + story.tellings[&telling == &story.tellings[0] ? 1 : 0].scene.name + ".";
-  return both_go_on;
+    if (ends_here(telling)) return {"Here one run ends: " + telling.scene.name + "."};
+  const auto has_ended = [i](const Telling& telling) { return i >= telling.trace.events.size(); };
+  if (std::ranges::none_of(story.tellings, has_ended)) return {"Both runs go on.", both_go_on};
+  const Telling& going_on = story.tellings[has_ended(story.tellings[0]) ? 1 : 0];
+  return {"Only one run goes on: " + going_on.scene.name + ".", one_goes_on};
 }
 
 /// Where no run parts or ends, what the first that says anything does is the sentence, and only its numbers are left to tell below.
@@ -216,8 +220,8 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   if (i < common)
     return Frame{first.focus, "Both: " + first.caption, first.headline, said_by_both(first, said.back().second), {}, {},
                  {}};
-  const std::string sentence = sentence_for(story, i, common, told);
-  const bool is_between = sentence == both_go_on || sentence.starts_with(only_one_goes_on);
+  const auto [sentence, says] = sentence_for(story, i, common, told);
+  const bool is_between = says != Sentence::Says::what_happens;
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
   if (i == common && said.size() == 2) frame.own_focus = {first.focus, said[1].second.focus};
   for (const auto& [scene, one] : said) {
@@ -227,8 +231,7 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
       frame.facts.push_back({Fact::Mark::none, one.facts[0].text});
   }
   if (told && is_between) lead_with_first(frame, said.front().first->name, first);
-  if (told && sentence.starts_with(only_one_goes_on))
-    frame.facts.push_back({Fact::Mark::none, "only this run goes on"});
+  if (told && says == Sentence::Says::one_goes_on) frame.facts.push_back({Fact::Mark::none, "only this run goes on"});
   if (told && told->lines && i == common) frame.facts.push_back({Fact::Mark::truth, *told->lines});
   return frame;
 }
