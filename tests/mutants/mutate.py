@@ -182,7 +182,7 @@ def first_failure(out):
 
 def patience_for(tests, seconds):
     """How long to wait for tests that take so many seconds together, unmutated. A few of them take far less than that."""
-    return 60 + (2 if tests else 10) * seconds
+    return 60 + (2 if tests else 4) * seconds
 
 
 def who_notices(turns, folder, seconds):

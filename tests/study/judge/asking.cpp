@@ -43,7 +43,7 @@ std::string why_not_answered(const RunOfProgram& run, std::chrono::milliseconds 
 }
 
 constexpr int most_floods = 3;       // in a row, each at one pair alone
-constexpr int most_ended_runs = 10;  // in a row, each with few answers
+constexpr int most_ended_runs = 20;  // each with few answers, none between with more
 constexpr std::size_t few = 16;
 
 class Interview {
@@ -75,10 +75,10 @@ class Interview {
         (run.failed && run.end == End::ended) || (run.was_killed_by_signal && run.end == End::answered);
     replies_.early_ends += run.end == End::ended && !run.failed && answered > 0;
     give_up_who_never_ends(run);
-    if (crashed && !unexplained_ && (count > 1 || run.end == End::answered)) {
-      unexplained_ = at_ + count;
-      how_ = run.how;
-      answers_before_ = answered;
+    const bool was_late = run.end == End::late && answered > 0;  // before the first it may only keep its output back
+    if ((crashed || was_late) && (count > 1 || run.end == End::answered)) {
+      if (!unexplained_) unexplained_ = {at_ + count, was_late, run.how, answered, 0};
+      ++unexplained_->times;
     }
     at_ += answered;
     if (count == 1) give_up_who_floods(run);
@@ -88,7 +88,7 @@ class Interview {
       blame(run);
     else
       size_ = answered > 0 ? 1 : count / 2;
-    if (unexplained_ && at_ >= *unexplained_) forgive_or_count();
+    forgive_or_count();
   }
 
   /// Whose answers to single pairs are several lines has no answers, only lines.
@@ -100,13 +100,17 @@ class Interview {
   /// Who answers a few and then hangs would take the time limit once for each pair.
   void give_up_who_never_ends(const RunOfProgram& run) {
     const bool was_ended = run.end == End::late || run.outlives_its_input;
-    ended_runs_ = was_ended && run.lines.size() < few ? ended_runs_ + 1 : 0;
-    if (ended_runs_ == most_ended_runs && at_ + run.lines.size() < questions_.size()) replies_.was_given_up = true;
+    if (run.lines.size() >= few)
+      ended_runs_ = 0;
+    else if (was_ended)
+      ++ended_runs_;
+    if (ended_runs_ >= most_ended_runs && at_ + run.lines.size() < questions_.size()) replies_.was_given_up = true;
   }
 
   void note(const RunOfProgram& run) {
     replies_.floods += run.end == End::flooding;
     replies_.long_lines += run.end == End::long_line;
+    replies_.closes_its_input = replies_.closes_its_input || (run.closed_input && run.end != End::answered);
     replies_.outlives_its_input = replies_.outlives_its_input || run.outlives_its_input;
     if (run.end != End::answered && replies_.said.empty()) replies_.said = run.said;
   }
@@ -119,13 +123,14 @@ class Interview {
     if (in_a_row_ >= 50 && at_ < questions_.size()) replies_.was_given_up = true;
   }
 
-  /// A crash that no pair is to blame for.
+  /// What no pair is to blame for.
   void forgive_or_count() {
-    if (!unexplained_ || at_ < *unexplained_) return;
-    if (++replies_.crashes_in_company == 1) {
-      replies_.first_crash = how_;
-      replies_.answers_before_first_crash = answers_before_;
-    }
+    if (!unexplained_ || at_ < unexplained_->end) return;
+    const auto& [end, is_late, how, answered, times] = *unexplained_;
+    std::uint64_t& so_far = is_late ? replies_.late_in_company : replies_.crashes_in_company;
+    if (so_far == 0) (is_late ? replies_.answers_before_first_late : replies_.answers_before_first_crash) = answered;
+    if (so_far == 0 && !is_late) replies_.first_crash = how;
+    so_far += times;
     unexplained_.reset();
   }
 
@@ -133,9 +138,15 @@ class Interview {
   const std::vector<std::string>& questions_;
   Replies replies_;
   std::size_t at_ = 0, size_ = 16;
-  std::optional<std::size_t> unexplained_;  ///< a run crashed that was to end here
-  std::string how_;
-  std::size_t answers_before_ = 0;
+  /// A run that crashed or was too late, and was to end with that question.
+  struct Unexplained {
+    std::size_t end;
+    bool is_late;
+    std::string how;
+    std::size_t answered;
+    std::uint64_t times;  ///< with those that followed until then
+  };
+  std::optional<Unexplained> unexplained_;
   int in_a_row_ = 0, floods_alone_ = 0, ended_runs_ = 0;
 };
 

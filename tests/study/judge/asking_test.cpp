@@ -104,8 +104,27 @@ TEST_CASE("Asking: who answers one question and ends is started again for each, 
 TEST_CASE("Asking: who answers a few questions and then hangs is given up", "[judge]") {
   const Replies replies = ask_shell("read x; echo got $x; sleep 100", 100, 100);
   CHECK(replies.was_given_up);
-  CHECK(count_of(replies, Reply::line) == 10);
-  CHECK(count_of(replies, Reply::not_asked) == 90);
+  CHECK(count_of(replies, Reply::line) == 20);
+  CHECK(count_of(replies, Reply::not_asked) == 80);
+}
+
+TEST_CASE("Asking: who hangs after so many questions, whichever they are, is told as late, blamed on none and given up",
+          "[judge]") {
+  const std::string hangs_at_4 = "n=0; " + echo + "n=$((n+1)); [ $n = 4 ] && sleep 100; echo got $x; done";
+  const Replies few = ask_shell(hangs_at_4, 12, 300);
+  check_echo_but(few, {});
+  CHECK(few.late_in_company > 1);
+  CHECK(few.answers_before_first_late == 3);
+  CHECK(few.crashes_in_company == 0);
+  const Replies many = ask_shell(hangs_at_4, 500, 100);
+  CHECK(many.was_given_up);
+  CHECK(count_of(many, Reply::late) == 0);
+  CHECK(ask_shell("sed 's/^/got /'; sleep 100", 12, 300).late_in_company == 0);
+}
+
+TEST_CASE("Asking: a line that was not ended in time is no answer", "[judge]") {
+  const Replies replies = ask_shell("read x; while :; do printf t; sleep 0.05; done", 1, 300);
+  CHECK(replies.all[0].kind == Reply::late);
 }
 
 TEST_CASE("Asking: who is late at one question is late for that one, and started again", "[judge]") {
@@ -121,6 +140,8 @@ TEST_CASE("Asking: who is late and has closed its output or its input is told as
     const Replies refused = ask_all(shell("exec <&-; sleep 100", 500), {std::string(length, 'x')});
     CHECK(refused.all[0].text == "no answer within 0.5 s; it had closed its input");
   }
+  CHECK(ask_shell("read x; echo got $x; exec <&-; sleep 100", 3, 300).closes_its_input);
+  CHECK_FALSE(ask_shell("sed 's/^/got /'; exec <&-; sleep 100", 3, 300).closes_its_input);  // it had answered them all
 }
 
 TEST_CASE("Asking: who never answers is given up", "[judge]") {

@@ -164,6 +164,17 @@ TEST_CASE("Judge: what is no right answer is told apart", "[judge]") {
   CHECK(first_says("echo '\"undecided\"'").all.wrong.count == 0);
 }
 
+TEST_CASE("Judge: who hangs now and then, whichever the pair, is not called good", "[judge]") {
+  const std::vector<NamedPair> pairs(12, {"p", "f", {Points{{0, 0, 0}}, Points{{5, 0, 0}}}});
+  const ProgramJudged found =
+      judged({"sh", "-c", "n=0; while read x; do n=$((n+1)); [ $n = 4 ] && sleep 100; echo false; done"}, pairs,
+             std::chrono::milliseconds(300));
+  CHECK(found.all.wrong.count == 0);
+  CHECK_FALSE(found.is_good());
+  CHECK(has(told(found), "It was too late "));
+  CHECK(has(told(found), "the first time after 3 answers of a run. If it keeps answers back, let it flush"));
+}
+
 TEST_CASE("Judge: an answer that changes where nothing may is found without any truth", "[judge]") {
   const std::vector<NamedPair> pairs{{"p", "f", {Points{{0, 0, 0}, {1, 0, 0}}, Points{{0, 0, 0}, {0, 1, 0}}}}};
   // Right about this pair, and wrong once B comes first.
@@ -177,6 +188,13 @@ TEST_CASE("Judge: an answer that changes where nothing may is found without any 
   CHECK(found.changes[0].other_answers == 1);
   CHECK(found.changes[0].first == "p");
   CHECK(found.changes[6].other_answers == 0);  // A with itself
+  const std::vector<JudgedScene> scenes = judged_scenes(found, "sh", 1);
+  const auto has_changed = [](const Change& change) { return change.other_answers > 0; };
+  REQUIRE(static_cast<std::ptrdiff_t>(scenes.size()) == std::ranges::count_if(found.changes, has_changed));
+  CHECK(scenes[0].name == "other-answer--A-and-B-exchanged-p.json");
+  const Pair exchanged{pairs[0].pair.b, pairs[0].pair.a};
+  CHECK(scenes[0].text.find(question_line(exchanged).substr(1)) != std::string::npos);
+  CHECK_NOTHROW(walkthroughs::parse_scene(scenes[0].text, scenes[0].name));
 }
 
 TEST_CASE("Judge: failures become scenes that can be read, those of others' names, too", "[judge]") {

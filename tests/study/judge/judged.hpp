@@ -62,6 +62,7 @@ struct Change {
   std::string_view what;
   std::uint64_t asked = 0, other_answers = 0;
   std::string first = {};  ///< the name of the first pair with another answer
+  std::optional<Pair> first_pair = {};  ///< that pair after the change
 };
 
 /// What the steps of one failure say, where the program tells them.

@@ -36,21 +36,23 @@ std::string file_name(const std::string& words) {
   return name + ".json";
 }
 
-std::string title_of(const Judged& judged) {
-  const std::string title = kind_of(judged) + ": " + walkthroughs::printable(judged.named.name);
-  return title.size() <= limits::title ? title : kind_of(judged);
+std::string title_of(const std::string& kind, const std::string& pair) {
+  const std::string title = kind + ": " + walkthroughs::printable(pair);
+  return title.size() <= limits::title ? title : kind;
 }
 
 std::string truth_of(const Judged& judged) {
   return judged.truth == Truth::intersecting ? "They have a point in common." : "They are apart.";
 }
 
-std::string scene_of(const Judged& judged, const std::string& program) {
-  const std::string question = question_line(judged.named.pair);
-  return "// " + walkthroughs::printable(program) + ", pair " + walkthroughs::printable(judged.named.name) + ": " +
-         kind_of(judged) + ". " + truth_of(judged) +
-         "\n// What is drawn is the report's algorithm, not that program.\n" +
-         "{\"title\": " + nlohmann::json(title_of(judged)).dump() + ",\n" + question.substr(1) + "\n";
+/// `kind`: of failure. `name`: of the pair.
+JudgedScene scene_of(const std::string& kind, const std::string& name, const std::string& truth, const Pair& pair,
+                     const std::string& program) {
+  const std::string title = title_of(kind, name);
+  std::string text = "// " + walkthroughs::printable(program) + ", pair " + walkthroughs::printable(name) + ": " +
+                     kind + ". " + truth + "\n// What is drawn is the report's algorithm, not that program.\n" +
+                     "{\"title\": " + nlohmann::json(title).dump() + ",\n" + question_line(pair).substr(1) + "\n";
+  return {file_name(kind + "-" + name), title, truth, std::move(text)};
 }
 
 }  // namespace
@@ -62,9 +64,12 @@ std::vector<JudgedScene> judged_scenes(const ProgramJudged& judged, const std::s
     const bool is_failure = each.is_wrong() || each.verdict == Verdict::undecided;
     if (!is_failure || !fits(each.named.pair)) continue;
     if (count[{each.named.family, kind_of(each)}]++ >= most) continue;
-    scenes.push_back(
-        {file_name(kind_of(each) + "-" + each.named.name), title_of(each), truth_of(each), scene_of(each, program)});
+    scenes.push_back(scene_of(kind_of(each), each.named.name, truth_of(each), each.named.pair, program));
   }
+  for (const Change& change : judged.changes)
+    if (most > 0 && change.first_pair && fits(*change.first_pair))
+      scenes.push_back(scene_of("other answer, " + std::string(change.what), change.first,
+                                "The change must not change the answer.", *change.first_pair, program));
   return scenes;
 }
 

@@ -15,7 +15,8 @@ struct JudgedScene {
   std::string text;
 };
 
-/// Returns: the first of each family and kind, at most `most` of them. Left out is what no scene can hold: too large a number.
+/// Returns: the first of each family and kind, at most `most` of them, and of each change that must not matter the first pair whose
+/// answer it changed. Left out is what no scene can hold: too large a number.
 std::vector<JudgedScene> judged_scenes(const ProgramJudged& judged, const std::string& program, std::uint64_t most);
 
 }  // namespace study

@@ -55,8 +55,7 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
   const Replies& replies = judged.replies;
   if (replies.was_given_up)
     sentences.push_back(
-        "It was given up after several pairs in a row without an answer or with more lines than one, or several runs "
-        "in a row that "
+        "It was given up after several pairs in a row without an answer or with more lines than one, or many runs that "
         "answered a few pairs and then had to be ended; " +
         count_of(judged.all.of(Verdict::not_asked), "pair was", "pairs were") + " not asked.");
   if (replies.crashes_in_company > 0)
@@ -64,6 +63,11 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
                         ", though each of the pairs has its answer in another run: " + replies.first_crash +
                         ", the first time after " + count_of(replies.answers_before_first_crash, "answer", "answers") +
                         " of a run.");
+  if (replies.late_in_company > 0)
+    sentences.push_back("It was too late " + count_of(replies.late_in_company, "time", "times") +
+                        ", though each of the pairs has its answer in another run: the first time after " +
+                        count_of(replies.answers_before_first_late, "answer", "answers") +
+                        " of a run. If it keeps answers back, let it flush after each.");
   if (replies.early_ends > 0)
     sentences.push_back("It ended " + count_of(replies.early_ends, "time", "times") +
                         " (exit code 0) before it had answered all of its pairs, and was started again.");
@@ -71,6 +75,8 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
     sentences.push_back("It writes more lines than it reads: one answer a line, and nothing else on standard output.");
   if (replies.long_lines > 0)
     sentences.push_back("It writes a line longer than 1 MB: one short line an answer, with a line feed at its end.");
+  if (replies.closes_its_input)
+    sentences.push_back("It closes its standard input before it has answered all of its pairs.");
   if (replies.outlives_its_input) sentences.push_back("It does not end when its input ends, and was ended.");
   for (const Judged& each : judged.pairs)
     if (!each.detail.empty()) {
@@ -144,6 +150,24 @@ Table change_table(const ProgramJudged& judged) {
   return table;
 }
 
+/// One mistake makes wrong steps of many kinds, many mistakes may make one: what counts is which makes most.
+void add_what_makes_most(const std::vector<JudgedSteps>& steps, Table& table) {
+  std::vector<std::uint64_t> made(mistakes().size());
+  std::uint64_t wrong = 0;
+  for (const JudgedSteps& each : steps) {
+    wrong += each.iteration > 0;
+    for (const std::size_t m : each.mistakes) ++made[m];
+  }
+  const auto most = std::ranges::max_element(made);
+  if (wrong < 2 || *most == 0) return;
+  std::string names;
+  for (std::size_t m = 0; m < made.size(); ++m)
+    if (made[m] == *most) names += (names.empty() ? "M" : ", M") + std::to_string(m + 1);
+  table.sentences.push_back("Of these " + std::to_string(wrong) + " wrong steps " + std::to_string(*most) +
+                            (*most == 1 ? " follows" : " follow") + " from " + names +
+                            (*most == wrong ? "." : ": no mistake of the study makes them all."));
+}
+
 Table step_table(const ProgramJudged& judged) {
   Table table{"The first wrong step", {"Pair", "Iteration", "What is wrong", "That is what follows from"}, 4};
   if (!judged.steps) return table;
@@ -154,6 +178,7 @@ Table step_table(const ProgramJudged& judged) {
     table.rows.push_back({printable(each.pair), each.iteration == 0 ? "–" : std::to_string(each.iteration),
                           printable(each.words), follows.empty() ? "–" : follows});
   }
+  add_what_makes_most(*judged.steps, table);
   std::set<std::string> families;
   for (const Judged& each : judged.pairs)
     if (each.has_search()) families.insert(each.named.family);

@@ -189,8 +189,8 @@ class Talk {
     ::poll(polled.data(), polled.size(), static_cast<int>(longest.count()));
   }
 
-  /// Returns: how many lines came.
-  std::size_t go_on(RunOfProgram& run) {
+  /// Returns: how many lines came. The last may lack its line feed, unless the program was ended while it wrote it.
+  std::size_t go_on(RunOfProgram& run, bool may_lack_line_feed = true) {
     write();
     const std::size_t before = lines_seen_;
     read(streams_.out.read, [&](std::string_view text) { add(text, run); });
@@ -198,7 +198,7 @@ class Talk {
       run.said.append(text);
       if (run.said.size() > most_said) run.said.erase(0, run.said.size() - most_said);
     });
-    if (!streams_.out.read.is_open() && !line_.empty()) add("\n", run);  // the last may lack its line feed
+    if (may_lack_line_feed && !streams_.out.read.is_open() && !line_.empty()) add("\n", run);
     return lines_seen_ - before;
   }
 
@@ -298,7 +298,7 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
   run.closed_input = talk.input_was_refused() || (!status && has_no_input(child));
   run.closed_output = !status && !talk.output_is_open();
   kill_all_that_is_left(child, before);
-  talk.go_on(run);
+  talk.go_on(run, status.has_value());
   if (status) {
     run.how = words_of_status(*status);
     run.was_killed_by_signal = WIFSIGNALED(*status);

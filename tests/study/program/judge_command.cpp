@@ -118,6 +118,7 @@ void JudgeCommand::run() const {
   const std::vector<NamedPair> chosen = chosen_pairs();
   if (failures) render::make_folder(*failures, "choose another with --save-failures");  // before the work, not after it
   if (html) render::expect_writable(*html);
+  ::unsetenv("JUDGE_STEPS");  // answers only, until steps are asked for
   ProgressLine line;
   const AskedProgram asked{
       .words = program, .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)), .progress = std::ref(line)};

@@ -89,12 +89,13 @@ class Following {
     is_done_ = true;
   }
 
-  /// ((AB×AO)×AB)·P has four factors of the sets' size, and room in doubles for no more than this.
+  /// ((AB×AO)×AB)·P has four factors of the sets' size, the square of (AB×AO)×AB six, and doubles have room for no more than this.
   void excuse_range() {
-    const bool vanishes = size_ > 0 && size_ < 0x1p-255;
-    const bool overflows = size_ > 0x1p+255;
+    const bool vanishes = size_ > 0 && size_ < 0x1p-170;
+    const bool overflows = size_ > 0x1p+170;
     if (!vanishes && !overflows) return;
-    checked_.words += "; but of sets of the size " + shown(size_) + " products of four lengths " +
+    checked_.words += "; but of sets of the size " + shown(size_) + " products of " +
+                      (size_ < 0x1p-255 || size_ > 0x1p+255 ? "four" : "six") + " lengths " +
                       (vanishes ? "vanish" : "overflow") + " in doubles: that may be the reason, and no line wrong";
     checked_.mistakes.clear();
   }
@@ -128,9 +129,12 @@ class Following {
         makers.push_back(m);
     }
     blame(iteration() - 1,
-          "from " + letters_of(told_indices_, vertices_.size()) + ", rightly kept, the report searches along " +
-              words_of(directions_.front()) + " (only the ratios count), yours along " + words_of(d) + "; there " +
-              letters_and_places(vertices_),
+          "from " + letters_of(told_indices_, vertices_.size()) + ", rightly kept, the report " +
+              (directions_.front() == Vec(Vec::Zero())
+                   ? "has no direction, as the origin lies on it up to rounding"
+                   : "searches along " + words_of(directions_.front()) + " (only the ratios count)") +
+              ", yours " + (parallel(directions_.front(), -d) ? "the opposite way, " : "") + "along " + words_of(d) +
+              "; there " + letters_and_places(vertices_),
           makers);
     return false;
   }
@@ -200,15 +204,40 @@ class Following {
     if (added.empty()) return among(right, d);
     if (has(right, added.front())) return added.front();
     if (!is_difference(added.front())) {
-      blame(iteration(), words_of(added.front()) + " is no difference a − b of a point of each set", {});
+      blame(iteration(),
+            words_of(added.front()) + " is no difference a − b of a point of each set" +
+                (is_difference(-added.front()) ? ", but one b − a: steps are told with a − b" : ""),
+            {});
       return std::nullopt;
     }
     blame(iteration(),
           words_of(added.front()) + " is no point of a − b farthest along " + words_of(step().direction) +
               ": it reaches " + shown(added.front().dot(step().direction)) + ", " + words_of(right.front()) +
-              " reaches " + shown(right.front().dot(step().direction)),
+              " reaches " + shown(right.front().dot(step().direction)) + what_was_told_instead(d),
           may_be_m1() ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
     return std::nullopt;
+  }
+
+  /// Whether each vertex that is new in a step is farthest along the opposite of its direction.
+  bool all_are_opposite() const {
+    Vertices before;
+    for (const ToldStep& each : run_.steps) {
+      const Vec d = shortened(each.direction);
+      const Vertices opposite = farthest_differences(-d, d);
+      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || has(opposite, v); }))
+        return false;
+      before = each.simplex;
+    }
+    return true;
+  }
+
+  /// Returns: which other direction it may be that was told; nothing where there is none.
+  std::string what_was_told_instead(const Vec& d) const {
+    if (all_are_opposite()) return "; every vertex is farthest the opposite way";
+    const Vertices farthest_along_it = farthest_differences(d, -d);
+    const auto is_next = [&](const Vec& v) { return !has(step().simplex, v) && has(farthest_along_it, v); };
+    if (is_last() || std::ranges::none_of(run_.steps[at_ + 1].simplex, is_next)) return "";
+    return "; that is the next vertex: told is the direction that was searched along, not the one that follows";
   }
 
   /// Whether every vertex, of later steps too, is one that M1 finds.
@@ -283,7 +312,11 @@ class Following {
     if (right.front().contains_origin) return blame_simplex(right.front(), "keeps " + told_letters() + " and goes on");
     const auto found = std::ranges::find_if(
         right, [&](const Outcome& each) { return !each.contains_origin && are_same_set(each.kept, told_indices_); });
-    if (found == right.end()) return blame_simplex(right.front(), "keeps " + told_letters());
+    if (found == right.end())
+      return blame_simplex(right.front(), "keeps " + told_letters() +
+                                              (told_indices_.size() == vertices_.size()
+                                                   ? ", all of them (told is the simplex after it was reduced)"
+                                                   : ""));
     if (!are_same_set(found->kept, right.front().kept))
       checked_.other_choices.push_back(
           "iteration " + std::to_string(iteration()) + " keeps " + told_letters() + " (" + found->why +
@@ -342,10 +375,20 @@ class Following {
     }
     if (reaches_back(ways.front())) makers.push_back(0);
     blame(iteration(),
-          "then the search was ended, and the answer is no, though along " + words_of(ways.front()) +
-              ", where the report goes on, P·d = " + shown(reach) + " ≥ 0 proves nothing",
+          "after this step the search was ended with no, which nothing proves: the report goes on along " +
+              words_of(ways.front()) + ", and finds a point with P·d = " + shown(reach) + " ≥ 0" +
+              what_may_have_ended_it(),
           makers);
     return true;
+  }
+
+  /// Returns: that its steps had begun to repeat; nothing where they had not.
+  std::string what_may_have_ended_it() const {
+    for (std::size_t i = at_; i-- > 0;)
+      if (parallel(run_.steps[i].direction, step().direction) && run_.steps[i].simplex == step().simplex)
+        return "; it goes round: step " + std::to_string(iteration()) + " is step " + std::to_string(i + 1) +
+               " again, so that a limit of iterations may have ended it";
+    return "";
   }
 
   /// Whether the vertex of M1 along `d` has P·d < 0, and M1 would have found those that were told.
@@ -427,7 +470,7 @@ class Following {
                    ? "no origin in it and goes on"
                    : "keep " + letters_of(right.kept, vertices_.size())) +
               "; yours " + does + "; there " + letters_and_places(vertices_) +
-              (order == all ? "" : "; in the order " + letters_of(order, vertices_.size()) + ", that is,"),
+              (order == all ? "" : "; what makes that makes it of the order " + letters_of(order, vertices_.size())),
           makers);
   }
 

@@ -14,6 +14,7 @@ using Vertex = gjk::Vertex<double>;
 
 constexpr double same_place = 1e-9, same_direction = 1e-4;  // as check_steps() takes them
 constexpr const char* told = "as told";
+constexpr int most_iterations = 100;  // of the report's algorithm, after what was told
 
 bool are_same(const Vec& v, const Vec& w) { return (v - w).norm() <= same_place * (1 + w.norm()); }
 
@@ -41,7 +42,7 @@ class Steps {
   /// As told.
   void follow(int iteration) {
     const ToldStep& step = step_of(iteration);
-    const Simplex before = with_newest(iteration, newest_of(step));
+    const Simplex before = with_newest(iteration, step.direction, newest_of(step));
     const Next right = next_of(before);
     simplex_ = {};
     for (const Vec& w : step.simplex) simplex_.add(vertex_at(w));
@@ -55,25 +56,30 @@ class Steps {
     add(iteration, is_right ? *right.chosen : gjk::DirectionChosen<double>{.expression = told, .direction = d});
   }
 
-  /// As the report has it; the last.
+  /// As the report has it, from that iteration to its end.
   void correct(int iteration) {
     const ToldStep& step = step_of(iteration);
     const Vec own = newest_of(step).w, farthest = farthest_along(step.direction).w;
     const bool is_farthest = own.dot(step.direction) >= farthest.dot(step.direction) - same_place * farthest.norm();
-    const Vertex newest = vertex_at(is_farthest ? own : farthest);
-    const bool is_missed = iteration > 1 && newest.w.dot(step.direction) < 0;
-    if (is_missed) {
-      add(iteration, gjk::SupportFound<double>{.direction = step.direction, .vertex = newest});
-      return finish(iteration, gjk::Status::separated, gjk::Reason::origin_not_crossed);
+    Vec d = step.direction;
+    Vertex newest = vertex_at(is_farthest ? own : farthest);
+    for (const int most = iteration + most_iterations;; ++iteration) {
+      if (iteration > 1 && newest.w.dot(d) < 0) {
+        add(iteration, gjk::SupportFound<double>{.direction = d, .vertex = newest});
+        return finish(iteration, gjk::Status::separated, gjk::Reason::origin_not_crossed);
+      }
+      const Simplex before = with_newest(iteration, d, newest);
+      const Next right = next_of(before);
+      simplex_ = right.reduced ? right.reduced->after : before;
+      if (right.reduced) add(iteration, *right.reduced);
+      if (right.chosen) add(iteration, *right.chosen);
+      if (right.contains_origin)
+        return finish(iteration, gjk::Status::intersecting, gjk::Reason::simplex_contains_origin);
+      if (!right.chosen) return finish(iteration, gjk::Status::undecided, gjk::Reason::unusable_direction);
+      if (iteration == most) return finish(iteration, gjk::Status::undecided, gjk::Reason::iteration_limit);
+      d = right.chosen->direction;
+      newest = vertex_at(farthest_along(d).w);
     }
-    const Simplex before = with_newest(iteration, newest);
-    const Next right = next_of(before);
-    simplex_ = right.reduced ? right.reduced->after : before;
-    if (right.reduced) add(iteration, *right.reduced);
-    if (right.chosen) add(iteration, *right.chosen);
-    if (right.contains_origin)
-      return finish(iteration, gjk::Status::intersecting, gjk::Reason::simplex_contains_origin);
-    finish(iteration, gjk::Status::undecided, gjk::Reason::iteration_limit);
   }
 
   void finish_as_told() {
@@ -131,8 +137,8 @@ class Steps {
 
   const ToldStep& step_of(int iteration) const { return run_.steps[static_cast<std::size_t>(iteration) - 1]; }
 
-  Simplex with_newest(int iteration, const Vertex& newest) {
-    add(iteration, gjk::SupportFound<double>{.direction = step_of(iteration).direction, .vertex = newest});
+  Simplex with_newest(int iteration, const Vec& direction, const Vertex& newest) {
+    add(iteration, gjk::SupportFound<double>{.direction = direction, .vertex = newest});
     Simplex simplex = simplex_;
     if (simplex.size() < 4) simplex.add(newest);  // else it has not been reduced, and that is what is wrong
     add(iteration, gjk::VertexAdded<double>{.simplex = simplex});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/catch.hpp"
+#include "tests/study/truth/oracle.hpp"
 
 namespace study {
 namespace {
@@ -48,6 +49,9 @@ walkthroughs::Frame own_parting(const ToldRun& run, int iteration) {
   REQUIRE(part != story.frames.end());
   CHECK(part->moments.front().iteration == iteration);
   CHECK(part->caption == "Here the two runs part: " + checked.words + ".");
+  const auto& end = std::get<gjk::Finished<double>>(parting->traces[1].events.back()).result;
+  CHECK((end.status == gjk::Status::intersecting) == (judge(run.named.pair).truth == Truth::intersecting));
+  CHECK(end.status != gjk::Status::undecided);
   REQUIRE(part->facts.size() == 2);
   CHECK((part->facts[0].text.starts_with("yours: ") && part->facts[0].mark == walkthroughs::Fact::Mark::no));
   CHECK((part->facts[1].text.starts_with("the report: ") && part->facts[1].mark == walkthroughs::Fact::Mark::yes));

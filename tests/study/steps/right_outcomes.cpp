@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/complete.hpp"
 #include "core/gjk.hpp"
 #include "tests/study/methods/question.hpp"
 #include "walkthroughs/model/number_text.hpp"
@@ -87,12 +88,12 @@ Vec as_doubles(const gjk::Vec3<S>& direction) {
           static_cast<double>(S(direction[2] / most))};
 }
 
-template <class S>
+template <class S, class Rules = gjk::AsIntended>
 Outcome processed(const Vertices& vertices, const Indices& order) {
   gjk::Simplex<S> simplex = simplex_in<S>(vertices, order);
   Reasons<S> reasons{order};
   gjk::detail::Teller<Reasons<S>> tell(reasons, gjk::CrossingTest::on);
-  const gjk::Next<S> next = gjk::detail::process<gjk::AsIntended>(simplex, tell);
+  const gjk::Next<S> next = gjk::detail::process<Rules>(simplex, tell);
   if (next.contains_origin())
     return {true, order, Vec::Zero(), reasons.chosen.empty() ? reasons.not_above : reasons.chosen};
   return {false, indices_in(simplex), as_doubles<S>(next.direction()), reasons.chosen};
@@ -143,6 +144,7 @@ std::vector<Outcome> right_outcomes(const Vertices& vertices) {
   for (const Indices& order : outward_orders(vertices)) {
     all.push_back(processed<double>(vertices, order));
     all.push_back(processed<Exact>(vertices, order));
+    all.push_back(processed<Exact, gjk::Complete<>>(vertices, order));
   }
   return all;
 }

@@ -28,7 +28,8 @@ std::vector<Indices> outward_orders(const Vertices& vertices);
 /// Returns: what the report does with the vertices in that order, in doubles.
 Outcome outcome_of(const Vertices& vertices, const Indices& order);
 
-/// Returns: all that is right, in doubles and in fractions, first what the report does with the vertices in their order.
+/// Returns: all that is right, first what the report does with the vertices in their order, in doubles: what it does in fractions,
+/// too, and the feature nearest to the origin, which is another where the origin lies just on the border of a region.
 std::vector<Outcome> right_outcomes(const Vertices& vertices);
 
 /// Vertices that know their places in the list, and a simplex of them.
