@@ -18,7 +18,7 @@ struct IndexPair {
   friend bool operator==(const IndexPair&, const IndexPair&) = default;
 };
 
-/// One to four points of the difference, affinely independent.
+/// One to four points of the difference; those of a certificate are affinely independent.
 class IndexPairs {
  public:
   int size() const { return size_; }

@@ -211,7 +211,7 @@ class Search {
 
   /// Returns: whether the next iteration would begin as an earlier one did; writes which. Where somebody listens all earlier
   /// ones are known. Else one is, which is replaced whenever it is as old as it was far from the start (Brent 1980): so the search
-  /// ends after at most three times as many iterations as the way into the circle, or once around it, takes.
+  /// ends after at most three times as many iterations as the way into the circle, once around it, or the first comparison takes.
   [[gnu::noinline]] bool comes_back() {
     const auto now = [&] { return State{result_.iterations + 1, direction_, result_.simplex, seen_.size()}; };
     const State* same = nullptr;

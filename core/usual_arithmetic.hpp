@@ -20,6 +20,7 @@ namespace gjk::detail {
 
 static_assert(FLT_EVAL_METHOD == 0, "bounds on rounding need doubles that are rounded to double at once");
 static_assert(std::numeric_limits<double>::is_iec559);
+static_assert(1e-300 != 0, "constants must be doubles: compile without -fsingle-precision-constant");
 
 /// Whether arithmetic is what the proofs assume; no compiler may know beforehand. One comparison finds denormal results that
 /// are flushed to zero as well as denormal operands that count as zero; the other two find rounding that is not to nearest.

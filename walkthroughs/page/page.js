@@ -85,6 +85,7 @@
     close();
     steps[at].classList.remove('now');
     steps[at = i].classList.add('now');
+    hideWords(openQuestion() >= 0);
     complete(i);
     $('slider').value = i + 1;
     $('slider').setAttribute('aria-valuetext', steps[i].querySelector('.where').textContent);
@@ -160,10 +161,10 @@
     if (Array.isArray(kept) && kept.length === questions.length) answers = kept;
   }
 
-  // Whether there is a question still to be answered before the next step; asks it.
+  // The question still to be answered before the next step; -1 where there is none.
+  const openQuestion = () => predicting ? questions.findIndex((question, k) => question.before === at + 1 && answers[k] === null && !skipped.has(k)) : -1;
   function stopsToAsk() {
-    if (!predicting) return false;
-    const k = questions.findIndex((question, k) => question.before === at + 1 && answers[k] === null && !skipped.has(k));
+    const k = openQuestion();
     if (k >= 0) ask(k);
     return k >= 0;
   }
@@ -188,10 +189,12 @@
     $('question').focus();
   }
 
+  const isOff = button => button.disabled || button.getAttribute('aria-disabled') === 'true';
+
   // The first answer counts. Who is wrong may try once more where that is no sure thing, or look.
   function answer(c) {
     const {choices, right} = questions[asked], buttons = [...$('choices').querySelectorAll('button')];
-    if (!buttons[c] || buttons[c].disabled) return;
+    if (!buttons[c] || isOff(buttons[c])) return;
     const isFirst = answers[asked] === null;
     if (isFirst) {
       answers[asked] = c;
@@ -199,7 +202,7 @@
     }
     if (c !== right && isFirst && choices.length > 2) {
       buttons[c].classList.add('wrong');
-      buttons[c].disabled = true;
+      buttons[c].setAttribute('aria-disabled', 'true');  // and keeps the focus, so that Tab goes on from there
       $('verdict').innerHTML = `${notSo(choices[c][2])} Try once more.`;
       $('onward').textContent = 'Show the answer';
       $('onward').scrollIntoView({block: 'nearest'});
@@ -240,7 +243,7 @@
 
   function close() {
     asked = null;
-    hideWords(false);
+    hideWords(openQuestion() >= 0);
     mark(true);
     $('quiz').hidden = $('score').hidden = true;
     steps[at].classList.remove('asking');

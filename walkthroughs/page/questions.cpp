@@ -38,10 +38,20 @@ void keep_open(std::vector<Choice>& choices, const Choice right) {
   }
 }
 
-/// Returns: the question with its choices in the order of the alphabet; nothing where there is no choice, or none is right.
+/// Returns: where a choice stands, so that the key of a region is its number. R1 of a triangle is three choices.
+int place_of(const Choice& choice) {
+  if (choice.text.starts_with("R1: above")) return 8;
+  if (choice.text.starts_with("R1: below")) return 9;
+  return choice.text.size() > 1 && choice.text[0] == 'R' && choice.text[1] >= '1' && choice.text[1] <= '7'
+             ? choice.text[1] - '0'
+             : 10;
+}
+
+/// Returns: the question with its choices in order of their regions, else of the alphabet; nothing where there is no choice, or none is
+/// right.
 std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t event, std::string text,
                               std::vector<Choice> choices, const std::string& right) {
-  std::ranges::sort(choices, {}, &Choice::text);
+  std::ranges::sort(choices, {}, [](const Choice& each) { return std::pair(place_of(each), each.text); });
   const auto found = std::ranges::find(choices, right, &Choice::text);
   if (choices.size() < 2 || found == choices.end()) return std::nullopt;
   const auto place = static_cast<std::size_t>(found - choices.begin());
@@ -168,6 +178,11 @@ class Iteration {
            (!line.relation || *line.relation == region.relation);
   }
 
+  /// The rules suppose so, whether or not it is true of this search.
+  std::string skipped_because(const Region& region) const {
+    return "the search does not look there: " + names_.translate(region.reason);
+  }
+
   std::optional<Question> of_region() const {
     std::vector<Choice> choices;
     std::string right;
@@ -180,11 +195,11 @@ class Iteration {
     }
     for (const Region& region : now_.regions)
       if (region.verdict == Verdict::skipped && (size_ < 4 || region.feature.size() == 3))
-        add_once(choices, {skipped_in_words(region, names_.sorted(region.feature)), names_.translate(region.reason),
-                           names_.translate(region.reason)});
+        add_once(choices, {skipped_in_words(region, names_.sorted(region.feature)), skipped_because(region),
+                           skipped_because(region)});
     const std::string text = size_ == 4   ? "Above which face does Algorithm 5 find the origin first?"
                              : size_ == 1 ? "Is this vertex the origin?"
-                                          : "In which region does the origin lie?";
+                                          : "In which region does the search find the origin?";
     return asked(decision(Kind::region), scene_, first_, text, std::move(choices), right);
   }
 
@@ -568,9 +583,11 @@ std::vector<Question> questions_of(const Story& story) {
     return questions;
   }
   for (std::size_t scene = 0; scene < story.tellings.size(); ++scene) ask_about(scene, story, questions);
-  if (story.tellings.size() > 1)
-    for (Question& question : questions)
-      question.text = story.tellings[question.scene].scene.name + ": " + question.text;
+  if (story.tellings.size() == 1) return questions;
+  const auto is_of_both = [&](const Question& question) { return story.parts_at && question.event < *story.parts_at; };
+  std::erase_if(questions, [&](const Question& question) { return question.scene > 0 && is_of_both(question); });
+  for (Question& question : questions)
+    question.text = (is_of_both(question) ? "Both" : story.tellings[question.scene].scene.name) + ": " + question.text;
   return questions;
 }
 

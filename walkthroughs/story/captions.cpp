@@ -119,7 +119,7 @@ class Captions {
     return frame_about(Focus::added,
                        walkthrough_.naming == Naming::roles ? "P joins the simplex as its newest vertex, A"
                                                             : newest + " joins the simplex as its newest vertex",
-                       {{Mark::none, lettered_anew()}});
+                       facts_of_newest(newest));
   }
 
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
@@ -156,11 +156,11 @@ class Captions {
   }
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
-    Frame frame = frame_about(
-        Focus::direction, "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
-        {{Mark::none, "d = " + names_.translate(event.expression) + " = " + vec(event.direction)}});
+    Frame frame = frame_about(Focus::direction,
+                              "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
+                              {{Mark::none, direction_told(event)}});
     if (now_.is_second_search)
-      frame.facts.push_back({Mark::none, "this d is rounded; what is decided along it is not"});
+      frame.facts.push_back({Mark::none, "where d is rounded, what is decided along it is not"});
     else if (now_.simplex.size() == 3 && !now_.reduction)
       frame.facts.push_back({Mark::none, "the simplex stays " + names_.list(now_.simplex) +
                                              ": read from the list, its normal points to the origin already"});
@@ -174,7 +174,8 @@ class Captions {
     Frame frame = frame_about(Focus::end, answer_caption(result),
                               {{Mark::answer, std::string(gjk::to_string(result.status)) + count}});
     append_evidence(result, frame.facts);
-    if (scene_.certified) frame.facts.push_back({Mark::none, "rounding may have misled it: is it proven?"});
+    if (scene_.certified && result.status != gjk::Status::undecided)
+      frame.facts.push_back({Mark::none, "rounding may have misled it: is it proven?"});
     return frame;
   }
 
@@ -192,6 +193,22 @@ class Captions {
   }
 
  private:
+  /// The second search takes one of the first where that reaches far enough, and asks no support function then.
+  std::vector<Fact> facts_of_newest(const std::string& newest) const {
+    std::vector<Fact> facts{{Mark::none, lettered_anew()}};
+    if (now_.is_second_search && !now_.found)
+      facts.push_back({Mark::none, (walkthrough_.naming == Naming::roles ? "P" : newest) +
+                                       " is a vertex of the first search: along d it reaches the origin, or farther"});
+    return facts;
+  }
+
+  /// The second search doubles or halves a direction as often as it likes.
+  std::string direction_told(const gjk::DirectionChosen<double>& event) const {
+    const std::string expression = names_.translate(event.expression);
+    return now_.is_second_search ? "d = " + vec(event.direction) + ", a multiple of " + expression
+                                 : "d = " + expression + " = " + vec(event.direction);
+  }
+
   Frame second_start() const {
     return frame_about(Focus::added, "A second search begins with a vertex of the first: " + names_.of(gjk::Role::A),
                        {{Mark::none, "it keeps the feature that is nearest to the origin"},

@@ -52,6 +52,9 @@ Frame caption_of_direction(const gjk::ProofTried<double>& event, const Names& na
 
 Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& names, const Moment& now) {
   if (event.numbers.empty() && now.simplex.size() < 4) {
+    if (now.result && now.result->status == gjk::Status::undecided)
+      return frame_about(Focus::proof, "There is nothing to prove: the first search has no answer",
+                         {{Mark::none, "a second search decides, from the vertices that were found"}});
     const std::string found = now.simplex.size() == 0 ? "nothing" : names.simplex(now.simplex);
     return frame_about(Focus::proof, "There is no proof in these numbers: the first search leaves " + found,
                        {{Mark::none, "only a tetrahedron can hold the origin by more than rounding"},

@@ -73,7 +73,8 @@ std::string NumberLine::Number::equation() const { return name + (text.starts_wi
 std::string short_fraction(const std::string& fraction) {
   std::string text = fraction;
   if (fraction.size() > longest_fraction) {
-    const Approximate x = approximate(fraction);
+    Approximate x = approximate(fraction);
+    if (std::abs(x.mantissa) >= 9.9995) x = {x.mantissa / 10, x.exponent + 1};  // which would be rounded to 10
     char digits[64];
     std::snprintf(digits, sizeof digits, "≈ %.4ge%d", x.mantissa, x.exponent);
     text = digits;

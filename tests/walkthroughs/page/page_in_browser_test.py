@@ -389,6 +389,10 @@ class Page(unittest.TestCase):
         verdict = self.find("#verdict").get_attribute("textContent")
         hint = plain(question["choices"][wrong][2])
         self.assertEqual(verdict, ("Not so: " + hint if hint else "Not so") + ". Try once more.")
+        focused = self.browser.switch_to.active_element
+        self.assertEqual(focused, self.all("#choices button")[wrong], "Tab must go on from there")
+        focused.send_keys(Keys.ENTER)  # which must not be taken for a second answer
+        self.assertIn("Try once more", self.find("#verdict").text)
         self.assertFalse(self.all("#choices .right"))
         another = next(c for c in range(len(question["choices"])) if c not in (wrong, question["right"]))
         self.all("#choices button")[another].click()

@@ -102,26 +102,32 @@ int check_questions(Walkthrough walkthrough) {
       CHECK_FALSE(choice.reason.empty());
     }
     CHECK(question.choices.size() >= 2);
-    if (question.decision.kind != Kind::line) CHECK(std::ranges::is_sorted(question.choices, {}, &Choice::text));
+    const auto is_alphabetical = [](const Choice& x, const Choice& y) { return x.text < y.text; };
+    const auto others = std::ranges::find_if(question.choices, [](const Choice& each) { return each.text[0] != 'R'; });
+    if (question.decision.kind != Kind::line) CHECK(std::is_sorted(others, question.choices.end(), is_alphabetical));
     REQUIRE(question.right < question.choices.size());
     CHECK(without_subscripts(question.choices[question.right].text) ==
           done(story.tellings.at(question.scene).trace, question));
     CHECK(std::pair(question.scene, question.event) >= last);
     last = {question.scene, question.event};
     const bool is_one_of_two = story.tellings.size() == 2 && question.decision.kind != Kind::line;
-    CHECK(question.text.starts_with(story.tellings[question.scene].scene.name + ": ") == is_one_of_two);
+    const bool is_of_both = story.parts_at && question.event < *story.parts_at;
+    const std::string& whose = is_of_both ? "Both" : story.tellings[question.scene].scene.name;
+    CHECK(question.text.starts_with(whose + ": ") == is_one_of_two);
   }
   return static_cast<int>(questions.size());
 }
 
-/// How many decisions a trace has that leave a choice: what must be asked.
-int decisions_in(const Scene& scene) {
+/// How many decisions a trace has, from that event on, that leave a choice: what must be asked.
+int decisions_in(const Scene& scene, std::size_t from) {
   const bool is_complete = scene.rules == RuleSet::complete;  // of which one thing is asked about each simplex
   const Trace trace = run(scene);
   int count = 0, size = 0;
   bool is_finished = false;
   const Region* before = nullptr;
-  for (const auto& event : trace.events) {
+  for (std::size_t i = 0; i < trace.events.size(); ++i) {
+    if (i == from) count = 0;
+    const auto& event = trace.events[i];
     is_finished |= std::holds_alternative<gjk::Finished<double>>(event);
     if (const auto* kept = std::get_if<gjk::FeatureKept<double>>(&event)) count += kept->before.size() > 1;
     if (is_finished) continue;  // of proofs nothing else is asked
@@ -153,7 +159,8 @@ TEST_CASE(
     INFO(w.name);
     const int count = check_questions(w);
     int decisions = 0;
-    for (const Scene& scene : w.scenes) decisions += decisions_in(scene);
+    for (std::size_t s = 0; s < w.scenes.size(); ++s)
+      decisions += decisions_in(w.scenes[s], s == 0 ? 0 : tell(w).parts_at.value_or(0));
     const bool is_mistaken = w.scenes.size() == 2 && w.scenes[0].mistake;
     CHECK(count == (is_mistaken ? 1 : decisions));
     asked += count;
@@ -170,7 +177,7 @@ TEST_CASE("Every question about 1,000 scenes at random has one right choice, whi
     try {
       const SceneFile scene = parse_scene(file.text, "scene.json");
       const int count = check_questions(scene.walkthrough);
-      CHECK(count == decisions_in(scene.walkthrough.scenes[0]));
+      CHECK(count == decisions_in(scene.walkthrough.scenes[0], 0));
       asked += count;
     } catch (const InputError&) {  // what cannot be asked at all, such as a center beyond all floats
     }
@@ -191,7 +198,7 @@ TEST_CASE("A wrong choice is answered by the value that decided, or by why its r
   };
   CHECK(found->choices[found->right].text == "R3: beyond edge AB");
   CHECK(reason("R3: beyond edge AB").starts_with("R3: AB_n·AO = "));
-  CHECK(reason("R4: beyond B") == "ruled out when the search kept BC");
+  CHECK(reason("R4: beyond B") == "the search does not look there: ruled out when the search kept BC");
   CHECK(reason("R7: beyond edge AC").starts_with("not looked at, since an earlier test has decided (R3: AB_n·AO = "));
 }
 
@@ -228,8 +235,47 @@ TEST_CASE("What is asked about a simplex says of how many points it is") {
     for (const Question& q : questions_of(tell(walkthrough(name))))
       if (q.decision.kind == Kind::region) asked[q.decision.simplex_size] = q.text;
   CHECK(asked[1] == "Is this vertex the origin?");
-  CHECK(asked[3] == "In which region does the origin lie?");
+  CHECK(asked[3] == "In which region does the search find the origin?");
   CHECK(asked[4] == "Above which face does Algorithm 5 find the origin first?");
+}
+
+TEST_CASE("The key of a region is its number; of a triangle's R1 above and below come last") {
+  int triangles = 0;
+  for (const Walkthrough& w : catalogue())
+    for (const Question& q : questions_of(tell(w))) {
+      if (q.decision.simplex_size != 3 || q.choices.size() != 9) continue;
+      INFO(w.name << ": " << q.text);
+      CHECK(q.choices[0].text.starts_with("R1: in "));
+      for (std::size_t r = 2; r <= 7; ++r) CHECK(q.choices[r - 1].text.starts_with("R" + std::to_string(r) + ": "));
+      CHECK(q.choices[7].text.starts_with("R1: above "));
+      CHECK(q.choices[8].text.starts_with("R1: below "));
+      ++triangles;
+    }
+  CHECK(triangles > 20);
+}
+
+TEST_CASE("Of two searches that have not parted each question is asked once, of both") {
+  const Story story = tell(walkthrough("as-printed-spheres"));
+  REQUIRE(story.parts_at);
+  int of_both = 0;
+  for (const Question& q : questions_of(story)) {
+    INFO(q.text);
+    CHECK(q.text.starts_with("Both: ") == (q.event < *story.parts_at));
+    if (q.event < *story.parts_at) CHECK(q.scene == 0);
+    of_both += q.text.starts_with("Both: ");
+  }
+  CHECK(of_both > 0);
+}
+
+TEST_CASE("What the rules do not look at is told as that, not as true of the search") {
+  int skipped = 0;
+  for (const Question& q : questions_of(tell(walkthrough("as-printed-spheres"))))
+    for (const Choice& choice : q.choices)
+      if (choice.reason.find("would not have reached") != std::string::npos) {
+        CHECK(choice.reason.starts_with("the search does not look there: "));
+        ++skipped;
+      }
+  CHECK(skipped > 0);
 }
 
 TEST_CASE("No hint contains the right choice or its label, nor what speaks for it") {
