@@ -8,6 +8,7 @@
 #include "render/json_text.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/page/index_entry.hpp"
+#include "walkthroughs/page/practice.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/page/templates.hpp"
 #include "walkthroughs/story/alternative_text.hpp"

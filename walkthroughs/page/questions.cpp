@@ -1,20 +1,16 @@
 #include "walkthroughs/page/questions.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
 
-#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/page/index_entry.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/captions_of_proof.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
-#include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -505,75 +501,6 @@ void ask_about(std::size_t scene, const Story& story, std::vector<Question>& que
   }
 }
 
-// -- Practice ---------------------------------------------------------------------------------------------------------
-
-/// A walkthrough of regions, with the decisions that its search makes, and those that it is about.
-struct Practice {
-  std::string name;
-  std::vector<Decision> made, told;
-};
-
-int iteration_of(const gjk::Event<double>& event) {
-  return std::visit(
-      [](const auto& each) {
-        if constexpr (requires { each.iteration; }) return static_cast<int>(each.iteration);
-        return 0;
-      },
-      event);
-}
-
-/// Whether its name says that it is about such a simplex; a crossing test is about none.
-bool is_about(const Walkthrough& w, const Decision& decision) {
-  return decision.simplex_size == 0 ||
-         w.name.starts_with("regions/" + std::to_string(decision.simplex_size - 1) + "-simplex-");
-}
-
-std::vector<Practice> practices() {
-  std::vector<Practice> all;
-  for (const Walkthrough& w : catalogue()) {
-    if (!w.region_case) continue;
-    const Story story = tell(w);
-    Practice practice{w.name, {}, {}};
-    for (const Question& question : questions_of(story)) {
-      const auto& event = story.tellings[question.scene].trace.events[question.event];
-      practice.made.push_back(question.decision);
-      if (is_about(w, question.decision) && iteration_of(event) == told_iteration(w))
-        practice.told.push_back(question.decision);
-    }
-    all.push_back(std::move(practice));
-  }
-  return all;
-}
-
-/// The face or feature in words of Decision::found.
-std::string first_word(const std::string& found) { return found.substr(0, found.find(' ')); }
-
-/// The case that a mistake gets wrong; of mistakes in the crossing test what it rules out; that of M1 is about no region.
-std::string practice_for_mistake(const std::string& word) {
-  static const std::map<std::string, std::string> cases{{"m2", "1-simplex-r2-cannot-happen"},
-                                                        {"m3", "1-simplex-r2-cannot-happen"},
-                                                        {"m4", "1-simplex-r2-cannot-happen"},
-                                                        {"m5", "0-simplex-a-is-origin"},
-                                                        {"m6", "1-simplex-on-segment"},
-                                                        {"m7", "1-simplex-r3"},
-                                                        {"m8", "2-simplex-r1-above"},
-                                                        {"m9", "2-simplex-r3"},
-                                                        {"m10", "2-simplex-r7"},
-                                                        {"m11", "2-simplex-r3"},
-                                                        {"m12", "2-simplex-r1-above"},
-                                                        {"m13", "2-simplex-r1-in-plane"},
-                                                        {"m14", "2-simplex-r1-below"},
-                                                        {"m15", "3-simplex-face-abc"},
-                                                        {"m16", "3-simplex-face-acd"},
-                                                        {"m17", "3-simplex-face-adb"},
-                                                        {"m18", "3-simplex-face-acd-edge-ac"},
-                                                        {"m19", "3-simplex-face-adb-edge-ab"},
-                                                        {"m20", "3-simplex-face-adb"},
-                                                        {"m21", "3-simplex-on-face"}};
-  const auto found = cases.find(word.substr(0, word.find('-')));
-  return found == cases.end() ? "" : "regions/" + found->second;
-}
-
 }  // namespace
 
 std::vector<Question> questions_of(const Story& story) {
@@ -589,25 +516,6 @@ std::vector<Question> questions_of(const Story& story) {
   for (Question& question : questions)
     question.text = (is_of_both(question) ? "Both" : story.tellings[question.scene].scene.name) + ": " + question.text;
   return questions;
-}
-
-std::string practice_for(const Decision& decision, const std::string& but) {
-  if (decision.kind == Kind::line) return practice_for_mistake(decision.found);
-  static const std::vector<Practice> all = practices();
-  const auto find = [&](const auto& is_likewise) {
-    const auto found =
-        std::ranges::find_if(all, [&](const Practice& each) { return each.name != but && is_likewise(each); });
-    return found == all.end() ? "" : found->name;
-  };
-  const auto is_alike = [&](const Decision& other) {
-    return other.kind == decision.kind && other.simplex_size == decision.simplex_size &&
-           first_word(other.found) == first_word(decision.found);
-  };
-  for (const std::string& name : {find([&](const Practice& each) { return std::ranges::count(each.told, decision); }),
-                                  find([&](const Practice& each) { return std::ranges::any_of(each.told, is_alike); }),
-                                  find([&](const Practice& each) { return std::ranges::count(each.made, decision); })})
-    if (!name.empty()) return name;
-  return "";
 }
 
 }  // namespace walkthroughs

@@ -32,7 +32,7 @@ struct Question {
   std::size_t event;  ///< of its trace, which answers it; what was told before may be known
   std::string text;
   std::vector<Choice>
-      choices;        ///< in the order of the alphabet, lines in their own; two or more, no two with the same text
+      choices;        ///< in the order of their regions, else of the alphabet, lines in their own; no two alike
   std::size_t right;  ///< the one of them that is what the trace did
 };
 
@@ -40,9 +40,5 @@ struct Question {
 /// applied, each simplex that was processed, and on the way on from triangles and tetrahedra, where there is more than one; of a
 /// proof at each feature that is kept. Of a search with a mistake beside the report's one question: which line is wrong.
 std::vector<Question> questions_of(const Story& story);
-
-/// Returns: the name of a walkthrough of regions, `but` left out: the first that is about just that decision; else about the same face or
-/// feature; else in which the search comes to decide so. Of a mistake that of the case which it gets wrong. Empty where there is none.
-std::string practice_for(const Decision& decision, const std::string& but);
 
 }  // namespace walkthroughs

@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "tests/walkthroughs/trace/random_scene_files.hpp"
+#include "walkthroughs/page/practice.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 

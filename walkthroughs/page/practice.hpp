@@ -1,0 +1,14 @@
+/// Where one practises a decision that one has got wrong.
+#pragma once
+
+#include <string>
+
+#include "walkthroughs/page/questions.hpp"
+
+namespace walkthroughs {
+
+/// Returns: the name of a walkthrough of regions, `but` left out: the first that is about just that decision; else about the same face or
+/// feature; else in which the search comes to decide so. Of a mistake that of the case which it gets wrong. Empty where there is none.
+std::string practice_for(const Decision& decision, const std::string& but);
+
+}  // namespace walkthroughs
