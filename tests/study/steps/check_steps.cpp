@@ -218,13 +218,13 @@ class Following {
     return std::nullopt;
   }
 
-  /// Whether each vertex that is new in a step is farthest along the opposite of its direction.
-  bool all_are_opposite() const {
+  /// Whether each vertex that is new in a step, of later ones too, is what `is_found` says of it and of the step's direction.
+  template <class IsFound>
+  bool each_newest(const IsFound& is_found) const {
     Vertices before;
     for (const ToldStep& each : run_.steps) {
       const Vec d = shortened(each.direction);
-      const Vertices opposite = farthest_differences(-d, d);
-      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || has(opposite, v); }))
+      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || is_found(v, d); }))
         return false;
       before = each.simplex;
     }
@@ -233,23 +233,16 @@ class Following {
 
   /// Returns: which other direction it may be that was told; nothing where there is none.
   std::string what_was_told_instead(const Vec& d) const {
-    if (all_are_opposite()) return "; every vertex is farthest the opposite way";
+    if (each_newest([this](const Vec& v, const Vec& along) { return has(farthest_differences(-along, along), v); }))
+      return "; every vertex is farthest the opposite way";
     const Vertices farthest_along_it = farthest_differences(d, -d);
     const auto is_next = [&](const Vec& v) { return !has(step().simplex, v) && has(farthest_along_it, v); };
     if (is_last() || std::ranges::none_of(run_.steps[at_ + 1].simplex, is_next)) return "";
     return "; that is the next vertex: told is the direction that was searched along, not the one that follows";
   }
 
-  /// Whether every vertex, of later steps too, is one that M1 finds.
   bool may_be_m1() const {
-    Vertices before;
-    for (const ToldStep& each : run_.steps) {
-      const Vec d = shortened(each.direction);
-      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || is_by_m1(v, d); }))
-        return false;
-      before = each.simplex;
-    }
-    return true;
+    return each_newest([this](const Vec& v, const Vec& along) { return is_by_m1(v, along); });
   }
 
   /// Whether it is a - b of points both farthest along d. Steps that nobody has looked at may tell directions along which all are.
@@ -470,7 +463,7 @@ class Following {
                    ? "no origin in it and goes on"
                    : "keep " + letters_of(right.kept, vertices_.size())) +
               "; yours " + does + "; there " + letters_and_places(vertices_) +
-              (order == all ? "" : "; what makes that makes it of the order " + letters_of(order, vertices_.size())),
+              (order == all ? "" : "; a mistake explains it in the order " + letters_of(order, vertices_.size())),
           makers);
   }
 

@@ -138,6 +138,7 @@ TEST_CASE("Fractions are written out where they are short") {
   CHECK(short_fraction("-3/1024") == "−3/1024");
   CHECK(short_fraction("0") == "0");
   CHECK(short_fraction("1" + std::string(400, '0')) == "≈ 1e400");
+  CHECK(short_fraction(std::string(400, '9')) == "≈ 1e400");  // not 10e399
   CHECK(short_fraction("-1/8" + std::string(99, '0')) == "≈ −1.25e−100");
   CHECK(NumberLine::Number{"exactly", short_fraction("-3/4")}.equation() == "exactly = −3/4");
   CHECK(NumberLine::Number{"exactly", short_fraction("1" + std::string(40, '0'))}.equation() == "exactly ≈ 1e40");
