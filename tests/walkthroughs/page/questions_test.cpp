@@ -240,7 +240,7 @@ TEST_CASE("What is asked about a simplex says of how many points it is") {
   CHECK(asked[4] == "Above which face does Algorithm 5 find the origin first?");
 }
 
-TEST_CASE("The key of a region is its number; of a triangle's R1 above and below come last") {
+TEST_CASE("The key of a region is its number, and of a triangle's R1 above and below come last") {
   int triangles = 0;
   for (const Walkthrough& w : catalogue())
     for (const Question& q : questions_of(tell(w))) {
