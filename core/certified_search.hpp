@@ -294,13 +294,14 @@ struct HighestBits {
   unsigned cut;
 };
 
-/// What is cut off is less than 1, and doubles round what is left by u of it at most; 4u for how that is rounded here.
+/// What is cut off is less than 1, and doubles round what is left by half a step, which is u of its power of two. That and 1 is a
+/// double, so that their sum, where it is rounded, is no less.
 inline HighestBits highest_bits(const Triple<Whole>& d) {
   const auto bits = [](const Whole& x) { return x == 0 ? 0U : static_cast<unsigned>(msb(abs(x))) + 1; };
   const unsigned most = std::max({bits(d.x), bits(d.y), bits(d.z)}), cut = most > 60 ? most - 60 : 0;
   const auto number = [cut](const Whole& x) {
     const double size = static_cast<double>(static_cast<std::int64_t>(Whole(abs(x)) >> cut));
-    return Bounded{x < 0 ? -size : size, (1 + roundoff * size) * (1 + 4 * roundoff)};
+    return Bounded{x < 0 ? -size : size, 1 + roundoff * size};
   };
   return {{number(d.x), number(d.y), number(d.z)}, cut};
 }

@@ -51,13 +51,13 @@ template <class S, class A, class B>
 class DoubtfulDifference {
  public:
   /// ε: w = a − b is rounded by u|w|, and w·d/|d| or the height of a triangle is off by 6.5u|w| at most: 3u for the product, 2.5u
-  /// for the length, 1u for the quotient; all in doubles.
+  /// for the length, 1u for the quotient; how far it reaches with ε (C9) is a sum, rounded by another u. All in doubles.
   DoubtfulDifference(const A& a, const B& b) : a_(a), b_(b) {
     const Doubt of_a = doubt(a), of_b = doubt(b);
     if (const double largest = std::max({of_a.size, of_b.size, of_a.error, of_b.error}); std::isfinite(largest))
       exponent_ = std::ilogb(largest);
     size_ = in_units(of_a.size) + in_units(of_b.size);
-    error_ = (in_units(of_a.error) + in_units(of_b.error) + 8 * roundoff * size_) * (1 + 0x1p-20);
+    error_ = (in_units(of_a.error) + in_units(of_b.error) + 9 * roundoff * size_) * (1 + 0x1p-20);
   }
 
   /// Returns: a length in the units of the shapes, rounded up.
@@ -86,7 +86,7 @@ class DoubtfulDifference {
     ++times_asked_;
     const double reach = w.dot(along) / length;
     if (reach + error_ * (1 + 0x1p-20) < 0) separation_ = along;
-    least_reach_ = std::min(least_reach_, std::nextafter(reach + error_, std::numeric_limits<double>::infinity()));
+    least_reach_ = std::min(least_reach_, reach + error_);
     return w + along * (radius / length);
   }
 
@@ -167,8 +167,8 @@ class Surface {
   }
 
   /// C8. Returns: whether it goes around the origin. It does where a ray from there crosses it from inside to outside more often
-  /// than the other way, each crossing being certain. A ray through each face is tried, beside its middle: across from that many
-  /// a shape has a corner.
+  /// than the other way, each crossing being certain. (Turned inside out it would, too; that is not looked for.) A ray through
+  /// each face is tried, beside its middle: across from that many a shape has a corner.
   bool goes_around_origin() const {
     return std::ranges::any_of(faces_, [this](const Face& face) {
       const auto& [i, j, k] = face.corners;

@@ -56,8 +56,8 @@ concept CanBeAsked = requires(const A& a, const B& b) {
 // -- C7, C8 -----------------------------------------------------------------------------------------------------------
 
 TEST_CASE("C7: a gap of ε separates nothing, a wider one does", "[certified]") {
-  // ε is 0.25, what is rounded in w, 8u(6.5 + 3·2), and a millionth part of both for how it was rounded itself.
-  const double rounded = 8 * 0x1p-53 * 6.5, epsilon = 0.25 + rounded;
+  // ε is 0.25, what is rounded in w, 9u(6.5 + 3·2), and a millionth part of both for how it was rounded itself.
+  const double rounded = 9 * 0x1p-53 * 6.5, epsilon = 0.25 + rounded;
   REQUIRE(beside_cube(0.25, V(1 + epsilon, 0, 0)).status == undecided);
   REQUIRE(beside_cube(0.25, V(1 + epsilon * (1 + 0x1p-18), 0, 0)).status == apart);
   REQUIRE(beside_cube(0.25, V(0, -1 - epsilon, 0)).status == undecided);
@@ -89,7 +89,7 @@ TEST_CASE("C7, C8: what is ε and two millionths far or deep is undecided, the n
   double needed = 0.25;  // it depends on where the point is, which is so far away
   for (int i = 0; i < 9; ++i) needed = SideOfCube(needed).needed();
   REQUIRE(SideOfCube(needed).needed() == needed);
-  const double epsilon = 0.25 + 8 * 0x1p-53 * (2 + 1 + 1 + 0.25 + needed);
+  const double epsilon = 0.25 + 9 * 0x1p-53 * (2 + 1 + 1 + 0.25 + needed);
   CHECK(needed == Approx(epsilon * (1 + 0x1p-19)).epsilon(0x1p-24));
   for (const double away : {needed, -needed}) {
     INFO(away);
@@ -100,10 +100,10 @@ TEST_CASE("C7, C8: what is ε and two millionths far or deep is undecided, the n
 
 TEST_CASE("C7: of points that are known exactly a gap of what is rounded separates nothing, a step more does",
           "[certified]") {
-  // The cube and a point reach 3 and 1 from the origin: 8u(3 + 1) is 16 steps of the doubles above 1.
+  // The cube and a point reach 3 and 1 from the origin: 9u(3 + 1) is 18 steps of the doubles above 1.
   for (const V& side : {V(1, 0, 0), V(0, -1, 0), V(0, 0, 1)}) {
-    REQUIRE(beside_cube(0, side * (1 + 16 * 0x1p-52)).status == undecided);
-    REQUIRE(beside_cube(0, side * (1 + 17 * 0x1p-52)).status == apart);
+    REQUIRE(beside_cube(0, side * (1 + 18 * 0x1p-52)).status == undecided);
+    REQUIRE(beside_cube(0, side * (1 + 19 * 0x1p-52)).status == apart);
   }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("C7: the direction separates by more than what is in doubt", "[certifi
 }
 
 TEST_CASE("C8: a point ε deep in a cube proves nothing, one that is deeper does", "[certified]") {
-  const double epsilon = 0.25 + 8 * 0x1p-53 * 6;
+  const double epsilon = 0.25 + 9 * 0x1p-53 * 6;
   for (const V& side : {V(1, 0, 0), V(0, -1, 0), V(0, 0, 1)}) {
     REQUIRE(beside_cube(0.25, side * (1 - epsilon)).status == undecided);
     REQUIRE(beside_cube(0.25, side * (1 - epsilon * (1 + 0x1p-18))).status == together);
