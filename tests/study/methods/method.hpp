@@ -17,9 +17,9 @@
 namespace study {
 
 /// How a query ended. Undecided queries are told apart by what stopped them; those that went round count as stopped at the
-/// limit, where they would have ended.
-enum class Answer { intersecting, separated, unusable, at_limit };
-inline constexpr std::size_t answers = 4;
+/// limit, where they would have ended; proofs about points that are computed may leave an answer in doubt.
+enum class Answer { intersecting, separated, unusable, at_limit, in_doubt };
+inline constexpr std::size_t answers = 5;
 
 struct Outcome {
   Answer answer;
@@ -46,11 +46,9 @@ struct Method {
   /// Returns: the thread's time to ask all of them once; reading its clock once is part of it.
   std::chrono::nanoseconds (*time)(std::span<const Question* const> questions, int limit);
 
-  /// Returns: whether it can be asked about such shapes. Nothing else may be asked where it cannot.
-  bool (*can_ask)(const Question& question) = [](const Question&) { return true; };
-  /// Returns: whether the certificate of its answer says the same and holds, multiplied out in fractions. Null where answers
-  /// have none.
-  bool (*certificate_holds)(const Question& question) = nullptr;
+  /// Returns: whether the certificate of its answer says the same and holds, multiplied out in fractions; empty where that
+  /// answer has none. Null where none has.
+  std::optional<bool> (*certificate_holds)(const Question& question) = nullptr;
 
   std::string name() const { return rules + " " + scalar.name + " " + zero_test; }
 };

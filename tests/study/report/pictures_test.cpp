@@ -46,7 +46,7 @@ TEST_CASE("The heat map says that float is judged on the rounded pair", "[pictur
   CHECK(has(heat_map(Settings(study)).script, "the pair as float writes it"));
 }
 
-TEST_CASE("The heat map has columns of certified answers and says of what they are not asked", "[pictures]") {
+TEST_CASE("The heat map has columns of certified answers and says where nobody was asked", "[pictures]") {
   Study study = ten_pairs(0, {"as-intended", "certified"});
   CHECK(has(heat_map(Settings(study)).script, "'float' 0, 'certified float' 1"));
   CHECK(has(heat_map(Settings(study)).script, "set label '<0.3' at 1,0"));

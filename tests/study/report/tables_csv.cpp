@@ -73,7 +73,7 @@ std::string line(const Settings& settings, const Row& row, int limit) {
   Line fields;
   fields << row.family << row.rules << row.scalar << row.zero_test << limit_word(limit) << c.pairs << hit_rate(c)
          << false_positive_rate(c) << false_negative_rate(c) << undecided_rate(c) << c.cycles << c.unusable
-         << c.hit_iterations << c.miss_iterations << support_calls(row, c) << row.tally.out_of_range
+         << c.in_doubt << c.hit_iterations << c.miss_iterations << support_calls(row, c) << row.tally.out_of_range
          << row.tally.not_askable << row.tally.truth_changed << row.tally.exceptions;
   for (const std::uint64_t truths : row.tally.proven) fields << truths;
   fields << SecondSearches{row.tally.second_iterations};
@@ -93,7 +93,7 @@ std::string counts_csv(const Settings& settings) {
       "family,rules,scalar,zero_test,limit,pairs,hits,hit_rate,hit_rate_low,hit_rate_high,"
       "false_positives,false_positive_rate,false_positive_rate_low,false_positive_rate_high,"
       "false_negatives,false_negative_rate,false_negative_rate_low,false_negative_rate_high,"
-      "undecided,undecided_rate,undecided_rate_low,undecided_rate_high,cycles,unusable_directions,"
+      "undecided,undecided_rate,undecided_rate_low,undecided_rate_high,cycles,unusable_directions,in_doubt,"
       "hit_iterations_mean,hit_iterations_p99,hit_iterations_max,miss_iterations_mean,miss_iterations_p99,"
       "miss_iterations_max,support_calls,out_of_range,not_askable,truth_changed_by_rounding,exceptions,"
       "proven_by_predicates,proven_by_formulas,proven_by_certificate,second_searches,second_iterations_mean,"

@@ -77,6 +77,7 @@ std::string words_of_undecided(const Counts& counts) {
   std::string words = in_words(undecided_rate(counts));
   if (counts.cycles > 0) words += "; " + std::to_string(counts.cycles) + " in circles";
   if (counts.unusable > 0) words += "; " + std::to_string(counts.unusable) + " without a direction";
+  if (counts.in_doubt > 0) words += "; " + std::to_string(counts.in_doubt) + " in doubt";
   return words;
 }
 
@@ -139,9 +140,7 @@ std::string families_table(const Settings& settings) {
 }
 
 /// The two ways to be wrong, each of the pairs with which it can happen, and to be undecided.
-std::string errors_table(const Settings& settings, const std::string& scalar) {
-  Setting setting = settings.usual();
-  setting.scalar = scalar;
+std::string errors_table(const Settings& settings, const Setting& setting) {
   const auto rates = [&](std::string heading, Rate (*rate)(const Counts&)) {
     return column(settings, std::move(heading), setting,
                   [rate](const Counts& counts) { return in_words(rate(counts)); });
@@ -224,16 +223,21 @@ std::string head(const Settings& settings, const std::string& title) {
          ", gjkstep-study " + header.version + ", compiled by " + header.compiler + ".\n\n";
 }
 
-constexpr const char* of_points_only =
-    "Certified answers are about sets of points: about balls and cylinders they are not asked, and their cells are "
-    "empty. ";
+constexpr const char* of_round_shapes =
+    "Certified answers about sets of points, and about balls, are never undecided; about cylinders, whose points are "
+    "computed, they are where these are known too badly. Balls and cylinders take no second search and have no "
+    "certificate. ";
+
+constexpr const char* of_second_searches =
+    " A certified answer takes the same search first; how often a second follows, and its iterations, is in "
+    "certified.md.";
 
 std::string how_to_read(const Settings& settings) {
   return "Rates are shares of the pairs asked where a table names no others, with the ends of their 95 % score "
          "intervals (Wilson 1927); where "
          "nothing was seen, only the upper end. Families that were listed to the last pair are a census, \"of all\", "
          "and have none. Unless a table says otherwise: " +
-         described(settings.usual()) + ". " + (settings.certified().empty() ? "" : of_points_only) +
+         described(settings.usual()) + ". " + (settings.certified().empty() ? "" : of_round_shapes) +
          "Every combination is in study.csv, which the command writes.\n\n";
 }
 
@@ -408,8 +412,8 @@ std::string counts_markdown(const Settings& settings) {
   return head(settings, "Accuracy") + how_to_read(settings) + families_table(settings) +
          "\n## Wrong or undecided, by scalar\n\n" + scalars_table(settings, words_of_failures) +
          "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it "
-         "took.\n\n" +
-         iterations_table(settings);
+         "took." +
+         (settings.certified().empty() ? "" : of_second_searches) + "\n\n" + iterations_table(settings);
 }
 
 std::string errors_markdown(const Settings& settings) {
@@ -417,8 +421,14 @@ std::string errors_markdown(const Settings& settings) {
                      "A false positive can only happen to a pair that is apart, a false negative only to one that "
                      "meets: each is told as a share of these. A family without such pairs says so.\n";
   for (const std::string scalar : {"double", "float"})
-    if (std::ranges::find(settings.scalars(), scalar) != settings.scalars().end())
-      text += "\n## In " + scalar + "\n\n" + errors_table(settings, scalar);
+    if (std::ranges::find(settings.scalars(), scalar) != settings.scalars().end()) {
+      Setting setting = settings.usual();
+      setting.scalar = scalar;
+      text += "\n## In " + scalar + "\n\n" + errors_table(settings, setting);
+    }
+  for (const auto& [title, setting] : settings.certified())
+    if (setting.rules != settings.usual().rules)
+      text += "\n## " + title + "\n\n" + errors_table(settings, setting);
   return text +
          "\n## Undecided, by scalar\n\nIn circles: a simplex and a direction came back, so no limit would have "
          "helped.\n\n" +
@@ -442,13 +452,13 @@ std::string timings_markdown(const Settings& settings) {
          "first in each turn; of five turns, of exact "
          "numbers three and 16 pairs, the median counts. One reading of the clock in each batch is part of it. Balls "
          "and cylinders pay for the choice of the form at each support call. " +
-         (settings.certified().empty() ? "" : of_points_only) + "\n\n" + times_table(settings) +
+         (settings.certified().empty() ? "" : of_round_shapes) + "\n\n" + times_table(settings) +
          float_and_double(settings);
 }
 
 std::string certified_markdown(const Settings& settings) {
   if (settings.certified().empty()) return "";
-  std::string text = head(settings, "Certified answers") + of_points_only +
+  std::string text = head(settings, "Certified answers") + of_round_shapes +
                      "Where the first search proves nothing a second one follows. Each pair is timed alone by the CPU "
                      "clock of the thread that asks, on " +
                      processors_of(settings.study()) +

@@ -54,12 +54,13 @@ TEST_CASE("Families that no method can be asked about are left out unless they a
     const Plan plan = plan_of(request);
     return std::ranges::any_of(plan.parts, [&](const Part& part) { return part.family->name == name; });
   };
-  const Request certified{.rules = {"certified"}};
-  CHECK_FALSE(is_there(certified, "spheres"));
-  CHECK(is_there(certified, "triangles"));
+  const Request exact{.scalars = {"exact"}};
+  CHECK_FALSE(is_there(exact, "spheres"));
+  CHECK(is_there(exact, "triangles"));
   CHECK(is_there({.rules = {"certified"}, .scalars = {"float"}}, "scale-1e100"));  // told as beyond float's range
-  CHECK(is_there({.rules = {"certified", "eager"}}, "spheres"));
-  CHECK(is_there({.families = {"spheres"}, .rules = {"certified"}}, "spheres"));
+  CHECK(is_there({.scalars = {"exact", "float"}}, "spheres"));
+  CHECK(is_there({.rules = {"certified"}}, "spheres"));
+  CHECK(is_there({.families = {"spheres"}, .scalars = {"exact"}}, "spheres"));
 }
 
 TEST_CASE("Certified answers are chosen as rules are", "[plan]") {

@@ -12,9 +12,9 @@ bool is_same_setting(const Row& row, const Row& other) {
          row.zero_test == other.zero_test;
 }
 
-/// Wrong and undecided ones, queries that threw, and certificates that do not hold.
+/// Wrong ones, undecided ones but where points are computed, queries that threw, and certificates that do not hold.
 std::uint64_t failures_of_certified(const Tally& tally, const Counts& counts) {
-  return counts.wrong() + counts.undecided + tally.exceptions + tally.false_certificates;
+  return counts.wrong() + counts.undecided - counts.in_doubt + tally.exceptions + tally.false_certificates;
 }
 
 [[noreturn]] void refuse(const NamedStudy& one, const NamedStudy& other, const std::string& why) {

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 4;  // of the file; another one where a reader would misunderstand this one
-constexpr const char* answer_names[answers] = {"intersecting", "separated", "unusable", "at_limit"};
+constexpr int format = 5;  // of the file; another one where a reader would misunderstand this one
+constexpr const char* answer_names[answers] = {"intersecting", "separated", "unusable", "at_limit", "in_doubt"};
 constexpr const char* proof_names[proofs] = {"predicates", "formulas", "certificate"};
 constexpr const char* truth_names[2] = {"truly_separated", "truly_intersecting"};
 

@@ -137,6 +137,7 @@ TEST_CASE("A certified answer that is wrong, none or without a proof is a contra
   CHECK_THAT(said(counted(Answer::intersecting)),
              Contains("family triangles: 1 of 102 certified answers in double were wrong, none, or without a proof"));
   CHECK(said(counted(Answer::separated)).empty());
+  CHECK(said(counted(Answer::in_doubt)).empty());
   CHECK_THAT(said(counted(Answer::unusable)), Contains("1 of 102 certified answers"));
   CHECK_THAT(said([](Tally& tally) { ++tally.exceptions; }), Contains("1 of 102 certified answers"));
   CHECK_THAT(said([](Tally& tally) { ++tally.false_certificates; }), Contains("1 of 101 certified answers"));
@@ -308,8 +309,8 @@ TEST_CASE("Files that are none of the study's are refused with their name", "[st
   CHECK_THAT(refusal(good.substr(0, good.size() / 2)), Contains("a.json is not JSON, or is cut off"));
   CHECK_THAT(refusal("[]"), Contains("not a file of gjkstep-study"));
   CHECK_THAT(refusal(R"({"gjkstep_study":99})"), Contains("format 99"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":4})"), Contains("damaged"));
-  CHECK_THAT(refusal(with_checksum(R"({"gjkstep_study":4,"header":[]})")), Contains("damaged"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":5})"), Contains("damaged"));
+  CHECK_THAT(refusal(with_checksum(R"({"gjkstep_study":5,"header":[]})")), Contains("damaged"));
 }
 
 }  // namespace

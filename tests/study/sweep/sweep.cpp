@@ -73,7 +73,8 @@ class Jobs {
 
 std::optional<Kind> failure_kind(Truth truth, const Outcome& outcome, int limit) {
   const bool in_time = outcome.iterations <= limit;
-  if (!in_time || outcome.answer == Answer::unusable || outcome.answer == Answer::at_limit) return Kind::undecided;
+  const bool has_answer = outcome.answer == Answer::intersecting || outcome.answer == Answer::separated;
+  if (!in_time || !has_answer) return Kind::undecided;
   const bool says_hit = outcome.answer == Answer::intersecting;
   if (says_hit == (truth == Truth::intersecting)) return std::nullopt;
   return says_hit ? Kind::false_positive : Kind::false_negative;
@@ -139,7 +140,7 @@ class Worker {
       if (view.judgement.truth != view.sample->judgement.truth) ++tally.truth_changed;
       if (!view.rounded)
         ++tally.out_of_range;
-      else if (!can_ask(method, view))
+      else if (!view.question)
         ++tally.not_askable;
       else if (const auto kind = ask(method, view, cell))
         if (kept[static_cast<std::size_t>(*kind)]++ < plan_.failures_kept) keep(method, view, *kind);
@@ -147,30 +148,29 @@ class Worker {
     return cell;
   }
 
-  static bool can_ask(const Method& method, const View& view) {
-    return view.question && method.can_ask(*view.question);
-  }
-
   std::optional<Kind> ask(const Method& method, const View& view, Cell& cell) const try {
     Tally& tally = cell.tally;
     const int limit = plan_.limits.back();
     const Outcome outcome = method.ask(*view.question, limit);
     const int k = outcome.answer == Answer::at_limit ? method.first_return(*view.question, limit) : 0;
-    const bool is_checked = method.certificate_holds && view.sample->index < part_.slow_pairs;
-    const bool holds = !is_checked || method.certificate_holds(*view.question);
+    const auto holds = is_checked(method, view) ? method.certificate_holds(*view.question) : std::nullopt;
     tally.count(view.judgement, outcome);
     if (k > 0) count(tally.returns, k);
     if (is_certified(method.rules)) {
       count(tally.second_iterations, outcome.second_iterations);
       cell.alone += time_alone(method, view, outcome, cell.alone.slowest);
     }
-    tally.certificates += is_checked;
-    tally.false_certificates += !holds;
+    tally.certificates += holds.has_value();
+    tally.false_certificates += holds == false;
     const auto kind = failure_kind(view.judgement.truth, outcome, limit_for(method.rules, plan_.failure_limit));
-    return kind || holds ? kind : Kind::false_certificate;
+    return !kind && holds == false ? Kind::false_certificate : kind;
   } catch (const std::exception&) {
     ++cell.tally.exceptions;
     return std::nullopt;
+  }
+
+  bool is_checked(const Method& method, const View& view) const {
+    return method.certificate_holds && view.sample->index < part_.slow_pairs;
   }
 
   /// What interrupts a query makes it longer: one that seems the slowest so far is asked again, and its least time counts.
@@ -201,7 +201,7 @@ class Worker {
   std::vector<const Question*> timed_questions(const Method& method) const {
     std::vector<const Question*> batch;
     for (const View& view : views_.at(method.scalar.name))
-      if (can_ask(method, view) && (!method.scalar.is_slow || batch.size() < slow_batch))
+      if (view.question && (!method.scalar.is_slow || batch.size() < slow_batch))
         batch.push_back(view.question.get());
     return batch;
   }

@@ -29,8 +29,9 @@ void add(Counts& counts, Truth truth, Answer answer, int k, std::uint64_t querie
   Histogram& iterations = iterations_of(counts, truth);
   iterations.resize(std::max(iterations.size(), static_cast<std::size_t>(taken) + 1));
   iterations[static_cast<std::size_t>(taken)] += queries;
-  if (!in_time || answer == Answer::unusable) counts.undecided += queries;
+  if (!in_time || answer == Answer::unusable || answer == Answer::in_doubt) counts.undecided += queries;
   if (in_time && answer == Answer::unusable) counts.unusable += queries;
+  if (in_time && answer == Answer::in_doubt) counts.in_doubt += queries;
   if (in_time && is_wrong(truth, answer))
     (truth == Truth::intersecting ? counts.false_negatives : counts.false_positives) += queries;
 }
@@ -94,10 +95,11 @@ std::uint64_t Tally::pairs() const {
 Counts counts_at(const Tally& tally, int limit) {
   Counts counts;
   for (const Truth truth : {Truth::separated, Truth::intersecting})
-    for (const Answer answer : {Answer::intersecting, Answer::separated, Answer::unusable, Answer::at_limit}) {
-      const Histogram& histogram = tally.queries[index(truth)][index(answer)];
+    for (std::size_t answer = 0; answer < answers; ++answer) {
+      const Histogram& histogram = tally.queries[index(truth)][answer];
       for (std::size_t k = 0; k < histogram.size(); ++k)
-        if (histogram[k] > 0) add(counts, truth, answer, static_cast<int>(k), histogram[k], limit);
+        if (histogram[k] > 0)
+          add(counts, truth, static_cast<Answer>(answer), static_cast<int>(k), histogram[k], limit);
     }
   for (std::size_t k = 0; k < tally.returns.size() && k <= static_cast<std::size_t>(limit); ++k)
     counts.cycles += tally.returns[k];
@@ -111,6 +113,7 @@ Counts& operator+=(Counts& sum, const Counts& more) {
   sum.false_negatives += more.false_negatives;
   sum.undecided += more.undecided;
   sum.unusable += more.unusable;
+  sum.in_doubt += more.in_doubt;
   sum.cycles += more.cycles;
   sum.support_calls += more.support_calls;
   add(sum.hit_iterations, more.hit_iterations);

@@ -50,6 +50,7 @@ struct Counts {
   std::uint64_t false_negatives = 0;  ///< of the hits
   std::uint64_t undecided = 0;
   std::uint64_t unusable = 0;  ///< undecided ones whose search direction became zero, infinite or not a number
+  std::uint64_t in_doubt = 0;  ///< undecided ones about points that are known too badly
   std::uint64_t cycles = 0;  ///< undecided ones that came back to a state within the limit: they go in circles for ever
   std::uint64_t support_calls = 0;
   Histogram hit_iterations, miss_iterations;  ///< by truth; undecided queries count with the iterations they took

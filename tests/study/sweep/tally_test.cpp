@@ -41,15 +41,17 @@ TEST_CASE("A tally tells wrong answers of either kind apart from undecided ones"
   tally.count({Truth::separated, Proof::predicates}, {Answer::separated, 2});
   tally.count({Truth::separated, Proof::predicates}, {Answer::at_limit, 50});
   tally.count({Truth::separated, Proof::predicates}, {Answer::unusable, 6});
+  tally.count({Truth::intersecting, Proof::formulas}, {Answer::in_doubt, 7});
   const Counts at_8 = counts_at(tally, 8);
-  REQUIRE(at_8.pairs == 7);
-  REQUIRE(at_8.hits == 3);
+  REQUIRE(at_8.pairs == 8);
+  REQUIRE(at_8.hits == 4);
   REQUIRE(at_8.false_positives == 1);
   REQUIRE(at_8.false_negatives == 1);
-  REQUIRE(at_8.undecided == 3);  // those that took 9, 50 and 6
+  REQUIRE(at_8.undecided == 4);  // those that took 9, 50, 6 and 7
   REQUIRE(at_8.unusable == 1);
-  REQUIRE(at_8.support_calls == 2 * (3 + 4 + 8 + 5 + 2 + 8 + 6));
-  REQUIRE(at_8.hit_iterations == Histogram{0, 0, 0, 0, 1, 1, 0, 0, 1});
+  REQUIRE(at_8.in_doubt == 1);
+  REQUIRE(at_8.support_calls == 2 * (3 + 4 + 8 + 5 + 2 + 8 + 6 + 7));
+  REQUIRE(at_8.hit_iterations == Histogram{0, 0, 0, 0, 1, 1, 0, 1, 1});
   REQUIRE(counts_at(tally, 10).false_negatives == 2);
 }
 
