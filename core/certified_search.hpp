@@ -113,7 +113,7 @@ class ExactDifference {
   const PointSet<S>&a_, &b_;
   Vec3<S> radii_;
   int exponent_ = 0;
-  std::array<double, 2> factors_{1, 1};  // 2^exponent_: one number may not hold it, and std::scalbn() is slow
+  std::array<double, 2> factors_;  // 2^exponent_: one number may not hold it, and std::scalbn() is slow
   mutable std::optional<int> least_exponent_;
 };
 

@@ -2,6 +2,7 @@
 // what may be lost of a coordinate, of a direction, and by a scan along it.
 #include "core/certified_search.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -94,6 +95,29 @@ TEST_CASE("Of whole numbers that no double holds the highest bits are off by 1 a
       CHECK(is_true(-x / 3, found.vector.y, found.cut));
       CHECK(is_true(x / (one << 40), found.vector.z, found.cut));
     }
+}
+
+TEST_CASE("A direction is told as long as it is where each of its numbers can be written in full, else near 1",
+          "[certified]") {
+  const auto told = [](const Vec3<float>& w) {
+    Trace<float> trace;  // of a first search that comes to no answer
+    certified_collision(PointSet<float>({w}), PointSet<float>({Vec3<float>::Zero()}),
+                        Options<float>{.first_direction = w, .iteration_limit = 1}, trace);
+    Vec3<float> direction = Vec3<float>::Zero();
+    for (const Event<float>& event : trace.events)
+      if (const auto* chosen = std::get_if<DirectionChosen<float>>(&event)) direction = chosen->direction;
+    return direction;
+  };
+  const float x = 0x1p-100F, least = 0x1p-126F, less = 0x1p-127F;  // `less` has a digit less than others
+  for (const auto& at : {std::array{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
+    const auto vector = [&](float y) {
+      Vec3<float> w;
+      w[at[0]] = x, w[at[1]] = y, w[at[2]] = 0;
+      return w;
+    };
+    REQUIRE(told(vector(least)) == Vec3<float>(-vector(least)));
+    CHECK(told(vector(less)).cwiseAbs().maxCoeff() > 0.1F);
+  }
 }
 
 // -- Scans ------------------------------------------------------------------------------------------------------------

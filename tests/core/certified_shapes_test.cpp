@@ -193,6 +193,37 @@ TEST_CASE("C9: what touches is undecided, with a bound that is true and small", 
   }
 }
 
+namespace {
+
+/// Returns: how far from the origin the nearest of the points is that divide a triangle in so many steps.
+double sampled_nearness(const V& a, const V& b, const V& c, int steps) {
+  double least = a.norm();
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; i + j <= steps; ++j) least = std::min(least, (a + (b - a) * i / steps + (c - a) * j / steps).norm());
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("C9: a surface is as near to the origin as the nearest of its points, inside a triangle or on its rim",
+          "[certified]") {
+  Dice dice(7474);
+  constexpr int steps = 40;
+  for (int i = 0; i < 300; ++i) {
+    std::array<V, 4> w;
+    for (V& each : w)
+      for (double& x : each) x = dice.between(-3, 6);
+    if ((w[1] - w[0]).cross(w[2] - w[0]).dot(w[3] - w[0]) == 0) continue;
+    const double sampled =
+        std::min({sampled_nearness(w[0], w[1], w[2], steps), sampled_nearness(w[0], w[1], w[3], steps),
+                  sampled_nearness(w[0], w[2], w[3], steps), sampled_nearness(w[1], w[2], w[3], steps)});
+    const double nearness = detail::Surface(w).nearness();
+    CAPTURE(i, sampled);
+    CHECK(nearness <= sampled + 1e-12);
+    CHECK(nearness >= sampled - 16.0 / steps);  // no edge is longer, and some sample is that near to any point
+  }
+}
+
 TEST_CASE("C9: of points known to a quarter the bound holds for what is no nearer and no deeper", "[certified]") {
   for (const double x : {0.8, 0.9, 1.0, 1.1, 1.2}) {
     const ShapesResult result = beside_cube(0.25, V(x, 0.1, -0.2));

@@ -348,6 +348,9 @@ TEST_CASE("grey, palette and alpha become RGB, alpha over white") {
   store_as(path, PNG_FORMAT_RGBA, {2, 1}, rgba.data());
   REQUIRE(read_png(path).pixel(0, 0) == Color{255, 0, 0});
   REQUIRE(read_png(path).pixel(1, 0) == Color{204, 204, 224});  // 51/255 = 1/5 of it, the rest white
+  const std::array<std::uint8_t, 4> hardly_there = {127, 128, 129, 1};
+  store_as(path, PNG_FORMAT_RGBA, {1, 1}, hardly_there.data());
+  REQUIRE(read_png(path).pixel(0, 0) == Color{254, 255, 255});  // 254.498, 254.502 and 254.506, to nearest
 
   const std::array<std::uint8_t, 6> colors = {10, 20, 30, 40, 50, 60};
   const std::array<std::uint8_t, 2> indices = {1, 0};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <thread>
@@ -32,6 +33,17 @@ Image page_drawn_with(Backend backend) {
 Image page() { return page_drawn_with(default_backend()); }
 
 }  // namespace
+
+TEST_CASE("a context is refused under settings with which Mesa draws other pixels, and made under the one it has") {
+  using Catch::Matchers::Contains;
+  const char* const set = std::getenv("GALLIUM_DRIVER");
+  const std::optional<std::string> before = set ? std::optional<std::string>(set) : std::nullopt;
+  setenv("GALLIUM_DRIVER", "softpipe", 1);
+  REQUIRE_THROWS_WITH(OffscreenContext(), Contains("GALLIUM_DRIVER=softpipe is set") && Contains("choose llvmpipe"));
+  setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  REQUIRE_NOTHROW(OffscreenContext());
+  before ? setenv("GALLIUM_DRIVER", before->c_str(), 1) : unsetenv("GALLIUM_DRIVER");
+}
 
 TEST_CASE("this build has a backend, each once, and OSMesa is the default where it is there") {
   const auto here = built_in_backends();
