@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -50,15 +51,47 @@ void remove_stale(const fs::path& file) {
 /// What the page asks for, before there is a page that asks. Where it asks for nothing, that of an earlier run goes.
 void write_files_beside(const Story& story, const PagePictures& pictures, const PageSurroundings& around,
                         const fs::path& folder) {
-  if (!around.has_files) {
+  if (around.has_files)
+    for (const PageFile& file : page_files(story, pictures, around))
+      render::write_file(folder / file.name, file.content);
+  else
     for (const char* stale : files_asked_for) remove_stale(folder / stale);
-    return;  // a trace stays: it may be somebody's own
+}
+
+std::string copy_of_scene(const PageOrigin& origin) { return origin.name + ".json"; }
+
+/// Returns: what may lie beside a page of where it comes from, written there or left by an earlier run; but for what is read from
+/// there, which stays as it is.
+std::vector<std::string> sources_beside(const PageOrigin& origin, const fs::path& folder) {
+  std::vector<std::string> names{trace_file};
+  if (!origin.file.empty()) names.push_back(copy_of_scene(origin));
+  std::error_code is_not_there;
+  std::erase_if(names, [&](const std::string& name) {
+    return !origin.file.empty() && fs::equivalent(origin.file, folder / name, is_not_there);
+  });
+  return names;
+}
+
+/// Returns: its content; nothing where the page has no such source.
+std::string source(const std::string& name, const Story& story, const PageOrigin& origin) {
+  if (name == trace_file) {
+    std::vector<Trace> traces;
+    for (const Telling& telling : story.tellings) traces.push_back(telling.trace);
+    return traces.empty() ? "" : traces_json(story.walkthrough, traces);
   }
-  for (const PageFile& file : page_files(story, pictures, around)) render::write_file(folder / file.name, file.content);
-  if (around.trace_command.empty()) return;
-  std::vector<Trace> traces;
-  for (const Telling& telling : story.tellings) traces.push_back(telling.trace);
-  render::write_file(folder / trace_file, traces_json(story.walkthrough, traces));
+  if (!origin.option.empty()) return "";
+  const std::vector<std::uint8_t> bytes = render::read_file(origin.file);
+  return {bytes.begin(), bytes.end()};
+}
+
+void write_sources(const Story& story, const PageOrigin& origin, Pages::Pictures pictures, const fs::path& folder) {
+  for (const std::string& name : sources_beside(origin, folder)) {
+    const std::string content = pictures == Pages::Pictures::beside ? source(name, story, origin) : "";
+    if (content.empty())
+      remove_stale(folder / name);
+    else
+      render::write_file(folder / name, content);
+  }
 }
 
 /// Returns: so many bytes at most; none where there is no such file.
@@ -117,11 +150,11 @@ std::vector<PageOrigin>::const_iterator Pages::origin_of(const Walkthrough& walk
 std::vector<std::string> Pages::files(const Walkthrough& walkthrough) const {
   std::vector<std::string> files{page_file};
   files.insert(files.end(), files_asked_for.begin(), files_asked_for.end());
-  if (pictures_ == Pictures::beside && origin_of(walkthrough)->option.empty()) files.push_back(trace_file);
+  std::ranges::move(sources_beside(*origin_of(walkthrough), folder_ / walkthrough.name), std::back_inserter(files));
   return files;
 }
 
-PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs::path& folder) const {
+PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough) const {
   const auto here = origin_of(walkthrough);
   const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
   PageSurroundings all;
@@ -130,13 +163,10 @@ PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough, const fs
   if (pictures_ == Pictures::inside) return all;
   all.has_files = true;
   if (!here->file.empty())
-    all.sources.push_back(
-        {url_of(
-             fs::absolute(here->file).lexically_relative(fs::absolute(folder / walkthrough.name).lexically_normal())),
-         here->file.filename().string()});
+    all.sources.push_back({url_of(here->option.empty() ? copy_of_scene(*here) : trace_file), here->file.filename().string()});
   const std::string up = up_from(walkthrough.name);
   const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
-  all.page_of = [up, folder, origins = origins_](const std::string& other) {
+  all.page_of = [up, folder = folder_, origins = origins_](const std::string& other) {
     const fs::path page = fs::path(other) / page_file;
     std::error_code unreadable;
     const bool is_there =
@@ -162,8 +192,9 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
                               .text_scale = output.look.style.theme.text,
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
-  renderer.then([=, written = written_, around = surroundings_of(w, output.folder)] {
+  renderer.then([=, written = written_, around = surroundings_of(w), origin = *origin_of(w), kind = pictures_] {
     write_files_beside(*story, pictures, around, folder);
+    write_sources(*story, origin, kind, folder);
     render::write_file(folder / page_file, page_html(*story, pictures, around));
     written(folder / page_file, *story);
   });

@@ -20,7 +20,7 @@ struct PageOrigin {
   std::filesystem::path file;  ///< empty where it is one of the catalogue
 };
 
-/// FOLDER/NAME/index.html and what it asks for, beside the files of Frames, which must be given the story before.
+/// FOLDER/NAME/index.html, what it asks for and what it was made of, beside the files of Frames, which must be given the story before.
 class Pages : public Sink {
  public:
   enum class Pictures {
@@ -28,10 +28,15 @@ class Pages : public Sink {
     inside,  ///< pages hold them, and can be moved and mailed; they have no links to others
   };
 
-  /// `options`: what else was said on the command line about the pictures. `origins`: one for each walkthrough of the run, in
-  /// order.
-  Pages(Pictures pictures, std::string options, std::vector<PageOrigin> origins, FileWritten written)
-      : pictures_(pictures), options_(std::move(options)), origins_(std::move(origins)), written_(std::move(written)) {}
+  /// `folder`: that of the output. `options`: what else was said on the command line about the pictures. `origins`: one for
+  /// each walkthrough of the run, in order.
+  Pages(Pictures pictures, std::filesystem::path folder, std::string options, std::vector<PageOrigin> origins,
+        FileWritten written)
+      : pictures_(pictures),
+        folder_(std::move(folder)),
+        options_(std::move(options)),
+        origins_(std::move(origins)),
+        written_(std::move(written)) {}
 
   std::vector<std::string> files(const Walkthrough& walkthrough) const override;
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
@@ -39,10 +44,10 @@ class Pages : public Sink {
  private:
   /// Requires: the walkthrough is one of the run.
   std::vector<PageOrigin>::const_iterator origin_of(const Walkthrough& walkthrough) const;
-  /// `folder`: that holds one for each walkthrough.
-  PageSurroundings surroundings_of(const Walkthrough& walkthrough, const std::filesystem::path& folder) const;
+  PageSurroundings surroundings_of(const Walkthrough& walkthrough) const;
 
   Pictures pictures_;
+  std::filesystem::path folder_;  ///< that holds one for each walkthrough
   std::string options_;
   std::vector<PageOrigin> origins_;
   FileWritten written_;

@@ -2,10 +2,10 @@
 (() => {
   const data = JSON.parse(document.getElementById('data').textContent);
   const $ = id => document.getElementById(id);
-  const sides = [$('left'), $('right')].map(select => ({select, page: select.closest('div').querySelector('iframe'), shown: ''}));
+  const sides = [$('left'), $('right')].map(select => ({select, page: select.closest('div').querySelector('iframe'), shown: '', reading: 0}));
   const chosen = side => data[side.select.selectedIndex];
   const count = () => Math.max(...sides.map(side => chosen(side).last.length));
-  let at = 0;
+  let at = 0, timer = 0;
 
   // The step of a walkthrough that ends iteration `at`, or the search where that has ended before.
   function turnTo(side) {
@@ -40,17 +40,45 @@
     show(Number(number) - 1 || 0);
   }
 
-  const keys = {ArrowLeft: () => show(at - 1), ArrowRight: () => show(at + 1), Home: () => show(0), End: () => show(count() - 1)};
+  // As long as it takes to read what is said in either.
+  function playOn() {
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      show(at + 1);
+      if (at + 1 < count()) playOn(); else pause();
+    }, Math.max(...sides.map(side => side.reading)));
+  }
+  function pause() {
+    clearTimeout(timer);
+    timer = 0;
+    $('play').textContent = 'Play';
+  }
+  function play() {
+    if (timer) return pause();
+    if (at + 1 === count()) show(0);
+    $('play').textContent = 'Pause';
+    playOn();
+  }
+  const go = i => { pause(); show(i); };
+
+  const keys = {ArrowLeft: () => go(at - 1), ArrowRight: () => go(at + 1), Home: () => go(0), End: () => go(count() - 1), ' ': play};
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key] || event.target.closest('select')) return;
+    if (event.key === ' ' && event.target.closest('button, a')) return;
     event.preventDefault();
     keys[event.key]();
   });
-  // A walkthrough that is shown here passes its keys on.
-  addEventListener('message', event => { if (sides.some(side => side.page.contentWindow === event.source)) keys[event.data.key]?.(); });
-  for (const [id, act] of [['first', keys.Home], ['back', keys.ArrowLeft], ['next', keys.ArrowRight], ['last', keys.End]])
+  // A walkthrough that is shown here passes its keys on, and how long it takes to read what it says.
+  addEventListener('message', event => {
+    const side = sides.find(each => each.page.contentWindow === event.source);
+    if (!side) return;
+    keys[event.data.key]?.();
+    side.reading = event.data.reading ?? side.reading;
+    if (timer && event.data.reading) playOn();
+  });
+  for (const [id, act] of [['first', keys.Home], ['back', keys.ArrowLeft], ['next', keys.ArrowRight], ['last', keys.End], ['play', play]])
     $(id).addEventListener('click', act);
-  $('slider').addEventListener('input', () => show($('slider').value - 1));
+  $('slider').addEventListener('input', () => go($('slider').value - 1));
   for (const side of sides) side.select.addEventListener('change', () => show(at));
   addEventListener('hashchange', readAddress);
 

@@ -31,6 +31,21 @@ std::string link(const PageLink& to, const std::string& attributes = "") {
   return "<a " + attributes + "href=\"" + escaped(to.url) + "\">" + escaped(to.text) + "</a>\n";
 }
 
+/// Texts, each once: those of pictures and questions come again and again.
+class Texts {
+ public:
+  std::size_t place_of(const std::string& text) {
+    const auto known = std::ranges::find(all_, text);
+    if (known != all_.end()) return static_cast<std::size_t>(known - all_.begin());
+    all_.push_back(text);
+    return all_.size() - 1;
+  }
+  const std::vector<std::string>& all() const { return all_; }
+
+ private:
+  std::vector<std::string> all_;
+};
+
 // -- One step ---------------------------------------------------------------------------------------------------------
 
 /// What one of two searches has done last, whatever the frame tells of the other.
@@ -133,13 +148,25 @@ std::string running_lines(const Story& story, std::size_t index) {
   return html;
 }
 
-std::string step(const Story& story, const PagePictures& pictures, std::size_t index) {
+/// A picture is named by sentences, each of which stands in the page once, where it is new. `told`: those before.
+std::string shot(const Story& story, const PagePictures& pictures, std::size_t index, Texts& told) {
+  std::string fresh, names;
+  for (const std::string& sentence : picture_in_words(story, index)) {
+    const std::size_t count = told.all().size(), place = told.place_of(sentence);
+    const std::string id = "s" + std::to_string(place);
+    if (place == count) fresh += "<p hidden id=\"" + id + "\">" + escaped(sentence) + "</p>\n";
+    names += (names.empty() ? "" : " ") + id;
+  }
+  return "<div class=\"shot\"><img src=\"" + escaped(pictures.url(index, 0)) + "\" alt=\"Step " +
+         std::to_string(index + 1) + "\" aria-labelledby=\"" + names + "\" loading=lazy></div>\n" + fresh;
+}
+
+std::string step(const Story& story, const PagePictures& pictures, std::size_t index, Texts& told) {
   const Frame& frame = story.frames[index];
   std::string facts;
   for (const Fact& each : frame.facts) facts += fact(each);
-  const std::string url = escaped(pictures.url(index, 0));
-  return "<section class=\"step\" id=\"" + std::to_string(index + 1) + "\">\n<div class=\"shot\"><img src=\"" + url +
-         "\" alt=\"" + escaped(picture_in_words(story, index)) + "\" loading=lazy></div>\n<div class=\"text\">" +
+  return "<section class=\"step\" id=\"" + std::to_string(index + 1) + "\">\n" +
+         shot(story, pictures, index, told) + "<div class=\"text\">" +
          element("p class=\"where\"", html_of(where(story, index))) + element("h2", html_of(frame.caption)) +
          element("ul", facts) + running_lines(story, index) + "</div></section>\n";
 }
@@ -161,17 +188,16 @@ std::string kind_of(Focus focus) {
   }
 }
 
-/// Listings of algorithms, each once: title, and lines as [indent, text].
+/// Listings of algorithms, each once: lines as [indent, text].
 class Listings {
  public:
   std::size_t place_of(const Running& running) {
     Json lines = Json::array();
     for (const CodeLine& line : running.code)
       lines.push_back({line.indent, html_of(line_in_letters(running.number, line, running.names))});
-    const Json listing = {{"title", html_of(running.title)}, {"lines", lines}};
-    const auto known = std::find(listings_.begin(), listings_.end(), listing);
+    const auto known = std::find(listings_.begin(), listings_.end(), lines);
     if (known != listings_.end()) return static_cast<std::size_t>(known - listings_.begin());
-    listings_.push_back(listing);
+    listings_.push_back(lines);
     return listings_.size() - 1;
   }
   const Json& all() const { return listings_; }
@@ -194,8 +220,6 @@ Json step_data(const Story& story, std::size_t index, Listings& listings) {
   if (const std::string kind = kind_of(frame.focus); !kind.empty()) step["kind"] = kind;
   for (const std::size_t scene : scenes_with_code(story, index))
     step["code"].push_back(code_of(Running(story, index, scene), listings));
-  if (!frame.events.empty()) step["events"] = Json::array();
-  for (const EventRange& range : frame.events) step["events"].push_back({range.first, range.last});
   return step;
 }
 
@@ -224,28 +248,14 @@ std::string kind_of(Decision::Kind kind) {
   return "";
 }
 
-/// Texts, each once: those of questions come again and again.
-class Texts {
- public:
-  std::size_t place_of(const std::string& text) {
-    const auto known = std::ranges::find(all_, text);
-    if (known != all_.end()) return static_cast<std::size_t>(known - all_.begin());
-    all_.push_back(text);
-    return all_.size() - 1;
-  }
-  const std::vector<std::string>& all() const { return all_; }
-
- private:
-  std::vector<std::string> all_;
-};
-
-/// Texts of questions, choices and reasons are HTML, told by their places in `texts`.
-Json questions(const Story& story, const PageSurroundings& surroundings, Texts& texts) {
+/// Those of `known` that the frames can ask. Texts of questions, choices and reasons are HTML, told by their places in `texts`.
+Json questions(const Story& story, const std::vector<Question>& known, const PageSurroundings& surroundings) {
   Json list = Json::array();
-  for (const Question& question : questions_of(story)) {
+  Texts texts;
+  const auto place_of = [&](const std::string& text) { return texts.place_of(html_of(text)); };
+  for (const Question& question : known) {
     const std::optional<std::size_t> frame = answering_frame(story, question);
     if (!frame) continue;
-    const auto place_of = [&](const std::string& text) { return texts.place_of(html_of(text)); };
     Json choices = Json::array();
     for (const Choice& choice : question.choices)
       choices.push_back({place_of(choice.text), place_of(choice.reason), place_of(choice.hint)});
@@ -258,15 +268,15 @@ Json questions(const Story& story, const PageSurroundings& surroundings, Texts& 
                     {"right", question.right},
                     {"practice", {page.empty() ? practice : find_walkthrough(practice)->title, page}}});
   }
-  return list;
+  return {{"questions", list}, {"texts", texts.all()}};
 }
 
 /// Returns: JSON that may stand in a script.
 std::string script_text(const Json& json) { return json_for_html(render::json_text(json)); }
 
-std::string data(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
+/// `asked`: so many questions of `known` ones.
+Json steps(const Story& story, const PagePictures& pictures, std::size_t asked, std::size_t known) {
   Listings listings;
-  Texts texts;
   Json steps = Json::array();
   for (std::size_t i = 0; i < story.frames.size(); ++i) steps.push_back(step_data(story, i, listings));
   Json turned = Json::array();
@@ -274,25 +284,39 @@ std::string data(const Story& story, const PagePictures& pictures, const PageSur
     turned.push_back(Json::array());
     for (int turn = 1; turn <= pictures.turns; ++turn) turned.back().push_back(pictures.url(i, turn));
   }
-  const Json asked = questions(story, surroundings, texts);
-  const Json all = {{"name", story.walkthrough.name},
-                    {"steps", steps},
-                    {"listings", listings.all()},
-                    {"turned", turned},
-                    {"questions", asked},
-                    {"texts", texts.all()}};
-  return script_text(all);
+  return {{"name", story.walkthrough.name},
+          {"steps", steps},
+          {"listings", listings.all()},
+          {"turned", turned},
+          {"questions", asked},
+          {"unasked", known - asked}};
 }
 
-/// The events of each scene.
-std::string scenes(const Story& story) {
-  Json scenes = Json::array();
+/// The events of each scene, and which of them each step tells.
+Json events(const Story& story) {
+  Json scenes = Json::array(), steps = Json::array();
   for (const Telling& telling : story.tellings) {
     Json events = Json::array();
     for (const auto& event : telling.trace.events) events.push_back(Json::parse(event_json(event)));
     scenes.push_back({{"name", telling.scene.name}, {"events", events}});
   }
-  return script_text(scenes);
+  for (const Frame& frame : story.frames) {
+    steps.push_back(Json::array());
+    for (const EventRange& range : frame.events) steps.back().push_back({range.first, range.last});
+  }
+  return {{"scenes", scenes}, {"steps", steps}};
+}
+
+/// What scripts need, each as JSON that may stand in one.
+struct Data {
+  std::string steps, events, questions;
+};
+
+Data data(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
+  const std::vector<Question> known = questions_of(story);
+  const Json asked = questions(story, known, surroundings);
+  return {script_text(steps(story, pictures, asked["questions"].size(), known.size())), script_text(events(story)),
+          script_text(asked)};
 }
 
 // -- Around the steps -------------------------------------------------------------------------------------------------
@@ -317,7 +341,6 @@ std::string ways(const PageSurroundings& surroundings) {
 // -- What stands in the page, or in files beside it ---------------------------------------------------------------------
 
 std::string style() { return std::string(templates::colors_css) + std::string(templates::page_css); }
-std::string script() { return std::string(templates::page_js); }
 
 std::string linked_style() { return std::string("<link rel=\"stylesheet\" href=\"") + style_file + "\">\n"; }
 std::string linked_script(const std::string& file) { return "<script src=\"" + file + "\"></script>\n"; }
@@ -330,21 +353,34 @@ std::string file_that_sets(const std::string& name, const std::string& json) {
   return "'use strict';\nwindow." + name + " = " + json + ";\n";
 }
 
+/// Of a page that holds it all.
+std::string held_data(const Data& data) {
+  return inside("data", data.steps) + inside("events", data.events) + inside("questions", data.questions);
+}
+std::string held_scripts() {
+  return "<script>\n" + std::string(templates::predict_js) + "</script>\n<script>\n" +
+         std::string(templates::page_js) + "</script>\n";
+}
+
 }  // namespace
 
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures,
                                  const PageSurroundings& surroundings) {
+  const Data all = data(story, pictures, surroundings);
   return {{style_file, style()},
-          {script_file, script()},
-          {steps_file, file_that_sets("gjkstepSteps", data(story, pictures, surroundings))},
-          {events_file, file_that_sets("gjkstepEvents", scenes(story))}};
+          {script_file, std::string(templates::page_js)},
+          {steps_file, file_that_sets("gjkstepSteps", all.steps)},
+          {events_file, file_that_sets("gjkstepEvents", all.events)},
+          {quiz_file, std::string(templates::predict_js)},
+          {questions_file, file_that_sets("gjkstepQuestions", all.questions)}};
 }
 
 std::string page_html(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings) {
   const Walkthrough& w = story.walkthrough;
   const bool is_whole = !surroundings.has_files;
   std::string steps;
-  for (std::size_t i = 0; i < story.frames.size(); ++i) steps += step(story, pictures, i);
+  Texts told;
+  for (std::size_t i = 0; i < story.frames.size(); ++i) steps += step(story, pictures, i, told);
   return filled(
       templates::page_html,
       {{"title", escaped(w.title)},
@@ -358,9 +394,8 @@ std::string page_html(const Story& story, const PagePictures& pictures, const Pa
        {"origin", origin(w, surroundings)},
        {"steps", steps},
        {"style", is_whole ? "<style>\n" + style() + "</style>\n" : linked_style()},
-       {"data", is_whole ? inside("data", data(story, pictures, surroundings)) + inside("events", scenes(story))
-                         : linked_script(steps_file)},
-       {"script", is_whole ? "<script>\n" + script() + "</script>\n" : linked_script(script_file)}});
+       {"data", is_whole ? held_data(data(story, pictures, surroundings)) : linked_script(steps_file)},
+       {"script", is_whole ? held_scripts() : linked_script(script_file)}});
 }
 
 }  // namespace walkthroughs

@@ -38,12 +38,15 @@ struct PageFile {
 };
 
 inline constexpr const char *style_file = "page.css", *script_file = "page.js", *steps_file = "steps.js",
-                            *events_file = "events.js", *trace_file = "trace.jsonl";
+                            *events_file = "events.js", *quiz_file = "predict.js", *questions_file = "questions.js",
+                            *trace_file = "trace.jsonl";
 /// Of these what page_files() makes.
-inline constexpr std::array files_asked_for{style_file, script_file, steps_file, events_file};
+inline constexpr std::array files_asked_for{style_file,  script_file, steps_file,
+                                            events_file, quiz_file,   questions_file};
 
-/// Returns: what a page asks for that does not hold it all: its style, its script, what that needs to know of the steps, and the
-/// events, which are loaded when a reader asks for them (as scripts: pages that are files themselves may read nothing else).
+/// Returns: what a page asks for that does not hold it all: its style, its script, and what that needs to know of the steps; and
+/// what is loaded when a reader asks for it, the events, the questions, and the script that asks them (data as scripts, too: pages
+/// that are files themselves may read nothing else).
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures,
                                  const PageSurroundings& surroundings);
 

@@ -19,7 +19,7 @@
   function fillCode(box, [listing, current, outcomes]) {
     if (box.querySelector('ol')) return;
     const list = make('ol');
-    data.listings[listing].lines.forEach(([indent, html], i) => {
+    data.listings[listing].forEach(([indent, html], i) => {
       const line = make('li');
       line.style.setProperty('--indent', indent);
       line.append(Object.assign(make('span'), {innerHTML: html}));  // made by the program, with <sub> for subscripts
@@ -31,38 +31,44 @@
     box.append(list);
   }
 
-  // The scenes with all of their events stand in the page, or in a script beside it that is loaded when somebody asks.
-  function withScenes(use, fail) {
-    const inside = $('events');
-    if (inside) return use(JSON.parse(inside.textContent));
-    if (window.gjkstepEvents) return use(window.gjkstepEvents);
+  const load = file => new Promise((use, fail) => {
     const script = make('script');
-    script.addEventListener('load', () => use(window.gjkstepEvents));
+    script.addEventListener('load', use);
     script.addEventListener('error', fail);
-    script.src = 'events.js';
+    script.src = file;
     document.head.append(script);
+  });
+
+  // Data that stand in the page, or in a script beside it that is loaded when somebody asks.
+  async function held(id, variable, file) {
+    const inside = $(id);
+    if (inside) return JSON.parse(inside.textContent);
+    if (!window[variable]) await load(file);
+    return window[variable];
   }
 
-  function addEvents(step, ranges) {
-    if (!ranges || step.querySelector('.events')) return;
+  function addEvents(i) {
+    if (!data.steps[i].iteration || steps[i].querySelector('.events')) return;
     const details = make('details', 'events');
     details.append(make('summary', '', 'Events as JSON'));
-    details.addEventListener('toggle', () => {
+    details.addEventListener('toggle', async () => {
       if (details.querySelector('pre')) return;
       const text = make('pre');
       details.append(text);
-      withScenes(scenes => {
-        const lines = ranges.flatMap(([first, last], s) =>
-          scenes[s].events.slice(first, last + 1).map(event => JSON.stringify({scene: scenes[s].name, ...event})));
-        text.textContent = lines.join('\n');
-      }, () => { text.textContent = 'The file events.js, which belongs beside this page, is not there.'; });
+      try {
+        const {scenes, steps: ranges} = await held('events', 'gjkstepEvents', 'events.js');
+        text.textContent = ranges[i].flatMap(([first, last], s) =>
+          scenes[s].events.slice(first, last + 1).map(event => JSON.stringify({scene: scenes[s].name, ...event}))).join('\n');
+      } catch {
+        text.textContent = 'The file events.js, which belongs beside this page, is not there.';
+      }
     });
-    step.querySelector('.text').append(details);
+    steps[i].querySelector('.text').append(details);
   }
 
   function complete(i) {
     boxesOf(i).forEach((box, b) => fillCode(box, data.steps[i].code[b]));
-    addEvents(steps[i], data.steps[i].events);
+    addEvents(i);
     for (let j = Math.max(0, i - near); j <= Math.min(steps.length - 1, i + near); ++j)
       steps[j].querySelector('img').loading = 'eager';
   }
@@ -82,10 +88,9 @@
   function show(i, how) {
     i = Math.max(0, Math.min(steps.length - 1, i));
     const moved = i !== at;
-    close();
+    quiz.leave();
     steps[at].classList.remove('now');
     steps[at = i].classList.add('now');
-    hideWords(openQuestion() >= 0);
     complete(i);
     $('slider').value = i + 1;
     $('slider').setAttribute('aria-valuetext', steps[i].querySelector('.where').textContent);
@@ -94,26 +99,25 @@
       $(id).disabled = i === end;
     keepInSight();
     if (moved) $('live').textContent = said(i);
-    if (moved) skipped.clear();
-    if (predicting && i === steps.length - 1) showScore();
+    quiz.arrive(moved);
     entitle();
+    if (isBare) parent.postMessage({reading: readingTime(i)}, '*');
     if (how !== 'stay' && moved) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', `#${i + 1}`);
   }
 
-  // Titles tell how it ends: not before the score does.
+  // Titles tell how it ends: not while it is asked.
   function entitle() {
-    const isOpen = predicting && $('score').hidden;
-    document.title = `${at + 1}/${steps.length} ${isOpen ? untold : title}`;
-    heading.textContent = isOpen ? untold : name;
-    for (const told of [$('summary'), ...document.querySelectorAll('.made')]) told.hidden = isOpen;
+    const untold = quiz.untold();
+    document.title = `${at + 1}/${steps.length} ${untold || title}`;
+    heading.textContent = untold || name;
+    for (const told of [$('summary'), ...document.querySelectorAll('.made')]) told.hidden = untold !== '';
   }
 
   const go = i => { pause(); show(i, 'push'); };
-  const back = () => { if (asked === null) go(at - 1); else close(); };
+  const back = () => { if (quiz.isAsking()) quiz.leave(); else go(at - 1); };
   function forward() {
     pause();
-    if (asked !== null && answers[asked] === null) $('verdict').textContent = 'Choose one, or skip.';
-    else if (!stopsToAsk()) show(at + 1, 'push');
+    if (!quiz.holds()) show(at + 1, 'push');
   }
   const addressed = () => /^#\d+(&bare)?$/.test(location.hash) ? parseInt(location.hash.slice(1), 10) - 1 : 0;
 
@@ -124,7 +128,7 @@
 
   function playOn() {
     timer = setTimeout(() => {
-      if (stopsToAsk()) return pause();
+      if (quiz.holds()) return pause();
       show(at + 1, 'replace');
       if (at + 1 < steps.length) playOn(); else pause();
     }, readingTime(at));
@@ -143,174 +147,26 @@
 
   // -- Predicting -----------------------------------------------------------------------------------------------------
 
-  // Texts of questions, choices and reasons are HTML that the program has made, with <sub> for subscripts.
-  const questions = data.questions.map(question => ({...question, text: data.texts[question.text],
-                                                     choices: question.choices.map(places => places.map(place => data.texts[place]))}));
-  const shelf = `gjkstep ${location.pathname} ${data.name} ${questions.length}`;  // of two files with one name neither has the other's
-  const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on',
-                 line: 'Which line is wrong'};
-  const isAboutLine = questions.length > 0 && questions.every(question => question.kind === 'line');
-  const untold = isAboutLine ? 'Which line is wrong?' : 'What will the search find?', skipped = new Set();
-  const nothing = () => questions.map(() => null);
-  let answers = nothing(), predicting = false, asked = null, isTold = false;
-
-  // The store of the browser, where it has one and allows it; else answers live as long as the page.
-  function store(act) { try { return act(localStorage); } catch { return null; } }
-  function restore() {
-    const kept = store(shop => JSON.parse(shop.getItem(shelf)));
-    if (Array.isArray(kept) && kept.length === questions.length) answers = kept;
+  // What asks, and what it asks, are loaded when somebody wants to be asked: until then nothing is.
+  const nobody = {leave() {}, arrive() {}, holds: () => false, isAsking: () => false, untold: () => ''};
+  let quiz = nobody, coming = null;
+  async function prepareQuiz() {
+    const questions = await held('questions', 'gjkstepQuestions', 'questions.js');
+    if (!window.gjkstepQuiz) await load('predict.js');
+    return window.gjkstepQuiz({steps, data, $, make, boxesOf, show, entitle, place: () => at}, questions);
   }
-
-  // The question still to be answered before the next step; -1 where there is none.
-  const openQuestion = () => predicting ? questions.findIndex((question, k) => question.before === at + 1 && answers[k] === null && !skipped.has(k)) : -1;
-  function stopsToAsk() {
-    const k = openQuestion();
-    if (k >= 0) ask(k);
-    return k >= 0;
-  }
-
-  function ask(k) {
-    asked = k;
-    isTold = false;
-    $('question').innerHTML = questions[k].text;
-    $('choices').replaceChildren(...questions[k].choices.map(([text], c) => {
-      const line = make('li'), button = Object.assign(make('button'), {type: 'button', innerHTML: text});
-      button.addEventListener('click', () => answer(c));
-      line.append(button);
-      return line;
-    }));
-    $('verdict').textContent = '';
-    $('onward').textContent = 'Skip';
-    steps[at].querySelector('.text').prepend($('quiz'));
-    steps[at].classList.add('asking');
-    hideWords(true);
-    mark(false);
-    $('quiz').hidden = false;
-    $('question').focus();
-  }
-
-  const isOff = button => button.disabled || button.getAttribute('aria-disabled') === 'true';
-
-  // The first answer counts. Who is wrong may try once more where that is no sure thing, or look.
-  function answer(c) {
-    const {choices, right} = questions[asked], buttons = [...$('choices').querySelectorAll('button')];
-    if (!buttons[c] || isOff(buttons[c])) return;
-    const isFirst = answers[asked] === null;
-    if (isFirst) {
-      answers[asked] = c;
-      store(shop => shop.setItem(shelf, JSON.stringify(answers)));
+  async function predict() {
+    try {
+      quiz = await (coming ??= prepareQuiz());
+    } catch {
+      coming = null;
+      $('live').textContent = 'The files questions.js and predict.js, which belong beside this page, are not there.';
+      return;
     }
-    if (c !== right && isFirst && choices.length > 2) {
-      buttons[c].classList.add('wrong');
-      buttons[c].setAttribute('aria-disabled', 'true');  // and keeps the focus, so that Tab goes on from there
-      $('verdict').innerHTML = `${notSo(choices[c][2])} Try once more.`;
-      $('onward').textContent = 'Show the answer';
-      $('onward').scrollIntoView({block: 'nearest'});
-    } else {
-      tell(buttons, c);
-    }
+    quiz.toggle();
   }
-
-  const notSo = why => why ? `Not so: ${why}.` : 'Not so.';
-
-  function tell(buttons, c) {
-    const {choices, right} = questions[asked], reason = choices[right][1];
-    isTold = true;
-    for (const button of buttons) button.disabled = true;
-    buttons[c].classList.add('wrong');
-    buttons[right].className = 'right';
-    $('verdict').innerHTML = c === right ? `Right: ${reason}.`
-      : `${notSo(choices[c][1] === reason ? '' : choices[c][1])} The answer is <b>“${choices[right][0]}”</b>: ${reason}.`;
-    $('onward').textContent = 'Go on';
-    hideWords(false);
-    $('onward').focus();
-  }
-
-  // The lines that run, which tell what is asked.
-  function mark(isShown) {
-    boxesOf(at).forEach((box, b) => {
-      const line = box.querySelectorAll('li')[data.steps[at].code[b][1]];
-      if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
-    });
-  }
-
-  // What is told of the picture tells where the origin lies.
-  function hideWords(hides) {
-    const picture = steps[at].querySelector('img');
-    picture.dataset.words ??= picture.alt;
-    picture.alt = hides ? 'The picture; it is told in words once the question is answered.' : picture.dataset.words;
-  }
-
-  function close() {
-    asked = null;
-    hideWords(openQuestion() >= 0);
-    mark(true);
-    $('quiz').hidden = $('score').hidden = true;
-    steps[at].classList.remove('asking');
-  }
-
-  function onward() {
-    const first = answers[asked];
-    if (first !== null && !isTold) return tell([...$('choices').querySelectorAll('button')], first);
-    if (first === null) skipped.add(asked);
-    if (stopsToAsk()) return;
-    show(at + 1, 'push');
-    $(at + 1 < steps.length ? 'next' : 'first').focus({preventScroll: true});  // the button that was pressed is gone
-  }
-
-  function showScore() {
-    const given = questions.filter((question, k) => answers[k] !== null);
-    const right = (question, k) => answers[k] === question.right;
-    $('points').textContent = given.length ? `${questions.filter(right).length} of ${questions.length} right` +
-      (given.length < questions.length ? `, ${questions.length - given.length} not answered` : '') : 'No question answered yet';
-    const list = make('ul');
-    let missesPages = false;
-    for (const [kind, name] of Object.entries(kinds)) {
-      const ours = questions.map((question, k) => [question, k]).filter(([question, k]) => question.kind === kind && answers[k] !== null);
-      const wrong = ours.filter(([question, k]) => !right(question, k));
-      if (!ours.length) continue;
-      const line = make('li', wrong.length ? 'no' : 'yes', `${name}: ${ours.length - wrong.length} of ${ours.length}`);
-      const practice = new Map(wrong.map(([question]) => question.practice).filter(([title]) => title));
-      let between = '; practise with ';
-      for (const [title, url] of practice) {  // where there is no page, its name
-        line.append(between, url ? Object.assign(make('a', '', title), {href: url}) : make('code', '', title));
-        missesPages ||= !url;
-        between = ', ';
-      }
-      list.append(line);
-    }
-    $('kinds').replaceChildren(list);
-    if (missesPages) $('kinds').append(make('code', '', 'gjkstep render regions --page'), ' makes these pages.');
-    steps[at].querySelector('.text').prepend($('score'));
-    $('score').hidden = false;
-    $('forget').hidden = !given.length;
-    $('score').scrollIntoView({block: 'nearest'});
-    if (given.length) $('live').textContent = $('points').textContent;
-  }
-
-  function predict() {
-    predicting = !predicting;
-    $('predict').setAttribute('aria-pressed', predicting);
-    close();
-    skipped.clear();
-    const isOver = predicting && !answers.includes(null);
-    if (isOver || (predicting && at === steps.length - 1)) showScore();
-    entitle();
-    $('live').textContent = isOver ? 'All questions have been answered; who forgets the answers is asked again.'
-      : predicting ? `${isAboutLine ? 'Where the searches part' : 'Before each decision'} a question will be asked.` : 'No questions will be asked.';
-  }
-
-  function forget() {
-    answers = nothing();
-    store(shop => shop.removeItem(shelf));
-    show(0, 'push');
-    $('next').focus();
-  }
-
-  restore();
-  $('predict').hidden = !questions.length;
-  $('onward').addEventListener('click', onward);
-  $('forget').addEventListener('click', forget);
+  $('predict').hidden = !data.questions;
+  $('unasked').hidden = data.questions || !data.unasked;
 
   // -- What one presses, drags and swipes ---------------------------------------------------------------------------------
 
@@ -329,15 +185,15 @@
     ArrowLeft: back, ArrowRight: forward, Home: () => go(0), End: () => go(steps.length - 1), ' ': play,
   };
   const turning = {ArrowLeft: () => turnBy(-1), ArrowRight: () => turnBy(1)};
-  const hasQuestions = () => questions.length && $('letters').checked;
+  const hasQuestions = () => data.questions && $('letters').checked;
   function letter(key) {
     if (!hasQuestions()) return null;
     if (key.toLowerCase() === 'p') return predict;
-    return asked !== null && /^[1-9]$/.test(key) ? () => answer(key - 1) : null;
+    return quiz.isAsking() && /^[1-9]$/.test(key) ? () => quiz.answer(key - 1) : null;
   }
   document.addEventListener('keydown', event => {
     const act = (turns && event.shiftKey && turning[event.key]) || keys[event.key] || letter(event.key);
-    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing || !act) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing || !act || event.target.closest('select')) return;
     if (event.key === ' ' && event.target.closest('button, summary, a, input:not([type=range])')) return;
     event.preventDefault();
     if (isBare) parent.postMessage({key: event.key}, '*'); else act();
@@ -350,7 +206,7 @@
 
   // A swipe steps; where there are further views, it turns the picture, as buttons and keys do.
   let from = null;
-  $('steps').classList.toggle('turns', turns > 0);
+  document.querySelector('main').classList.toggle('turns', turns > 0);
   for (const id of ['turn-back', 'turn-on', 'turning']) $(id).hidden = !turns;
   function turn(shot, x) {
     const width = shot.clientWidth / (turns + 1);
@@ -386,6 +242,11 @@
   });
 
   // Before printing all is there, also what nobody has looked at.
+  const chooseHandout = () => document.documentElement.classList.toggle('strip', $('handout').value === 'strip');
+  $('printing').hidden = false;
+  $('handout').addEventListener('change', chooseHandout);
+  $('print').addEventListener('click', () => print());
+  chooseHandout();  // a browser may have kept the choice
   addEventListener('beforeprint', () => steps.forEach((step, i) => complete(i)));
 
   document.documentElement.classList.toggle('bare', isBare);

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/page/line_question.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/captions_of_proof.hpp"
-#include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
@@ -25,12 +25,23 @@ using Region = gjk::RegionTested<double>;
 /// "R3", of "R3: beyond edge AB"; else all of it.
 std::string label_of(const std::string& text) { return text.substr(0, text.find(':')); }
 
-/// A hint that names the right choice, or what speaks for it, is none. Of two choices one that is wrong tells the other.
+/// "ABC_n·AO", of "R1: ABC_n·AO = 5 > 0".
+std::string asked_in(const std::string& reason) {
+  const std::size_t label = reason.find(": "), begin = label == std::string::npos ? 0 : label + 2;
+  return reason.substr(begin, reason.find(" = ", begin) - begin);
+}
+
+/// A hint that names the right choice, or what speaks for it, is none; where one number decides among three or more, which one that
+/// is leaves it open. Of two choices one that is wrong tells the other.
 void keep_open(std::vector<Choice>& choices, const Choice right) {
+  const bool is_among_several = std::ranges::count(choices, right.reason, &Choice::reason) > 2 &&
+                                right.reason.find(" = ") != std::string::npos;
   for (Choice& choice : choices) {
     const auto tells = [&](const std::string& what) { return choice.hint.find(what) != std::string::npos; };
     if (choices.size() == 2 || choice.text == right.text || tells(label_of(right.text)) || tells(right.reason))
-      choice.hint.clear();
+      choice.hint = is_among_several && choice.text != right.text && choice.reason == right.reason
+                        ? "what decides is " + asked_in(right.reason)
+                        : "";
   }
 }
 
@@ -53,10 +64,6 @@ std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t 
   const auto place = static_cast<std::size_t>(found - choices.begin());
   keep_open(choices, *found);
   return Question{std::move(decision), scene, event, std::move(text), std::move(choices), place};
-}
-
-void add_once(std::vector<Choice>& choices, Choice choice) {
-  if (std::ranges::count(choices, choice.text, &Choice::text) == 0) choices.push_back(std::move(choice));
 }
 
 /// "R3: beyond edge AB". `relation`: where the algorithm has a line for each outcome of one test.
@@ -392,98 +399,17 @@ std::optional<Question> of_kept(const Story& story, std::size_t scene, std::size
     found = feature;
     right = text;
   }
-  for (Choice& choice : choices)
+  for (Choice& choice : choices) {
     if (choice.reason.empty())
       choice.reason = choice.text == right ? "it is no other feature, and one it must be"
                                            : "not looked at, since what was asked of other features has decided";
+    choice.hint = choice.reason;
+  }
   return asked({Kind::region, event.before.size(), found + " kept"}, scene, at,
                "On which feature does the point nearest to the origin lie?", std::move(choices), right);
 }
 
-// -- The line that is wrong -------------------------------------------------------------------------------------------
-
-bool is_answer(const std::string& line) { return line == "intersecting" || line == "separated" || line == "undecided"; }
-
-/// To which lines a step has come: setting out, the tests that were made, and what followed from the last. Of Algorithm 1 all that
-/// do something in every iteration; where one that answers is wrong, these, too.
-struct LinesRun {
-  const std::vector<CodeLine>& code;
-  const wrong_on_purpose::WrongLine& wrong;
-  const Moment& now;
-  Focus focus;
-
-  bool has(std::size_t i) const {
-    const CodeLine& line = code[i];
-    if (wrong.algorithm == 1)
-      return line.kind != LineKind::plain && (!is_answer(line.text) || is_answer(std::string(wrong.right)));
-    if (i == current_line(code, now, focus)) return true;
-    return line.kind == LineKind::plain ? !line.text.starts_with("else") : test_of(line, now) != nullptr;
-  }
-};
-
-/// Returns: "0" of "R3: ABn·AO = 0 ≤ 0"; what has no number as it is.
-std::string value_told(const std::string& text) {
-  const std::size_t at = text.rfind(" = ");
-  if (at == std::string::npos) return text;
-  const std::string value = text.substr(at + 3, text.find_first_of("≤>≠:", at + 3) - at - 3);
-  return value.substr(0, value.find_last_not_of(' ') + 1);
-}
-
-/// Returns: what both searches find where they part, which the frame before does not show: without it one could only guess. Their
-/// numbers, or where these do not differ what they make of them. Of the first point only the mistaken search says anything.
-std::string what_each_finds(const Frame& parting) {
-  const std::vector<Fact>& facts = parting.facts;  // of each what it finds, with its name, then its numbers
-  if (facts.size() < 4) return " " + facts[0].text;
-  const auto words = [&](std::size_t i) { return facts[i].text.substr(0, facts[i].text.size() - 1); };  // no full stop
-  const auto name = [&](std::size_t i) { return facts[i].text.substr(0, facts[i].text.find(": ") + 2); };
-  const bool is_same = value_told(facts[1].text) == value_told(facts[3].text);
-  return " " + (is_same ? words(0) + "; " + words(2) : name(0) + facts[1].text + "; " + name(2) + facts[3].text) + ".";
-}
-
-/// Of the lines that ran, exactly one of which the mistaken program has otherwise: others that it has otherwise, too, are left out.
-std::optional<Question> of_line(const Story& story) {
-  const std::optional<std::size_t> place = story.parting();
-  if (!place) return std::nullopt;
-  const Frame& parting = story.frames[*place];
-  const Telling& right = story.tellings[1];
-  const Mistake mistake = *story.tellings[0].scene.mistake;
-  const std::size_t event = parting.events[1].last;
-  const auto* const found = line_gone_wrong(mistake, right.trace, event);
-  if (!found) return std::nullopt;
-  const wrong_on_purpose::WrongLine& wrong = *found;
-  const Moment& now = parting.moments[1];
-  const Names names(story.walkthrough.naming, right.hull, now);
-  const std::vector<CodeLine>& code = algorithm(wrong.algorithm, RuleSet::as_intended);
-  const auto is_otherwise = [&](const CodeLine& line) {
-    return std::ranges::any_of(wrong_on_purpose::description_of(mistake).lines, [&](const auto& each) {
-      return each.algorithm == wrong.algorithm && each.right == line.text;
-    });
-  };
-  Question question{
-      {Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
-      0,
-      parting.events[0].last,
-      "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" + what_each_finds(parting),
-      {},
-      0};
-  const auto choose_among = [&](const LinesRun& run) {
-    question.choices.clear();
-    for (std::size_t i = 0; i < code.size(); ++i) {
-      const std::string text = line_in_letters(wrong.algorithm, code[i], names);
-      if (code[i].text == wrong.right) {
-        question.right = question.choices.size();
-        add_once(question.choices, {text, "here: " + wrong_text(wrong, names), ""});
-      } else if (run.has(i) && !is_otherwise(code[i])) {
-        add_once(question.choices, {text, "this line is as in the report", "this line is as in the report"});
-      }
-    }
-  };
-  const bool is_test = std::holds_alternative<Region>(right.trace.events[event]);
-  choose_among({code, wrong, now, is_test ? Focus::region : Focus::direction});
-  if (question.choices.size() < 2)
-    choose_among({code, wrong, now, Focus::direction});  // and what follows from the test
-  return question;
-}
+// -- All of them --------------------------------------------------------------------------------------------------------
 
 void ask_about(std::size_t scene, const Story& story, std::vector<Question>& questions) {
   const std::vector<gjk::Event<double>>& events = story.tellings[scene].trace.events;
@@ -503,10 +429,14 @@ void ask_about(std::size_t scene, const Story& story, std::vector<Question>& que
 
 }  // namespace
 
+void add_once(std::vector<Choice>& choices, Choice choice) {
+  if (std::ranges::count(choices, choice.text, &Choice::text) == 0) choices.push_back(std::move(choice));
+}
+
 std::vector<Question> questions_of(const Story& story) {
   std::vector<Question> questions;
   if (story.shows_mistake()) {
-    if (auto question = of_line(story)) questions.push_back(std::move(*question));
+    if (auto question = question_of_line(story)) questions.push_back(std::move(*question));
     return questions;
   }
   for (std::size_t scene = 0; scene < story.tellings.size(); ++scene) ask_about(scene, story, questions);

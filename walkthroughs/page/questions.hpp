@@ -17,6 +17,9 @@ struct Choice {
       hint;  ///< of the reason what leaves open which choice is right; empty where nothing does, and of the right one
 };
 
+/// Adds the choice where there is none of its text.
+void add_once(std::vector<Choice>& choices, Choice choice);
+
 /// What a decision was about, so that walkthroughs with the same one can be found.
 struct Decision {
   enum class Kind { crossing, region, vertices, direction, line };

@@ -8,8 +8,8 @@
 namespace walkthroughs {
 
 namespace templates {
-extern const std::string_view page_html, page_css, page_js, index_html, index_css, index_js, compare_html, compare_css,
-    compare_js, colors_css;
+extern const std::string_view page_html, page_css, page_js, predict_js, index_html, index_css, index_js, compare_html,
+    compare_css, compare_js, colors_css;
 }  // namespace templates
 
 /// What stands in a template in place of {{name}}.

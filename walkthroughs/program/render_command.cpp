@@ -166,7 +166,8 @@ class Rendering {
       sinks.push_back(std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
     if (is_asked_for_pages())
       sinks.push_back(
-          std::make_unique<Pages>(pictures_of_pages(), options_of_pictures(), origins_of(selection), report_file));
+          std::make_unique<Pages>(pictures_of_pages(), command_.out, options_of_pictures(), origins_of(selection),
+                                  report_file));
     return sinks;
   }
 

@@ -1,5 +1,7 @@
 #include "walkthroughs/story/alternative_text.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "render/json_text.hpp"
@@ -46,7 +48,9 @@ std::string vertices_in_words(const Telling& telling, const Names& names, const 
                                  : what + "The vertices of the simplex are " + named(vertices_of(now.simplex)) + ". ";
 }
 
-std::string described(const Telling& telling, const Names& names, const Moment& now) {
+using Sentences = std::vector<std::string>;
+
+Sentences described(const Telling& telling, const Names& names, const Moment& now) {
   const Dimension dimension = telling.scene.dimension;
   std::string text = vertices_in_words(telling, names, now);
   text += now.simplex.size() == 0 ? "There is no simplex yet."
@@ -56,20 +60,21 @@ std::string described(const Telling& telling, const Names& names, const Moment& 
     text += " The support points are a " + vector(now.found->a.point, dimension) + " and b " +
             vector(now.found->b.point, dimension) + "; a minus b is " + names.of(now.found->w) + " " +
             vector(now.found->w, dimension) + ".";
-  return text;
+  return {text};
 }
 
-std::string described_briefly(const Telling& telling, const Names& names, const Moment& now) {
+Sentences described_briefly(const Telling& telling, const Names& names, const Moment& now) {
   const auto at = [&](const Point& place) { return vector(place, telling.scene.dimension); };
   const auto named = [&](const Places& places) { return with_names(places, names, telling.scene.dimension); };
   const Places corners = corners_of(telling), vertices = vertices_of(now.simplex);
-  std::string text = corners.empty() ? "" : "The difference has the corners " + named(corners) + ". ";
-  text += vertices.empty() ? "There is no simplex yet." : "The simplex is " + named(vertices) + ".";
-  if (now.direction) text += " d is " + at(now.direction->value) + ".";
+  Sentences all;
+  if (!corners.empty()) all.push_back("The difference has the corners " + named(corners) + ".");
+  all.push_back(vertices.empty() ? "There is no simplex yet." : "The simplex is " + named(vertices) + ".");
+  if (now.direction) all.push_back("d is " + at(now.direction->value) + ".");
   if (now.found)
-    text += " a is " + at(now.found->a.point) + ", b " + at(now.found->b.point) + "; a minus b is " +
-            names.of(now.found->w) + " " + at(now.found->w) + ".";
-  return text;
+    all.push_back("a is " + at(now.found->a.point) + ", b " + at(now.found->b.point) + "; a minus b is " +
+                  names.of(now.found->w) + " " + at(now.found->w) + ".");
+  return all;
 }
 
 std::string mark_in_words(Fact::Mark mark) {
@@ -98,32 +103,37 @@ Json json(const FrameFile& item) {
           {"events", events}};
 }
 
-using Describe = std::string (*)(const Telling&, const Names&, const Moment&);
+using Describe = Sentences (*)(const Telling&, const Names&, const Moment&);
 
-std::string panels_in_words(const Story& story, std::size_t index, Describe describe) {
+Sentences panels_in_words(const Story& story, std::size_t index, Describe describe) {
   const Frame& frame = story.frames[index];
-  std::string text;
-  const auto append = [&](const std::string& sentences) { text += (text.empty() ? "" : "\n") + sentences; };
-  if (frame.focus == Focus::diagram) append(plain(story.diagrams[index].description));
+  Sentences all;
+  if (frame.focus == Focus::diagram) all.push_back(plain(story.diagrams[index].description));
   for (std::size_t s = 0; s < frame.moments.size(); ++s) {
-    const bool several = frame.moments.size() > 1;
-    append((several ? "Of the two, " + story.tellings[s].scene.name + ": " : "") +
-           describe(story.tellings[s], story.names(index, s), frame.moments[s]));
+    Sentences of_scene = describe(story.tellings[s], story.names(index, s), frame.moments[s]);
+    if (frame.moments.size() > 1)
+      of_scene.front() = "Of the two, " + story.tellings[s].scene.name + ": " + of_scene.front();
+    std::ranges::move(of_scene, std::back_inserter(all));
   }
   if (story.walkthrough.panels.decision && frame.moments.size() == 1)
     if (const auto line = number_line(frame.moments[0], frame.focus, story.names(index, 0)))
-      append(plain(in_words(*line)));
+      all.push_back(plain(in_words(*line)));
   if (shows_decision(story))
     for (const DecisionView& view : decision_views(frame.moments[0], frame.focus))
-      append(plain(in_words(view, frame.moments[0], story.names(index, 0))));
-  return text;
+      all.push_back(plain(in_words(view, frame.moments[0], story.names(index, 0))));
+  return all;
 }
 
 }  // namespace
 
-std::string description(const Story& story, std::size_t index) { return panels_in_words(story, index, described); }
+std::string description(const Story& story, std::size_t index) {
+  std::string text;
+  for (const std::string& sentences : panels_in_words(story, index, described))
+    text += (text.empty() ? "" : "\n") + sentences;
+  return text;
+}
 
-std::string picture_in_words(const Story& story, std::size_t index) {
+std::vector<std::string> picture_in_words(const Story& story, std::size_t index) {
   return panels_in_words(story, index, described_briefly);
 }
 

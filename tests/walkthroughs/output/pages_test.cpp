@@ -84,7 +84,7 @@ TEST_CASE("A page that others have written is not replaced by the index") {
 
 TEST_CASE("What to practise is linked where its page is there, of an earlier run, too") {
   const Folder folder;
-  const auto steps = [&] { return bytes_of(folder.path() / "figure-4-left/steps.js"); };
+  const auto steps = [&] { return bytes_of(folder.path() / "figure-4-left/questions.js"); };
   REQUIRE(run("render figure-4-left --page" + out_of(folder)).exit_code == 0);
   CHECK_FALSE(has(steps(), "../regions/2-simplex-r3/index.html"));
   REQUIRE(run("render regions/2-simplex-r3 --page" + out_of(folder)).exit_code == 0);
@@ -92,13 +92,13 @@ TEST_CASE("What to practise is linked where its page is there, of an earlier run
   CHECK(has(steps(), "../regions/2-simplex-r3/index.html"));
 }
 
-TEST_CASE("A page that holds all leaves no style, script and events of an earlier one beside it") {
+TEST_CASE("A page that holds all leaves nothing of an earlier one beside it") {
   const Folder folder;
   for (const char* kind : {"beside", "single"}) {
     REQUIRE(run("render figure-4-left --page=" + std::string(kind) + out_of(folder)).exit_code == 0);
-    for (const char* file : {"page.css", "page.js", "steps.js", "events.js"})
+    for (const char* file :
+         {"page.css", "page.js", "steps.js", "events.js", "predict.js", "questions.js", "trace.jsonl"})
       CHECK(fs::exists(folder.path() / "figure-4-left" / file) == (kind == std::string("beside")));
-    CHECK(fs::exists(folder.path() / "figure-4-left/trace.jsonl"));  // which may be somebody's own
   }
 }
 
@@ -109,6 +109,27 @@ TEST_CASE("A trace that stands beside a page is drawn in its place, and stays as
   REQUIRE(run("render --from-trace " + quoted(trace) + " --page" + out_of(folder)).exit_code == 0);
   CHECK(bytes_of(trace) == before);
   CHECK(has(bytes_of(folder.path() / "figure-4-left/index.html"), "href=\"trace.jsonl\""));
+  REQUIRE(run("render --from-trace " + quoted(trace) + " --page=single" + out_of(folder)).exit_code == 0);
+  CHECK(bytes_of(trace) == before);
+}
+
+TEST_CASE("A page has a copy of the scene or the trace that it was made of beside it, and none of another") {
+  const Folder folder;
+  const fs::path scene = folder.path() / "my scene.json", trace = folder.path() / "t.jsonl";
+  const fs::path copy = folder.path() / "out/my-scene/my-scene.json", traced = folder.path() / "out/my-scene/trace.jsonl";
+  std::ofstream(scene) << R"({"dimension": 2, "a": {"points": [[0, 0]]}, "b": {"points": [[1, 1]]}})";
+  REQUIRE(run("trace " + quoted(scene.string()), "", {.out = trace.string(), .err = ""}).exit_code == 0);
+  const std::string out = " --size 48x27 --out " + quoted((folder.path() / "out").string());
+  REQUIRE(run("render " + quoted(scene.string()) + " --page" + out).exit_code == 0);
+  CHECK(bytes_of(copy) == bytes_of(scene));
+  REQUIRE(run("render " + quoted(copy.string()) + " --page" + out).exit_code == 0);  // stays as it is
+  CHECK(bytes_of(copy) == bytes_of(scene));
+  REQUIRE(run("render --from-trace " + quoted(trace.string()) + " --page" + out).exit_code == 0);
+  CHECK_FALSE(fs::exists(copy));
+  CHECK(bytes_of(traced) == bytes_of(trace));
+  REQUIRE(run("render " + quoted(scene.string()) + " --page=single" + out).exit_code == 0);
+  CHECK_FALSE(fs::exists(copy));
+  CHECK_FALSE(fs::exists(traced));
 }
 
 TEST_CASE("Pages of --page=single hold their pictures and lead nowhere") {
@@ -128,7 +149,7 @@ TEST_CASE("The same command writes the same pages") {
     REQUIRE(run("render figure-1 figure-4-left --page" + out_of(*folder)).exit_code == 0);
   for (const char* page :
        {"index.html", "figure-1/index.html", "figure-4-left/index.html", "figure-4-left/events.js",
-        "figure-4-left/page.js", "figure-4-left/steps.js", "figure-4-left/page.css", "figure-4-left/trace.jsonl"})
+        "figure-4-left/page.js", "figure-4-left/questions.js", "figure-4-left/steps.js", "figure-4-left/page.css", "figure-4-left/trace.jsonl"})
     CHECK(bytes_of(one.path() / page) == bytes_of(other.path() / page));
 }
 
@@ -138,7 +159,7 @@ TEST_CASE("The page of a trace is that of its walkthrough, but for what it was m
   REQUIRE(run("trace figure-4-left", "", {.out = trace, .err = ""}).exit_code == 0);
   REQUIRE(run("render --from-trace " + quoted(trace) + " --page" + out_of(folder)).exit_code == 0);
   const std::string from_trace = bytes_of(folder.path() / "figure-4-left/index.html");
-  CHECK(has(from_trace, "href=\"../a%20trace.jsonl\""));
+  CHECK(has(from_trace, "href=\"trace.jsonl\">a trace.jsonl<"));
   CHECK(has(from_trace, "gjkstep render --from-trace '" + trace + "' --page --size 48x27<"));
   REQUIRE(run("render figure-4-left --page" + out_of(folder)).exit_code == 0);
   const std::string from_search = bytes_of(folder.path() / "figure-4-left/index.html");
@@ -153,7 +174,7 @@ TEST_CASE("A page of one's own scene links to the scene file, and a hostile titl
     "a": {"name": "<b>", "points": [[0, 0], [2, 0], [2, 2]]}, "b": {"points": [[1, 1], [3, 1], [3, 3]]}})";
   REQUIRE(run("render " + quoted(scene.string()) + " --page" + out_of(folder)).exit_code == 0);
   const std::string page = bytes_of(folder.path() / "my-scene/index.html");
-  CHECK(has(page, "href=\"../my%20scene.json\""));
+  CHECK(has(page, "href=\"my-scene.json\">my scene.json<"));
   for (const std::string& each : {page, bytes_of(folder.path() / "index.html")}) {
     CHECK(has(each, "&lt;img src=x onerror"));
     CHECK_FALSE(has(each, "<img src=x"));

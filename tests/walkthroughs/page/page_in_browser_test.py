@@ -181,6 +181,12 @@ class Page(unittest.TestCase):
         self.assertEqual(len(self.all("#marks .iteration")), 5)
         self.assertEqual(len(self.all("#marks .end")), 1)
         self.assertGreater(len(self.all("#marks .decision")), 5)
+        tops = lambda kind: self.js("""
+            return [...document.querySelectorAll(arguments[0])].map(mark => {
+              const text = document.createRange();
+              text.selectNodeContents(mark);
+              return mark.firstChild ? text.getBoundingClientRect().top : mark.getBoundingClientRect().bottom; })""", kind)
+        self.assertGreater(min(tops("#marks .iteration")), max(tops("#marks .decision, #marks .end")) - 1, "a mark over a number")
 
     def test_playing_and_pausing(self):
         self.open(searched)
@@ -242,6 +248,10 @@ class Page(unittest.TestCase):
         ActionChains(self.browser).key_down(Keys.SHIFT).send_keys(Keys.ARROW_RIGHT).key_up(Keys.SHIFT).perform()
         self.assertEqual(self.find(".now img").get_attribute("src"), usual)
         self.assertEqual(self.step(), 1)
+        self.look(390, 844)
+        rows = {button.location["y"] for button in self.all(".buttons button") if button.is_displayed()}
+        self.assertEqual(len(rows), 1, "the controls wrap")
+        self.look(1400, 850)
         self.open(hit)  # without further views
         self.assertFalse(self.find("#turn-on").is_displayed())
         ActionChains(self.browser).key_down(Keys.SHIFT).send_keys(Keys.ARROW_RIGHT).key_up(Keys.SHIFT).perform()
@@ -280,6 +290,27 @@ class Page(unittest.TestCase):
         self.wait(lambda: "events.js" in self.find(".step.now .events pre").text)
         self.browser.get_log("browser")  # which has the missing file
 
+    def test_questions_that_were_left_behind_are_missed_in_words(self):
+        alone = self.folder / "without-questions"
+        shutil.copytree(self.out / searched, alone)
+        (alone / "questions.js").unlink()
+        self.browser.get(f"file://{alone / 'index.html'}")
+        self.press("p")
+        self.wait(lambda: "questions.js" in self.find("#live").get_attribute("textContent"))
+        self.assertEqual(self.find("#predict").get_attribute("aria-pressed"), "false")
+        self.press(Keys.ARROW_RIGHT)
+        self.assertEqual(self.step(), 2)
+        self.browser.get_log("browser")  # which has the missing file
+
+    def test_where_steps_are_left_out_the_page_says_that_there_is_nothing_to_predict(self):
+        out = self.folder / "chosen"
+        render(out, "regions/2-simplex-r3", "--page", "--frames", "regions,end")
+        self.browser.get(f"file://{out / 'regions/2-simplex-r3' / 'index.html'}")
+        self.assertFalse(self.find("#predict").is_displayed())
+        self.assertIn("Nothing can be predicted here", self.find("#unasked").text)
+        self.open(searched)
+        self.assertFalse(self.find("#unasked").is_displayed())
+
     def test_without_what_scripts_know_of_the_steps_all_stand_below_each_other(self):
         alone = self.folder / "without-steps"
         shutil.copytree(self.out / searched, alone)
@@ -291,8 +322,9 @@ class Page(unittest.TestCase):
 
     def test_every_picture_has_words_and_every_control_a_name(self):
         self.open(searched)
-        for picture in self.all("img"):
-            self.assertGreater(len(picture.get_attribute("alt")), 40)
+        for number in range(1, last + 1):
+            self.assertIn("d is (", self.find(".now img").accessible_name)
+            self.press(Keys.ARROW_RIGHT)
         self.js("document.querySelector('.help').open = true")
         for control in self.all("button, input, summary, select"):
             name = control.accessible_name if control.is_displayed() else "hidden"
@@ -303,8 +335,14 @@ class Page(unittest.TestCase):
     def steps_of(self, name):
         return json.loads((self.out / name / "steps.js").read_text().partition("gjkstepSteps = ")[2].rstrip(";\n"))
 
+    def predict(self):
+        """Presses P and waits until what it asks for has come."""
+        pressed = self.find("#predict").get_attribute("aria-pressed")
+        self.press("p")
+        self.wait(lambda: self.find("#predict").get_attribute("aria-pressed") != pressed)
+
     def questions(self):
-        return self.js("return gjkstepSteps.questions")
+        return self.js("return gjkstepQuestions.questions")
 
     def answer_all(self, choose):
         """Presses → until the end and answers each question by its key. Returns how many there were."""
@@ -325,17 +363,19 @@ class Page(unittest.TestCase):
 
     def test_while_a_question_stands_nothing_read_aloud_tells_the_answer(self):
         self.open(searched, "#11")
-        words = self.find(".now img").get_attribute("alt")
-        self.press("p", Keys.ARROW_RIGHT)
+        name = lambda: self.find(".now img").accessible_name
+        words = name()
+        self.predict()
+        self.press(Keys.ARROW_RIGHT)
         self.assertTrue(self.find("#quiz").is_displayed())
-        self.assertNotIn("triangle", self.find(".now img").get_attribute("alt"))
+        self.assertEqual(name(), "The picture; it is told in words once the question is answered.")
         self.assertFalse(any(told.is_displayed() for told in self.all(".made, #summary")))
         self.all("#choices button")[next(q for q in self.questions() if q["before"] == 11)["right"]].click()
-        self.assertEqual(self.find(".now img").get_attribute("alt"), words)
+        self.assertEqual(name(), words)
 
     def test_all_predicted_rightly(self):
         self.open(searched)
-        self.press("p")
+        self.predict()
         count = self.answer_all(lambda question: question["right"])
         self.assertEqual(count, len(self.questions()))
         self.assertGreater(count, 10)
@@ -346,7 +386,8 @@ class Page(unittest.TestCase):
     def test_of_two_searches_each_is_asked_about(self):
         render(self.folder / "two", "figure-5", "--page")
         self.browser.get(f"file://{self.folder / 'two' / 'figure-5' / 'index.html'}#2")
-        self.press("p", Keys.ARROW_RIGHT)
+        self.predict()
+        self.press(Keys.ARROW_RIGHT)
         self.assertEqual(self.find("#question").text, "left: Was the origin crossed?")
         self.press("2")
         self.find("#onward").click()
@@ -358,7 +399,7 @@ class Page(unittest.TestCase):
 
     def test_all_predicted_wrongly_kept_and_forgotten(self):
         self.open(searched)
-        self.press("p")
+        self.predict()
         count = self.answer_all(lambda question: 1 if question["right"] == 0 else 0)
         self.assertEqual(self.find("#points").text, f"0 of {count} right")
         self.assertEqual(len(self.all("#score .no")), 4)
@@ -367,7 +408,7 @@ class Page(unittest.TestCase):
         self.assertIn("practise with regions/", self.find("#score").text)
         self.assertIn("gjkstep render regions --page makes these pages.", self.find("#score").text)
         self.browser.refresh()
-        self.press("p")  # all have been answered
+        self.predict()  # all have been answered
         self.assertTrue(self.find("#forget").is_displayed())
         self.assertIn("who forgets", self.find("#live").get_attribute("textContent"))
         self.press(Keys.END)
@@ -378,13 +419,14 @@ class Page(unittest.TestCase):
 
     def test_a_wrong_answer_gets_its_reason(self):
         self.open(searched)
-        self.press("p")
+        self.predict()
         question = next(q for q in self.questions() if len(q["choices"]) > 4)
         self.open(searched, f"#{question['before']}")
-        self.press("p", Keys.ARROW_RIGHT)
+        self.predict()
+        self.press(Keys.ARROW_RIGHT)
         wrong = 1 if question["right"] == 0 else 0
         self.all("#choices button")[wrong].click()
-        texts = self.js("return gjkstepSteps.texts")
+        texts = self.js("return gjkstepQuestions.texts")
         plain = lambda place: re.sub("<[^>]*>", "", texts[place]).replace("&gt;", ">")
         verdict = self.find("#verdict").get_attribute("textContent")
         hint = plain(question["choices"][wrong][2])
@@ -406,10 +448,11 @@ class Page(unittest.TestCase):
 
     def test_a_second_try_may_be_right_and_the_first_answer_counts(self):
         self.open(searched)
-        self.press("p")
+        self.predict()
         question = next(q for q in self.questions() if len(q["choices"]) > 2)
         self.open(searched, f"#{question['before']}")
-        self.press("p", Keys.ARROW_RIGHT)
+        self.predict()
+        self.press(Keys.ARROW_RIGHT)
         self.all("#choices button")[1 if question["right"] == 0 else 0].click()
         self.all("#choices button")[question["right"]].click()
         self.assertTrue(self.find("#verdict").text.startswith("Right: "))
@@ -422,7 +465,7 @@ class Page(unittest.TestCase):
         render(folder, mistaken, "--page")
         self.browser.get(f"file://{folder / mistaken / 'index.html'}")
         self.assertTrue(self.find("#summary").is_displayed())
-        self.press("p")
+        self.predict()
         self.assertFalse(self.find("#summary").is_displayed())  # it tells
         self.assertEqual(self.find("h1").text, "Which line is wrong?")
         [question] = self.questions()
@@ -442,7 +485,7 @@ class Page(unittest.TestCase):
 
     def test_a_question_can_be_left_and_keys_be_switched_off(self):
         self.open(searched, "#2")
-        self.press("p")
+        self.predict()
         while not self.find("#quiz").is_displayed():
             self.press(Keys.ARROW_RIGHT)
         at = self.step()
@@ -452,18 +495,19 @@ class Page(unittest.TestCase):
         self.press(Keys.ARROW_RIGHT)
         self.find("#onward").click()  # Skip
         self.assertEqual(self.step(), at + 1)
-        self.press("p")
+        self.predict()
         self.js("document.getElementById('letters').checked = false")
         self.press("p")
         self.assertEqual(self.find("#predict").get_attribute("aria-pressed"), "false")
 
     def test_who_skips_a_question_gets_the_next_one_about_that_step(self):
         self.open(searched)
-        self.press("p")
+        self.predict()
         before = [question["before"] for question in self.questions()]
         at = next(at for at in before if before.count(at) > 1)
         self.open(searched, f"#{at}")
-        self.press("p", Keys.ARROW_RIGHT)
+        self.predict()
+        self.press(Keys.ARROW_RIGHT)
         for k in range(before.count(at)):
             self.assertEqual(self.step(), at)
             self.assertTrue(self.find("#quiz").is_displayed())
@@ -476,18 +520,19 @@ class Page(unittest.TestCase):
         self.open(searched)
         current = lambda: self.all(".now .code [aria-current]")
         title = self.browser.title
-        self.press("p")
+        self.predict()
         self.assertNotIn(title.split(" ", 1)[1], self.browser.title)
         asked = self.questions()[0]["before"]
         self.open(searched, f"#{asked}")
         self.assertEqual(len(current()), 1)
-        self.press("p", Keys.ARROW_RIGHT)
+        self.predict()
+        self.press(Keys.ARROW_RIGHT)
         self.assertTrue(self.find("#quiz").is_displayed())
         self.assertEqual(current(), [])
         self.assertFalse([b for b in self.all(".now .code b") if b.is_displayed()])
         self.press(Keys.ARROW_LEFT)
         self.assertEqual(len(current()), 1)
-        self.press("p")
+        self.predict()
         self.assertIn(title.split(" ", 1)[1], self.browser.title)
 
     # -- Everywhere
@@ -536,7 +581,7 @@ class Page(unittest.TestCase):
             for name, address in [(searched, "#23"), (searched, f"#{last}"), (".", "")]:
                 self.open(name, address)
                 if name == searched:
-                    self.press("p")
+                    self.predict()
                 found = self.js(contrasts)
                 self.assertGreater(len(found), 10)
                 self.assertGreaterEqual(found[0][0], 4.5, f"{scheme}: {found[0]}")
@@ -554,6 +599,30 @@ class Page(unittest.TestCase):
         for number in range(1, last + 1):
             self.assertIn(f"Step {number} of {last} ", text)
         self.assertNotIn("Predict", text)
+        self.assertNotIn("Handout", text)
+
+    def test_printed_as_a_sheet_or_a_strip_as_one_chooses(self):
+        def pages():
+            said = subprocess.run(["pdfinfo", str(self.folder / "printed.pdf")], capture_output=True, text=True, check=True).stdout
+            return int(re.search(r"Pages:\s*(\d+)", said).group(1))
+        self.open(searched)
+        fact, caption = "ruled out when the search kept BCD", "P joins the simplex"
+        self.assertIn(fact, self.printed())
+        of_sheet = pages()
+        self.assertIn(of_sheet, range(last // 2 - 2, last // 2 + 6))
+        self.find("#handout").send_keys("strip")  # by its first letters
+        self.find("#handout").send_keys(Keys.ARROW_DOWN)
+        self.assertEqual((self.step(), self.find("#handout").get_attribute("value")), (1, "strip"))
+        text = self.printed()
+        self.assertIn(caption, text)
+        self.assertNotIn(fact, text)
+        for number in range(1, last + 1):
+            self.assertIn(f"Step {number} of {last} ", text)
+        self.assertLess(3 * pages(), of_sheet)
+        self.js("window.print = () => { printed = true; }")
+        self.find("#handout").send_keys(Keys.TAB)
+        self.browser.switch_to.active_element.send_keys(Keys.ENTER)
+        self.assertTrue(self.js("return window.printed"))
 
     def test_texts_of_others_are_text(self):
         for name in ("mine", "."):
@@ -627,6 +696,12 @@ class Page(unittest.TestCase):
         self.press(Keys.HOME)  # pressed in one walkthrough, it moves both
         self.browser.switch_to.default_content()
         self.wait(lambda: steps() == [end(hit, 1), end(searched, 1)])
+        self.press(Keys.SPACE)
+        self.assertEqual(self.find("#play").text, "Pause")
+        self.wait(lambda: steps() == [end(hit, 2), end(searched, 2)])
+        self.press(Keys.SPACE)
+        self.assertEqual(self.find("#play").text, "Play")
+        self.press(Keys.ARROW_LEFT)
         self.find("#left").send_keys("Figure 4")
         self.wait(lambda: steps() == [end(apart, 1), end(searched, 1)])
 
@@ -643,13 +718,19 @@ class Page(unittest.TestCase):
         self.find(".step.now .events summary").click()
         self.wait(lambda: self.all(".step.now .events pre"))
         self.assertEqual(json.loads(self.find(".step.now .events pre").text.splitlines()[-1])["event"], "finished")
+        self.press(Keys.HOME)
+        self.predict()
+        while not self.find("#quiz").is_displayed():
+            self.press(Keys.ARROW_RIGHT)
+        self.press("1")
+        self.assertTrue(self.find("#verdict").text)
 
     def test_ten_thousand_steps(self):
         page = (self.out / searched / "index.html").read_text()
         section = re.search(r'<section class="step" id="2">.*?</section>\n', page, re.DOTALL).group(0)
         data = self.steps_of(searched)
         data["steps"] = [data["steps"][1]] * 10000
-        data["questions"] = []
+        data["questions"] = 0
         many = "".join(section.replace('id="2"', f'id="{i + 1}"') for i in range(10000))
         page = re.sub(r'<div id="steps">.*</div>\n<div class="controls"', lambda _: f'<div id="steps">{many}</div>\n<div class="controls"', page, flags=re.DOTALL)
         page = page.replace('<script src="steps.js">', f'<script type="application/json" id="data">{json.dumps(data)}')

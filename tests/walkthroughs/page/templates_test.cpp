@@ -28,8 +28,8 @@ TEST_CASE("JSON in a page cannot end its script element nor begin a comment ther
 
 TEST_CASE("Templates ask for nothing outside of the page") {
   using namespace templates;
-  for (const std::string_view each : {page_html, page_css, page_js, index_html, index_css, index_js, compare_html,
-                                      compare_css, compare_js, colors_css}) {
+  for (const std::string_view each : {page_html, page_css, page_js, predict_js, index_html, index_css, index_js,
+                                      compare_html, compare_css, compare_js, colors_css}) {
     REQUIRE_FALSE(each.empty());
     for (const char* outside : {"http:", "https:", "//cdn", "@import", "url(", "fetch(", "XMLHttpRequest"})
       CHECK(each.find(outside) == std::string_view::npos);

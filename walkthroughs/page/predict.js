@@ -1,0 +1,186 @@
+'use strict';
+// Asks before each decision what will be found. `page`: its steps, what is known of them, and the ways from one to another.
+window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {questions: list, texts}) => {
+  // Texts of questions, choices and reasons are HTML that the program has made, with <sub> for subscripts.
+  const questions = list.map(question => ({...question, text: texts[question.text],
+                                           choices: question.choices.map(told => told.map(each => texts[each]))}));
+  const shelf = `gjkstep ${location.pathname} ${data.name} ${questions.length}`;  // of two files with one name neither has the other's
+  const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on',
+                 line: 'Which line is wrong'};
+  const isAboutLine = questions.length > 0 && questions.every(question => question.kind === 'line');
+  const untold = isAboutLine ? 'Which line is wrong?' : 'What will the search find?', skipped = new Set();
+  const nothing = () => questions.map(() => null);
+  const now = () => steps[place()], isAtEnd = () => place() === steps.length - 1;
+  let answers = nothing(), predicting = false, asked = null, isTold = false;
+
+  // The store of the browser, where it has one and allows it; else answers live as long as the page.
+  function store(act) { try { return act(localStorage); } catch { return null; } }
+  function restore() {
+    const kept = store(shop => JSON.parse(shop.getItem(shelf)));
+    if (Array.isArray(kept) && kept.length === questions.length) answers = kept;
+  }
+
+  // The question still to be answered before the next step; -1 where there is none.
+  const openQuestion = () => predicting ? questions.findIndex((question, k) => question.before === place() + 1 && answers[k] === null && !skipped.has(k)) : -1;
+  function stopsToAsk() {
+    const k = openQuestion();
+    if (k >= 0) ask(k);
+    return k >= 0;
+  }
+
+  function holds() {
+    if (asked === null || answers[asked] !== null) return stopsToAsk();
+    $('verdict').textContent = 'Choose one, or skip.';
+    return true;
+  }
+
+  function ask(k) {
+    asked = k;
+    isTold = false;
+    $('question').innerHTML = questions[k].text;
+    $('choices').replaceChildren(...questions[k].choices.map(([text], c) => {
+      const line = make('li'), button = Object.assign(make('button'), {type: 'button', innerHTML: text});
+      button.addEventListener('click', () => answer(c));
+      line.append(button);
+      return line;
+    }));
+    $('verdict').textContent = '';
+    $('onward').textContent = 'Skip';
+    now().querySelector('.text').prepend($('quiz'));
+    now().classList.add('asking');
+    hideWords(true);
+    mark(false);
+    $('quiz').hidden = false;
+    $('question').focus();
+  }
+
+  const isOff = button => button.disabled || button.getAttribute('aria-disabled') === 'true';
+
+  // The first answer counts. Who is wrong may try once more where that is no sure thing, or look.
+  function answer(c) {
+    const {choices, right} = questions[asked], buttons = [...$('choices').querySelectorAll('button')];
+    if (!buttons[c] || isOff(buttons[c])) return;
+    const isFirst = answers[asked] === null;
+    if (isFirst) {
+      answers[asked] = c;
+      store(shop => shop.setItem(shelf, JSON.stringify(answers)));
+    }
+    if (c !== right && isFirst && choices.length > 2) {
+      buttons[c].classList.add('wrong');
+      buttons[c].setAttribute('aria-disabled', 'true');  // and keeps the focus, so that Tab goes on from there
+      $('verdict').innerHTML = `${notSo(choices[c][2])} Try once more.`;
+      $('onward').textContent = 'Show the answer';
+      $('onward').scrollIntoView({block: 'nearest'});
+    } else {
+      tell(buttons, c);
+    }
+  }
+
+  const notSo = why => why ? `Not so: ${why}.` : 'Not so.';
+
+  function tell(buttons, c) {
+    const {choices, right} = questions[asked], reason = choices[right][1];
+    isTold = true;
+    for (const button of buttons) button.disabled = true;
+    buttons[c].classList.add('wrong');
+    buttons[right].className = 'right';
+    $('verdict').innerHTML = c === right ? `Right: ${reason}.`
+      : `${notSo(choices[c][1] === reason ? '' : choices[c][1])} The answer is <b>“${choices[right][0]}”</b>: ${reason}.`;
+    $('onward').textContent = 'Go on';
+    hideWords(false);
+    $('onward').focus();
+  }
+
+  // The lines that run, which tell what is asked.
+  function mark(isShown) {
+    boxesOf(place()).forEach((box, b) => {
+      const line = box.querySelectorAll('li')[data.steps[place()].code[b][1]];
+      if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
+    });
+  }
+
+  // What is told of the picture tells where the origin lies.
+  function hideWords(hides) {
+    const picture = now().querySelector('img');
+    picture.dataset.words ??= picture.getAttribute('aria-labelledby');
+    picture.setAttribute('aria-labelledby', hides ? 'untold' : picture.dataset.words);
+  }
+
+  function close() {
+    asked = null;
+    hideWords(openQuestion() >= 0);
+    mark(true);
+    $('quiz').hidden = $('score').hidden = true;
+    now().classList.remove('asking');
+  }
+
+  function onward() {
+    const first = answers[asked];
+    if (first !== null && !isTold) return tell([...$('choices').querySelectorAll('button')], first);
+    if (first === null) skipped.add(asked);
+    if (stopsToAsk()) return;
+    show(place() + 1, 'push');
+    $(place() + 1 < steps.length ? 'next' : 'first').focus({preventScroll: true});  // the button that was pressed is gone
+  }
+
+  function showScore() {
+    const given = questions.filter((question, k) => answers[k] !== null);
+    const right = (question, k) => answers[k] === question.right;
+    $('points').textContent = given.length ? `${questions.filter(right).length} of ${questions.length} right` +
+      (given.length < questions.length ? `, ${questions.length - given.length} not answered` : '') : 'No question answered yet';
+    const list = make('ul');
+    let missesPages = false;
+    for (const [kind, name] of Object.entries(kinds)) {
+      const ours = questions.map((question, k) => [question, k]).filter(([question, k]) => question.kind === kind && answers[k] !== null);
+      const wrong = ours.filter(([question, k]) => !right(question, k));
+      if (!ours.length) continue;
+      const line = make('li', wrong.length ? 'no' : 'yes', `${name}: ${ours.length - wrong.length} of ${ours.length}`);
+      const practice = new Map(wrong.map(([question]) => question.practice).filter(([title]) => title));
+      let between = '; practise with ';
+      for (const [title, url] of practice) {  // where there is no page, its name
+        line.append(between, url ? Object.assign(make('a', '', title), {href: url}) : make('code', '', title));
+        missesPages ||= !url;
+        between = ', ';
+      }
+      list.append(line);
+    }
+    $('kinds').replaceChildren(list);
+    if (missesPages) $('kinds').append(make('code', '', 'gjkstep render regions --page'), ' makes these pages.');
+    now().querySelector('.text').prepend($('score'));
+    $('score').hidden = false;
+    $('forget').hidden = !given.length;
+    $('score').scrollIntoView({block: 'nearest'});
+    if (given.length) $('live').textContent = $('points').textContent;
+  }
+
+  function toggle() {
+    predicting = !predicting;
+    $('predict').setAttribute('aria-pressed', predicting);
+    close();
+    skipped.clear();
+    const isOver = predicting && !answers.includes(null);
+    if (isOver || (predicting && isAtEnd())) showScore();
+    entitle();
+    $('live').textContent = isOver ? 'All questions have been answered; who forgets the answers is asked again.'
+      : predicting ? `${isAboutLine ? 'Where the searches part' : 'Before each decision'} a question will be asked.` : 'No questions will be asked.';
+  }
+
+  function forget() {
+    answers = nothing();
+    store(shop => shop.removeItem(shelf));
+    show(0, 'push');
+    $('next').focus();
+  }
+
+  function arrive(moved) {
+    if (moved) skipped.clear();
+    hideWords(openQuestion() >= 0);
+    if (predicting && isAtEnd()) showScore();
+  }
+
+  restore();
+  $('onward').addEventListener('click', onward);
+  $('forget').addEventListener('click', forget);
+
+  return {leave: close, arrive, holds, isAsking: () => asked !== null, untold: () => predicting && $('score').hidden ? untold : '', answer, toggle};
+};
