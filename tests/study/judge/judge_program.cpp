@@ -7,6 +7,7 @@
 
 #include "tests/study/judge/answer.hpp"
 #include "tests/study/judge/resemblance.hpp"
+#include "tests/study/judge/rounding.hpp"
 #include "tests/study/pairs/dice.hpp"
 #include "tests/study/symmetries/symmetries.hpp"
 #include "tests/study/truth/oracle.hpp"
@@ -153,13 +154,12 @@ bool Judged::has_search() const {
 }
 
 bool Judged::is_wrong() const {
-  return false_evidence ||
-         (verdict != Verdict::right && verdict != Verdict::undecided && verdict != Verdict::not_asked);
+  return verdict != Verdict::right && verdict != Verdict::undecided && verdict != Verdict::not_asked;
 }
 
 bool ProgramJudged::is_good() const {
   constexpr std::uint64_t hiccups = 1;  // of a machine with other work
-  return all.wrong.count == 0 && all.of(Verdict::not_asked) == 0 && !crashes && replies.late_in_company <= hiccups &&
+  return all.wrong.count == 0 && all.false_evidence == 0 && all.of(Verdict::not_asked) == 0 && !crashes && replies.late_in_company <= hiccups &&
          replies.floods == 0 && replies.long_lines == 0 &&
          std::ranges::all_of(changes, [](const Change& change) { return change.other_answers == 0; });
 }
@@ -180,6 +180,7 @@ ProgramJudged judge_program(const AskedProgram& program, const std::vector<Named
   }
   judged.crashes = judged.replies.crashes_in_company > 0;
   judged.resemblances = resemblances(judged.pairs);
+  judged.rounding = laid_to_rounding(judged.pairs);
   if (!judged.replies.was_given_up) judged.changes = ask_changed(program, pairs, said);
   return judged;
 }

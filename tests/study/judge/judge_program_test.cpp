@@ -1,5 +1,6 @@
 #include "tests/study/judge/judge_program.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -8,6 +9,7 @@
 #include "tests/study/judge/judged_text.hpp"
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/methods/mistakes.hpp"
+#include "tests/study/sweep/plan.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/text/text_file.hpp"
@@ -50,15 +52,46 @@ TEST_CASE("Judge: of the study's mistakes, as programs, each that shows is named
     if (is_first)
       CHECK(has(told(found), "It behaves like M" + std::to_string(m + 1) + " ("));
     else  // it is right wherever the report's algorithm is
-      CHECK((m == 1 && !found.resemblances.front().mistake));
+      CHECK((m == 1 && found.resemblances.front().sound_in));
   }
   CHECK(named >= 18);
 }
 
+const std::string only_rounding = "Nothing but rounding and cycles need be wrong with it: in doubles they explain all";
+const std::string not_rounding = "Rounding and cycles do not explain all of it: in doubles ";
+
 TEST_CASE("Judge: without a mistake only rounding and cycles are found, and told as that", "[judge]") {
   const ProgramJudged found = judged_mistake(0);
-  CHECK_FALSE(found.resemblances.front().mistake);
-  CHECK(has(told(found), "It behaves like the report's algorithm in doubles (no mistake"));
+  CHECK(found.resemblances.front().sound_in == Numbers::doubles);
+  CHECK(found.rounding.wrong > 20);
+  CHECK(found.rounding.in_doubles == found.rounding.wrong);
+  CHECK(has(told(found), "It answers most like the report's algorithm in doubles (without a mistake)"));
+  CHECK(has(told(found), only_rounding));
+}
+
+TEST_CASE("Judge: somebody else's sound search in doubles is told as that on hard families", "[judge]") {
+  std::vector<NamedPair> pairs;
+  for (const Family* const family : families_called({"touching-vertex-askew", "touching-face-askew", "cycles",
+                                                     "near-parallel-edges", "one-ulp-askew", "flat-1e-9-turned"}))
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(200, family->size.value_or(200)); ++i)
+      pairs.push_back({family->name, family->name, family->make(1, i)});
+  const ProgramJudged found = judged({JUDGED_SOUND_GJK}, pairs);
+  CHECK(found.rounding.wrong > 30);
+  CHECK(has(told(found), only_rounding));
+}
+
+TEST_CASE("Judge: a limit of iterations and a tolerance are laid neither to rounding nor to a mistake", "[judge]") {
+  const auto check_told = [](const std::vector<std::string>& words) {
+    const ProgramJudged found = judged(words);
+    INFO(told(found));
+    CHECK(has(told(found), not_rounding));
+    CHECK(has(told(found), "a limit of iterations, or a tolerance, is not among the mistakes, and may be the reason"));
+    CHECK_FALSE(has(told(found), "It behaves like"));
+    CHECK_FALSE(has(told(found), only_rounding));
+  };
+  for (const std::string limit : {"4", "5", "6"}) check_told({"env", "JUDGED_LIMIT=" + limit, JUDGED_LIMITED});
+  for (const std::string tolerance : {"1e-2", "1e-5", "1e-8"})
+    check_told({"env", "JUDGED_TOLERANCE=" + tolerance, JUDGED_TOLERANT});
 }
 
 TEST_CASE("Judge: no mistake is named for fewer than three wrong pairs", "[judge]") {
@@ -158,7 +191,8 @@ TEST_CASE("Judge: what is no right answer is told apart", "[judge]") {
   CHECK((false_evidence.pairs[0].verdict == Verdict::right && false_evidence.pairs[0].false_evidence));
   CHECK(false_evidence.all.false_evidence == 1);
   CHECK_FALSE(false_evidence.is_good());
-  CHECK(false_evidence.families[0].wrong.count == 1);
+  CHECK(has(told(false_evidence), "something is wrong: 4 pairs; 1 right answer has evidence that proves nothing"));
+  CHECK(false_evidence.families[0].wrong.count == 0);
   CHECK(false_evidence.families[0].wrong.trials == 2);
   CHECK(has(told(first_says("exit 9")), "First pair without an answer: p0: exit code 9."));
   CHECK(first_says("echo '\"undecided\"'").all.wrong.count == 0);

@@ -27,7 +27,7 @@ struct Judged {
   bool false_evidence = false;  ///< whether evidence is given for a right answer that it does not prove
   std::string detail = {};      ///< of no answer, or of an early end
 
-  bool is_wrong() const;    ///< undecided and not asked are not
+  bool is_wrong() const;    ///< undecided and not asked are not, nor a right answer with false evidence
   bool has_search() const;  ///< whose steps may say why it is not answered rightly: of sets of points, with an answer
 };
 
@@ -44,17 +44,26 @@ struct FamilyTally {
 /// By chance alone a mistake may be wrong on a pair or two of those that a program is wrong on.
 inline constexpr std::uint64_t enough_in_common = 3;
 
+enum class Numbers { doubles, floats };
+inline constexpr std::array<std::string_view, 2> numbers_words{"doubles", "floats"};
+
 /// How alike a program and one whose mistake is known are: how many pairs both answer wrongly, of those that one of them does.
 struct Resemblance {
   /// The position in mistakes(). Then only pairs count that the report's algorithm answers rightly. Empty where all count: for
   /// that algorithm itself, which rounding and cycles mislead, and for who always says the same.
   std::optional<std::size_t> mistake = {};
-  std::string name = {};  ///< "M18 (…)", "the report's algorithm in floats"
+  std::string name = {};  ///< "M18 (…)", "the report's algorithm in floats (without a mistake)"
+  std::optional<Numbers> sound_in = {};  ///< of what has no mistake, so that only rounding and cycles make it wrong
   std::uint64_t both = 0, either = 0;
   std::string first_direction = {};  ///< with which it comes nearest: "+x", "from A to B"
 
   bool has_evidence() const { return both >= enough_in_common; }
   double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
+};
+
+/// How many of the wrong answers about sets of points may be laid to rounding alone, in these numbers.
+struct LaidToRounding {
+  std::uint64_t wrong = 0, in_doubles = 0, in_floats = 0;
 };
 
 /// What came of asking again after a change that must not matter.
@@ -79,6 +88,7 @@ struct ProgramJudged {
   std::vector<FamilyTally> families;  ///< in the order in which they come
   FamilyTally all;
   std::vector<Resemblance> resemblances;  ///< the best first; none where the program is wrong on no pair that counts
+  LaidToRounding rounding;
   std::vector<Change> changes;
   std::optional<std::vector<JudgedSteps>> steps = {};  ///< of some failures, where they were asked for
   Replies replies;                                     ///< the lines are in `pairs`

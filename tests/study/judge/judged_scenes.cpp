@@ -61,7 +61,7 @@ std::vector<JudgedScene> judged_scenes(const ProgramJudged& judged, const std::s
   std::vector<JudgedScene> scenes;
   std::map<std::pair<std::string, std::string>, std::uint64_t> count;
   for (const Judged& each : judged.pairs) {
-    const bool is_failure = each.is_wrong() || each.verdict == Verdict::undecided;
+    const bool is_failure = each.is_wrong() || each.false_evidence || each.verdict == Verdict::undecided;
     if (!is_failure || !fits(each.named.pair)) continue;
     if (count[{each.named.family, kind_of(each)}]++ >= most) continue;
     scenes.push_back(scene_of(kind_of(each), each.named.name, truth_of(each), each.named.pair, program));

@@ -37,18 +37,50 @@ std::string pairs_in_common(const Resemblance& best) {
   return words;
 }
 
+/// Returns: in which numbers rounding explains all that is wrong. That it may be in floats says little of who is not like them:
+/// many pairs differ by less.
+std::optional<Numbers> numbers_that_explain(const ProgramJudged& judged) {
+  const LaidToRounding& rounding = judged.rounding;
+  if (rounding.in_doubles == rounding.wrong) return Numbers::doubles;
+  const bool is_like_floats =
+      !judged.resemblances.empty() && judged.resemblances.front().sound_in == Numbers::floats;
+  return is_like_floats && rounding.in_floats == rounding.wrong ? std::optional(Numbers::floats) : std::nullopt;
+}
+
+/// What no mistake of the study explains, rounding may.
+void add_rounding(const ProgramJudged& judged, std::vector<std::string>& sentences) {
+  const LaidToRounding& rounding = judged.rounding;
+  if (rounding.wrong == 0) return;
+  const std::string others = "a limit of iterations, or a tolerance, is not among the mistakes";
+  const std::string wrong = count_of(rounding.wrong, "wrong answer", "wrong answers") + " about sets of points";
+  if (const auto numbers = numbers_that_explain(judged))
+    sentences.push_back("Nothing but rounding and cycles need be wrong with it: in " +
+                        std::string(numbers_words[static_cast<std::size_t>(*numbers)]) + " they explain all of its " +
+                        wrong + "; " + others + ", and may show on no other pairs.");
+  else
+    sentences.push_back("Rounding and cycles do not explain all of it: in doubles " + std::to_string(rounding.in_doubles) +
+                        " of its " + wrong + ", in floats " + std::to_string(rounding.in_floats) + "; " + others +
+                        ", and may be the reason.");
+}
+
+/// Returns: how the sentence begins that names the most alike.
+std::string likeness(const ProgramJudged& judged) {
+  const Resemblance& best = judged.resemblances.front();
+  if (!best.has_evidence()) return "Too few pairs to name a mistake; the nearest is ";
+  if (best.sound_in) return "It answers most like ";
+  return best.share() >= alike_enough ? "It behaves like " : "No single mistake of the study explains it; the nearest is ";
+}
+
 void add_resemblance(const ProgramJudged& judged, std::vector<std::string>& sentences) {
   if (judged.all.of(Verdict::wrong_yes) + judged.all.of(Verdict::wrong_no) == 0) return;
   if (judged.resemblances.empty()) {
     sentences.emplace_back("No mistake of the study is wrong on any of the same pairs.");
-    return;
+    return add_rounding(judged, sentences);
   }
   const Resemblance& best = judged.resemblances.front();
-  const std::string words = !best.has_evidence() ? "Too few pairs to name a mistake; the nearest is "
-                            : best.share() >= alike_enough
-                                ? "It behaves like "
-                                : "No single mistake of the study explains it; the nearest is ";
-  sentences.push_back(words + best.name + ": " + pairs_in_common(best) + ".");
+  sentences.push_back(likeness(judged) + best.name + ": " + pairs_in_common(best) + ".");
+  const bool is_explained = !best.sound_in && best.has_evidence() && best.share() >= alike_enough;
+  if (!is_explained) add_rounding(judged, sentences);
 }
 
 void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
@@ -259,6 +291,8 @@ std::string verdict_line(const ProgramJudged& judged) {
   if (unanswered > 0) line += ", " + std::to_string(unanswered) + " of these without an answer";
   if (not_asked > 0) line += ", " + std::to_string(not_asked) + " not asked";
   line += left;
+  if (const std::uint64_t unproved = judged.all.false_evidence; unproved > 0)
+    line += "; " + count_of(unproved, "right answer has", "right answers have") + " evidence that proves nothing";
   std::uint64_t changed = 0;
   for (const Change& change : judged.changes) changed += change.other_answers;
   if (changed > 0) line += "; " + count_of(changed, "answer", "answers") + " changed where nothing may";
@@ -293,6 +327,9 @@ std::string judged_json(const ProgramJudged& judged, const JudgedHead& head) {
   all["remarks"] = remarks(judged);
   all["all"] = json_of(judged.all, head.is_sample);
   for (const FamilyTally& family : judged.families) all["families"].push_back(json_of(family, head.is_sample));
+  all["laid_to_rounding"] = {{"wrong", judged.rounding.wrong},
+                             {"in_doubles", judged.rounding.in_doubles},
+                             {"in_floats", judged.rounding.in_floats}};
   all["mistakes"] = Json::array();
   for (const Resemblance& each : judged.resemblances)
     all["mistakes"].push_back({{"number", each.mistake ? Json(*each.mistake + 1) : Json()},

@@ -1,8 +1,8 @@
 #include "tests/study/judge/resemblance.hpp"
 
 #include <algorithm>
-#include <optional>
 
+#include "tests/study/judge/starts.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/methods/question.hpp"
 
@@ -12,19 +12,6 @@ namespace {
 using Vec3 = gjk::Vec3<double>;
 using Set = gjk::PointSet<double>;
 
-struct Start {
-  const char* words;
-  std::optional<Vec3> direction;  ///< else from one center to the other, times the sign
-  double sign = 1;
-};
-
-const std::vector<Start>& starts() {
-  static const std::vector<Start> all{{"+x", Vec3(1, 0, 0)},  {"−x", Vec3(-1, 0, 0)}, {"+y", Vec3(0, 1, 0)},
-                                      {"−y", Vec3(0, -1, 0)}, {"+z", Vec3(0, 0, 1)},  {"−z", Vec3(0, 0, -1)},
-                                      {"from A to B", {}, 1}, {"from B to A", {}, -1}};
-  return all;
-}
-
 /// A pair about which the program said something, ready to be asked.
 struct Asked {
   Set a, b;
@@ -33,7 +20,7 @@ struct Asked {
   bool meet, program_is_wrong;
 };
 
-Vec3 direction_of(const Start& start, const Asked& pair) { return start.direction.value_or(start.sign * pair.between); }
+Vec3 direction_of(const Start& start, const Asked& pair) { return start.direction_of(pair.between); }
 
 std::string mistake_words(std::size_t mistake) {
   return "M" + std::to_string(mistake + 1) + " (" + mistakes()[mistake].name + ")";
@@ -123,13 +110,14 @@ std::vector<Resemblance> resemblances(const std::vector<Judged>& judged) {
       add(best[m], other, rights, sound);
       add(best[m], other, rights, sound_in_both);
     }
-    const auto sound_in = [&](const std::string& numbers) {
-      return Resemblance{
-          .name = "the report's algorithm in " + numbers + " (no mistake: rounding and cycles mislead it)",
-          .first_direction = start.words};
+    const auto sound_in = [&](Numbers numbers) {
+      const std::string words(numbers_words[static_cast<std::size_t>(numbers)]);
+      return Resemblance{.name = "the report's algorithm in " + words + " (without a mistake)",
+                         .sound_in = numbers,
+                         .first_direction = start.words};
     };
-    add(best[mistakes().size()], sound_in("doubles"), sound, all);
-    add(best[mistakes().size() + 1], sound_in("floats"), in_floats, all);
+    add(best[mistakes().size()], sound_in(Numbers::doubles), sound, all);
+    add(best[mistakes().size() + 1], sound_in(Numbers::floats), in_floats, all);
   }
   const auto always = [](const std::string& word) { return Resemblance{.name = "a program that always says " + word}; };
   const Flags yes_is_right = flags(pairs, [](const Asked& pair) { return pair.meet; });
