@@ -19,7 +19,7 @@ run_tests() {
 }
 
 # chromium: the report of differing pictures is looked at in a real browser; python3-selenium and chromium-driver step through
-# pages in it, tidy reads their HTML, poppler-utils what they print.
+# pages in it, tidy reads their HTML, poppler-utils what they print; firefox-esr, where it is there, is tried, too.
 # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
 # libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
 # libccd-dev, libfcl-dev and libbullet-dev: what gjkstep-peers times the plain call beside.
@@ -31,6 +31,10 @@ require_packages $program_packages catch2 libbenchmark-dev python3 python3-jsons
   libccd-dev libfcl-dev libbullet-dev strace slurm-wlm munge dpkg-dev file mmdebstrap python3-yaml
 
 build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
+
+# axe-core looks for what bars readers from pages, by the rules of WCAG. No package of Debian has it.
+npm install --silent --no-save --no-audit --no-fund --prefix build/npm axe-core@4.14.1 ||
+  printf 'no axe-core from npm: pages are not tried for barriers\n'
 printf '\nPlain and observed calls\n'
 build/gjkstep-bench --benchmark_min_time=0.05
 run_tests build

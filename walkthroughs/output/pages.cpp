@@ -163,7 +163,8 @@ PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough) const {
   if (pictures_ == Pictures::inside) return all;
   all.has_files = true;
   if (!here->file.empty())
-    all.sources.push_back({url_of(here->option.empty() ? copy_of_scene(*here) : trace_file), here->file.filename().string()});
+    all.sources.push_back(
+        {url_of(here->option.empty() ? copy_of_scene(*here) : trace_file), here->file.filename().string()});
   const std::string up = up_from(walkthrough.name);
   const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
   all.page_of = [up, folder = folder_, origins = origins_](const std::string& other) {

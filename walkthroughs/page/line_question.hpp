@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "walkthroughs/page/questions.hpp"
+#include "walkthroughs/page/question.hpp"
+#include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {
 

@@ -429,10 +429,6 @@ void ask_about(std::size_t scene, const Story& story, std::vector<Question>& que
 
 }  // namespace
 
-void add_once(std::vector<Choice>& choices, Choice choice) {
-  if (std::ranges::count(choices, choice.text, &Choice::text) == 0) choices.push_back(std::move(choice));
-}
-
 std::vector<Question> questions_of(const Story& story) {
   std::vector<Question> questions;
   if (story.shows_mistake()) {

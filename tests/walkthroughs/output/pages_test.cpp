@@ -116,7 +116,8 @@ TEST_CASE("A trace that stands beside a page is drawn in its place, and stays as
 TEST_CASE("A page has a copy of the scene or the trace that it was made of beside it, and none of another") {
   const Folder folder;
   const fs::path scene = folder.path() / "my scene.json", trace = folder.path() / "t.jsonl";
-  const fs::path copy = folder.path() / "out/my-scene/my-scene.json", traced = folder.path() / "out/my-scene/trace.jsonl";
+  const fs::path beside = folder.path() / "out/my-scene";
+  const fs::path copy = beside / "my-scene.json", traced = beside / "trace.jsonl";
   std::ofstream(scene) << R"({"dimension": 2, "a": {"points": [[0, 0]]}, "b": {"points": [[1, 1]]}})";
   REQUIRE(run("trace " + quoted(scene.string()), "", {.out = trace.string(), .err = ""}).exit_code == 0);
   const std::string out = " --size 48x27 --out " + quoted((folder.path() / "out").string());

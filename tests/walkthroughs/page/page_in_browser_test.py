@@ -24,6 +24,7 @@ for tool, package in [("chromedriver", "chromium-driver"), ("tidy", "tidy"), ("p
         sys.exit(77)
 
 program = os.path.abspath(sys.argv[1])
+axe = pathlib.Path(program).parent / "npm/node_modules/axe-core/axe.min.js"
 searched, hit, apart = "regions/3-simplex-face-adb-edge-ad", "vehicle-and-threat/vehicle-hit", "figure-4"
 hostile = "</script><img src=x onerror=\"hacked=1\"><b>&amp;"
 last = 28  # step of `searched`
@@ -587,6 +588,39 @@ class Page(unittest.TestCase):
                 self.assertGreaterEqual(found[0][0], 4.5, f"{scheme}: {found[0]}")
             background = self.js("return getComputedStyle(document.body).backgroundColor")
             self.assertEqual(background, "rgb(255, 255, 255)" if scheme == "light" else "rgb(22, 25, 31)")
+
+    def assert_axe_finds_nothing(self):
+        self.js(axe.read_text())
+        found = self.browser.execute_async_script("""
+            const done = arguments[0];
+            axe.run(document, {iframes: false, preload: false, resultTypes: ['violations']}).then(({passes, violations}) => done(
+              passes.length ? violations.map(each => `${each.id}: ${each.help}: ${each.nodes.map(node => node.html)}`) : 'nothing looked at'))""")
+        self.assertEqual(found, [])
+
+    @unittest.skipUnless(axe.exists(), f"no {axe}; tests/run.sh installs it where npm is there")
+    def test_axe_finds_no_barrier(self):
+        def compare():
+            self.browser.get(f"file://{self.out / 'compare.html'}")
+        def ask():
+            self.open(searched, "#11")
+            self.predict()
+            self.press(Keys.ARROW_RIGHT)
+            self.assertTrue(self.find("#quiz").is_displayed())
+        def answer_wrongly():
+            ask()
+            question = next(q for q in self.questions() if q["before"] == 11)
+            self.press("1" if question["right"] else "2")
+            self.assertIn("Not so", self.find("#verdict").text)
+        places = [lambda: self.open("."), lambda: self.open(searched, "#23"), ask, answer_wrongly, compare,
+                  lambda: self.open("figure-1")]
+        for width, scheme in [(1400, "light"), (1400, "dark"), (390, "light")]:
+            self.look(width, 850)
+            self.cdp("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+            for number, place in enumerate(places):
+                with self.subTest(width=width, scheme=scheme, place=number):
+                    self.js("localStorage.clear()")
+                    place()
+                    self.assert_axe_finds_nothing()
 
     def printed(self):
         pdf = self.folder / "printed.pdf"
