@@ -159,8 +159,8 @@ bool Judged::is_wrong() const {
 
 bool ProgramJudged::is_good() const {
   constexpr std::uint64_t hiccups = 1;  // of a machine with other work
-  return all.wrong.count == 0 && all.false_evidence == 0 && all.of(Verdict::not_asked) == 0 && !crashes && replies.late_in_company <= hiccups &&
-         replies.floods == 0 && replies.long_lines == 0 &&
+  return all.wrong.count == 0 && all.false_evidence == 0 && all.of(Verdict::not_asked) == 0 && !crashes &&
+         replies.late_in_company <= hiccups && replies.floods == 0 && replies.long_lines == 0 &&
          std::ranges::all_of(changes, [](const Change& change) { return change.other_answers == 0; });
 }
 
