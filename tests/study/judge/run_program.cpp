@@ -97,10 +97,37 @@ struct Streams {
   Pipe in, out, err, failure;
 };
 
-/// Never returns. Requires: nothing but this thread is needed, as no other is in the copy of the process.
-[[noreturn]] void become(const std::vector<char*>& words, const Streams& streams, pid_t parent,
-                         const KeptBack& signals) {
+/// Never returns. Where SIGKILL ends this process nothing of it is run any more: so another waits for that, and then ends its
+/// group, which is the program's.
+///
+/// Requires: SIGTERM is blocked.
+[[noreturn]] void watch(pid_t parent) {
+  ::close_range(0, ~0U, 0);  // a copy would keep the program's streams open
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  sigset_t end_of_parent;
+  ::sigemptyset(&end_of_parent);
+  ::sigaddset(&end_of_parent, SIGTERM);
+  for (int ignored = 0; ::getppid() == parent;) ::sigwait(&end_of_parent, &ignored);
+  ::kill(0, SIGKILL);
+  ::_exit(0);
+}
+
+/// Returns: the process that watches, and its group.
+pid_t start_watching() {
+  const pid_t parent = ::getpid(), watcher = ::fork();
+  if (watcher < 0) fail("a process cannot be started");
+  if (watcher > 0) {
+    ::setpgid(watcher, watcher);  // whichever comes first
+    return watcher;
+  }
   ::setpgid(0, 0);
+  watch(parent);
+}
+
+/// Never returns. Requires: nothing but this thread is needed, as no other is in the copy of the process.
+[[noreturn]] void become(const std::vector<char*>& words, const Streams& streams, pid_t parent, pid_t group,
+                         const KeptBack& signals) {
+  ::setpgid(0, group);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);  // it was ended before it could have been noticed
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_DFL);
@@ -115,21 +142,21 @@ struct Streams {
 }
 
 /// Returns: the process. Errors: UsageError.
-pid_t start(const std::vector<std::string>& words, Streams& streams, const KeptBack& signals) {
+pid_t start(const std::vector<std::string>& words, Streams& streams, pid_t group, const KeptBack& signals) {
   std::vector<char*> pointers;
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
   const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0) fail("a process cannot be started");
-  if (child == 0) become(pointers, streams, parent, signals);
-  ::setpgid(child, child);  // whichever comes first
+  if (child == 0) become(pointers, streams, parent, group, signals);
   streams.in.read.close();
   for (Pipe* const pipe : {&streams.out, &streams.err, &streams.failure}) pipe->write.close();
   int reason = 0;
   ssize_t count = 0;
   while ((count = ::read(streams.failure.read.get(), &reason, sizeof reason)) < 0 && errno == EINTR) continue;
   if (count != sizeof reason) return child;
-  ::waitpid(child, nullptr, 0);
+  ::kill(group, SIGKILL);
+  for (const pid_t each : {child, group}) ::waitpid(each, nullptr, 0);
   throw walkthroughs::UsageError("the program " + walkthroughs::in_quotes(words[0]) + " cannot be started: " +
                                  std::strerror(reason) + "; write its path after --, and make it executable");
 }
@@ -284,7 +311,7 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
   // What this process was before, a shell that became it, may have started some, and they are its own.
   const std::vector<pid_t> before = own_children();
   Streams streams;
-  const pid_t child = start(words, streams, signals);
+  const pid_t group = start_watching(), child = start(words, streams, group, signals);
   Talk talk(std::move(streams), questions, most_lines);
   RunOfProgram run;
   std::optional<int> status;
@@ -297,7 +324,7 @@ RunOfProgram run_program(const std::vector<std::string>& words, std::span<const 
   }
   run.closed_input = talk.input_was_refused() || (!status && has_no_input(child));
   run.closed_output = !status && !talk.output_is_open();
-  kill_all_that_is_left(child, before);
+  kill_all_that_is_left(group, before);
   talk.go_on(run, status.has_value());
   if (status) {
     run.how = words_of_status(*status);

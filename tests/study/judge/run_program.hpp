@@ -33,13 +33,13 @@ struct RunOfProgram {
 
 /// Starts the program, found as a shell finds it, writes the questions, one a line, closes its standard input, and reads until
 /// it ends, or too long no further line comes. Then nothing that it has started is left, processes that left its group among
-/// them; nor is it where this process is ended meanwhile, but by SIGKILL, which the program itself does not outlive either.
+/// them; nor is it where this process is ended meanwhile. Where SIGKILL ends it, only what has left the group is left.
 /// Children that this process had before are left alone.
 ///
 /// `most_lines`: that a question may bring; the last is its answer.
 ///
-/// Requires: no other thread of this process starts children meanwhile. Errors: walkthroughs::UsageError where the program cannot be started;
-/// std::system_error.
+/// Requires: no other thread of this process starts children meanwhile. Errors: walkthroughs::UsageError where the program
+/// cannot be started; std::system_error.
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
                          std::chrono::milliseconds limit, std::size_t most_lines = 1);
 

@@ -240,6 +240,20 @@ TEST_CASE("judge: ended while it waits, it leaves nothing running", "[judge]") {
   }
 }
 
+TEST_CASE("judge: killed while it waits, it leaves nothing of the program's group running", "[judge]") {
+  for (const std::string whom : {"$!", "-$!"}) {  // it alone, or its group
+    INFO(whom);
+    const Folder folder;
+    const std::string started = in(folder, "started");
+    std::ofstream(folder.path() / "script")
+        << "setsid " << quoted(GJKSTEP_PROGRAM) << " judge --time-limit 100 -- sh -c '(sleep 2000 & echo $! >"
+        << (folder.path() / "started").string() << "; wait) & sleep 2000' >/dev/null 2>&1 &\nuntil [ -s " << started
+        << " ]; do sleep 0.02; done\nkill -KILL " << whom << "\nwait $!\n"
+        << "while [ -e /proc/$(cat " << started << ") ]; do sleep 0.02; done\n";
+    CHECK(std::system(("timeout 60 sh " + in(folder, "script") + " 2>/dev/null").c_str()) == 0);
+  }
+}
+
 TEST_CASE("judge: options of the program are its own", "[judge]") {
   const Outcome outcome =
       run("judge --families boxes --count 2 -- sh -c 'while read x; do echo \"$1\"; done' --json --count");
