@@ -87,7 +87,7 @@ std::string line_of(const StagedStory& story, render::Font& font) {
   const Walkthrough& w = story.walkthrough;
   std::string page = page_html(story, pictures(w, {}), surroundings(w));
   for (const PageFile& file : page_files(story, pictures(w, {}), surroundings(w)))
-    if (file.name == steps_file || file.name == events_file) page += file.content;
+    if (file.name == steps_file || file.name == events_file || file.name == questions_file) page += file.content;
   return w.name + " " + checksum_of(page) + " " + checksum_of(captions_of(story)) + " " + layouts_of(story, font) +
          " " + words_of(story, font);
 }

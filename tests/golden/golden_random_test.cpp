@@ -78,7 +78,7 @@ std::string page_of(const StagedStory& story, const Look& look) {
   around.has_files = true;
   std::string all = page_html(story, pictures, around);
   for (const PageFile& file : page_files(story, pictures, around))
-    if (file.name == steps_file || file.name == events_file) all += file.content;
+    if (file.name == steps_file || file.name == events_file || file.name == questions_file) all += file.content;
   return checksum_of(all);
 }
 
