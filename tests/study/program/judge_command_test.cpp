@@ -147,6 +147,10 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   CHECK(bytes_of(over) == bytes_of(folder.path() / "steps.jsonl"));
   check_failure("check-steps " + steps + " --draw ''", 2, {"--draw '': name a folder"});
   check_failure("check-steps " + steps + " --draw /dev/null/x", 5, {"/dev/null/x"});
+  const Outcome piped = run("check-steps - <" + steps);
+  CHECK(piped.out == outcome.out);
+  CHECK(has(piped.err, "standard input: 1 of 1 search has a wrong step"));
+  check_failure("check-steps - </dev/null", 3, {"standard input: is empty"});
   check_failure("check-steps", 2, {"FILE"});
   check_failure("check-steps " + in(folder, "nowhere"), 3, {"nowhere: cannot be read"});
   check_failure("check-steps /dev/zero", 3, {"is not a regular file"});
@@ -249,7 +253,7 @@ TEST_CASE("judge: killed while it waits, it leaves nothing of the program's grou
         << "setsid " << quoted(GJKSTEP_PROGRAM) << " judge --time-limit 100 -- sh -c '(sleep 2000 & echo $! >"
         << (folder.path() / "started").string() << "; wait) & sleep 2000' >/dev/null 2>&1 &\nuntil [ -s " << started
         << " ]; do sleep 0.02; done\nkill -KILL " << whom << "\nwait $!\n"
-        << "while [ -e /proc/$(cat " << started << ") ]; do sleep 0.02; done\n";
+        << "while readlink /proc/$(cat " << started << ")/exe; do sleep 0.02; done\n";  // one that has ended has none
     CHECK(std::system(("timeout 60 sh " + in(folder, "script") + " 2>/dev/null").c_str()) == 0);
   }
 }
@@ -280,6 +284,14 @@ TEST_CASE("judge: the command that is told can be given to a shell again", "[jud
   CHECK(has(outcome.out,
             "gjkstep-study judge --families boxes --count 1 --seed 1 --time-limit 7.5 -- sh -c "
             "'sed s/.*/true/; exit'`"));
+}
+
+TEST_CASE("judge: words of the program are shown escaped, and short in their middle where they are long", "[judge]") {
+  const std::string longest(5000, 'x');
+  const Outcome outcome = run("judge --families boxes --count 1 -- sed s/.*/true/ \"$(printf '\\033')\" " + longest);
+  CHECK_FALSE(has(outcome.out, "\x1b"));
+  CHECK(has(outcome.out, "\\x1b"));
+  for (const std::string& line : lines(outcome.out)) CHECK(line.size() < 1000);
 }
 
 TEST_CASE("judge: names of pairs are shown escaped, in tables too", "[judge]") {
