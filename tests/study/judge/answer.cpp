@@ -175,7 +175,11 @@ ProgramAnswer answer_in(const Value& root, const Pair& pair) {
 }  // namespace
 
 ProgramAnswer read_answer(std::string_view line, const Pair& pair) try {
-  if (line.find_first_not_of(" \t\r") == std::string_view::npos) return {.why = "a blank line"};
+  const std::size_t first = line.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {.why = "a blank line"};
+  const std::string_view words = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+  if (words == "True" || words == "False")
+    return {.why = std::string(words) + " is no JSON: write true or false, in Python print(json.dumps(answer))"};
   const Document document = Document::of_line(line);
   return answer_in(document.root(), pair);
 } catch (const DocumentError& error) {

@@ -106,6 +106,8 @@ struct ChangedPair {
   Said expected;
 };
 
+bool is_with_itself(const ChangedPair& pair) { return pair.change + 1 == symmetry_names.size(); }
+
 /// `said`: what the program says of each pair.
 std::vector<ChangedPair> changed_pairs(const std::vector<NamedPair>& pairs, const std::vector<Said>& said) {
   std::vector<ChangedPair> all;
@@ -138,6 +140,7 @@ std::vector<Change> ask_changed(const AskedProgram& program, const std::vector<N
     Change& change = changes[all[k].change];
     ++change.asked;
     if (now == all[k].expected) continue;
+    change.wrong_no += is_with_itself(all[k]) && now == Said::separated;
     if (change.other_answers++ > 0) continue;
     change.first = pairs[all[k].original].name;
     change.first_pair = all[k].pair;

@@ -111,7 +111,7 @@ TEST_CASE("Judge: it is told of how many failing families the first have their w
   found.pairs.push_back(
       {.named = {"q", "round", {Ball{{0, 0, 0}, 1}, Ball{{0, 0, 0}, 1}}}, .verdict = Verdict::wrong_no});
   found.steps = {{.pair = "p", .iteration = 1, .words = "it is wrong"}};
-  CHECK(has(told(found), "Of 3 families with failures the first 1 are told."));
+  CHECK(has(told(found), "Of 3 families with failures that of the smallest pair is told."));
 }
 
 TEST_CASE("Judge: a sound program passes, its evidence with it", "[judge]") {
@@ -229,6 +229,15 @@ TEST_CASE("Judge: an answer that changes where nothing may is found without any 
   const Pair exchanged{pairs[0].pair.b, pairs[0].pair.a};
   CHECK(scenes[0].text.find(question_line(exchanged).substr(1)) != std::string::npos);
   CHECK_NOTHROW(walkthroughs::parse_scene(scenes[0].text, scenes[0].name));
+}
+
+TEST_CASE("Judge: a no to a set and itself is told as a wrong no", "[judge]") {
+  const std::vector<NamedPair> pairs{{"p", "f", {Points{{0, 0, 0}}, Points{{5, 0, 0}}}},
+                                     {"q", "f", {Points{{0, 0, 0}}, Points{{0, 5, 0}}}}};
+  const ProgramJudged found = judged({"sed", "s/.*/false/"}, pairs);
+  CHECK(found.changes[6].wrong_no == 2);
+  CHECK(has(told(found), "# it: something is wrong: 2 pairs; 2 wrong no's of a set with itself\n"));
+  CHECK(has(told(found), "of the last line 2 answers are wrong no's."));
 }
 
 TEST_CASE("Judge: failures become scenes that can be read, those of others' names, too", "[judge]") {

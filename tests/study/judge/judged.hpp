@@ -70,6 +70,7 @@ struct LaidToRounding {
 struct Change {
   std::string_view what;
   std::uint64_t asked = 0, other_answers = 0;
+  std::uint64_t wrong_no = 0;  ///< of these, where the answer is known to be yes
   std::string first = {};  ///< the name of the first pair with another answer
   std::optional<Pair> first_pair = {};  ///< that pair after the change
 };

@@ -81,7 +81,7 @@ std::string pictures_of(const ProgramJudged& judged, const std::string& program,
 }  // namespace
 
 std::string judged_page(const ProgramJudged& judged, const JudgedHead& head, std::size_t pictures) {
-  const std::string program = walkthroughs::printable(head.program);
+  const std::string program = walkthroughs::message_line(head.program);
   std::string html =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
       "http-equiv=\"Content-Security-Policy\" "
@@ -90,7 +90,7 @@ std::string judged_page(const ProgramJudged& judged, const JudgedHead& head, std
       escaped(program) + "</title>\n" + style + "</head>\n<body>\n<h1>" + escaped(program) + ": <span class=\"" +
       (judged.is_good() ? "good" : "bad") + "\">" + escaped(verdict_line(judged)) + "</span></h1>\n<ul>\n";
   for (const std::string& sentence : remarks(judged)) html += "<li>" + escaped(sentence) + "</li>\n";
-  html += "<li>made by: <code>" + escaped(walkthroughs::printable(head.command)) + "</code></li>\n</ul>\n";
+  html += "<li>made by: <code>" + escaped(walkthroughs::message_line(head.command)) + "</code></li>\n</ul>\n";
   for (const Table& table : tables_of(judged, head.is_sample)) html += html_of(table);
   html += pictures_of_steps(judged) + pictures_of(judged, program, pictures);
   return html + "</body>\n</html>\n";

@@ -13,6 +13,7 @@
 namespace study {
 namespace {
 
+using walkthroughs::message_line;
 using walkthroughs::printable;
 
 constexpr double alike_enough = 0.5;
@@ -112,8 +113,8 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
   if (replies.outlives_its_input) sentences.push_back("It does not end when its input ends, and was ended.");
   for (const Judged& each : judged.pairs)
     if (!each.detail.empty()) {
-      sentences.push_back("First pair without an answer: " + printable(each.named.name) + ": " +
-                          printable(each.detail) + ".");
+      sentences.push_back("First pair without an answer: " + message_line(each.named.name) + ": " +
+                          message_line(each.detail) + ".");
       break;
     }
   const std::size_t last = replies.said.find_last_not_of(" \r\n");
@@ -121,7 +122,7 @@ void add_end(const ProgramJudged& judged, std::vector<std::string>& sentences) {
     const std::string said = replies.said.substr(0, last + 1);
     const std::size_t feed = said.rfind('\n');
     sentences.push_back(
-        "It wrote to standard error: " + printable(said.substr(feed == std::string::npos ? 0 : feed + 1)) + ".");
+        "It wrote to standard error: " + message_line(said.substr(feed == std::string::npos ? 0 : feed + 1)) + ".");
   }
 }
 
@@ -176,9 +177,13 @@ Table mistake_table(const ProgramJudged& judged) {
 Table change_table(const ProgramJudged& judged) {
   Table table{
       "Asked again after what must not change the answer", {"What was done", "Asked", "Other answers", "First"}, 1};
-  for (const Change& change : judged.changes)
+  for (const Change& change : judged.changes) {
+    if (change.wrong_no > 0)
+      table.sentences.push_back("A set has its own points in common with itself: of the last line " +
+                                count_of(change.wrong_no, "answer is a wrong no.", "answers are wrong no's."));
     table.rows.push_back({std::string(change.what), std::to_string(change.asked), std::to_string(change.other_answers),
                           change.first.empty() ? "–" : printable(change.first)});
+  }
   return table;
 }
 
@@ -215,8 +220,10 @@ Table step_table(const ProgramJudged& judged) {
   for (const Judged& each : judged.pairs)
     if (each.has_search()) families.insert(each.named.family);
   if (families.size() > table.rows.size())
-    table.sentences.push_back("Of " + std::to_string(families.size()) + " families with failures the first " +
-                              std::to_string(table.rows.size()) + " are told.");
+    table.sentences.push_back("Of " + std::to_string(families.size()) + " families with failures " +
+                              (table.rows.size() == 1
+                                   ? "that of the smallest pair is told."
+                                   : "the " + std::to_string(table.rows.size()) + " of the smallest pairs are told."));
   return table;
 }
 
@@ -293,9 +300,13 @@ std::string verdict_line(const ProgramJudged& judged) {
   line += left;
   if (const std::uint64_t unproved = judged.all.false_evidence; unproved > 0)
     line += "; " + count_of(unproved, "right answer has", "right answers have") + " evidence that proves nothing";
-  std::uint64_t changed = 0;
-  for (const Change& change : judged.changes) changed += change.other_answers;
+  std::uint64_t changed = 0, wrong_no = 0;
+  for (const Change& change : judged.changes) {
+    changed += change.other_answers - change.wrong_no;
+    wrong_no += change.wrong_no;
+  }
   if (changed > 0) line += "; " + count_of(changed, "answer", "answers") + " changed where nothing may";
+  if (wrong_no > 0) line += "; " + count_of(wrong_no, "wrong no", "wrong no's") + " of a set with itself";
   return line;
 }
 
@@ -315,9 +326,9 @@ std::vector<Table> tables_of(const ProgramJudged& judged, bool is_sample) {
 
 std::string judged_markdown(const ProgramJudged& judged, const JudgedHead& head) {
   std::ostringstream out;
-  out << "# " << printable(head.program) << ": " << verdict_line(judged) << "\n\n";
+  out << "# " << message_line(head.program) << ": " << verdict_line(judged) << "\n\n";
   for (const std::string& sentence : remarks(judged)) out << "* " << sentence << '\n';
-  out << "* made by: `" << printable(head.command) << "`\n\n";
+  out << "* made by: `" << message_line(head.command) << "`\n\n";
   for (const Table& table : tables_of(judged, head.is_sample)) write(out, table);
   return out.str();
 }
@@ -342,6 +353,7 @@ std::string judged_json(const ProgramJudged& judged, const JudgedHead& head) {
     all["changes"].push_back({{"what", change.what},
                               {"asked", change.asked},
                               {"other_answers", change.other_answers},
+                              {"wrong_no", change.wrong_no},
                               {"first", change.first}});
   if (judged.steps) {
     all["steps"] = Json::array();

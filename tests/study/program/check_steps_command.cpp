@@ -31,11 +31,16 @@ steps of the file.
 Exit codes: 0 every step is right, 1 one is not, 2 wrong usage, 3 the file cannot be read, 4 --draw finds no OpenGL to draw
 with, 5 cannot write.)";
 
-/// Pictures of both runs, side by side, until they part. `file`: which they must not lie over.
+constexpr const char* standard_input = "-";
+
+/// Pictures of both runs, side by side, until they part. `file`: which they must not lie over, unless it is standard input.
 void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::string& file, const std::string& folder) {
   const std::optional<Parting> parting = parting_of(run, checked);
   walkthroughs::Places places;
-  places.read(file, "the steps " + file);
+  if (file == standard_input)
+    places.read_standard_input();
+  else
+    places.read(file, "the steps " + file);
   places.write_into(std::filesystem::path(folder) / parting->walkthrough.name, {"*.png"}, "the pictures of --draw");
   places.write_standard_output();
   places.expect_apart();
@@ -50,6 +55,15 @@ void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::st
 }
 
 constexpr std::size_t largest_file = std::size_t{64} << 20;
+
+std::string read_standard_input() {
+  std::string text(largest_file + 1, '\0');
+  std::cin.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(std::cin.gcount()));
+  if (text.size() > largest_file)
+    throw walkthroughs::InputError("standard input: is larger than 64 MiB; tell fewer searches at once");
+  return text;
+}
 
 void write(const ToldRun& run, const StepsChecked& checked) {
   std::cout << walkthroughs::printable(run.named.name) << ": ";
@@ -67,7 +81,7 @@ void write(const ToldRun& run, const StepsChecked& checked) {
 }  // namespace
 
 void CheckStepsCommand::add_to(CLI::App& app) {
-  app.add_option("FILE", file, "searches, told step by step")->required();
+  app.add_option("FILE", file, "searches, told step by step; - reads standard input")->required();
   app.add_option("--draw", draw, "folder for pictures of the first wrong search beside the report's, until they part");
   app.footer(footer);
 }
@@ -78,10 +92,13 @@ void CheckStepsCommand::run() const {
     expect_named("--draw", *draw);
     render::make_folder(*draw, "choose another with --draw");
   }
-  const std::string text = walkthroughs::read_text(file, {"file of steps", largest_file});
-  const std::vector<ToldRun> runs = read_told_runs(text, file);
+  const bool reads_file = file != standard_input;
+  const std::string name = reads_file ? file : "standard input";
+  const std::string text =
+      reads_file ? walkthroughs::read_text(file, {"file of steps", largest_file}) : read_standard_input();
+  const std::vector<ToldRun> runs = read_told_runs(text, name);
   if (std::ranges::all_of(runs, [](const ToldRun& run) { return run.steps.empty(); }))
-    throw walkthroughs::InputError(file + ": no search tells a step; write one a line before the answer: " +
+    throw walkthroughs::InputError(name + ": no search tells a step; write one a line before the answer: " +
                                    R"({"direction": [x, y, z], "simplex": [[x, y, z], ...]})");
   std::size_t all = 0, wrong = 0;
   for (const ToldRun& run : runs) {
@@ -93,7 +110,7 @@ void CheckStepsCommand::run() const {
   }
   std::cout.flush();
   if (wrong > 0)
-    throw std::runtime_error(file + ": " + std::to_string(wrong) + " of " + std::to_string(all) +
+    throw std::runtime_error(name + ": " + std::to_string(wrong) + " of " + std::to_string(all) +
                              (all == 1 ? " search has a wrong step" : " searches have a wrong step"));
 }
 

@@ -113,6 +113,7 @@ TEST_CASE("judge: the recipe says what happens", "[judge]") {
   const std::string out = run("judge -- " + quoted(JUDGED_WRONG_GJK)).out;
   const std::string verdict = lines(out).at(0).substr(2 + std::string(JUDGED_WRONG_GJK).size());
   CHECK(has(recipe, "# ./wrong_gjk" + verdict + "\n"));
+  CHECK(has(recipe, "[a GJK of " + std::to_string(lines(bytes_of(JUDGE_ADAPTERS "/wrong_gjk.cpp")).size()) + " lines]"));
   const std::string sentence = lines(out).at(2);
   CHECK(has(recipe, sentence.substr(0, sentence.find(';')) + "; …\n"));
   const auto line = recipe.find("  if (dot(n, AO) < 0) return s = {C, B, A}, -n;");
@@ -147,6 +148,10 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   CHECK(bytes_of(over) == bytes_of(folder.path() / "steps.jsonl"));
   check_failure("check-steps " + steps + " --draw ''", 2, {"--draw '': name a folder"});
   check_failure("check-steps " + steps + " --draw /dev/null/x", 5, {"/dev/null/x"});
+  const Outcome piped = run("check-steps - <" + steps);
+  CHECK(piped.out == outcome.out);
+  CHECK(has(piped.err, "standard input: 1 of 1 search has a wrong step"));
+  check_failure("check-steps - </dev/null", 3, {"standard input: is empty"});
   check_failure("check-steps", 2, {"FILE"});
   check_failure("check-steps " + in(folder, "nowhere"), 3, {"nowhere: cannot be read"});
   check_failure("check-steps /dev/zero", 3, {"is not a regular file"});
@@ -154,16 +159,22 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   check_failure("check-steps " + in(folder, "bad"), 3, {"bad:1: the first line must be a pair"});
 }
 
-TEST_CASE("check-steps: who tells steps at their end, as the adapter does, is not blamed for a right no", "[judge]") {
-  const Folder folder;
-  const std::string steps = in(folder, "steps.jsonl");
-  const std::string make = "grep '\"m4-1\"' " + quoted(GJKSTEP_CORPUS) + " | tee " + steps + " | JUDGE_STEPS=1 " +
-                           quoted(JUDGED_WRONG_GJK) + " >" + steps + ".told && cat " + steps + ".told >>" + steps;
-  REQUIRE(std::system(make.c_str()) == 0);
-  REQUIRE(has(bytes_of(folder.path() / "steps.jsonl"), "\nfalse\n"));
-  const Outcome outcome = run("check-steps " + steps);
-  CHECK(outcome.exit_code == 0);
-  CHECK(has(outcome.out, "m4-1: every step is one that the report's algorithm may make"));
+TEST_CASE("check-steps: who tells steps at their end, as the adapter does, is not blamed for a no that follows from them",
+          "[judge]") {
+  // A right one; and one in a direction that rounds, and is not told.
+  for (const std::string name : {"m4-1", "touching-edge-askew-37"}) {
+    INFO(name);
+    const Folder folder;
+    const std::string steps = in(folder, "steps.jsonl");
+    const std::string make = "grep '\"" + name + "\"' " + quoted(GJKSTEP_CORPUS) + " | tee " + steps +
+                             " | JUDGE_STEPS=1 " + quoted(JUDGED_WRONG_GJK) + " >" + steps + ".told && cat " + steps +
+                             ".told >>" + steps;
+    REQUIRE(std::system(make.c_str()) == 0);
+    REQUIRE(has(bytes_of(folder.path() / "steps.jsonl"), "\nfalse\n"));
+    const Outcome outcome = run("check-steps " + steps);
+    CHECK(outcome.exit_code == 0);
+    CHECK(has(outcome.out, name + ": every step is one that the report's algorithm may make"));
+  }
 }
 
 TEST_CASE("check-steps: a file without any step is refused, a search without is told", "[judge]") {
@@ -184,7 +195,9 @@ TEST_CASE("judge: --steps names the first wrong step of failures, where the prog
   CHECK(has(wrong.out, "## The first wrong step"));
   CHECK(has(wrong.out, "keeps [C, B, A] where the report keeps [C, A, B]"));
   CHECK(has(wrong.out, "| M14: the order is not changed when moving below the triangle |"));
-  CHECK(has(wrong.out, "| touching-edge-askew-37 | – | every step is one"));  // its direction rounds, and is not told
+  const std::string table = wrong.out.substr(wrong.out.find("## The first wrong step"));
+  CHECK(lines(table).at(4).starts_with("| m14-1 | 3 |"));  // small whole numbers
+  CHECK(has(table, " | – | every step is one"));
   CHECK(has(run("judge --steps -- sed s/.*/true/").out, "| it tells no steps |"));
   CHECK_FALSE(has(run("judge --steps -- " + quoted(GJKSTEP_ITSELF) + " query --certified").out, "first wrong step"));
 }
@@ -249,7 +262,7 @@ TEST_CASE("judge: killed while it waits, it leaves nothing of the program's grou
         << "setsid " << quoted(GJKSTEP_PROGRAM) << " judge --time-limit 100 -- sh -c '(sleep 2000 & echo $! >"
         << (folder.path() / "started").string() << "; wait) & sleep 2000' >/dev/null 2>&1 &\nuntil [ -s " << started
         << " ]; do sleep 0.02; done\nkill -KILL " << whom << "\nwait $!\n"
-        << "while [ -e /proc/$(cat " << started << ") ]; do sleep 0.02; done\n";
+        << "while readlink /proc/$(cat " << started << ")/exe; do sleep 0.02; done\n";  // one that has ended has none
     CHECK(std::system(("timeout 60 sh " + in(folder, "script") + " 2>/dev/null").c_str()) == 0);
   }
 }
@@ -280,6 +293,14 @@ TEST_CASE("judge: the command that is told can be given to a shell again", "[jud
   CHECK(has(outcome.out,
             "gjkstep-study judge --families boxes --count 1 --seed 1 --time-limit 7.5 -- sh -c "
             "'sed s/.*/true/; exit'`"));
+}
+
+TEST_CASE("judge: words of the program are shown escaped, and short in their middle where they are long", "[judge]") {
+  const std::string longest(5000, 'x');
+  const Outcome outcome = run("judge --families boxes --count 1 -- sed s/.*/true/ \"$(printf '\\033')\" " + longest);
+  CHECK_FALSE(has(outcome.out, "\x1b"));
+  CHECK(has(outcome.out, "\\x1b"));
+  for (const std::string& line : lines(outcome.out)) CHECK(line.size() < 1000);
 }
 
 TEST_CASE("judge: names of pairs are shown escaped, in tables too", "[judge]") {

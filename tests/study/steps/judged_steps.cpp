@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <tuple>
 
 #include "tests/study/judge/drawn_frame.hpp"
 #include "tests/study/judge/run_program.hpp"
@@ -40,19 +41,38 @@ std::optional<ToldRun> told_run(const AskedProgram& program, const NamedPair& na
   return {};
 }
 
+/// What is looked at first has the fewest points, then whole numbers, then the smallest.
+auto effort_to_read(const Pair& pair) {
+  const Points &a = std::get<Points>(pair.a), &b = std::get<Points>(pair.b);
+  bool is_whole = true;
+  for (const Points* const points : {&a, &b})
+    for (const Vec& p : *points) is_whole = is_whole && p == p.array().round().matrix();
+  return std::tuple(a.size() + b.size(), !is_whole,
+                    std::max(walkthroughs::largest_number(pair.a), walkthroughs::largest_number(pair.b)));
+}
+
+/// Returns: of each family the failure that is easiest to read, these in the same order.
+std::vector<const Judged*> easiest_failures(const std::vector<Judged>& pairs) {
+  std::vector<const Judged*> all;
+  for (const Judged& each : pairs)
+    if (each.has_search()) all.push_back(&each);
+  std::ranges::stable_sort(all, {}, [](const Judged* each) { return effort_to_read(each->named.pair); });
+  std::set<std::string> families;
+  std::erase_if(all, [&](const Judged* each) { return !families.insert(each->named.family).second; });
+  return all;
+}
+
 }  // namespace
 
 std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const ProgramJudged& judged, std::size_t most,
                                            std::size_t pictures) {
   const StepsWanted wanted;
   std::vector<JudgedSteps> all;
-  std::set<std::string> families;
   std::optional<FrameDrawing> drawing;
-  for (const Judged& each : judged.pairs) {
+  for (const Judged* const each : easiest_failures(judged.pairs)) {
     if (all.size() == most) break;
-    if (!each.has_search() || !families.insert(each.named.family).second) continue;
-    JudgedSteps& steps = all.emplace_back(JudgedSteps{.pair = each.named.name});
-    const std::optional<ToldRun> run = told_run(program, each.named, steps.words);
+    JudgedSteps& steps = all.emplace_back(JudgedSteps{.pair = each->named.name});
+    const std::optional<ToldRun> run = told_run(program, each->named, steps.words);
     if (!run) continue;
     StepsChecked checked = check_steps(*run);
     steps.iteration = checked.iteration;

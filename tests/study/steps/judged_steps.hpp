@@ -9,8 +9,9 @@
 
 namespace study {
 
-/// The first failures, of each family at most one, are asked again, each alone in a run of the program whose environment has JUDGE_STEPS:
-/// before its answer it then writes its steps, as told_run.hpp says. Draws the first `pictures` that have a wrong step.
+/// Failures, of each family the one that is easiest to read (the fewest points, small whole numbers), these in the same order, are
+/// asked again, each alone in a run of the program whose environment has JUDGE_STEPS: before its answer it then writes its steps,
+/// as told_run.hpp says. Draws the first `pictures` that have a wrong step.
 ///
 /// Returns: one for each failure that was asked, at most `most`. Errors: those of run_program(); those of drawing.
 std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const ProgramJudged& judged, std::size_t most,
