@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t most_nanoseconds = 3'600'000'000'000;  // that a query takes: an hour
 constexpr int most_second_iterations = 1000;
-constexpr int most_certified_iterations = 100000;  // of which 200 points each of all the balls that C9 tries are some thousands
+constexpr int most_certified_iterations = 100000;  // C9 tries some dozens of balls with 200 points each
 
 void expect(bool holds, const std::string& otherwise) {
   if (!holds) throw std::invalid_argument(otherwise);

@@ -2,13 +2,7 @@
 //
 //     JUDGED_LIMIT=6 judged-limited
 #include "core/gjk.hpp"
-#include "judge_main.hpp"
-
-static gjk::PointSet<double> set_of(const judge::Points& points) {
-  std::vector<gjk::Vec3<double>> list;
-  for (const auto& [x, y, z] : points) list.emplace_back(x, y, z);
-  return gjk::PointSet<double>(std::move(list));
-}
+#include "point_set.hpp"
 
 bool collide(const judge::Points& a, const judge::Points& b) {
   static const gjk::Options<double> options{.iteration_limit = std::atoi(std::getenv("JUDGED_LIMIT"))};

@@ -1,14 +1,8 @@
 // An implementation of the report with one mistake of the study, or with none: the program that the judge's tests judge.
 //
 //     GJKSTEP_MISTAKE=18 judged-mistake     # 0: without
-#include "judge_main.hpp"
+#include "point_set.hpp"
 #include "tests/study/methods/mistakes.hpp"
-
-static gjk::PointSet<double> set_of(const judge::Points& points) {
-  std::vector<gjk::Vec3<double>> list;
-  for (const auto& [x, y, z] : points) list.emplace_back(x, y, z);
-  return gjk::PointSet<double>(std::move(list));
-}
 
 bool collide(const judge::Points& a, const judge::Points& b) {
   static const std::size_t number = std::stoul(std::getenv("GJKSTEP_MISTAKE"));

@@ -2,7 +2,7 @@
 //
 //     JUDGED_TOLERANCE=1e-6 judged-tolerant
 #include "core/gjk.hpp"
-#include "judge_main.hpp"
+#include "point_set.hpp"
 
 static const double tolerance = std::atof(std::getenv("JUDGED_TOLERANCE"));
 
@@ -15,12 +15,6 @@ struct Tolerant : gjk::AsIntended {
     return std::abs(ABCn_AO.value) <= tolerance ? gjk::Side::in_plane : ABCn_AO.side();
   }
 };
-
-static gjk::PointSet<double> set_of(const judge::Points& points) {
-  std::vector<gjk::Vec3<double>> list;
-  for (const auto& [x, y, z] : points) list.emplace_back(x, y, z);
-  return gjk::PointSet<double>(std::move(list));
-}
 
 bool collide(const judge::Points& a, const judge::Points& b) {
   return gjk::collision<double, Tolerant>(set_of(a), set_of(b)).status == gjk::Status::intersecting;
