@@ -108,11 +108,12 @@ class Labels {
   std::vector<Box> taken_;
 };
 
-/// Returns: "certified: 0 of 123456 wrong or undecided", in all families and scalars.
-std::string certified_title(const Settings& settings, const std::string& rules) {
+/// Returns: "certified: 0 of 123456 wrong or undecided", in these families and all scalars.
+std::string certified_title(const Settings& settings, const std::vector<std::string>& families,
+                            const std::string& rules) {
   Counts sum;
   for (const Row& row : settings.study().rows)
-    if (row.rules == rules) sum += counts_at(row.tally, no_limit);
+    if (row.rules == rules && std::ranges::count(families, row.family)) sum += counts_at(row.tally, no_limit);
   return rules + ": " + std::to_string(failure_rate(sum).count) + " of " + std::to_string(sum.pairs) +
          " wrong or undecided";
 }
@@ -163,7 +164,7 @@ class Panel {
   };
 
   void add_curve(const std::vector<std::string>& families, const std::string& rules, const std::string& zero_test) {
-    Curve curve{{}, style_of(rules, zero_test), is_certified(rules)};
+    Curve curve{{}, style_of(families, rules, zero_test), is_certified(rules)};
     for (const int limit : limits_for(rules, settings_.limits())) {
       const Point p = point_of(settings_, families, {rules, scalar_, zero_test, limit});
       slowest_ = std::max(slowest_, p.nanoseconds);
@@ -205,10 +206,11 @@ class Panel {
   }
 
   /// Squares for the usual rules, triangles and diamonds for others; filled for the first zero test.
-  std::string style_of(const std::string& rules, const std::string& zero_test) const {
+  std::string style_of(const std::vector<std::string>& families, const std::string& rules,
+                       const std::string& zero_test) const {
     if (is_certified(rules))
       return std::string("lc rgb ") + purple + " ps 1.4 pt " + (rules == certified_rules[0].name ? "7" : "6") +
-             " title " + in_quotes(certified_title(settings_, rules));
+             " title " + in_quotes(certified_title(settings_, families, rules));
     const bool is_filled = zero_test == settings_.zero_tests().front();
     const std::string title = " title " + in_quotes("rules " + rules + ", zero test " + zero_test);
     if (rules == settings_.usual().rules)

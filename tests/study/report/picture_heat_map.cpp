@@ -23,7 +23,7 @@ std::string cell_words(const std::optional<Counts>& counts) {
   if (!counts) return "not asked";
   const Rate rate = failure_rate(*counts);
   if (rate.count == 0 && rate.has_interval()) return "<" + bound_in_short(rate.interval().high);
-  return in_short(rate.share());
+  return in_short(rate.share()) + (rate.count > 0 && rate.count == counts->in_doubt ? " in doubt" : "");
 }
 
 /// Returns: the label in a cell, and its colour, so that the shade is not all that tells the rate.

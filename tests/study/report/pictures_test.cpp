@@ -53,6 +53,12 @@ TEST_CASE("The heat map has columns of certified answers and says where nobody w
   study.rows.back().tally = {};
   study.rows.back().tally.not_askable = 10;
   CHECK(has(heat_map(Settings(study)).script, "set label 'not asked' at 1,0"));
+  study.rows.back().tally = {};
+  for (const Answer answer : {Answer::separated, Answer::in_doubt})
+    study.rows.back().tally.count({Truth::separated, Proof::predicates}, {answer, 3});
+  CHECK(has(heat_map(Settings(study)).script, "set label '0.5 in doubt' at 1,0"));
+  study.rows.back().tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
+  CHECK(has(heat_map(Settings(study)).script, "set label '0.67' at 1,0"));
 }
 
 /// As the study makes it: certified rows are timed once, and tell of their second searches.
@@ -81,18 +87,18 @@ TEST_CASE("Certified answers that were wrong are drawn and counted where they ar
   CHECK(has(script, "title 'certified: 2 of 10 wrong or undecided'"));
 }
 
-TEST_CASE("A family that some setting cannot be asked about counts for none of the means", "[pictures]") {
+TEST_CASE("A family that some setting cannot be asked about counts for none of the means, and for no title", "[pictures]") {
   Study study = with_certified(0);
   const auto rows = study.rows;
   study.families.push_back({"round", "made up", 10, 0});
   for (Row row : rows) {
     row.family = "round";
+    row.tally = {};
     if (is_certified(row.rules)) {
-      row.tally = {};
+      for (int i = 0; i < 10; ++i) row.tally.count({Truth::separated, Proof::formulas}, {Answer::in_doubt, 3});
+    } else {
       row.tally.not_askable = 10;
       row.timings.clear();
-    } else {
-      row.timings = {{5, {10, 9000}}, {20, {10, 9000}}};
     }
     study.rows.push_back(row);
   }

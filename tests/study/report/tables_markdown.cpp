@@ -49,15 +49,16 @@ bool is_nothing(const std::string& cell) { return cell.empty() || cell == no_pai
 
 /// As table(); families in which nothing was seen in any column are named below it.
 std::string rate_table(const Settings& settings, const std::vector<Column>& columns) {
-  std::string text = heading(columns), nothing;
+  std::string seen, nothing;
   for (const FamilyNote& family : settings.study().families) {
     const Names cells = row(family, columns);
     if (std::all_of(cells.begin() + 1, cells.end(), is_nothing))
       nothing += (nothing.empty() ? "" : ", ") + family.name;
     else
-      text += line(cells);
+      seen += line(cells);
   }
-  return text + (nothing.empty() ? "" : "\nNothing was seen in: " + nothing + ".\n");
+  if (!seen.empty()) seen = heading(columns) + seen + (nothing.empty() ? "" : "\n");
+  return seen + (nothing.empty() ? "" : "Nothing was seen in: " + nothing + ".\n");
 }
 
 std::string described(const Setting& setting) { return setting.scalar + ", " + all_but_scalar(setting); }

@@ -76,6 +76,7 @@ TEST_CASE("Families in which nothing was seen are named below the table", "[tabl
   const Study study = small_study(two_families());
   const std::string text = counts_markdown(Settings(study));
   CHECK(text.find("Nothing was seen in: triangles, spheres.") != std::string::npos);
+  CHECK(text.find("| --- |\n\nNothing was seen") == std::string::npos);  // no table without rows
 }
 
 /// Ten pairs of one family: 6 apart, of which 3 are found together, and 4 that meet, of which 1 is undecided.

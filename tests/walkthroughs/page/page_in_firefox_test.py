@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """A page of gjkstep render --page in Firefox: by keys, by its address, and predicted. The other browser, in which all is tried, is
-that of page_in_browser_test.py.
+that of in_browser.py.
 
     /usr/bin/python3 tests/walkthroughs/page/page_in_firefox_test.py build/gjkstep
 

@@ -132,9 +132,11 @@ gjk::Result<S> called(const auto& a, const auto& b, const gjk::Vec3<S>& between,
   gjk::Options<S> options;
   options.iteration_limit = query.iteration_limit;
   if (query.rules == RuleSet::eager && !gjk::is_zero(between)) options.first_direction = between;
-  return gjk::with_rules(query.rules, query.zero_test, [&]<class Rules>() {
-    return gjk::collision<S, Rules>(SupportOf<S>(a), SupportOf<S>(b), options);
-  });
+  const auto by = [&]<class Rules>() { return gjk::collision<S, Rules>(SupportOf<S>(a), SupportOf<S>(b), options); };
+  if constexpr (std::floating_point<S>)
+    return gjk::with_rules(query.rules, query.zero_test, by);
+  else  // nothing is rounded: both zero tests are this one, and fractions take the longest to compile
+    return gjk::with_rules<gjk::ExactZeroTest>(query.rules, by);
 }
 
 using Corners = std::vector<Point>;
