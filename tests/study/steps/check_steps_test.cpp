@@ -333,7 +333,8 @@ TEST_CASE("Steps: who keeps the feature nearest to the origin is not blamed, on 
 
 TEST_CASE("Steps: of a search that rounds otherwise, as with its axes in another order, no mistake is named", "[steps]") {
   int blamed = 0;
-  for (const NamedPair& named : plain_pairs())
+  for (const NamedPair& named : kept_pairs()) {
+    if (!std::holds_alternative<Points>(named.pair.a) || named.family.ends_with("100")) continue;
     for (const ToldRun& run : {told_with_turned_axes(named, 1), told_with_turned_axes(named, 2)}) {
       const StepsChecked found = check_steps(run);
       INFO(named.name << ", iteration " << found.iteration << ": " << found.words);
@@ -342,6 +343,7 @@ TEST_CASE("Steps: of a search that rounds otherwise, as with its axes in another
       CHECK_THAT(found.words, Catch::Contains("of vertices moved by a rounding the report does the same"));
       ++blamed;
     }
+  }
   CHECK(blamed > 0);
 }
 
