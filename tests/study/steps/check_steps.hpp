@@ -19,7 +19,8 @@ struct StepsChecked {
 
 /// Each step is made again from the simplex before it, as the program told it, in doubles and in fractions. Right are all that the
 /// report's rules make of that simplex in any order of its vertices that leaves normals outward: another face that sees the origin,
-/// too, is another correct choice, and so are the feature nearest to the origin and directions of other length.
+/// too, is another correct choice, and so are the feature nearest to the origin and directions of other length. Of a wrong step that
+/// the report makes, too, of vertices moved by a few roundings the words say so, and no mistake is named.
 StepsChecked check_steps(const ToldRun& run);
 
 }  // namespace study
