@@ -6,16 +6,14 @@
 #include <utility>
 
 #include "tests/study/methods/mistakes.hpp"
+#include "tests/study/steps/differences.hpp"
 #include "tests/study/steps/right_outcomes.hpp"
 #include "tests/study/truth/linear_program.hpp"
 
 namespace study {
 namespace {
 
-constexpr double same_place =
-    1e-9;  // of the sets' size: programs may compute in floats elsewhere, and print fewer digits
 constexpr double same_direction = 1e-4;  // 1 - cosine
-constexpr std::size_t most_differences = 1'000'000;
 constexpr double rounded_away = 1e-12;  // P·d, of the sizes of its products
 
 // -- Words ------------------------------------------------------------------------------------------------------------
@@ -48,15 +46,7 @@ bool parallel(const Vec& x, const Vec& y) {
 class Following {
  public:
   explicit Following(const ToldRun& run)
-      : run_(run), a_(std::get<Points>(run.named.pair.a)), b_(std::get<Points>(run.named.pair.b)) {
-    Vec least = a_.front(), most = a_.front();
-    for (const Points* const points : {&a_, &b_})
-      for (const Vec& p : *points) {
-        least = least.cwiseMin(p);
-        most = most.cwiseMax(p);
-      }
-    size_ = (most - least).maxCoeff();
-  }
+      : run_(run), differences_(std::get<Points>(run.named.pair.a), std::get<Points>(run.named.pair.b)) {}
 
   StepsChecked check() {
     for (at_ = 0; at_ < run_.steps.size() && !is_done_; ++at_) follow();
@@ -73,14 +63,12 @@ class Following {
   bool are_same_set(const Indices& x, const Indices& y) const {
     const auto holds = [this](const Indices& list, int i) {
       return std::ranges::any_of(list, [&](int k) {
-        return are_same(vertices_[static_cast<std::size_t>(k)], vertices_[static_cast<std::size_t>(i)]);
+        return differences_.are_same(vertices_[static_cast<std::size_t>(k)], vertices_[static_cast<std::size_t>(i)]);
       });
     };
     return std::ranges::all_of(x, [&](int i) { return holds(y, i); }) &&
            std::ranges::all_of(y, [&](int i) { return holds(x, i); });
   }
-
-  bool are_same(const Vec& x, const Vec& y) const { return (x - y).cwiseAbs().maxCoeff() <= same_place * size_; }
 
   /// The first that is wrong.
   void blame(int iteration, const std::string& words, const std::vector<std::size_t>& mistakes) {
@@ -92,11 +80,12 @@ class Following {
 
   /// ((AB×AO)×AB)·P has four factors of the sets' size, the square of (AB×AO)×AB six, and doubles have room for no more than this.
   void excuse_range() {
-    const bool vanishes = size_ > 0 && size_ < 0x1p-170;
-    const bool overflows = size_ > 0x1p+170;
+    const double size = differences_.size();
+    const bool vanishes = size > 0 && size < 0x1p-170;
+    const bool overflows = size > 0x1p+170;
     if (!vanishes && !overflows) return;
-    checked_.words += "; but of sets of the size " + shown(size_) + " products of " +
-                      (size_ < 0x1p-255 || size_ > 0x1p+255 ? "four" : "six") + " lengths " +
+    checked_.words += "; but of sets of the size " + shown(size) + " products of " +
+                      (size < 0x1p-255 || size > 0x1p+255 ? "four" : "six") + " lengths " +
                       (vanishes ? "vanish" : "overflow") + " in doubles: that may be the reason, and no line wrong";
     checked_.mistakes.clear();
   }
@@ -147,42 +136,13 @@ class Following {
 
   // -- The new vertex -------------------------------------------------------------------------------------------------
 
-  static Vertices farthest(const Points& points, const Vec& d, double tolerance) {
-    double most = points[0].dot(d);
-    for (const Vec& p : points) most = std::max(most, p.dot(d));
-    Vertices all;
-    for (const Vec& p : points)
-      if (p.dot(d) >= most - tolerance) all.push_back(p);
-    return all;
-  }
-
-  /// Returns: all a - b of points that are farthest along these, up to rounding.
-  Vertices farthest_differences(const Vec& d, const Vec& d_of_b) const {
-    const double tolerance = same_place * size_ * d.stableNorm();
-    Vertices all;
-    for (const Vec& p : farthest(a_, d, tolerance))
-      for (const Vec& q : farthest(b_, d_of_b, tolerance)) all.push_back(p - q);
-    return all;
-  }
-
-  bool has(const Vertices& vertices, const Vec& v) const {
-    return std::ranges::any_of(vertices, [&](const Vec& each) { return are_same(each, v); });
-  }
-
   /// Returns: the farthest; of those equally far one that it had before, as there is no other in its simplex.
   Vec among(const Vertices& right, const Vec& d) const {
     const auto by_reach = [&d](const Vec& v) { return v.dot(d); };
     const Vec best = *std::ranges::max_element(right, {}, by_reach);
     for (const Vec& each : right)
-      if (by_reach(each) == by_reach(best) && has(before_, each)) return each;
+      if (by_reach(each) == by_reach(best) && differences_.has(before_, each)) return each;
     return best;
-  }
-
-  /// Returns: whether it is one of all a - b; true where there are too many to look at.
-  bool is_difference(const Vec& v) const {
-    if (a_.size() * b_.size() > most_differences) return true;
-    return std::ranges::any_of(
-        a_, [&](const Vec& p) { return std::ranges::any_of(b_, [&](const Vec& q) { return are_same(p - q, v); }); });
   }
 
   /// Of such a length that no product with it is beyond all doubles.
@@ -193,21 +153,21 @@ class Following {
 
   std::optional<Vec> newest_vertex() {
     const Vec d = shortened(step().direction);
-    const Vertices right = farthest_differences(d, -d);
+    const Vertices right = differences_.farthest(d, -d);
     Vertices added;
     for (const Vec& v : step().simplex)
-      if (!has(before_, v)) added.push_back(v);
+      if (!differences_.has(before_, v)) added.push_back(v);
     if (added.size() > 1) {
       blame(iteration(), "its simplex has " + std::to_string(added.size()) + " vertices that the one before it has not",
             {});
       return std::nullopt;
     }
     if (added.empty()) return among(right, d);
-    if (has(right, added.front())) return added.front();
-    if (!is_difference(added.front())) {
+    if (differences_.has(right, added.front())) return added.front();
+    if (!differences_.contain(added.front())) {
       blame(iteration(),
             words_of(added.front()) + " is no difference a − b of a point of each set" +
-                (is_difference(-added.front()) ? ", but one b − a: steps are told with a − b" : ""),
+                (differences_.contain(-added.front()) ? ", but one b − a: steps are told with a − b" : ""),
             {});
       return std::nullopt;
     }
@@ -219,13 +179,14 @@ class Following {
     return std::nullopt;
   }
 
-  /// Whether each vertex that is new in a step, of later ones too, is what `is_found` says of it and of the step's direction.
-  template <class IsFound>
-  bool each_newest(const IsFound& is_found) const {
+  /// Whether each vertex that is new in a step, of later ones too, is farthest along these multiples of the step's direction.
+  bool each_newest_is_farthest(double of_a, double of_b) const {
     Vertices before;
     for (const ToldStep& each : run_.steps) {
       const Vec d = shortened(each.direction);
-      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) { return has(before, v) || is_found(v, d); }))
+      if (!std::ranges::all_of(each.simplex, [&](const Vec& v) {
+            return differences_.has(before, v) || differences_.is_farthest(v, of_a * d, of_b * d);
+          }))
         return false;
       before = each.simplex;
     }
@@ -234,26 +195,16 @@ class Following {
 
   /// Returns: which other direction it may be that was told; nothing where there is none.
   std::string what_was_told_instead(const Vec& d) const {
-    if (each_newest([this](const Vec& v, const Vec& along) { return has(farthest_differences(-along, along), v); }))
-      return "; every vertex is farthest the opposite way";
-    const Vertices farthest_along_it = farthest_differences(d, -d);
-    const auto is_next = [&](const Vec& v) { return !has(step().simplex, v) && has(farthest_along_it, v); };
+    if (each_newest_is_farthest(-1, 1)) return "; every vertex is farthest the opposite way";
+    const Vertices farthest_along_it = differences_.farthest(d, -d);
+    const auto is_next = [&](const Vec& v) {
+      return !differences_.has(step().simplex, v) && differences_.has(farthest_along_it, v);
+    };
     if (is_last() || std::ranges::none_of(run_.steps[at_ + 1].simplex, is_next)) return "";
     return "; that is the next vertex: told is the direction that was searched along, not the one that follows";
   }
 
-  bool may_be_m1() const {
-    return each_newest([this](const Vec& v, const Vec& along) { return is_by_m1(v, along); });
-  }
-
-  /// Whether it is a - b of points both farthest along d. Steps that nobody has looked at may tell directions along which all are.
-  bool is_by_m1(const Vec& v, const Vec& d) const {
-    const double tolerance = same_place * size_ * d.stableNorm();
-    const Vertices of_a = farthest(a_, d, tolerance), of_b = farthest(b_, d, tolerance);
-    return of_a.size() * of_b.size() <= most_differences && std::ranges::any_of(of_a, [&](const Vec& p) {
-             return std::ranges::any_of(of_b, [&](const Vec& q) { return are_same(p - q, v); });
-           });
-  }
+  bool may_be_m1() const { return each_newest_is_farthest(1, 1); }
 
   /// The direction of a step that was not told is not known: of larger numbers another formula than ours may have rounded it.
   bool any_formula_rounds() const {
@@ -293,7 +244,7 @@ class Following {
   Indices told_indices() const {
     Indices indices;
     for (const Vec& v : step().simplex) {
-      const auto found = std::ranges::find_if(vertices_, [&](const Vec& each) { return are_same(each, v); });
+      const auto found = std::ranges::find_if(vertices_, [&](const Vec& each) { return differences_.are_same(each, v); });
       indices.push_back(static_cast<int>(found - vertices_.begin()));  // newest_vertex() has looked that it is there
     }
     return indices;
@@ -343,7 +294,7 @@ class Following {
             makers_of_no({}));
   }
 
-  double reach_along(const Vec& d) const { return among(farthest_differences(d, -d), d).dot(d); }
+  double reach_along(const Vec& d) const { return among(differences_.farthest(d, -d), d).dot(d); }
 
   /// Who tells a step at the end of each iteration never comes to the end of the one with P·d < 0: what was told last is then a
   /// simplex that the report keeps, and the step after it must prove the no.
@@ -355,7 +306,7 @@ class Following {
       if (!each.contains_origin && are_same_set(each.kept, told_indices_)) ways.push_back(shortened(each.direction));
     if (ways.empty()) return false;
     for (const Vec& d : ways) {
-      const Vec newest = among(farthest_differences(d, -d), d);
+      const Vec newest = among(differences_.farthest(d, -d), d);
       if (newest.dot(d) < 0 || (any_formula_rounds() ? is_near_zero(newest, d) : !is_sure(newest, d))) return true;
     }
     const double reach = reach_along(ways.front());
@@ -387,7 +338,7 @@ class Following {
 
   /// Whether the vertex of M1 along `d` has P·d < 0, and M1 would have found those that were told.
   bool reaches_back(const Vec& d) const {
-    return may_be_m1() && std::ranges::any_of(farthest_differences(d, d), [&](const Vec& v) { return v.dot(d) < 0; });
+    return may_be_m1() && std::ranges::any_of(differences_.farthest(d, d), [&](const Vec& v) { return v.dot(d) < 0; });
   }
 
   /// Returns: also M1 where its vertex has P·d < 0.
@@ -514,8 +465,7 @@ class Following {
   };
 
   const ToldRun& run_;
-  const Points &a_, &b_;
-  double size_ = 0;
+  Differences differences_;
   std::size_t at_ = 0;
   Vertices before_, vertices_;  ///< the simplex before this step, and with its new vertex
   Indices told_indices_;

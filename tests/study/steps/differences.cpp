@@ -1,0 +1,61 @@
+#include "tests/study/steps/differences.hpp"
+
+#include <algorithm>
+
+namespace study {
+namespace {
+
+constexpr double same_place = 1e-9;  // of the size
+constexpr std::size_t most = 1'000'000;
+
+bool are_too_many(const Points& a, const Points& b) { return a.size() * b.size() > most; }
+
+}  // namespace
+
+Differences::Differences(const Points& a, const Points& b) : a_(a), b_(b) {
+  Vec low = a.front(), high = a.front();
+  for (const Points* const points : {&a, &b})
+    for (const Vec& p : *points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  size_ = (high - low).maxCoeff();
+}
+
+bool Differences::are_same(const Vec& x, const Vec& y) const {
+  return (x - y).cwiseAbs().maxCoeff() <= same_place * size_;
+}
+
+bool Differences::has(const Vertices& vertices, const Vec& v) const {
+  return std::ranges::any_of(vertices, [&](const Vec& each) { return are_same(each, v); });
+}
+
+Points Differences::farthest(const Points& points, const Vec& d) const {
+  double reach = points[0].dot(d);
+  for (const Vec& p : points) reach = std::max(reach, p.dot(d));
+  Points all;
+  for (const Vec& p : points)
+    if (p.dot(d) >= reach - same_place * size_ * d.stableNorm()) all.push_back(p);
+  return all;
+}
+
+Vertices Differences::farthest(const Vec& d, const Vec& d_of_b) const {
+  Vertices all;
+  for (const Vec& p : farthest(a_, d))
+    for (const Vec& q : farthest(b_, d_of_b)) all.push_back(p - q);
+  return all;
+}
+
+bool Differences::is_farthest(const Vec& v, const Vec& d, const Vec& d_of_b) const {
+  const Points a = farthest(a_, d), b = farthest(b_, d_of_b);
+  return !are_too_many(a, b) && is_between(a, b, v);
+}
+
+bool Differences::contain(const Vec& v) const { return are_too_many(a_, b_) || is_between(a_, b_, v); }
+
+bool Differences::is_between(const Points& a, const Points& b, const Vec& v) const {
+  return std::ranges::any_of(
+      a, [&](const Vec& p) { return std::ranges::any_of(b, [&](const Vec& q) { return are_same(p - q, v); }); });
+}
+
+}  // namespace study

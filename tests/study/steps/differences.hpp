@@ -1,0 +1,36 @@
+/// The points a - b of two sets, up to the rounding of programs that compute in floats, or print few digits.
+#pragma once
+
+#include "tests/study/steps/right_outcomes.hpp"
+
+namespace study {
+
+class Differences {
+ public:
+  /// Requires: points that outlive it.
+  Differences(const Points& a, const Points& b);
+
+  /// Returns: the longest edge of the box around both sets.
+  double size() const { return size_; }
+
+  bool are_same(const Vec& x, const Vec& y) const;
+  bool has(const Vertices& vertices, const Vec& v) const;
+
+  /// Returns: all a - b of points that are farthest along these.
+  Vertices farthest(const Vec& d, const Vec& d_of_b) const;
+
+  /// Returns: whether it is one of these; false where there are too many to look at.
+  bool is_farthest(const Vec& v, const Vec& d, const Vec& d_of_b) const;
+
+  /// Returns: whether it is any a - b; true where there are too many to look at.
+  bool contain(const Vec& v) const;
+
+ private:
+  Points farthest(const Points& points, const Vec& d) const;
+  bool is_between(const Points& a, const Points& b, const Vec& v) const;
+
+  const Points &a_, &b_;
+  double size_;
+};
+
+}  // namespace study
