@@ -81,6 +81,7 @@ struct JudgedSteps {
   int iteration = 0;       ///< of the first step that the report's algorithm would not make, from 1; 0: none
   std::string words = {};  ///< what is wrong with it, or why nothing is
   std::vector<std::size_t> mistakes = {};   ///< positions in mistakes() of those that would make it
+  bool may_be_rounding = false;             ///< no line need be wrong
   std::optional<render::Image> drawn = {};  ///< beside what the report's algorithm makes, where they part
 };
 

@@ -192,7 +192,7 @@ void add_what_makes_most(const std::vector<JudgedSteps>& steps, Table& table) {
   std::vector<std::uint64_t> made(mistakes().size());
   std::uint64_t wrong = 0;
   for (const JudgedSteps& each : steps) {
-    wrong += each.iteration > 0;
+    wrong += each.iteration > 0 && !each.may_be_rounding;
     for (const std::size_t m : each.mistakes) ++made[m];
   }
   const auto most = std::ranges::max_element(made);
@@ -277,6 +277,7 @@ Json json_of(const Judged& judged) {
 Json json_of(const JudgedSteps& steps) {
   Json object{{"name", steps.pair}, {"iteration", steps.iteration == 0 ? Json() : Json(steps.iteration)}};
   object["words"] = steps.words;
+  if (steps.may_be_rounding) object["may_be_rounding"] = true;
   object["mistakes"] = Json::array();
   for (const std::size_t m : steps.mistakes) object["mistakes"].push_back(m + 1);
   return object;

@@ -100,18 +100,20 @@ void CheckStepsCommand::run() const {
   if (std::ranges::all_of(runs, [](const ToldRun& run) { return run.steps.empty(); }))
     throw walkthroughs::InputError(name + ": no search tells a step; write one a line before the answer: " +
                                    R"({"direction": [x, y, z], "simplex": [[x, y, z], ...]})");
-  std::size_t all = 0, wrong = 0;
+  std::size_t all = 0, wrong = 0, rounded = 0;
   for (const ToldRun& run : runs) {
     const StepsChecked checked = check_steps(run);
     write(run, checked);
     ++all;
     wrong += checked.iteration > 0;
+    rounded += checked.may_be_rounding;
     if (draw && checked.iteration > 0 && wrong == 1) draw_parting(run, checked, file, *draw);
   }
   std::cout.flush();
   if (wrong > 0)
     throw std::runtime_error(name + ": " + std::to_string(wrong) + " of " + std::to_string(all) +
-                             (all == 1 ? " search has a wrong step" : " searches have a wrong step"));
+                             (all == 1 ? " search has a wrong step" : " searches have a wrong step") +
+                             (rounded == 0 ? "" : "; of " + std::to_string(rounded) + " rounding may be the reason"));
 }
 
 }  // namespace study

@@ -18,12 +18,13 @@ std::string bound_in_short(double value) {
   return in_short(std::ceil(value / power) * power);
 }
 
-/// Returns: the words in a cell. Where nothing was seen they say how much that tells.
+/// Returns: the words in a cell. Where nothing was seen they say how much that tells; where nothing was wrong, "in doubt".
 std::string cell_words(const std::optional<Counts>& counts) {
   if (!counts) return "not asked";
   const Rate rate = failure_rate(*counts);
   if (rate.count == 0 && rate.has_interval()) return "<" + bound_in_short(rate.interval().high);
-  return in_short(rate.share()) + (rate.count > 0 && rate.count == counts->in_doubt ? " in doubt" : "");
+  if (rate.count == 0 || rate.count != counts->in_doubt) return in_short(rate.share());
+  return (rate.count == rate.trials ? "all" : in_short(rate.share())) + " in doubt";
 }
 
 /// Returns: the label in a cell, and its colour, so that the shade is not all that tells the rate.

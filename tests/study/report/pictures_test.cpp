@@ -59,6 +59,9 @@ TEST_CASE("The heat map has columns of certified answers and says where nobody w
   CHECK(has(heat_map(Settings(study)).script, "set label '0.5 in doubt' at 1,0"));
   study.rows.back().tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
   CHECK(has(heat_map(Settings(study)).script, "set label '0.67' at 1,0"));
+  study.rows.back().tally = {};
+  study.rows.back().tally.count({Truth::separated, Proof::predicates}, {Answer::in_doubt, 3});
+  CHECK(has(heat_map(Settings(study)).script, "set label 'all in doubt' at 1,0"));
 }
 
 /// As the study makes it: certified rows are timed once, and tell of their second searches.
@@ -87,7 +90,8 @@ TEST_CASE("Certified answers that were wrong are drawn and counted where they ar
   CHECK(has(script, "title 'certified: 2 of 10 wrong or undecided'"));
 }
 
-TEST_CASE("A family that some setting cannot be asked about counts for none of the means, and for no title", "[pictures]") {
+TEST_CASE("A family that some setting cannot be asked about counts for none of the means, and for no title",
+          "[pictures]") {
   Study study = with_certified(0);
   const auto rows = study.rows;
   study.families.push_back({"round", "made up", 10, 0});

@@ -230,7 +230,7 @@ constexpr const char* of_round_shapes =
     "certificate. ";
 
 constexpr const char* of_second_searches =
-    " A certified answer takes the same search first; how often a second follows, and its iterations, is in "
+    " A certified answer about points takes the same search first; how often a second follows, and its iterations, is in "
     "certified.md.";
 
 std::string how_to_read(const Settings& settings) {

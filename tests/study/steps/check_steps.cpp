@@ -83,11 +83,12 @@ class Following {
     const double size = differences_.size();
     const bool vanishes = size > 0 && size < 0x1p-170;
     const bool overflows = size > 0x1p+170;
-    if (!vanishes && !overflows) return;
+    if (checked_.may_be_rounding || (!vanishes && !overflows)) return;
     checked_.words += "; but of sets of the size " + shown(size) + " products of " +
                       (size < 0x1p-255 || size > 0x1p+255 ? "four" : "six") + " lengths " +
                       (vanishes ? "vanish" : "overflow") + " in doubles: that may be the reason, and no line wrong";
     checked_.mistakes.clear();
+    checked_.may_be_rounding = true;
   }
 
   void follow() {
@@ -179,7 +180,7 @@ class Following {
     return std::nullopt;
   }
 
-  /// Whether each vertex that is new in a step, of later ones too, is farthest along these multiples of the step's direction.
+  /// Whether each vertex that is new in a step, of later ones too, is farthest along these multiples of its direction.
   bool each_newest_is_farthest(double of_a, double of_b) const {
     Vertices before;
     for (const ToldStep& each : run_.steps) {
@@ -206,11 +207,16 @@ class Following {
 
   bool may_be_m1() const { return each_newest_is_farthest(1, 1); }
 
-  /// The direction of a step that was not told is not known: of larger numbers another formula than ours may have rounded it.
+  /// Whether a formula may round: not of whole numbers, times a power of two, whose products of four, as in ((AB×AO)×AB)·P, are
+  /// below 2^53.
   bool any_formula_rounds() const {
-    constexpr double largest = 1000;  // whole numbers whose products of four, as in ((AB×AO)×AB)·P, are below 2^53
-    return std::ranges::any_of(
-        vertices_, [](const Vec& v) { return v.cwiseAbs().maxCoeff() > largest || v != v.array().round().matrix(); });
+    double most = 0;
+    for (const Vec& v : vertices_) most = std::max(most, v.cwiseAbs().maxCoeff());
+    if (most == 0) return false;
+    const auto is_whole = [times = 9 - std::ilogb(most)](double x) {
+      return std::ldexp(x, times) == std::round(std::ldexp(x, times));
+    };
+    return !std::ranges::all_of(vertices_, [&](const Vec& v) { return std::ranges::all_of(v, is_whole); });
   }
 
   static bool is_near_zero(const Vec& newest, const Vec& d) {
@@ -307,6 +313,7 @@ class Following {
     if (ways.empty()) return false;
     for (const Vec& d : ways) {
       const Vec newest = among(differences_.farthest(d, -d), d);
+      // Its direction was not told: another formula than ours may have rounded it.
       if (newest.dot(d) < 0 || (any_formula_rounds() ? is_near_zero(newest, d) : !is_sure(newest, d))) return true;
     }
     const double reach = reach_along(ways.front());
@@ -402,45 +409,34 @@ class Following {
     return {as_told(vertices_), {}};
   }
 
-  /// Whether the report would do so with vertices moved by a few roundings: a sign that rounding has turned is no line wrong.
-  /// Where other formulas cannot round, none has.
-  bool may_be_rounding(const auto& is_done_by) const {
-    if (!any_formula_rounds()) return false;
-    constexpr int tries = 64;
-    constexpr double moved = 0x1p-49;  // 16 units of rounding of the largest coordinate; a product of three has some ten
-    double most = 0;
-    for (const Vec& v : vertices_) most = std::max(most, v.cwiseAbs().maxCoeff());
-    std::mt19937 dice(1);
-    for (int i = 0; i < tries; ++i) {
-      Vertices near = vertices_;
-      for (Vec& v : near)
-        for (double& x : v) x += (dice() & 1 ? moved : -moved) * most;
-      for (const Indices& order : outward_orders(near))
-        if (is_done_by(outcome_of(near, order))) return true;
-    }
-    return false;
-  }
-
-  void excuse_rounding() {
-    checked_.words += "; of vertices moved by a rounding the report does the same: that may be the reason, and no line wrong";
-    checked_.mistakes.clear();
-  }
-
   bool does_the_same(const Outcome& outcome, const std::string& does) const {
     if (does == "says yes") return outcome.contains_origin;
     return !outcome.contains_origin && (is_last() || are_same_set(outcome.kept, told_indices_));
   }
 
-  void blame_simplex(const Outcome& right, const std::string& does) {
-    if (follows_from_order(does)) return blame(suspect_->iteration, suspect_->words, suspect_->makers);
-    blame_region(right, does);
-    if (may_be_rounding([&](const Outcome& outcome) { return does_the_same(outcome, does); })) excuse_rounding();
+  /// Whether the report does the same with vertices moved by a few roundings. What vanishes term by term, as in a plane z = 0,
+  /// vanishes then, too: no formula rounds it.
+  bool may_be_rounding(const std::string& does) const {
+    if (!any_formula_rounds()) return false;
+    constexpr int tries = 64;
+    constexpr double moved = 0x1p-49;  // 16 units of rounding: an expanded product of three differences has some ten
+    std::mt19937 dice(1);
+    for (int i = 0; i < tries; ++i) {
+      Vertices near = vertices_;
+      for (Vec& v : near)
+        for (double& x : v) x *= 1 + (dice() & 1 ? moved : -moved);
+      for (const Indices& order : outward_orders(near))
+        if (does_the_same(outcome_of(near, order), does)) return true;
+    }
+    return false;
   }
 
-  void blame_region(const Outcome& right, const std::string& does) {
-    auto [order, makers] = makers_of_simplex(does);
-    if (does == "says no" && at_ > 0) makers = makers_of_no(makers);
+  void blame_simplex(const Outcome& right, const std::string& does) {
+    if (follows_from_order(does)) return blame(suspect_->iteration, suspect_->words, suspect_->makers);
     const Indices all = as_told(vertices_);
+    checked_.may_be_rounding = may_be_rounding(does);
+    auto [order, makers] = checked_.may_be_rounding ? Makers{all, {}} : makers_of_simplex(does);
+    if (!checked_.may_be_rounding && does == "says no" && at_ > 0) makers = makers_of_no(makers);
     blame(iteration(),
           "from " + letters_of(all, vertices_.size()) + " the report finds " +
               (right.why.empty() ? "" : right.why + ": ") +
@@ -449,7 +445,10 @@ class Following {
                    ? "no origin in it and goes on"
                    : "keep " + letters_of(right.kept, vertices_.size())) +
               "; yours " + does + "; there " + letters_and_places(vertices_) +
-              (order == all ? "" : "; a mistake explains it in the order " + letters_of(order, vertices_.size())),
+              (order == all ? "" : "; a mistake explains it in the order " + letters_of(order, vertices_.size())) +
+              (checked_.may_be_rounding ? "; of vertices moved by a few roundings the report does the same: that may be "
+                                          "the reason, and no line wrong"
+                                        : ""),
           makers);
   }
 

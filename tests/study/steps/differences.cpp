@@ -6,9 +6,9 @@ namespace study {
 namespace {
 
 constexpr double same_place = 1e-9;  // of the size
-constexpr std::size_t most = 1'000'000;
+constexpr std::size_t most_differences = 1'000'000;
 
-bool are_too_many(const Points& a, const Points& b) { return a.size() * b.size() > most; }
+bool are_too_many(const Points& a, const Points& b) { return a.size() * b.size() > most_differences; }
 
 }  // namespace
 
@@ -33,9 +33,10 @@ bool Differences::has(const Vertices& vertices, const Vec& v) const {
 Points Differences::farthest(const Points& points, const Vec& d) const {
   double reach = points[0].dot(d);
   for (const Vec& p : points) reach = std::max(reach, p.dot(d));
+  const double tolerance = same_place * size_ * d.stableNorm();
   Points all;
   for (const Vec& p : points)
-    if (p.dot(d) >= reach - same_place * size_ * d.stableNorm()) all.push_back(p);
+    if (p.dot(d) >= reach - tolerance) all.push_back(p);
   return all;
 }
 

@@ -80,6 +80,7 @@ std::vector<JudgedSteps> steps_of_failures(const AskedProgram& program, const Pr
                       ? "every step is one that the report's algorithm may make: rounding, or a cycle"
                       : checked.words;
     steps.mistakes = checked.mistakes;
+    steps.may_be_rounding = checked.may_be_rounding;
     if (checked.iteration == 0 || pictures == 0) continue;
     if (!drawing) drawing.emplace();
     steps.drawn = (*drawing)(parting_of(*run, checked)->story());

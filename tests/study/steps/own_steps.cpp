@@ -12,7 +12,7 @@ using walkthroughs::Trace;
 using Simplex = gjk::Simplex<double>;
 using Vertex = gjk::Vertex<double>;
 
-constexpr double same_place = 1e-9, same_direction = 1e-4;  // as check_steps() takes them
+constexpr double same_place = 1e-9, same_direction = 1e-4;  // programs may compute in floats, and print few digits
 constexpr const char* told = "as told";
 constexpr int most_iterations = 100;  // of the report's algorithm, after what was told
 

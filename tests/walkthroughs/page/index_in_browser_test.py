@@ -5,7 +5,7 @@
 """
 import sys
 
-sys.dont_write_bytecode = True
+sys.dont_write_bytecode = True  # nothing is written into the project
 from in_browser import apart, By, hit, Keys, PageInBrowser, run, searched
 
 

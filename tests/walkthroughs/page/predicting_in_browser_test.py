@@ -5,7 +5,7 @@
 """
 import re, sys
 
-sys.dont_write_bytecode = True
+sys.dont_write_bytecode = True  # nothing is written into the project
 from in_browser import Keys, last, PageInBrowser, render, run, searched
 
 

@@ -5,7 +5,7 @@
 """
 import re, subprocess, sys, unittest
 
-sys.dont_write_bytecode = True
+sys.dont_write_bytecode = True  # nothing is written into the project
 from in_browser import apart, axe, By, hostile, Keys, last, PageInBrowser, run, searched
 
 # The contrast of each text with what is behind it, by WCAG 2; the smallest comes first.

@@ -5,7 +5,7 @@
 """
 import json, re, shutil, sys
 
-sys.dont_write_bytecode = True
+sys.dont_write_bytecode = True  # nothing is written into the project
 from in_browser import ActionChains, apart, By, hit, Keys, last, PageInBrowser, render, run, searched
 
 
