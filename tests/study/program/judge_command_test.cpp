@@ -151,6 +151,14 @@ TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]"
   const Outcome piped = run("check-steps - <" + steps);
   CHECK(piped.out == outcome.out);
   CHECK(has(piped.err, "standard input: 1 of 1 search has a wrong step"));
+  std::ofstream(folder.path() / "tiny")
+      << R"({"a":{"points":[[0,0,0],[1e-90,0,0]]},"b":{"points":[[5e-90,1e-90,0],[5e-90,-1e-90,0]]}}
+{"direction":[1,0,0],"simplex":[[-4e-90,-1e-90,0]]}
+{"direction":[4,1,0],"simplex":[[-4e-90,1e-90,0]]}
+{"direction":[1,0,0],"simplex":[[-4e-90,1e-90,0]]}
+false
+)";
+  CHECK(has(run("check-steps " + in(folder, "tiny")).err, "has a wrong step; of 1 rounding may be the reason"));
   check_failure("check-steps - </dev/null", 3, {"standard input: is empty"});
   check_failure("check-steps", 2, {"FILE"});
   check_failure("check-steps " + in(folder, "nowhere"), 3, {"nowhere: cannot be read"});
