@@ -20,7 +20,8 @@ floors = [
     ["walkthroughs/page"],
     ["walkthroughs/output"],
     ["walkthroughs/program"],
-    ["tests/catch.hpp", "tests/core", "tests/render"],
+    ["tests/kit"],
+    ["tests/core", "tests/render"],
     ["tests/walkthroughs"],  # what its tests share
     ["tests/study/pairs"],
     ["tests/study/truth"],

@@ -1,7 +1,7 @@
 /// Algorithm 1 as it is printed goes on to process the simplex after it has found that the origin was not crossed, and may
 /// then overwrite its answer. How often, and at which event does it part from what the text means?
-#include "tests/catch.hpp"
 #include "tests/core/evidence.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

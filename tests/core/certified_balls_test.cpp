@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "core/certificate_check.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "core/certified.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {
@@ -199,7 +199,8 @@ namespace {
 double sampled_nearness(const V& a, const V& b, const V& c, int steps) {
   double least = a.norm();
   for (int i = 0; i <= steps; ++i)
-    for (int j = 0; i + j <= steps; ++j) least = std::min(least, (a + (b - a) * i / steps + (c - a) * j / steps).norm());
+    for (int j = 0; i + j <= steps; ++j)
+      least = std::min(least, (a + (b - a) * i / steps + (c - a) * j / steps).norm());
   return least;
 }
 

@@ -7,8 +7,8 @@
 
 #include "core/certificate_check.hpp"
 #include "core/certified.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 

@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "tests/catch.hpp"
 #include "tests/core/replay.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

@@ -1,9 +1,9 @@
 /// Every answer brings its evidence; here it is examined without the algorithm.
 #pragma once
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/catch.hpp"
 #include "tests/core/evidence.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

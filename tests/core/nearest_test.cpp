@@ -4,8 +4,8 @@
 #include <map>
 
 #include "core/certified.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

@@ -2,9 +2,9 @@
 #include <map>
 
 #include "core/certified.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/counting_new.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <set>
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

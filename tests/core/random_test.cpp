@@ -1,8 +1,8 @@
 /// Random convex pairs against answers found in another way.
 #include <random>
 
-#include "tests/catch.hpp"
 #include "tests/core/evidence.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

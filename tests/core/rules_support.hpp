@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 

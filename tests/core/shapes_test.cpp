@@ -5,8 +5,8 @@
 #include <limits>
 #include <random>
 
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

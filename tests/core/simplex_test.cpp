@@ -1,7 +1,7 @@
 #include "core/simplex.hpp"
 
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

@@ -2,9 +2,9 @@
 #include <map>
 
 #include "core/rule_sets.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/certified_support.hpp"
 #include "tests/core/evidence.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

@@ -4,14 +4,13 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <cstdint>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/gjk.hpp"
+#include "tests/kit/dice.hpp"
 
 namespace gjk::test {
 
@@ -195,25 +194,16 @@ bool same_result(const Result<S>& r, const Result<S>& q) {
 
 // -- Dice -------------------------------------------------------------------------------------------------------------
 
-/// Random numbers that are the same with every standard library: its distributions are not.
-class Dice {
+/// Points with integer coordinates no farther out than `reach` on each axis.
+class Dice : public kit::Dice {
  public:
-  explicit Dice(std::uint64_t seed) : generator_(seed) {}
-  int between(int low, int high) {
-    return low + static_cast<int>(generator_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
-  }
+  using kit::Dice::Dice;
   Point point(int reach) { return {between(-reach, reach), between(-reach, reach), between(-reach, reach)}; }
   Points points(int count, int reach) {
     Points points;
     for (int i = 0; i < count; ++i) points.push_back(point(reach));
     return points;
   }
-
- private:
-  std::mt19937_64 generator_;
 };
 
 /// Two hulls of one to eight points, from crowded lattices (touching, flat, repeated points) to roomy ones.

@@ -4,8 +4,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

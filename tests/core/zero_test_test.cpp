@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "tests/catch.hpp"
 #include "tests/core/rules_support.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace gjk::test {
 namespace {

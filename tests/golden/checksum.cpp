@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "render/rendered_by.hpp"
-#include "tests/catch.hpp"
 #include "tests/golden/store.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace golden {
 

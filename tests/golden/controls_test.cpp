@@ -6,8 +6,8 @@
 #include <span>
 
 #include "render/compare.hpp"
-#include "tests/catch.hpp"
 #include "tests/golden/pictures.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 

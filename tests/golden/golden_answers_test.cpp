@@ -7,9 +7,9 @@
 #include "core/certified_balls.hpp"
 #include "core/certified_shapes.hpp"
 #include "core/rule_sets.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
 #include "tests/golden/checksum.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace golden;
 using namespace gjk;

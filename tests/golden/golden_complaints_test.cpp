@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
 #include "tests/golden/checksum.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/random_scene_files.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/query/query.hpp"

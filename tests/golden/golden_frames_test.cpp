@@ -4,9 +4,9 @@
 #include <iterator>
 #include <sstream>
 
-#include "tests/catch.hpp"
 #include "tests/golden/checksum.hpp"
 #include "tests/golden/store.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/alternative_text.hpp"

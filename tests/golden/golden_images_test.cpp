@@ -10,9 +10,9 @@
 #include "render/compare_report.hpp"
 #include "render/file.hpp"
 #include "render/rendered_by.hpp"
-#include "tests/catch.hpp"
 #include "tests/golden/pictures.hpp"
 #include "tests/golden/store.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace golden;
 

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
-#include "tests/catch.hpp"
 #include "tests/golden/checksum.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"

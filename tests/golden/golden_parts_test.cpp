@@ -13,9 +13,9 @@
 #include "render/html.hpp"
 #include "render/panel.hpp"
 #include "render/utf8.hpp"
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
 #include "tests/golden/checksum.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace golden;
 using namespace render;

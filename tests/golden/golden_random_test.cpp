@@ -3,8 +3,8 @@
 #include <array>
 #include <sstream>
 
-#include "tests/catch.hpp"
 #include "tests/golden/checksum.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/random_scene_files.hpp"
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/picture/draw.hpp"

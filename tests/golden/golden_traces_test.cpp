@@ -2,9 +2,9 @@
 
 #include <sstream>
 
-#include "tests/catch.hpp"
 #include "tests/golden/store.hpp"
 #include "tests/golden/trace_difference.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 

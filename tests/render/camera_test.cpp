@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 

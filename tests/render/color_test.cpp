@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 

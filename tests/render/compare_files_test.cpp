@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "render/rendered_by.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 namespace fs = std::filesystem;

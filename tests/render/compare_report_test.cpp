@@ -1,6 +1,6 @@
 #include "render/compare_report.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 

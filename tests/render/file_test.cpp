@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 namespace fs = std::filesystem;
@@ -126,7 +126,7 @@ TEST_CASE("Whether a file can be written is found out without leaving anything t
   expect_writable(folder.path / std::string(255 - 11, 'x'));  // .unfinished
   for (const int letters : {255 - 10, 255, 300})
     REQUIRE_THROWS_WITH(expect_writable(folder.path / std::string(static_cast<std::size_t>(letters), 'x')),
-                        Catch::Contains("File name too long"));
+                        kit::contains("File name too long"));
   CHECK(entries(folder.path) == 0);
   write_file(folder.path / "file", bytes);
   expect_writable(folder.path / "file");

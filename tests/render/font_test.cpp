@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 
@@ -160,9 +160,9 @@ TEST_CASE("a font whose path no system takes is reported as one that cannot be r
   const std::filesystem::path loop =
       std::filesystem::temp_directory_path() / ("gjkstep-loop-" + std::to_string(::getpid()));
   std::filesystem::create_symlink(loop, loop);
-  CHECK_THROWS_WITH(Font(loop), Catch::Contains("cannot be read: Too many levels"));
+  CHECK_THROWS_WITH(Font(loop), kit::contains("cannot be read: Too many levels"));
   std::filesystem::remove(loop);
-  CHECK_THROWS_WITH(Font(std::string(300, 'x')), Catch::Contains("cannot be read: File name too long"));
+  CHECK_THROWS_WITH(Font(std::string(300, 'x')), kit::contains("cannot be read: File name too long"));
 }
 
 TEST_CASE("GJKSTEP_FONT_DIR names the folder of the fonts") {

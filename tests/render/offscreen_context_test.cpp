@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "render/rasterizer.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 
@@ -35,11 +35,11 @@ Image page() { return page_drawn_with(default_backend()); }
 }  // namespace
 
 TEST_CASE("a context is refused under settings with which Mesa draws other pixels, and made under the one it has") {
-  using Catch::Matchers::Contains;
   const char* const set = std::getenv("GALLIUM_DRIVER");
   const std::optional<std::string> before = set ? std::optional<std::string>(set) : std::nullopt;
   setenv("GALLIUM_DRIVER", "softpipe", 1);
-  REQUIRE_THROWS_WITH(OffscreenContext(), Contains("GALLIUM_DRIVER=softpipe is set") && Contains("choose llvmpipe"));
+  REQUIRE_THROWS_WITH(OffscreenContext(),
+                      kit::contains("GALLIUM_DRIVER=softpipe is set") && kit::contains("choose llvmpipe"));
   setenv("GALLIUM_DRIVER", "llvmpipe", 1);
   REQUIRE_NOTHROW(OffscreenContext());
   before ? setenv("GALLIUM_DRIVER", before->c_str(), 1) : unsetenv("GALLIUM_DRIVER");

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 

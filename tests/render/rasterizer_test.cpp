@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/gl.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 
@@ -239,7 +239,7 @@ TEST_CASE_METHOD(Studio, "what OpenGL finds wrong while it draws is told once, a
     draw();
     FAIL("the error is not told");
   } catch (const ContextError& error) {
-    CHECK_THAT(error.what(), Catch::StartsWith("OpenGL reports GL_INVALID_ENUM on drawing"));
+    CHECK_THAT(error.what(), kit::starts_with("OpenGL reports GL_INVALID_ENUM on drawing"));
   }
   CHECK_NOTHROW(draw());
 }

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "render/file.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace render;
 namespace fs = std::filesystem;

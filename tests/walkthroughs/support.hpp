@@ -1,17 +1,13 @@
 /// What the tests of the walkthroughs share: walkthroughs by name, their events in letters of the picture, a folder.
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "tests/kit/folder.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/storyboard.hpp"
@@ -101,42 +97,6 @@ inline bool triangle_contains(const Vec2& a, const Vec2& b, const Vec2& c, const
   return !beyond(a, b, p, c) && !beyond(b, c, p, a) && !beyond(c, a, p, b);
 }
 
-/// A new folder that goes with everything in it.
-class Folder {
- public:
-  Folder() {
-    static int count = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("gjkstep-walkthroughs-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Returns: the names of everything in `folder` and below, sorted; empty where there is no such folder.
-inline std::vector<std::string> listing(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  if (std::filesystem::exists(folder))
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-      if (!entry.is_directory()) names.push_back(entry.path().lexically_relative(folder).string());
-  std::ranges::sort(names);
-  return names;
-}
+using kit::bytes_of, kit::Folder, kit::listing;
 
 }  // namespace walkthroughs::test

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace peers {
 
@@ -13,8 +13,6 @@ std::vector<Contender> cgal_contenders();
 
 namespace test {
 namespace {
-
-using Catch::Matchers::Contains;
 
 Contender named(const std::string& name, bool is_peer = true, const std::string& proves = "") {
   return {.name = name, .how = "made up", .prepare = nullptr, .is_peer = is_peer, .proves = proves};
@@ -43,42 +41,44 @@ std::string report(const std::vector<Match>& matches, const std::vector<Contende
 
 TEST_CASE("The report tells what a proof costs and how long the exact and the fastest peer take beside it", "[peers]") {
   const std::string text = report({match("triangles", {100, 90, 105, 210, 147})});
-  CHECK_THAT(text, Contains("| what a proof costs | gjkstep certified ÷ gjkstep | CGAL exact ÷ gjkstep certified | "
-                            "fastest peer ÷ gjkstep certified |\n"));
-  CHECK_THAT(text, Contains("| triangles | 1.05 | 2.00 | 1.40 |\n"));
+  CHECK_THAT(text,
+             kit::contains("| what a proof costs | gjkstep certified ÷ gjkstep | CGAL exact ÷ gjkstep certified | "
+                           "fastest peer ÷ gjkstep certified |\n"));
+  CHECK_THAT(text, kit::contains("| triangles | 1.05 | 2.00 | 1.40 |\n"));
 }
 
 TEST_CASE("The report tells where a proven answer takes no longer than an exact one", "[peers]") {
   const std::string text = report({match("triangles", {100, 90, 105, 104, 147}),
                                    match("tetrahedra", {100, 90, 105, 420, 147}), match("hulls-8", {1, 1, 1, 0, 1})});
-  CHECK_THAT(text,
-             Contains("* gjkstep certified is at least as fast as CGAL exact on: tetrahedra (4.00, aim 5.0); slower "
-                      "on: triangles (0.99)\n"));
+  CHECK_THAT(text, kit::contains(
+                       "* gjkstep certified is at least as fast as CGAL exact on: tetrahedra (4.00, aim 5.0); slower "
+                       "on: triangles (0.99)\n"));
   CHECK(report({match("hulls-8", {1, 1, 1, 0, 1})}).find("as CGAL exact on") == std::string::npos);
-  CHECK_THAT(report({match("touching", {1, 1, 2, 2, 1})}), Contains("as CGAL exact on: touching (1.00)\n"));
+  CHECK_THAT(report({match("touching", {1, 1, 2, 2, 1})}), kit::contains("as CGAL exact on: touching (1.00)\n"));
 }
 
 TEST_CASE("The report tells on which families the fastest peer is slower as is aimed at, and by how much else",
           "[peers]") {
   const std::string text =
       report({match("triangles", {100, 90, 105, 210, 147}), match("scale-1e50", {100, 90, 105, 0, 140})});
-  CHECK_THAT(
-      text,
-      Contains("* gjkstep is at least 1.5 times as fast as the fastest peer on: none; less on: triangles (1.47)\n"));
-  CHECK_THAT(text, Contains("* gjkstep eager is at least 1.5 times as fast as the fastest peer on: triangles (1.63), "
-                            "scale-1e50 (1.56)\n"));
-  CHECK_THAT(
-      text,
-      Contains("* gjkstep certified is at least 1.5 times as fast as the fastest peer on: none; less on: triangles "
-               "(1.40)\n"));
-  CHECK_THAT(text, !Contains("other is at least") && !Contains("CGAL exact is at least"));
+  CHECK_THAT(text,
+             kit::contains(
+                 "* gjkstep is at least 1.5 times as fast as the fastest peer on: none; less on: triangles (1.47)\n"));
+  CHECK_THAT(text,
+             kit::contains("* gjkstep eager is at least 1.5 times as fast as the fastest peer on: triangles (1.63), "
+                           "scale-1e50 (1.56)\n"));
+  CHECK_THAT(text,
+             kit::contains(
+                 "* gjkstep certified is at least 1.5 times as fast as the fastest peer on: none; less on: triangles "
+                 "(1.40)\n"));
+  CHECK_THAT(text, !kit::contains("other is at least") && !kit::contains("CGAL exact is at least"));
 }
 
 TEST_CASE("What was not timed has no ratio", "[peers]") {
-  CHECK_THAT(report({match("boxes", {100, 90, 105, 0, 147})}), Contains("| boxes | 1.05 | – | 1.40 |\n"));
-  CHECK_THAT(report({match("spheres", {100, 90, 0, 0, 147})}), Contains("| spheres | – | – | – |\n"));
+  CHECK_THAT(report({match("boxes", {100, 90, 105, 0, 147})}), kit::contains("| boxes | 1.05 | – | 1.40 |\n"));
+  CHECK_THAT(report({match("spheres", {100, 90, 0, 0, 147})}), kit::contains("| spheres | – | – | – |\n"));
   const std::string without_others = report({match("boxes", {100, 90, 105})}, {made_up.begin(), made_up.begin() + 3});
-  CHECK_THAT(without_others, Contains("| boxes | 1.05 | – | – |\n"));
+  CHECK_THAT(without_others, kit::contains("| boxes | 1.05 | – | – |\n"));
 }
 
 TEST_CASE("Where nobody proves anything nothing is said of proofs", "[peers]") {
@@ -92,18 +92,20 @@ TEST_CASE("Proofs may cost less on hulls than on small sets and on other familie
                                    match("hulls-32-all-corners", {1000, 900, 1031, 0, 0}),
                                    match("hulls-256-all-corners", {1000, 900, 1030, 0, 0}),
                                    match("touching-face-askew", {1000, 900, 9000, 0, 0})});
-  CHECK_THAT(text, Contains("* gjkstep certified takes no longer beside gjkstep than is aimed at on: triangles (1.060, "
-                            "aim 1.06), hulls-256-all-corners (1.030, aim 1.03); longer on: boxes (1.061, aim 1.06), "
-                            "hulls-32-all-corners (1.031, aim 1.03)\n"));
+  CHECK_THAT(text,
+             kit::contains("* gjkstep certified takes no longer beside gjkstep than is aimed at on: triangles (1.060, "
+                           "aim 1.06), hulls-256-all-corners (1.030, aim 1.03); longer on: boxes (1.061, aim 1.06), "
+                           "hulls-32-all-corners (1.031, aim 1.03)\n"));
   CHECK(report({match("touching-face-askew", {1000, 900, 9000, 0, 0})}).find("than is aimed at on") ==
         std::string::npos);
-  CHECK_THAT(report({match("boxes", {100, 90, 200, 0, 0})}), Contains("aimed at on: none; longer on: boxes (2.000"));
+  CHECK_THAT(report({match("boxes", {100, 90, 200, 0, 0})}),
+             kit::contains("aimed at on: none; longer on: boxes (2.000"));
 }
 
 TEST_CASE("Who cannot be asked is not timed and told as not asked", "[peers]") {
   const std::string text = report({match("spheres", {100, 90, 0, 0, 147})});
-  CHECK_THAT(text, Contains("| spheres | 10 | 10 | 100 | 90 | – | – | 147 |"));
-  CHECK_THAT(text, Contains("| spheres | 5 | 0 | 0 | 10 not asked | 10 not asked | 0 |"));
+  CHECK_THAT(text, kit::contains("| spheres | 10 | 10 | 100 | 90 | – | – | 147 |"));
+  CHECK_THAT(text, kit::contains("| spheres | 5 | 0 | 0 | 10 not asked | 10 not asked | 0 |"));
 }
 
 // -- Who can be asked about what ----------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/gjk.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/claims/claims_text.hpp"
 #include "tests/study/claims/claims_verdict.hpp"
 

@@ -1,7 +1,7 @@
 #include "tests/study/claims/effort.hpp"
 
 #include "core/gjk.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/families.hpp"
 
 namespace study {

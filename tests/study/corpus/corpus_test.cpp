@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/corpus/published.hpp"
 #include "tests/study/corpus/shown.hpp"
 #include "tests/study/methods/mistakes.hpp"

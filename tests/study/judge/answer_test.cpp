@@ -1,6 +1,6 @@
 #include "tests/study/judge/answer.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study {
 namespace {
@@ -28,7 +28,8 @@ TEST_CASE("Answers: a word, a status or a truth value is one, and everything els
     CHECK(answer.said == Said::nothing);
     CHECK_FALSE(answer.why.empty());
   }
-  CHECK(read_answer(" True\r", apart).why == "True is no JSON: write true or false, in Python print(json.dumps(answer))");
+  CHECK(read_answer(" True\r", apart).why ==
+        "True is no JSON: write true or false, in Python print(json.dumps(answer))");
   CHECK(read_answer("False", apart).why.starts_with("False is no JSON: write true or false"));
   CHECK(read_answer(std::string(100000, '['), apart).said == Said::nothing);
   CHECK(read_answer(R"({"error":"too hard","line":7})", apart).why == "too hard");

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/judge/judged_scenes.hpp"
 #include "tests/study/judge/judged_text.hpp"
 #include "tests/study/judge/pairs_file.hpp"
@@ -261,7 +261,7 @@ TEST_CASE("Judge: pairs of others are read as gjkstep query reads them, and bad 
   CHECK((pairs[0].name == "line-1" && pairs[0].family == "yours" && pairs[1].name == "n" && pairs[1].family == "f"));
   const auto check_fails = [&](const std::string& line, const std::string& words) {
     INFO(line);
-    CHECK_THROWS_WITH(read_pairs(good + "\n" + line, "mine"), Catch::Contains("mine:2: ") && Catch::Contains(words));
+    CHECK_THROWS_WITH(read_pairs(good + "\n" + line, "mine"), kit::contains("mine:2: ") && kit::contains(words));
   };
   check_fails("{", "");
   check_fails(" ", "blank");
@@ -269,7 +269,7 @@ TEST_CASE("Judge: pairs of others are read as gjkstep query reads them, and bad 
               "a.pose: is not judged");
   check_fails(R"({"a":{"sum":[{"points":[[0,0,0]]},{"points":[[0,0,0]]}]},"b":{"points":[[0,0,0]]}})", "a: is a sum");
   check_fails(R"({"a":{"sphere":{"center":[0,0,0],"radius":1}},"b":{"points":[[0,0,0]]}})", "cannot judge");
-  CHECK_THROWS_WITH(read_pairs("", "mine"), Catch::Contains("holds no pair"));
+  CHECK_THROWS_WITH(read_pairs("", "mine"), kit::contains("holds no pair"));
   CHECK(kept_pairs().size() > 440);
 }
 

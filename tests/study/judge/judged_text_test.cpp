@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study {
 namespace {

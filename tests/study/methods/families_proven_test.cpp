@@ -7,7 +7,7 @@
 #include "core/certified.hpp"
 #include "core/certified_shapes.hpp"
 #include "core/complete.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "walkthroughs/model/exact_number.hpp"

@@ -1,5 +1,5 @@
 /// Certified answers as methods of the study.
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 
@@ -44,7 +44,8 @@ TEST_CASE("Certified answers about all families of points are right and their ce
   }
 }
 
-TEST_CASE("Certified answers about balls and cylinders are right, without a certificate or a second search", "[certified]") {
+TEST_CASE("Certified answers about balls and cylinders are right, without a certificate or a second search",
+          "[certified]") {
   std::size_t round = 0;
   for (const Family& family : families()) {
     if (is_of_points(family)) continue;
@@ -121,7 +122,8 @@ TEST_CASE("Eager certified queries begin between the centers", "[certified]") {
   }
 }
 
-TEST_CASE("Cylinders that touch but for what rounding takes are in doubt, which is neither wrong nor an error", "[certified]") {
+TEST_CASE("Cylinders that touch but for what rounding takes are in doubt, which is neither wrong nor an error",
+          "[certified]") {
   const Pair touching{Can{{0, 0, 0}, {0, 0, 1}, 1, 2}, Can{{0.3, 0.2, 2}, {0, 0, -1}, 0.5, 2}};
   for (const Method* const method : certified_ones()) {
     INFO(method->name());

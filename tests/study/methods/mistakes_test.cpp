@@ -3,8 +3,8 @@
 #include <optional>
 #include <set>
 
-#include "tests/catch.hpp"
 #include "tests/core/replay.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/claims/claims_measured.hpp"
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/pairs/random_triangles.hpp"

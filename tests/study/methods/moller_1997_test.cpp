@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/gjk.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "walkthroughs/model/exact_number.hpp"

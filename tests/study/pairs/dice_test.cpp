@@ -3,7 +3,7 @@
 #include <array>
 #include <set>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/dice.hpp"
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/truth/oracle.hpp"

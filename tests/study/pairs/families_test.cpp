@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/gjk.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/hulls.hpp"
 #include "tests/study/truth/linear_program.hpp"
 #include "tests/study/truth/oracle.hpp"
@@ -130,7 +130,8 @@ double expected_share(const std::string& name) {
   return found != shares.end() ? found->second : 0.5;
 }
 
-TEST_CASE("Families: about half of the pairs meet, or the share that is in the family's nature", "[families][unsanitized]") {
+TEST_CASE("Families: about half of the pairs meet, or the share that is in the family's nature",
+          "[families][unsanitized]") {
   for (const Family& family : families()) {
     const auto pairs = pairs_of(family, 400);
     const double share = static_cast<double>(hits(pairs)) / static_cast<double>(pairs.size());

@@ -1,6 +1,6 @@
 #include "tests/study/report/filter.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study::test {
 namespace {

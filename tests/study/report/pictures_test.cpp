@@ -8,7 +8,7 @@
 
 #include "render/file.hpp"
 #include "render/image.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/walkthroughs/support.hpp"
 

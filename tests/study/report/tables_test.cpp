@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 #include "tests/study/sweep/plan.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/complete.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/corpus/shown.hpp"
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/methods/mistakes.hpp"
@@ -142,24 +142,23 @@ TEST_CASE("Steps: by hand, each kind of wrong step and its words", "[steps]") {
     const StepsChecked found = check_steps({far, steps, said});
     return std::to_string(found.iteration) + ": " + found.words;
   };
-  using Catch::Contains;
   const ToldStep first{{1, 0, 0}, {{-4, -1, 0}}};
   CHECK(words({first, {{4, 1, 0}, {{-4, -1, 0}}}}, Said::separated) == "0: ");
   CHECK_THAT(words({{{1, 0, 0}, {{-5, 1, 0}}}}, Said::undecided),
-             Contains("1: (-5, 1, 0) is no point of a − b farthest"));
+             kit::contains("1: (-5, 1, 0) is no point of a − b farthest"));
   CHECK_THAT(words({{{1, 0, 0}, {{9, 9, 0}}}}, Said::undecided),
-             Contains("1: (9, 9, 0) is no difference a − b of a point of each set"));
+             kit::contains("1: (9, 9, 0) is no difference a − b of a point of each set"));
   CHECK_THAT(words({first, {{0, 1, 0}, {{-4, -1, 0}}}}, Said::separated),
-             Contains("1: from [A], rightly kept, the report searches along (1, 0.25, 0)"));
-  CHECK_THAT(words({first, {{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated), Contains("yours along (0, 0, 0)"));
+             kit::contains("1: from [A], rightly kept, the report searches along (1, 0.25, 0)"));
+  CHECK_THAT(words({first, {{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated), kit::contains("yours along (0, 0, 0)"));
   CHECK_THAT(words({first, {{4, 1, 0}, {{-4, -1, 0}, {-4, 1, 0}}}, {{1, 0, 0}, {{-4, 1, 0}}}}, Said::separated),
-             Contains("2: P·d = -15 < 0: the origin was not crossed"));
+             kit::contains("2: P·d = -15 < 0: the origin was not crossed"));
   CHECK_THAT(words({first, {{4, 1, 0}, {{-4, 1, 0}, {-5, 1, 0}}}}, Said::separated),
-             Contains("2: its simplex has 2 vertices"));
+             kit::contains("2: its simplex has 2 vertices"));
   CHECK(words({}, Said::separated) == "0: ");
   CHECK(words({first}, Said::separated) == "0: ");
   CHECK_THAT(words({{{0, 0, 0}, {{-4, -1, 0}}}}, Said::separated),
-             Contains("1: a search along (0, 0, 0) goes nowhere"));
+             kit::contains("1: a search along (0, 0, 0) goes nowhere"));
 }
 
 TEST_CASE(
@@ -183,8 +182,8 @@ TEST_CASE(
     CHECK(found(size).mistakes.empty() == is_lost);
     CHECK((found(size).words.find("no line wrong") != std::string::npos) == is_lost);
     if (!is_lost) continue;
-    CHECK_THAT(found(size).words, Catch::Contains(size < 1 ? "lengths vanish" : "lengths overflow"));
-    CHECK_THAT(found(size).words, Catch::Contains(size < 0x1p-255 || size > 0x1p+255 ? " of four" : " of six"));
+    CHECK_THAT(found(size).words, kit::contains(size < 1 ? "lengths vanish" : "lengths overflow"));
+    CHECK_THAT(found(size).words, kit::contains(size < 0x1p-255 || size > 0x1p+255 ? " of four" : " of six"));
   }
 }
 
@@ -343,7 +342,7 @@ TEST_CASE("Steps: of a search that rounds otherwise, as with its axes in another
       CHECK(found.mistakes.empty());
       if (found.iteration == 0) continue;
       CHECK(found.may_be_rounding);
-      CHECK_THAT(found.words, Catch::Contains("of vertices moved by a few roundings the report does the same"));
+      CHECK_THAT(found.words, kit::contains("of vertices moved by a few roundings the report does the same"));
       ++blamed;
     }
   }
@@ -379,31 +378,30 @@ TEST_CASE("Steps: ways of telling them that are often mixed up are told as that"
       told_at_ends(told_by<gjk::AsIntended>(*std::ranges::find(all, std::string("m18-1"), &NamedPair::name)));
   REQUIRE(sound.steps.size() >= 2);
   REQUIRE(check_steps(sound).iteration == 0);
-  using Catch::Contains;
   ToldRun run = sound;
   for (ToldStep& step : run.steps)
     for (Vec& v : step.simplex) v = -v;
-  CHECK_THAT(check_steps(run).words, Contains("but one b − a: steps are told with a − b"));
+  CHECK_THAT(check_steps(run).words, kit::contains("but one b − a: steps are told with a − b"));
   run = sound;
   for (ToldStep& step : run.steps) step.direction = -step.direction;
-  CHECK_THAT(check_steps(run).words, Contains("every vertex is farthest the opposite way"));
+  CHECK_THAT(check_steps(run).words, kit::contains("every vertex is farthest the opposite way"));
   run = sound;
   run.steps[1].direction = -run.steps[1].direction;
-  CHECK_THAT(check_steps(run).words, Contains("yours the opposite way, along"));
+  CHECK_THAT(check_steps(run).words, kit::contains("yours the opposite way, along"));
   run = sound;
   for (std::size_t i = 0; i + 1 < run.steps.size(); ++i) run.steps[i].direction = run.steps[i + 1].direction;
   CHECK_THAT(check_steps(run).words,
-             Contains("told is the direction that was searched along, not the one that follows"));
+             kit::contains("told is the direction that was searched along, not the one that follows"));
 }
 
 TEST_CASE("Steps: a simplex that was not reduced, and a search that goes round, are told as that", "[steps]") {
-  using Catch::Contains;
   const std::vector<NamedPair> all = kept_pairs();
   const auto named = [&](const std::string& name) { return *std::ranges::find(all, name, &NamedPair::name); };
   ToldRun run = told_by<gjk::AsIntended>(named("cycles-1"));
   REQUIRE(run.said == Said::undecided);
   run.said = Said::separated;
-  CHECK_THAT(check_steps(run).words, Contains("; it goes round: step ") && Contains("a limit of iterations may have"));
+  CHECK_THAT(check_steps(run).words,
+             kit::contains("; it goes round: step ") && kit::contains("a limit of iterations may have"));
   run = told_by<gjk::AsIntended>(named("m18-1"));
   const auto smaller = std::ranges::adjacent_find(
       run.steps, [](const ToldStep& x, const ToldStep& y) { return x.simplex.size() >= y.simplex.size(); });
@@ -412,7 +410,7 @@ TEST_CASE("Steps: a simplex that was not reduced, and a search that goes round, 
   for (const Vec& v : (smaller + 1)->simplex)
     if (std::ranges::find(unreduced, v) == unreduced.end()) unreduced.push_back(v);
   (smaller + 1)->simplex = unreduced;
-  CHECK_THAT(check_steps(run).words, Contains("all of them (told is the simplex after it was reduced)"));
+  CHECK_THAT(check_steps(run).words, kit::contains("all of them (told is the simplex after it was reduced)"));
 }
 
 TEST_CASE("Steps: a mistake is named whatever the order of the faces, and why the origin lies inside is told",

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {

@@ -1,6 +1,6 @@
 #include "tests/study/steps/told_run.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
@@ -43,8 +43,7 @@ TEST_CASE("Told runs: the newest vertex is the last, whichever end it was told a
 TEST_CASE("Told runs: what is no step is refused with its line and the reason", "[steps]") {
   const auto check_fails = [](const std::string& line, const std::string& words) {
     INFO(line);
-    CHECK_THROWS_WITH(read_told_runs(pair + "\n" + line + "\n", "f"),
-                      Catch::Contains("f:2: ") && Catch::Contains(words));
+    CHECK_THROWS_WITH(read_told_runs(pair + "\n" + line + "\n", "f"), kit::contains("f:2: ") && kit::contains(words));
   };
   check_fails("", "");
   check_fails("{", "");
@@ -59,10 +58,9 @@ TEST_CASE("Told runs: what is no step is refused with its line and the reason", 
   check_fails(R"({"a":{"points":[[0,0,0]]}})", "b");
   check_fails(R"({"a":{"sphere":{"center":[0,0,0],"radius":1}},"b":{"sphere":{"center":[0,0,0],"radius":1}}})",
               "sets of points");
-  CHECK_THROWS_WITH(read_told_runs(pair + "\ntrue\n" + step, "f"), Catch::Contains("f:3: comes after the answer"));
-  CHECK_THROWS_WITH(read_told_runs("true\n" + step, "f"),
-                    Catch::Contains("f:1: ") && Catch::Contains("must be a pair"));
-  CHECK_THROWS_WITH(read_told_runs("", "f"), Catch::Contains("is empty"));
+  CHECK_THROWS_WITH(read_told_runs(pair + "\ntrue\n" + step, "f"), kit::contains("f:3: comes after the answer"));
+  CHECK_THROWS_WITH(read_told_runs("true\n" + step, "f"), kit::contains("f:1: ") && kit::contains("must be a pair"));
+  CHECK_THROWS_WITH(read_told_runs("", "f"), kit::contains("is empty"));
 }
 
 }  // namespace

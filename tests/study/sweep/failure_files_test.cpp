@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 #include "tests/walkthroughs/program/program.hpp"

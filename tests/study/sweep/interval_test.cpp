@@ -1,6 +1,6 @@
 #include "tests/study/sweep/interval.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study {
 namespace {

@@ -1,6 +1,6 @@
 #include "tests/study/sweep/plan.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study::test {
 namespace {
@@ -36,16 +36,15 @@ TEST_CASE("Names that nobody knows are refused with the one that was probably me
     }
     return "";
   };
-  using Catch::Matchers::Contains;
-  CHECK_THAT(complaint({.families = {"triangle"}}), Contains("no family 'triangle'; did you mean 'triangles'?"));
-  CHECK_THAT(complaint({.rules = {"printed"}}), Contains("'as-printed'"));
-  CHECK_THAT(complaint({.scalars = {"dubble"}}), Contains("'double'"));
-  CHECK_THAT(complaint({.zero_tests = {"exct"}}), Contains("'exact'"));
-  CHECK_THAT(complaint({.limits = {0}}), Contains("1 to 1000"));
-  CHECK_THAT(complaint({.scalars = {"exact"}, .zero_tests = {"relative"}}), Contains("no setting is left"));
-  CHECK_THAT(complaint({.rules = {"certifed"}}), Contains("'certified'"));
-  CHECK_THAT(complaint({.rules = {"certified"}, .scalars = {"exact"}}), Contains("no setting is left"));
-  CHECK_THAT(complaint({.rules = {"certified"}, .zero_tests = {"relative"}}), Contains("no setting is left"));
+  CHECK_THAT(complaint({.families = {"triangle"}}), kit::contains("no family 'triangle'; did you mean 'triangles'?"));
+  CHECK_THAT(complaint({.rules = {"printed"}}), kit::contains("'as-printed'"));
+  CHECK_THAT(complaint({.scalars = {"dubble"}}), kit::contains("'double'"));
+  CHECK_THAT(complaint({.zero_tests = {"exct"}}), kit::contains("'exact'"));
+  CHECK_THAT(complaint({.limits = {0}}), kit::contains("1 to 1000"));
+  CHECK_THAT(complaint({.scalars = {"exact"}, .zero_tests = {"relative"}}), kit::contains("no setting is left"));
+  CHECK_THAT(complaint({.rules = {"certifed"}}), kit::contains("'certified'"));
+  CHECK_THAT(complaint({.rules = {"certified"}, .scalars = {"exact"}}), kit::contains("no setting is left"));
+  CHECK_THAT(complaint({.rules = {"certified"}, .zero_tests = {"relative"}}), kit::contains("no setting is left"));
   CHECK(complaint({}).empty());
 }
 

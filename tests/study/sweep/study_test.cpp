@@ -7,7 +7,7 @@
 #include <random>
 #include <regex>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/report/tables.hpp"
 #include "tests/study/support.hpp"
 #include "tests/study/sweep/checksum.hpp"
@@ -59,8 +59,6 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
-using Catch::Matchers::Contains, Catch::Matchers::StartsWith;
-
 TEST_CASE("Shards merged in any order give the tables of one run", "[study]") {
   const Study one = made(small_request());
   std::vector<NamedStudy> shards = shards_of(small_request(), 3);
@@ -98,14 +96,14 @@ TEST_CASE("Shards of different studies are refused", "[study]") {
     change(shards[1].study);
     return refusal(shards);
   };
-  CHECK_THAT(changed([](Study& s) { s.header.seed = 4; }), Contains("their seeds are 3 and 4"));
-  CHECK_THAT(changed([](Study& s) { s.header.version = "9"; }), Contains("versions"));
-  CHECK_THAT(changed([](Study& s) { s.header.compiler = "other"; }), Contains("compiled by"));
-  CHECK_THAT(changed([](Study& s) { s.header.command += " --limit 5"; }), Contains("they are shards of '"));
-  CHECK_THAT(changed([](Study& s) { s.header.limits.pop_back(); }), Contains("differ"));
-  CHECK_THAT(changed([](Study& s) { s.families.pop_back(); }), Contains("differ"));
-  CHECK_THAT(changed([](Study& s) { s.rows.pop_back(); }), Contains("differ"));
-  CHECK_THAT(changed([](Study& s) { s.shard.count = 3; }), Contains("shards of 2 and of 3"));
+  CHECK_THAT(changed([](Study& s) { s.header.seed = 4; }), kit::contains("their seeds are 3 and 4"));
+  CHECK_THAT(changed([](Study& s) { s.header.version = "9"; }), kit::contains("versions"));
+  CHECK_THAT(changed([](Study& s) { s.header.compiler = "other"; }), kit::contains("compiled by"));
+  CHECK_THAT(changed([](Study& s) { s.header.command += " --limit 5"; }), kit::contains("they are shards of '"));
+  CHECK_THAT(changed([](Study& s) { s.header.limits.pop_back(); }), kit::contains("differ"));
+  CHECK_THAT(changed([](Study& s) { s.families.pop_back(); }), kit::contains("differ"));
+  CHECK_THAT(changed([](Study& s) { s.rows.pop_back(); }), kit::contains("differ"));
+  CHECK_THAT(changed([](Study& s) { s.shard.count = 3; }), kit::contains("shards of 2 and of 3"));
 }
 
 TEST_CASE("A wrong answer in exact numbers is a contradiction and in others it is none", "[study]") {
@@ -117,7 +115,8 @@ TEST_CASE("A wrong answer in exact numbers is a contradiction and in others it i
   exact->tally.count({Truth::separated, Proof::predicates}, {Answer::unusable, 3});
   CHECK(contradiction(study).empty());
   exact->tally.count({Truth::separated, Proof::predicates}, {Answer::intersecting, 3});
-  CHECK_THAT(contradiction(study), Contains("family coplanar-tilted: in exact numbers GJK was wrong on 1 of 4 pairs"));
+  CHECK_THAT(contradiction(study),
+             kit::contains("family coplanar-tilted: in exact numbers GJK was wrong on 1 of 4 pairs"));
 }
 
 TEST_CASE("A certified answer that is wrong, none or without a proof is a contradiction", "[study]") {
@@ -134,21 +133,22 @@ TEST_CASE("A certified answer that is wrong, none or without a proof is a contra
   const auto counted = [](Answer answer) {
     return [=](Tally& tally) { tally.count({Truth::separated, Proof::predicates}, {answer, 30, 0}); };
   };
-  CHECK_THAT(said(counted(Answer::intersecting)),
-             Contains("family triangles: 1 of 102 certified answers in double were wrong, none, or without a proof"));
+  CHECK_THAT(
+      said(counted(Answer::intersecting)),
+      kit::contains("family triangles: 1 of 102 certified answers in double were wrong, none, or without a proof"));
   CHECK(said(counted(Answer::separated)).empty());
   CHECK(said(counted(Answer::in_doubt)).empty());
-  CHECK_THAT(said(counted(Answer::unusable)), Contains("1 of 102 certified answers"));
-  CHECK_THAT(said([](Tally& tally) { ++tally.exceptions; }), Contains("1 of 102 certified answers"));
-  CHECK_THAT(said([](Tally& tally) { ++tally.false_certificates; }), Contains("1 of 101 certified answers"));
+  CHECK_THAT(said(counted(Answer::unusable)), kit::contains("1 of 102 certified answers"));
+  CHECK_THAT(said([](Tally& tally) { ++tally.exceptions; }), kit::contains("1 of 102 certified answers"));
+  CHECK_THAT(said([](Tally& tally) { ++tally.false_certificates; }), kit::contains("1 of 101 certified answers"));
 }
 
 TEST_CASE("A shard that is missing or there twice is refused by its number", "[study]") {
   std::vector<NamedStudy> shards = shards_of(small_request(), 3);
   const std::vector<NamedStudy> without_1{shards[0], shards[2]};
-  CHECK_THAT(refusal(without_1), Contains("shard 1 of 3 is missing") && Contains("--shard 1/3"));
+  CHECK_THAT(refusal(without_1), kit::contains("shard 1 of 3 is missing") && kit::contains("--shard 1/3"));
   shards.push_back(shards[1]);
-  CHECK_THAT(refusal(shards), Contains("both are shard 1"));
+  CHECK_THAT(refusal(shards), kit::contains("both are shard 1"));
 }
 
 /// Returns: a shard of one family and one method, as its file says it.
@@ -177,9 +177,9 @@ TEST_CASE("A shard of which any byte has changed is refused", "[study]") {
     std::string text = sound;
     text[i] = static_cast<char>(text[i] ^ (1 + random() % 255));
     CAPTURE(i, text[i], sound[i]);
-    REQUIRE_THAT(refusal(text), StartsWith("a.json is "));
+    REQUIRE_THAT(refusal(text), kit::starts_with("a.json is "));
     text[i] = sound[i] == '7' ? '3' : '7';  // which often leaves JSON
-    REQUIRE_THAT(refusal(text), StartsWith("a.json is "));
+    REQUIRE_THAT(refusal(text), kit::starts_with("a.json is "));
   }
 }
 
@@ -237,11 +237,11 @@ TEST_CASE("A shard that makes no sense is refused though its checksum is right",
   for (const Change& change : changes) {
     INFO(change.from << " becomes " << change.to);
     CHECK_THAT(refusal(resealed(sound, change.from, change.to)),
-               StartsWith("a.json is damaged: ") && Contains(change.said));
+               kit::starts_with("a.json is damaged: ") && kit::contains(change.said));
   }
   const std::string slow =
       std::regex_replace(sound, std::regex("\"nanoseconds\":[0-9]+"), "\"nanoseconds\":999999999999999");
-  CHECK_THAT(refusal(resealed(slow, "", "")), Contains("a query took more than an hour"));
+  CHECK_THAT(refusal(resealed(slow, "", "")), kit::contains("a query took more than an hour"));
 }
 
 TEST_CASE("A shard of certified answers that makes no sense is refused though its checksum is right", "[study]") {
@@ -262,15 +262,15 @@ TEST_CASE("A shard of certified answers that makes no sense is refused though it
       {"\"rules\":\"certified\"", "\"rules\":\"as-intended\""}};
   for (const auto& [from, to] : changes) {
     INFO(from << " becomes " << to);
-    CHECK_THAT(refusal(resealed(sound, from, to)), StartsWith("a.json is damaged: "));
+    CHECK_THAT(refusal(resealed(sound, from, to)), kit::starts_with("a.json is damaged: "));
   }
   const std::regex slowest("(\"slowest\":[{]\"pair\":[0-9]+,\"nanoseconds\":)[0-9]+");
   REQUIRE(std::regex_search(sound, slowest));
   CHECK_THAT(refusal(resealed(std::regex_replace(sound, slowest, "$019999999999999999"), "", "")),
-             Contains("the slowest pair was not asked, or took more than an hour"));
+             kit::contains("the slowest pair was not asked, or took more than an hour"));
   std::string plain = one_row();
   CHECK_THAT(refusal(resealed(plain, "\"rules\":\"as-intended\"", "\"rules\":\"certified\"")),
-             StartsWith("a.json is damaged: "));
+             kit::starts_with("a.json is damaged: "));
 }
 
 TEST_CASE("A shard of an earlier version, which timed no certified answer alone, is read", "[study]") {
@@ -300,17 +300,17 @@ TEST_CASE("Slow scalars are asked about the first pairs, which a shard of them a
   const std::string sound = one_row("exact");
   CHECK(refusal(sound).empty());
   CHECK_THAT(refusal(resealed(sound, "\"slow_pairs\":2", "\"slow_pairs\":1")),
-             Contains("its tally is of 1 pairs, and the shard asks 0"));
+             kit::contains("its tally is of 1 pairs, and the shard asks 0"));
 }
 
 TEST_CASE("Files that are none of the study's are refused with their name", "[study]") {
   const std::string good = to_json(made(small_request()));
   CHECK(refusal(good).empty());
-  CHECK_THAT(refusal(good.substr(0, good.size() / 2)), Contains("a.json is not JSON, or is cut off"));
-  CHECK_THAT(refusal("[]"), Contains("not a file of gjkstep-study"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":99})"), Contains("format 99"));
-  CHECK_THAT(refusal(R"({"gjkstep_study":5})"), Contains("damaged"));
-  CHECK_THAT(refusal(with_checksum(R"({"gjkstep_study":5,"header":[]})")), Contains("damaged"));
+  CHECK_THAT(refusal(good.substr(0, good.size() / 2)), kit::contains("a.json is not JSON, or is cut off"));
+  CHECK_THAT(refusal("[]"), kit::contains("not a file of gjkstep-study"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":99})"), kit::contains("format 99"));
+  CHECK_THAT(refusal(R"({"gjkstep_study":5})"), kit::contains("damaged"));
+  CHECK_THAT(refusal(with_checksum(R"({"gjkstep_study":5,"header":[]})")), kit::contains("damaged"));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/rule_sets.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
 

@@ -1,6 +1,6 @@
 #include "tests/study/sweep/tally.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/support.hpp"
 
 namespace study::test {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <thread>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/methods/thread_clock.hpp"
 #include "tests/study/support.hpp"
 

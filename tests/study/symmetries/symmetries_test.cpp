@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study::test {
 namespace {

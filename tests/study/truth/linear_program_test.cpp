@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/hulls.hpp"
 
 namespace study {

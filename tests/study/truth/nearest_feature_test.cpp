@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
+#include "tests/kit/catch.hpp"
 
 namespace study {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/dice.hpp"
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/pairs/hulls.hpp"

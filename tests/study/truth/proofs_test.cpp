@@ -1,6 +1,6 @@
 #include "tests/study/truth/proofs.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/pairs/hulls.hpp"
 #include "tests/study/truth/oracle.hpp"

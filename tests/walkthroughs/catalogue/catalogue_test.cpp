@@ -1,6 +1,6 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 using namespace walkthroughs;

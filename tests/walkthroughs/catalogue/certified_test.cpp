@@ -1,6 +1,6 @@
 // The walkthroughs whose answer is proven: that it is the true one, and that the pictures say how.
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/number_line.hpp"

@@ -1,6 +1,6 @@
 // The complete rules where the report's go round: what they ask, and that they end.
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/picture/stage.hpp"
 #include "walkthroughs/story/decision.hpp"

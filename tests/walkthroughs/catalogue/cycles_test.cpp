@@ -1,7 +1,7 @@
 // Searches that go round in a circle: that they do, and that a frame says so.
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 

@@ -2,8 +2,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"

@@ -1,6 +1,6 @@
 // Figure 4 as Section 3.1.2 tells it. What the captions claim is computed here a second time, from the corners alone.
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 using namespace walkthroughs;

@@ -1,6 +1,6 @@
 // Figure 5: the move from A to E in both sets, with and without crossing the origin (Section 3.1.3).
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 using namespace walkthroughs;

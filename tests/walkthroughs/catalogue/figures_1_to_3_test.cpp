@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/figure_1_sets.hpp"
 #include "walkthroughs/catalogue/figure_2_pins.hpp"

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/exact.hpp"

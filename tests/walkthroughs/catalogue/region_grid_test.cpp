@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"

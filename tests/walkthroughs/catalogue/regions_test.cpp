@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "tests/catch.hpp"
 #include "tests/core/oracle.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 

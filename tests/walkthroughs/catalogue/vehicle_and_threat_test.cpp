@@ -1,6 +1,6 @@
 // The report's own motive: what the names of the walkthroughs promise is what the search answers.
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 

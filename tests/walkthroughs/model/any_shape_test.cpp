@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/gjk.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/model/exact_number.hpp"
 #include "walkthroughs/model/scene.hpp"
 

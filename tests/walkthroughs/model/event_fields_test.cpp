@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/model/any_shape.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/trace_json.hpp"

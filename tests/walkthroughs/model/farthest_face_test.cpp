@@ -2,7 +2,7 @@
 
 #include "walkthroughs/model/farthest_face.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace walkthroughs;
 using render::Vec2;

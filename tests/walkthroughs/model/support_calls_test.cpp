@@ -1,6 +1,6 @@
 // Pictures of a search ask the objects nothing: but for an outline of the difference, the trace alone is drawn.
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/draw.hpp"

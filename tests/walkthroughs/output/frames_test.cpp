@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "render/image.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/draw.hpp"

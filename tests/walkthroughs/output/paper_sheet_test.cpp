@@ -7,7 +7,7 @@
 #include <set>
 
 #include "render/image.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "tests/walkthroughs/support.hpp"
 

@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "render/image.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/animation.hpp"

@@ -1,6 +1,6 @@
 #include "walkthroughs/page/index_page.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 
 using namespace walkthroughs;

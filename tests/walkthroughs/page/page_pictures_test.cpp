@@ -1,6 +1,6 @@
 #include "walkthroughs/page/page_pictures.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace walkthroughs;
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "render/html.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/page/templates.hpp"

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "tests/walkthroughs/trace/random_scene_files.hpp"
 #include "walkthroughs/page/practice.hpp"
@@ -298,8 +298,8 @@ TEST_CASE("Every wrong choice has a reason, and a hint unless all that is known 
         if (&choice == &right) continue;
         INFO(choice.text << ": " << choice.reason);
         CHECK_FALSE(choice.reason.empty());
-        const bool tells = choice.reason.find(label) != std::string::npos ||
-                           choice.reason.find(right.reason) != std::string::npos;
+        const bool tells =
+            choice.reason.find(label) != std::string::npos || choice.reason.find(right.reason) != std::string::npos;
         CHECK((!choice.hint.empty() || tells));
         ++(choice.hint.empty() ? untold : hints);
       }

@@ -1,6 +1,6 @@
 #include "walkthroughs/page/templates.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace walkthroughs;
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace walkthroughs;
 using render::Vec2;

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"

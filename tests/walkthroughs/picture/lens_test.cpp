@@ -2,7 +2,7 @@
 
 #include "walkthroughs/picture/lens.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/stage.hpp"

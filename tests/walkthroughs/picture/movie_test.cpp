@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 using namespace walkthroughs;

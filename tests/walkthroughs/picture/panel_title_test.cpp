@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace walkthroughs;
 using render::Vec2;
@@ -26,7 +26,8 @@ Drawn drawn(const std::vector<std::string>& texts, bool may_be_shortened) {
   Drawn result;
   std::vector<KeyEntry> key;
   for (const std::string& text : texts)
-    key.push_back({text, [&](render::Canvas&, const Vec2& at) { result.signs.push_back(at.x()); }, 15, may_be_shortened});
+    key.push_back(
+        {text, [&](render::Canvas&, const Vec2& at) { result.signs.push_back(at.x()); }, 15, may_be_shortened});
   draw_panel_title(canvas, frame, "", Style(render::themes::report), key);
   double top = 0;
   int corner = 0;

@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/difference_panel.hpp"

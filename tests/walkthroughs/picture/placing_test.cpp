@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "tests/catch.hpp"
-#include "walkthroughs/picture/draw.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/model/run.hpp"
+#include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
 using namespace walkthroughs;

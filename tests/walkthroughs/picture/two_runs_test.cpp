@@ -1,6 +1,6 @@
 // Walkthroughs of two searches: Figure 4 iteration by iteration, and Algorithm 1 as printed beside its text.
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/trace/trace_json.hpp"

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "render/image.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/storyboard.hpp"

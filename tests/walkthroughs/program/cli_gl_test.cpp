@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "render/offscreen_context.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
 using namespace walkthroughs;

@@ -15,24 +15,17 @@ using namespace walkthroughs::test;
 
 namespace {
 
-/// Runs a command of the shell in which $program is gjkstep and that must end within a minute.
-Outcome shell(const std::string& command) {
+/// Runs a command of the shell in which $program is gjkstep and $folder an empty folder.
+Outcome with_program(const std::string& command) {
   const Folder folder;
-  const std::string out = (folder.path() / "stdout").string(), err = (folder.path() / "stderr").string();
-  const std::string script = (folder.path() / "script").string();
-  std::ofstream(script) << "program=" << quoted(GJKSTEP_PROGRAM) << "\nfolder=" << quoted(folder.path().string())
-                        << "\n"
-                        << command << "\n";
-  const int status = std::system(
-      ("timeout 60 sh " + quoted(script) + " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null").c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
+  return shell("program=" + quoted(GJKSTEP_PROGRAM) + "\nfolder=" + quoted(folder.path()) + "\n" + command);
 }
 
 Outcome query(const std::string& input, const std::string& options = "") {
   const Folder folder;
   const std::string file = (folder.path() / "pairs.jsonl").string();
   std::ofstream(file) << input;
-  return shell("$program query " + options + " <" + quoted(file));
+  return with_program("$program query " + options + " <" + quoted(file));
 }
 
 }  // namespace
@@ -111,28 +104,29 @@ TEST_CASE("A bad line of gjkstep query is exit code 3 and the others are answere
 }
 
 TEST_CASE("Input that cannot be read is exit code 3") {
-  const Outcome outcome = shell("$program query </");
+  const Outcome outcome = with_program("$program query </");
   CHECK(outcome.exit_code == 3);
   CHECK(has(outcome.err, "standard input cannot be read: Is a directory"));
-  CHECK(shell("$program query <&-").exit_code == 3);
+  CHECK(with_program("$program query <&-").exit_code == 3);
 }
 
 TEST_CASE("Output that cannot be written is exit code 5, also where its reader leaves") {
   const std::string many = "yes " + quoted(pair_of(dot, dot)) + " | head -n 20000 | ";
-  const Outcome full = shell(many + "$program query >/dev/full");
+  const Outcome full = with_program(many + "$program query >/dev/full");
   CHECK(full.exit_code == 5);
   CHECK(has(full.err, "cannot write to standard output: No space left on device; make room"));
-  const Outcome left = shell("{ " + many + "$program query; echo $? >$folder/code; } | head -n 1; cat $folder/code");
+  const Outcome left =
+      with_program("{ " + many + "$program query; echo $? >$folder/code; } | head -n 1; cat $folder/code");
   REQUIRE(lines(left.out).size() == 2);
   CHECK(lines(left.out)[1] == "5");
   CHECK(has(left.err, "Broken pipe; who reads it has left before the end"));
-  const Outcome closed = shell("echo x | $program query >&-");
+  const Outcome closed = with_program("echo x | $program query >&-");
   CHECK(closed.exit_code == 5);
   CHECK(has(closed.err, "Bad file descriptor; check where the output goes"));
 }
 
 TEST_CASE("gjkstep query answers one pair while it waits for the next") {
-  const Outcome outcome = shell(
+  const Outcome outcome = with_program(
       "mkfifo $folder/in $folder/out\n"
       "$program query <$folder/in >$folder/out &\n"
       "exec 3>$folder/in 4<$folder/out\n"
@@ -275,7 +269,7 @@ TEST_CASE("A first direction is three finite numbers in decimal, not all 0") {
 }
 
 TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
-  const std::string help = shell("$program query --help").out;
+  const std::string help = with_program("$program query --help").out;
   for (const char* part : {"--scalar",
                            "--rules",
                            "--max-iterations",
@@ -311,7 +305,7 @@ TEST_CASE("What the README shows of gjkstep query is what the program prints") {
     std::string command = readme[i].substr(2);
     command.replace(command.find(named), named.size(), "$program query");
     INFO(command);
-    CHECK(shell(command).out == readme[i + 1] + "\n");
+    CHECK(with_program(command).out == readme[i + 1] + "\n");
     ++shown;
   }
   CHECK(shown >= 2);

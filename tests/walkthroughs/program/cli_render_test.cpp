@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 #include "render/image.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 

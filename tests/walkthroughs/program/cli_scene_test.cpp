@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "render/image.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "tests/walkthroughs/text/scene_texts.hpp"
 

@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "render/limits.hpp"
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
 using namespace walkthroughs;

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 using namespace walkthroughs;

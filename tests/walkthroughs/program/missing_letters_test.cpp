@@ -1,6 +1,6 @@
 #include "walkthroughs/program/missing_letters.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using walkthroughs::missing_letters;
 

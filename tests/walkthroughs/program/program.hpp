@@ -1,26 +1,21 @@
 /// The program as its users run it. GJKSTEP_PROGRAM is its path, given by the build.
 #pragma once
 
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
+#include "tests/kit/program.hpp"
+#include "tests/kit/text.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs::test {
 
-inline std::string quoted(const std::string& text) { return "'" + text + "'"; }  // no test needs a ' inside
-
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
+using kit::has, kit::lines, kit::Outcome, kit::quoted, kit::shell;
 
 /// Where standard output and standard error go.
 struct Streams {
@@ -28,22 +23,10 @@ struct Streams {
 };
 
 inline Outcome run(const std::string& arguments, const std::string& environment = "", const Streams& streams = {}) {
-  const Folder folder;
-  const std::string out = (folder.path() / "stdout").string(), err = (folder.path() / "stderr").string();
-  const std::string command = "env " + environment + " " + quoted(GJKSTEP_PROGRAM) + " " + arguments + " >" +
-                              quoted(streams.out.empty() ? out : streams.out) + " 2>" +
-                              quoted(streams.err.empty() ? err : streams.err);
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(out), bytes_of(err)};
-}
-
-inline bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-inline std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> list;
-  for (std::size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
-    list.push_back(text.substr(at, end - at));
-  return list;
+  std::string command = "env " + environment + " " + quoted(GJKSTEP_PROGRAM) + " " + arguments;
+  if (!streams.out.empty()) command += " >" + quoted(streams.out);
+  if (!streams.err.empty()) command += " 2>" + quoted(streams.err);
+  return shell(command);
 }
 
 /// Checks that the command fails with that code, says each of `expected` on standard error and nothing on standard output.

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/decision.hpp"

@@ -2,7 +2,7 @@
 
 #include "walkthroughs/story/pseudocode.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 

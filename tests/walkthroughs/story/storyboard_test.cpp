@@ -2,7 +2,7 @@
 
 #include "walkthroughs/story/storyboard.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 using namespace walkthroughs;

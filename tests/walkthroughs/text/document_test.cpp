@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/catch.hpp"
 #include "tests/core/support.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/text/same_tree.hpp"
 
 using namespace walkthroughs;

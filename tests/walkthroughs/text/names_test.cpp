@@ -1,6 +1,6 @@
 #include "walkthroughs/text/names.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 

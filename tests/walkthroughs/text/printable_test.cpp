@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace walkthroughs;
 

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/text/scene_texts.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/scene_limits.hpp"

@@ -1,5 +1,5 @@
 // Scenes that are turned away: each with the line, the key and what to do.
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/text/scene_texts.hpp"
 #include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/scene_limits.hpp"

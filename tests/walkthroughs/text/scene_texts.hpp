@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 

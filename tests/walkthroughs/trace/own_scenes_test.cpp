@@ -1,5 +1,5 @@
 // What `gjkstep trace` writes `gjkstep render --from-trace` takes, whatever the scene and whatever its file is called.
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/random_scene_files.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/query/query.hpp"

@@ -1,5 +1,5 @@
 // Traces of proofs and of second searches: what was written is taken, and nothing that was changed by hand.
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 
 using namespace walkthroughs;
@@ -83,7 +83,7 @@ TEST_CASE("A certificate that holds, but is not of what the search has kept, is 
   REQUIRE(certificate["simplex"] != other["simplex"]);
   certificate["simplex"] = other["simplex"];
   CHECK_THAT(complaint_about_trace(text_of(lines)),
-             Catch::Contains("'certificate' is not of the simplex that was found"));
+             kit::contains("'certificate' is not of the simplex that was found"));
 }
 
 TEST_CASE("What contradicts a certified trace is named", "[trace]") {
@@ -130,10 +130,10 @@ TEST_CASE("A vertex that is not the one found is named, even where it is one of 
   const OrderedJson left_behind = lines[with("vertex-added", "simplex").front()]["simplex"][0];
   std::vector<OrderedJson> offered = lines, added = lines;
   offered[with("sign-taken", "vertex").front()]["vertex"] = left_behind;
-  CHECK_THAT(complaint_about_trace(text_of(offered)), Catch::Contains("'vertex' is not one of the first search"));
+  CHECK_THAT(complaint_about_trace(text_of(offered)), kit::contains("'vertex' is not one of the first search"));
   added[with("vertex-added", "simplex").back()]["simplex"][1] = left_behind;
   CHECK_THAT(complaint_about_trace(text_of(added)),
-             Catch::Contains("the newest vertex is not the one that reaches across the origin"));
+             kit::contains("the newest vertex is not the one that reaches across the origin"));
 }
 
 TEST_CASE("A formula that is another is named, and the one that follows", "[trace]") {
@@ -144,8 +144,7 @@ TEST_CASE("A formula that is another is named, and the one that follows", "[trac
   REQUIRE(sign != lines.end());
   const std::string follows = (*sign)["formula"];
   (*sign)["formula"] = "AB·AO";
-  CHECK_THAT(complaint_about_trace(text_of(lines)),
-             Catch::Contains("'formula' is 'AB·AO'; expected '" + follows + "'"));
+  CHECK_THAT(complaint_about_trace(text_of(lines)), kit::contains("'formula' is 'AB·AO'; expected '" + follows + "'"));
 }
 
 TEST_CASE("Only scenes that say so have proofs", "[trace]") {

@@ -1,7 +1,7 @@
 // What a trace may say of an expression: its value to rounding, and 0 where it is small beside the lengths in it.
 #include "walkthroughs/trace/trace_expression.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 
 using namespace walkthroughs;
 

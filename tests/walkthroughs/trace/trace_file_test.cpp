@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/alternative_text.hpp"

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "tests/catch.hpp"
+#include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/catalogue/mistakes.hpp"
 #include "walkthroughs/model/run.hpp"

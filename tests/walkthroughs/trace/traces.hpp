@@ -1,9 +1,9 @@
 /// Traces as texts, for the tests of their reader.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/kit/json.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
@@ -11,25 +11,13 @@
 
 namespace walkthroughs::test {
 
-using OrderedJson = nlohmann::ordered_json;
+using OrderedJson = kit::Json;
+using kit::json_lines, kit::text_of;
 
 inline std::string trace_text(const Walkthrough& w) {
   std::ostringstream out;
   write_traces(out, w);
   return out.str();
-}
-
-inline std::vector<OrderedJson> json_lines(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<OrderedJson> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(OrderedJson::parse(line));
-  return lines;
-}
-
-inline std::string text_of(const std::vector<OrderedJson>& lines) {
-  std::string text;
-  for (const OrderedJson& line : lines) text += line.dump() + "\n";
-  return text;
 }
 
 /// Returns: what the reader says about it; "read" where it has no complaint.

@@ -1,0 +1,25 @@
+/// Catch2, version 2 (Debian 12) or 3 (Debian 13), by the names that tests use.
+#pragma once
+
+#include <string>
+
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+using Catch::Approx;
+#else
+#include <catch2/catch.hpp>
+#endif
+
+namespace kit {
+
+/// Matchers of texts, whose names the versions do not share: REQUIRE_THAT(text, contains("part")).
+inline auto contains(const std::string& part) {
+#if __has_include(<catch2/catch_all.hpp>)
+  return Catch::Matchers::ContainsSubstring(part);
+#else
+  return Catch::Matchers::Contains(part);
+#endif
+}
+inline auto starts_with(const std::string& beginning) { return Catch::Matchers::StartsWith(beginning); }
+
+}  // namespace kit
