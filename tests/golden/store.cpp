@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "render/file.hpp"
+#include "tests/kit/places.hpp"
 
 namespace golden {
 namespace {
@@ -28,8 +29,8 @@ void announce(const std::string& name, const std::string& why) {
 
 }  // namespace
 
-fs::path folder() { return GJKSTEP_GOLDEN; }
-fs::path candidates() { return GJKSTEP_GOLDEN_CANDIDATES; }
+fs::path folder() { return kit::source("tests/golden"); }
+fs::path candidates() { return kit::built("golden"); }
 
 bool accepting() {
   if (!is_set("GJKSTEP_UPDATE_GOLDENS")) return false;

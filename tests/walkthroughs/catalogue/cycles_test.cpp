@@ -2,6 +2,7 @@
 
 #include "tests/core/oracle.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
@@ -95,7 +96,7 @@ TEST_CASE("The two searches that run in circles do so without the crossing test 
 }
 
 TEST_CASE("The last frame tells why it goes round, how often, as the study has it, and what helps") {
-  const std::string measured = bytes_of(std::filesystem::path(GJKSTEP_CLAIMS).parent_path() / "errors.md");
+  const std::string measured = bytes_of(kit::source("tests/study/results") / "errors.md");
   CHECK(measured.find("| triangles | 4e-6 (") != std::string::npos);
   for (const std::string& name : cycles) {
     INFO(name);

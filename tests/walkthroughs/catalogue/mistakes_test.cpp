@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/exact.hpp"
@@ -266,7 +267,7 @@ TEST_CASE("Of each mistake one thing is asked: the line, and one choice has it, 
 // -- How long they survive --------------------------------------------------------------------------------------------
 
 TEST_CASE("How many pairs it takes to notice a mistake is what stands in the study's results") {
-  std::istringstream claims(bytes_of(GJKSTEP_CLAIMS));
+  std::istringstream claims(bytes_of(kit::source("tests/study/results/claims.md")));
   std::size_t rows = 0;
   for (std::string line; std::getline(claims, line);) {
     std::vector<std::string> cells;

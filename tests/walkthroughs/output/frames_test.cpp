@@ -7,6 +7,7 @@
 
 #include "render/image.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/draw.hpp"
@@ -401,7 +402,7 @@ struct ReadmePicture {
 }  // namespace
 
 TEST_CASE("The pictures in the README take at most 200 KiB together") {
-  const fs::path readme = GJKSTEP_README;
+  const fs::path readme = kit::source("README.md");
   const std::string text = bytes_of(readme.string());
   std::uintmax_t sum = 0;
   int pictures = 0;
@@ -426,7 +427,7 @@ TEST_CASE("The pictures in the README are those that the program draws") {
                                     ? ReadmePicture{"figure-4-left.png", strip_page(story), strip_page(story), strip}
                                     : ReadmePicture{"3-simplex-face-adb-edge-ad.png", {640, 360}, frame_page, step_23};
   INFO(picture.name);
-  const Image committed = render::read_png(fs::path(GJKSTEP_README_PICTURES) / picture.name);
+  const Image committed = render::read_png(kit::source("walkthroughs") / picture.name);
   Studio studio;
   render::Canvas canvas(picture.size, picture.page, render::palette::white, studio.font);
   picture.draw(canvas, story);

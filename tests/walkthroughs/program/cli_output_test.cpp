@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
 using namespace walkthroughs;
@@ -38,7 +39,7 @@ TEST_CASE("A frame that is larger than files may be is exit code 5, and nothing 
   const Folder folder;
   const std::string out = quoted(folder.path().string());
   const int status = std::system(
-      ("ulimit -f 1; " + quoted(GJKSTEP_PROGRAM) + " render figure-5 --size 640x360 --out " + out + " >/dev/null 2>&1")
+      ("ulimit -f 1; " + quoted(kit::program()) + " render figure-5 --size 640x360 --out " + out + " >/dev/null 2>&1")
           .c_str());
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 5);
@@ -83,7 +84,7 @@ Outcome run_unread(const std::string& arguments) {
   const Folder folder;
   const fs::path err = folder.path() / "stderr", code = folder.path() / "code";
   // The reader has ended before the program begins.
-  const std::string command = "{ sleep 0.1; " + quoted(GJKSTEP_PROGRAM) + " " + arguments + " 2>" +
+  const std::string command = "{ sleep 0.1; " + quoted(kit::program()) + " " + arguments + " 2>" +
                               quoted(err.string()) + "; echo $? >" + quoted(code.string()) + "; } | true";
   REQUIRE(std::system(command.c_str()) == 0);
   return {std::stoi(bytes_of(code)), "", bytes_of(err)};

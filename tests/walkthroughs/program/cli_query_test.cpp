@@ -7,6 +7,7 @@
 #include <string_view>
 #include <thread>
 
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "tests/walkthroughs/query/queries.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 /// Runs a command of the shell in which $program is gjkstep and $folder an empty folder.
 Outcome with_program(const std::string& command) {
   const Folder folder;
-  return shell("program=" + quoted(GJKSTEP_PROGRAM) + "\nfolder=" + quoted(folder.path()) + "\n" + command);
+  return shell("program=" + quoted(kit::program()) + "\nfolder=" + quoted(folder.path()) + "\n" + command);
 }
 
 Outcome query(const std::string& input, const std::string& options = "") {
@@ -157,7 +158,7 @@ class NeverWaiting {
       dup2(in[0], STDIN_FILENO);
       dup2(out[1], STDOUT_FILENO);
       dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
-      execl(GJKSTEP_PROGRAM, GJKSTEP_PROGRAM, "query", nullptr);
+      execl(kit::program().c_str(), kit::program().c_str(), "query", nullptr);
       _exit(127);
     }
     close(in[0]);
@@ -297,7 +298,7 @@ TEST_CASE("gjkstep query --help tells what goes in and what comes out") {
 }
 
 TEST_CASE("What the README shows of gjkstep query is what the program prints") {
-  const std::vector<std::string> readme = lines(bytes_of(GJKSTEP_README));
+  const std::vector<std::string> readme = lines(bytes_of(kit::source("README.md")));
   const std::string named = "build/gjkstep query";
   int shown = 0;
   for (std::size_t i = 0; i + 1 < readme.size(); ++i) {

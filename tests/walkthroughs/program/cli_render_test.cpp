@@ -14,6 +14,7 @@
 
 #include "render/image.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
@@ -223,7 +224,7 @@ TEST_CASE("What the README shows is what the program prints", "[unsanitized]") {
   const std::string out = folder.path().string();
   for (const std::string& line : lines(run("render --all --strip --size 32x18 --out " + quoted(out)).out))
     printed.insert("out" + line.substr(out.size()));
-  std::ifstream readme(GJKSTEP_README);
+  std::ifstream readme(kit::source("README.md"));
   int shown = 0;
   for (std::string line; std::getline(readme, line);) {
     const auto begins = [&](const char* start) { return line.starts_with(start); };

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
@@ -89,13 +90,13 @@ TEST_CASE("The changed trace in the README is refused as the README says") {
   const Outcome outcome = run("render --from-trace " + quoted((folder.path() / "changed").string()) + untouched.option);
   const std::string said = outcome.err.substr(outcome.err.find("changed:"));
   CHECK(outcome.exit_code == 3);
-  CHECK(has(bytes_of(GJKSTEP_README), "gjkstep: " + said.substr(0, said.find("itself:") + 7)));
+  CHECK(has(bytes_of(kit::source("README.md")), "gjkstep: " + said.substr(0, said.find("itself:") + 7)));
 }
 
 TEST_CASE("A trace that is not there, is cut off or contradicts itself is exit code 3, and nothing is written") {
   for (const std::string file : {"missing", "bad-cut-in-line", "bad-version-1", "bad-not-a-minus-b"}) {
     const Untouched untouched;
-    const fs::path trace = fs::path(GJKSTEP_TRACES) / (file + ".jsonl");
+    const fs::path trace = kit::source("tests/fuzz/traces") / (file + ".jsonl");
     check_failure("render figure-5 --from-trace " + quoted(trace.string()) + untouched.option, 3, {file + ".jsonl"});
   }
 }

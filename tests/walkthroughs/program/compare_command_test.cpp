@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "render/image.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
 using namespace walkthroughs::test;
@@ -249,7 +250,7 @@ TEST_CASE("A report that cannot be written is exit code 5") {
 Outcome within_memory(int mebibytes, const std::string& arguments) {
   const Folder folder;
   const std::string err = (folder.path() / "stderr").string();
-  const std::string command = "ulimit -v " + std::to_string(mebibytes * 1024) + "; " + quoted(GJKSTEP_PROGRAM) + " " +
+  const std::string command = "ulimit -v " + std::to_string(mebibytes * 1024) + "; " + quoted(kit::program()) + " " +
                               arguments + " >/dev/null 2>" + quoted(err);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", bytes_of(err)};
@@ -296,7 +297,7 @@ TEST_CASE("What the README shows of gjkstep compare is what the program prints b
   sides.draw_both("001.png", one, one);
   const std::vector<std::string> printed = lines(sides.compare_with_report().out);
   REQUIRE(printed.size() == 3);
-  const std::string readme = without_numbers(bytes_of(GJKSTEP_README));
+  const std::string readme = without_numbers(bytes_of(kit::source("README.md")));
   for (std::size_t i : {0u, 1u}) {
     INFO(printed[i]);
     CHECK(has(readme, "\n" + without_numbers(printed[i]) + "\n"));

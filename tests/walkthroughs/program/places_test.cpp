@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 
@@ -167,11 +168,11 @@ TEST_CASE("Standard output that is the file to be read is exit code 2, and the f
   const std::string scene = scene_file(folder.path() / "s.json").string(), before = bytes_of(scene);
   for (const std::string command : {"trace ", "scene --check "}) {
     const int status = std::system(
-        (quoted(GJKSTEP_PROGRAM) + " " + command + quoted(scene) + " >>" + quoted(scene) + " 2>/dev/null").c_str());
+        (quoted(kit::program()) + " " + command + quoted(scene) + " >>" + quoted(scene) + " 2>/dev/null").c_str());
     CHECK(WEXITSTATUS(status) == 2);
   }
   const int status = std::system(
-      (quoted(GJKSTEP_PROGRAM) + " query <" + quoted(scene) + " >>" + quoted(scene) + " 2>/dev/null").c_str());
+      (quoted(kit::program()) + " query <" + quoted(scene) + " >>" + quoted(scene) + " 2>/dev/null").c_str());
   CHECK(WEXITSTATUS(status) == 2);
   CHECK(bytes_of(scene) == before);
 }

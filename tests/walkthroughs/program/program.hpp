@@ -1,4 +1,4 @@
-/// The program as its users run it. GJKSTEP_PROGRAM is its path, given by the build.
+/// The program as its users run it.
 #pragma once
 
 #include <cstdlib>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/kit/program.hpp"
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -23,7 +24,7 @@ struct Streams {
 };
 
 inline Outcome run(const std::string& arguments, const std::string& environment = "", const Streams& streams = {}) {
-  std::string command = "env " + environment + " " + quoted(GJKSTEP_PROGRAM) + " " + arguments;
+  std::string command = "env " + environment + " " + quoted(kit::program()) + " " + arguments;
   if (!streams.out.empty()) command += " >" + quoted(streams.out);
   if (!streams.err.empty()) command += " 2>" + quoted(streams.err);
   return shell(command);

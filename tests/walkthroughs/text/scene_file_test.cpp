@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/text/scene_texts.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
@@ -336,7 +337,7 @@ TEST_CASE("A file that is too large is turned away unread", "[scene-file]") {
 
 TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned away as a SceneError", "[scene-file]") {
   int read = 0, turned_away = 0;
-  for (const auto& entry : fs::directory_iterator(GJKSTEP_SCENES)) {
+  for (const auto& entry : fs::directory_iterator(kit::source("tests/fuzz/scenes"))) {
     const std::string file = entry.path().filename().string();
     INFO(file);
     const std::string text = bytes_of(entry.path());
@@ -356,7 +357,7 @@ TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned 
   }
   CHECK(read >= 10);
   CHECK(turned_away >= 40);
-  CHECK(bytes_of(fs::path(GJKSTEP_SCENES) / "example.json") == example_scene());
+  CHECK(bytes_of(kit::source("tests/fuzz/scenes") / "example.json") == example_scene());
 }
 
 TEST_CASE("A scene may ask for letters that stay", "[scene-file]") {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
@@ -438,7 +439,7 @@ const Damage damages[] = {
 TEST_CASE("Each damaged trace of the corpus is refused with its line and its reason", "[trace-file]") {
   for (const Damage& damage : damages) {
     const std::string said =
-        complaint_about_trace(bytes_of(fs::path(GJKSTEP_TRACES) / ("bad-" + std::string(damage.file) + ".jsonl")));
+        complaint_about_trace(bytes_of(kit::source("tests/fuzz/traces") / ("bad-" + std::string(damage.file) + ".jsonl")));
     INFO(damage.file << ": " << said);
     CHECK(said.starts_with("bad.jsonl:" + std::to_string(damage.line) + ": "));
     CHECK(said.find(damage.reason) != std::string::npos);
@@ -449,7 +450,7 @@ TEST_CASE("Each damaged trace of the corpus is refused with its line and its rea
 TEST_CASE("What to do about a refused trace fits who got it from gjkstep and who wrote it", "[trace-file]") {
   for (const char* file : {"cut-in-line", "cut-at-line", "empty", "blank-line", "scene-file", "version-1", "new"}) {
     const std::string said =
-        complaint_about_trace(bytes_of(fs::path(GJKSTEP_TRACES) / ("bad-" + std::string(file) + ".jsonl")));
+        complaint_about_trace(bytes_of(kit::source("tests/fuzz/traces") / ("bad-" + std::string(file) + ".jsonl")));
     INFO(said);
     CHECK(said.find("correct the trace ('gjkstep trace --schema' says") != std::string::npos);
     CHECK(said.ends_with("or write it anew with 'gjkstep trace NAME'"));
@@ -458,7 +459,7 @@ TEST_CASE("What to do about a refused trace fits who got it from gjkstep and who
 
 TEST_CASE("Each trace of the corpus is read or has a place in the table of damages", "[trace-file]") {
   std::size_t read = 0, refused = 0;
-  for (const auto& entry : fs::directory_iterator(GJKSTEP_TRACES)) {
+  for (const auto& entry : fs::directory_iterator(kit::source("tests/fuzz/traces"))) {
     const std::string file = entry.path().filename().string();
     INFO(file);
     CHECK(entry.file_size() <= 20480);
