@@ -1,50 +1,96 @@
 #!/bin/sh
-# Installs what is missing, builds as users build the program, with warnings as errors, times plain and observed calls, and
-# runs all tests.
+# Installs what is missing, builds, and runs the tests.
 #
-#     tests/run.sh               half an hour on two slow cores the first time, seven minutes when nothing has changed
-#     tests/run.sh --sanitize    builds and tests once more, under AddressSanitizer and UBSan: little more than an hour in all
+#     tests/run.sh           unit tests, golden traces and pictures, the command line, a page in a browser
+#     tests/run.sh --full    all of these with warnings as errors, then under sanitizers and on the other Debian; study and judge,
+#                            the Debian package on a bare system, disturbed runs
+#     tests/run.sh --long    what takes hours: benchmarks and peers, compilers and settings, mutants, fuzzers, kills, Slurm, Firefox
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
 
-sanitize=no
-for argument in "$@"; do
-  [ "$argument" = --sanitize ] || stop "'$argument': expected --sanitize or nothing"
-  sanitize=yes
-done
+[ $# -le 1 ] || { printf '%s: takes one of --full and --long, or nothing\n' "$0" >&2; exit 2; }
+tier=${1:-quick}
+case $tier in
+  quick | --full | --long) ;;
+  *) printf "%s: '%s': expected --full, --long or nothing\n" "$0" "$tier" >&2; exit 2 ;;
+esac
 
-run_tests() {
-  ctest --test-dir "$1" --output-on-failure --parallel 2 || stop "tests failed in $1"
+notes=$(mktemp -d) || stop "cannot make a temporary folder; check that there is space left"
+trap 'rm -r "$notes"' EXIT
+export CTEST_OUTPUT_ON_FAILURE=1
+
+# timed WORDS COMMAND...: runs it and notes how long it took.
+timed() {
+  words=$1 start=$(date +%s)
+  shift
+  "$@"
+  printf '%6d s  %s\n' $(($(date +%s) - start)) "$words" >>"$notes/phases"
 }
 
-# chromium: the report of differing pictures is looked at in a real browser; python3-selenium and chromium-driver step through
-# pages in it, tidy reads their HTML, poppler-utils what they print; firefox-esr, where it is there, is tried, too.
-# python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
-# libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
-# libccd-dev, libfcl-dev and libbullet-dev: what gjkstep-peers times the plain call beside.
-# strace lets single calls of the system fail, as on a full disk.
-# slurm-wlm and munge: a real Slurm of one node runs the study's shards.
-# dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system (tests/package).
-require_packages $program_packages catch2 libbenchmark-dev python3 python3-jsonschema chromium chromium-driver \
-  python3-selenium tidy poppler-utils libcgal-dev gnuplot-nox \
-  libccd-dev libfcl-dev libbullet-dev strace slurm-wlm munge dpkg-dev file mmdebstrap python3-yaml
+# test_in FOLDER OPTIONS...: runs the tests that were built there; notes which took longest, and which were left out.
+test_in() {
+  folder=$1
+  shift
+  ctest --test-dir "$folder" --parallel 2 --output-junit "$PWD/$folder/results.xml" "$@" || stop "tests failed in $folder"
+  python3 tests/longest.py "$folder/results.xml" >>"$notes/tests"
+}
 
-build build all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON
+# What took longest, in one table.
+tell_times() {
+  printf '\nWhat took longest\n'
+  cat "$notes/phases"
+  sort -rn "$notes/tests" | head -n 12
+}
 
-# axe-core looks for what bars readers from pages, by the rules of WCAG. No package of Debian has it.
-npm install --silent --no-save --no-audit --no-fund --prefix build/npm axe-core@4.14.1 ||
-  printf 'no axe-core from npm: pages are not tried for barriers\n'
-printf '\nPlain and observed calls\n'
-build/gjkstep-bench --benchmark_min_time=0.05
-run_tests build
-[ $sanitize = yes ] || exit 0
+quick() {
+  # chromium, chromium-driver and python3-selenium: a page is stepped through; tidy reads its HTML, poppler-utils what is printed.
+  # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
+  timed "installing" require_packages $program_packages catch2 python3 python3-jsonschema chromium chromium-driver \
+    python3-selenium tidy poppler-utils
+  timed "compiling" build build quick-tests -DGJKSTEP_TESTS=ON
+  timed "running" test_in build --label-exclude "full|long"
+}
 
-build build/sanitized all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON -DGJKSTEP_SANITIZE=ON
-# Mesa and LLVM keep some memory until the process ends; those leaks are left out by name.
-export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0"
-run_tests build/sanitized
+# libcgal-dev finds the truth that the study measures against; gnuplot-nox and python3-matplotlib draw its pictures.
+# libbenchmark-dev: the benchmarks are compiled. strace lets single calls of the system fail, as on a full disk.
+# dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system, and make the other Debian.
+full_packages="catch2 python3 python3-jsonschema chromium chromium-driver python3-selenium tidy poppler-utils libcgal-dev \
+  gnuplot-nox python3-matplotlib libbenchmark-dev strace dpkg-dev file mmdebstrap python3-yaml"
 
-# A sample of what mutate.py does. Survivors are told, not judged: which mutants are made changes with every line of code.
-printf '\nDo tests notice mistakes that nobody chose?\n'
-python3 tests/mutants/mutate.py --made 3 --fitting --in core || [ $? = 1 ] || stop "mutate.py could not try its mutants"
+full() {
+  timed "installing" require_packages $program_packages $full_packages
+  # axe-core looks for what bars readers from pages, by the rules of WCAG. No package of Debian has it.
+  npm install --silent --no-save --no-audit --no-fund --prefix build/npm axe-core@4.14.1 ||
+    printf 'no axe-core from npm: pages are not tried for barriers\n'
+  timed "compiling with warnings as errors" build build/checked all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DGJKSTEP_WERROR=ON
+  export GJKSTEP_BARE_ROOT=1
+  timed "running" test_in build/checked --label-exclude long
+  timed "compiling with sanitizers" \
+    build build/sanitized all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DGJKSTEP_WERROR=ON -DGJKSTEP_SANITIZE=ON
+  # Mesa and LLVM keep some memory until the process ends; those leaks are left out by name.
+  export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0"
+  timed "running with sanitizers" test_in build/sanitized --label-exclude long
+  unset LSAN_OPTIONS
+}
+
+long() {
+  timed "installing" require_packages $program_packages $full_packages clang libccd-dev libfcl-dev libbullet-dev firefox-esr \
+    slurm-wlm munge
+  timed "compiling" build build/long all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DGJKSTEP_PEERS=ON
+  build/long/gjkstep-bench --benchmark_min_time=0.05
+  timed "peers" build/long/gjkstep-peers
+  timed "compilers and settings of drawing" tests/determinism.sh
+  timed "compilers and settings of answers" tests/same_answers/same_answers.sh
+  timed "mutants" python3 tests/mutants/mutate.py --made 20 --seed 1
+  timed "kills" python3 tests/disturbed/kill_test.py --program build/long/gjkstep --study build/long/gjkstep-study --kills 1000
+}
+
+case $tier in
+  quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="ten minutes at first, one later" ;;
+  --full) what="all tests, also under sanitizers and on the other Debian; study, judge and package" time="45 minutes" ;;
+  --long) what="benchmarks, peers, compilers and settings, mutants, kills" time=hours ;;
+esac
+printf '%s: %s; on two processors that takes %s\n' "$0" "$what" "$time"
+"${tier#--}"
+tell_times

@@ -5,12 +5,13 @@
     tests/mutants/mutate.py --made N [WORDS]   N mutants that nobody chose, of each folder (see made.py): do its tests notice?
         --seed S        other mutants
         --in FOLDER     of this folder only (core, render, walkthroughs); may be named again
+        --tier TIER     which tests are asked: quick, those of tests/run.sh, or full, its browser, study and judge, too (full)
         --fitting       asks only the tests called after the file, and builds only these: a sample of minutes
     tests/mutants/mutate.py --check [MUTANTS]  whether each of mutants.txt (or that file) and of equivalent.txt can be made
         --folder F      works in the copy F and keeps it: the next run builds what has changed, not all
 
 Works on a copy of the project, in a temporary folder unless told otherwise, built with little optimisation. Exit code 1
-where a mutant of mutants.txt survives or cannot be made, or where fewer than 95 of 100 made ones are noticed in a folder;
+where a mutant of mutants.txt survives or cannot be made, or where fewer than 95 of 100 made ones (by quick: 90) are noticed in a folder;
 those of equivalent.txt, which change nothing that can be seen, count for neither. 2 where nothing could be tried.
 """
 import argparse, os, pathlib, re, shutil, signal, subprocess, sys, tempfile, time
@@ -20,7 +21,8 @@ import made
 here = pathlib.Path(__file__).resolve().parent
 root = here.parents[1]
 folders = {"core": "core-tests", "render": "render-tests", "walkthroughs": "walkthroughs-tests"}
-aim = 95  # of 100
+transcripts = "gjkstep"  # the program whose answers they hold
+aim = {"quick": 90, "full": 95}  # of 100
 
 
 def give_up(why):
@@ -96,7 +98,8 @@ def copy_to(folder):
         if not (folder / file).is_file() or (folder / file).read_bytes() != (root / file).read_bytes():
             (folder / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / file, folder / file)
-    options = ["-DGJKSTEP_TESTS=ON", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS"]
+    options = ["-DGJKSTEP_TESTS=ON", "-DGJKSTEP_STUDY=ON", "-DGJKSTEP_UNITY=OFF", "-DCMAKE_BUILD_TYPE=None",
+               "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS"]
     run(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options], folder)
 
 
@@ -156,7 +159,7 @@ def tests_called(pattern, file):
     return [test for test in tests if not test.endswith("_in_browser_test") and test != "no_heap_test"]
 
 
-def stages(file, only_fitting):
+def stages(file, only_fitting, tier):
     """Programs and which of their tests, those first that most likely notice. Each is built when its turn comes."""
     top, stem = file.split("/")[0], pathlib.PurePath(file).stem
     own = sorted(tests_called(f"{stem}*_test.cpp", file), key=len)  # the one that is called as the file is comes first
@@ -164,20 +167,27 @@ def stages(file, only_fitting):
     if top == "core":  # all of which is compiled into each test
         first = [(test, []) for test in own]
     else:
-        first = [(program, [",".join(f"[#{test}]" for test in own or tests_called("*_test.cpp", file))])]
+        fitting = own or tests_called("*_test.cpp", file)
+        first = [(program, [",".join(f"[#{test}]" for test in fitting)]) if fitting else (transcripts, [])]
     if only_fitting:
         return first if own else []
-    in_browser = [("browser-tests", [])] if top == "render" else []  # of the script of its reports
     rest = [("golden-tests", []), (program, [])]
     if top == "core":  # whose tests are built sooner than the pictures
         rest.reverse()
-    return [*first, *rest, *in_browser]
+    more = [("browser-tests", []), ("study-tests", [])] if tier == "full" else []
+    return [*first, *rest, (transcripts, []), *more]
 
 
 def first_failure(out):
     """The case that failed: the last one named before it did. Those that warn are named, too."""
     names = re.findall(r"^-{20,}\n(.*?)\n-{20,}", out.partition(": FAILED:")[0], re.S | re.M)
     return out if out == "does not end" else names[-1].splitlines()[0] if names else "crashes"
+
+
+def command_of(program, tests):
+    if program == transcripts:
+        return ["sh", "-c", "python3 tests/console/run.py build/gjkstep tests/console/*.txt"]
+    return [f"build/{program}", "--filenames-as-tags", "--abort", *tests]
 
 
 def patience_for(tests, seconds):
@@ -190,10 +200,9 @@ def who_notices(turns, folder, seconds):
     for program, tests in turns:
         if not build(folder, program):
             return None
-        command = [f"build/{program}", "--filenames-as-tags", "--abort", *tests]
-        out, code = run(command, folder, patience_for(tests, seconds[program]))
+        out, code = run(command_of(program, tests), folder, patience_for(tests, seconds[program]))
         if code:
-            return f"{program}: {first_failure(out)}"
+            return f"{program}: {'a transcript' if program == transcripts else first_failure(out)}"
     return ""
 
 
@@ -237,23 +246,24 @@ def seconds_of(folder, programs):
     seconds = {}
     for program in programs:
         start = time.monotonic()
-        if run([f"build/{program}"], folder)[1]:
+        if run(command_of(program, []), folder)[1]:
             give_up(f"without any change {program} does not pass: nothing can be said of mutants")
         seconds[program] = time.monotonic() - start
     return seconds
 
 
-def possible_mutants(top, words, only_fitting):
+def possible_mutants(top, words, only_fitting, tier):
     files = sorted(str(f.relative_to(root)) for f in (root / top).rglob("*.[ch]pp"))
-    mutants = [m for file in files if stages(file, only_fitting) for m in made.mutants_of(file, (root / file).read_text())]
+    mutants = [m for file in files if stages(file, only_fitting, tier) for m in made.mutants_of(file, (root / file).read_text())]
     return [m for m in mutants if not words or any(word in f"{m.file}:{m.line}" for word in words)]
 
 
 def try_all_made(arguments, folder):
     equivalent = {parts[:3] for parts in listed_in(here / "equivalent.txt", objection_to_equivalent)}
-    possible = {top: possible_mutants(top, arguments.words, arguments.fitting) for top in arguments.only or folders}
+    possible = {top: possible_mutants(top, arguments.words, arguments.fitting, arguments.tier)
+                for top in arguments.only or folders}
     samples = {top: made.sample(mutants, arguments.made, arguments.seed) for top, mutants in possible.items()}
-    turns = {m.file: stages(m.file, arguments.fitting) for sample in samples.values() for m in sample}
+    turns = {m.file: stages(m.file, arguments.fitting, arguments.tier) for sample in samples.values() for m in sample}
     seconds = seconds_of(folder, sorted({program for turn in turns.values() for program, _ in turn}))
     keep_sound(folder)
     table, good = [], True
@@ -264,7 +274,7 @@ def try_all_made(arguments, folder):
             known = (mutant.file, mutant.old_line, mutant.new_line) in equivalent
             counts["equivalent" if known else try_made(mutant, turns[mutant.file], folder, seconds)] += 1
         judged = counts["noticed"] + counts["SURVIVED"]
-        good &= 100 * counts["noticed"] >= aim * judged
+        good &= 100 * counts["noticed"] >= aim[arguments.tier] * judged
         score = f"{100 * counts['noticed'] / judged:.0f} %" if judged else "none"
         table.append(f"{top:13} {len(possible[top]):8} {counts['noticed']:8} {counts['SURVIVED']:9} {score:>6} "
                      f"{counts['equivalent']:11} {counts['no mutant']:14} {(time.monotonic() - start) / 60:8.1f}")
@@ -279,6 +289,7 @@ def main():
     parser.add_argument("--made", type=int)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--in", dest="only", choices=folders, action="append")
+    parser.add_argument("--tier", choices=aim, default="full")
     parser.add_argument("--fitting", action="store_true")
     parser.add_argument("--folder", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")

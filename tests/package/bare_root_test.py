@@ -9,60 +9,27 @@ Says "skipped: " and why where that cannot be. Packages come from where those of
 import importlib.util
 import os
 import pathlib
-import platform
 import shutil
-import subprocess
 import sys
 import tempfile
-import time
+
+import root as roots
 
 here = pathlib.Path(__file__).resolve().parent
 top = here.parents[1]
 build_folder, cmake = map(pathlib.Path, sys.argv[1:3])
 asked = os.environ.get("GJKSTEP_BARE_ROOT", "0")
-apt = pathlib.Path("/etc/apt")
-
-
-def release():
-    return platform.freedesktop_os_release()["VERSION_CODENAME"]
-
-
-def sources():
-    """The files that say where the packages of this release come from, which are those of the component called main."""
-    files = [apt / "sources.list", *sorted((apt / "sources.list.d").glob("*"))]
-    return [file for file in files if file.suffix in (".list", ".sources") and file.is_file() and
-            {release(), "main"} <= set(file.read_text().split())]
 
 
 def why_not():
     if asked not in ("1", "build"):
         return "takes two minutes and the network; GJKSTEP_BARE_ROOT=1 asks for it"
-    if os.geteuid() != 0:
-        return "needs root, to change into another file system"
-    for program in ("mmdebstrap", "unshare", "dpkg-shlibdeps", "file"):
+    for program in ("dpkg-shlibdeps", "file"):
         if not shutil.which(program):
             return f"there is no {program}"
     if not importlib.util.find_spec("yaml"):
         return "there is no python3-yaml, to read the recipe"
-    if subprocess.run(["unshare", "--mount", "--pid", "--fork", "true"], stderr=subprocess.DEVNULL).returncode != 0:
-        return "mount and process namespaces cannot be made here"
-    if not sources():
-        return f"no file in {apt} says where the packages of {release()} come from"
-    return ""
-
-
-def run(*words):
-    start = time.monotonic()
-    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    return done.returncode, done.stdout, time.monotonic() - start
-
-
-def done(what, *words):
-    code, said, seconds = run(*words)
-    print(f"{what}: {seconds:.0f} s", flush=True)
-    if code != 0:
-        sys.exit(f"{what} ended with {code}:\n{said}")
-    return said
+    return roots.why_not()
 
 
 class Job:
@@ -75,14 +42,11 @@ class Job:
         self.recipe = yaml.safe_load((here / "pictures/github-actions.yml").read_text())
         self.job = self.recipe["jobs"]["pictures"]
         self.variables = {**self.recipe["env"], **self.job["env"], "GJKSTEP_REPOSITORY": "/gjkstep.git",
-                          "GJKSTEP_REVISION": "HEAD", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root"}
+                          "GJKSTEP_REVISION": "HEAD"}
 
     def shell(self, commands):
         """Runs as the service does: one shell a step, in the checkout, which stops at what fails."""
-        enter = 'mount -t proc proc "$1/proc" && exec chroot "$1" /usr/bin/env -i -C /project "${@:2}"'
-        words = [f"{key}={value}" for key, value in self.variables.items()]
-        return run("unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter, "bash", self.root,
-                   *words, "sh", "-e", "-c", commands)
+        return roots.shell(self.root, commands, "/project", self.variables)
 
     def steps(self):
         """Name and commands of the steps that the service would run, the package being there or not."""
@@ -114,8 +78,8 @@ class Job:
 def provide_gjkstep(root):
     """To clone and build from, or as the package that the cache would hold."""
     if asked == "build":
-        return done("cloned", "git", "clone", "-q", "--bare", top, root / "gjkstep.git")
-    done("packed", cmake.with_name("cpack"), "-G", "DEB", "-B", root / "packed", "--config",
+        return roots.done("cloned", "git", "clone", "-q", "--bare", top, root / "gjkstep.git")
+    roots.done("packed", cmake.with_name("cpack"), "-G", "DEB", "-B", root / "packed", "--config",
          build_folder / "CPackConfig.cmake")
     kept = root / "project/gjkstep-package"
     kept.mkdir()
@@ -127,8 +91,7 @@ def main():
     if reason := why_not():
         return print(f"skipped: {reason}")
     with tempfile.TemporaryDirectory(prefix="gjkstep-bare-") as folder:
-        root = pathlib.Path(folder) / "root"
-        done("made a bare system", "mmdebstrap", "--mode=root", "--variant=apt", release(), root, *sources())
+        root = roots.make(pathlib.Path(folder), roots.this_release())
         shutil.copytree(here / "pictures", root / "project")
         provide_gjkstep(root)
         job = Job(root)

@@ -438,8 +438,8 @@ const Damage damages[] = {
 
 TEST_CASE("Each damaged trace of the corpus is refused with its line and its reason", "[trace-file]") {
   for (const Damage& damage : damages) {
-    const std::string said =
-        complaint_about_trace(bytes_of(kit::source("tests/fuzz/traces") / ("bad-" + std::string(damage.file) + ".jsonl")));
+    const std::string said = complaint_about_trace(
+        bytes_of(kit::source("tests/fuzz/traces") / ("bad-" + std::string(damage.file) + ".jsonl")));
     INFO(damage.file << ": " << said);
     CHECK(said.starts_with("bad.jsonl:" + std::to_string(damage.line) + ": "));
     CHECK(said.find(damage.reason) != std::string::npos);

@@ -1,0 +1,58 @@
+"""All of it compiles on the other Debian, and unit tests and transcripts pass there: 13 where this is 12, 12 where this is 13.
+
+    python3 other_debian.py        # twenty minutes and the network
+
+Says "skipped: " and why where that cannot be.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import root as roots
+
+top = pathlib.Path(__file__).resolve().parents[2]
+
+
+def program_packages():
+    setup = (top / "walkthroughs/setup.sh").read_text()
+    return re.search(r'^program_packages="(.*?)"', setup, re.MULTILINE | re.DOTALL)[1].replace("\\", " ").split()
+
+
+def copy_project(folder):
+    """What is committed, and what is not yet."""
+    files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=top, check=True,
+                           stdout=subprocess.PIPE, text=True).stdout
+    for file in filter(lambda name: (top / name).is_file(), files.split("\0")):
+        (folder / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(top / file, folder / file)
+
+
+def why_not():
+    if os.environ.get("GJKSTEP_BARE_ROOT", "0") != "1":
+        return "takes twenty minutes and the network; GJKSTEP_BARE_ROOT=1 asks for it"
+    return roots.why_not()
+
+
+def main():
+    if reason := why_not():
+        return print(f"skipped: {reason}")
+    with tempfile.TemporaryDirectory(prefix="gjkstep-debian-") as folder:
+        root = roots.make(pathlib.Path(folder), roots.other_release(),
+                          [*program_packages(), "catch2", "libcgal-dev", "python3", "python3-jsonschema"])
+        copy_project(root / "project")
+        for what, commands in (
+                ("configured", "cmake -S . -B build -G Ninja -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON"),
+                ("compiled", "cmake --build build"),
+                ("tested", "ctest --test-dir build --output-on-failure --parallel 2 --label-exclude 'full|browser'")):
+            code, said, seconds = roots.shell(root, commands, "/project")
+            print(f"{what}: {seconds:.0f} s", flush=True)
+            if code != 0:
+                sys.exit(f"{what} ended with {code}:\n{said[-20000:]}")
+        print(said[said.rfind("\n\n"):])
+
+
+main()
