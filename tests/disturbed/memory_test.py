@@ -43,7 +43,7 @@ def problem_of(ended, written, expected, expected_out):
         return f"ends with {ended.returncode}: {said[:200]}"
     if ended.returncode == 0 and (written != expected or ended.stdout != expected_out):
         return "says that all is well and has written something else"
-    if any(written[name] != expected.get(name) for name in written):
+    if any(written[name] != expected.get(name) for name in written if not name.endswith(".gjkstep")):
         return "has left a file that is not whole"
     sentence = said.splitlines()[-1] if said else ""
     if ended.returncode not in (0, 127) and not (sentence.startswith("gjkstep: ") and "ulimit -v" in sentence):

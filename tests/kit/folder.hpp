@@ -49,12 +49,14 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Returns: the names of all files in `folder` and below, sorted; empty where there is no such folder.
+/// Returns: the names of all files in `folder` and below, but for the manifests that the program keeps of its own, sorted;
+/// empty where there is no such folder.
 inline std::vector<std::string> listing(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   if (std::filesystem::exists(folder))
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-      if (!entry.is_directory()) names.push_back(entry.path().lexically_relative(folder).string());
+      if (!entry.is_directory() && entry.path().filename() != ".gjkstep")
+        names.push_back(entry.path().lexically_relative(folder).string());
   std::ranges::sort(names);
   return names;
 }

@@ -1,8 +1,8 @@
 #include "walkthroughs/output/animation.hpp"
 
 #include "render/apng.hpp"
-#include "render/file.hpp"
 #include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/output/manifest.hpp"
 
 namespace walkthroughs {
 
@@ -12,7 +12,7 @@ void AnimatedPng::add(const std::shared_ptr<const StagedStory>& story, const Out
     const std::size_t count = story->frames.size();
     for (std::size_t i = 0; i < count; ++i)
       animation.add(written_picture(folder, i), seconds * (i + 1 == count ? last_frame_times : 1));
-    render::write_file(folder / "animation.png", animation.bytes());
+    write_output(folder / "animation.png", animation.bytes());
     written(folder / "animation.png", *story);
   });
 }

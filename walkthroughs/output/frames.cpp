@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <system_error>
+#include <set>
 
 #include "render/file.hpp"
+#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 
 namespace walkthroughs {
@@ -15,23 +16,6 @@ namespace fs = std::filesystem;
 bool in_space(const Walkthrough& walkthrough) {
   return std::ranges::any_of(walkthrough.scenes,
                              [](const Scene& scene) { return scene.dimension == Dimension::space; });
-}
-
-/// Removes the views of frame `index` from number `first` on. Returns: whether there was one.
-bool remove_views(const fs::path& folder, std::size_t index, int first) {
-  std::error_code ignored;
-  int turn = first;
-  while (fs::is_regular_file(folder / picture_name(index, turn), ignored) &&
-         fs::remove(folder / picture_name(index, turn), ignored))
-    ++turn;
-  return turn > first;
-}
-
-/// Removes the frames that an earlier run with more of them has left in `folder`, and the views beyond `turns`.
-void remove_stale(const fs::path& folder, std::size_t count, int turns) {
-  for (std::size_t index = 0; index < count; ++index) remove_views(folder, index, turns + 1);
-  for (std::size_t stale = count; remove_views(folder, stale, 0); ++stale) {
-  }
 }
 
 }  // namespace
@@ -64,17 +48,19 @@ void Frames::add(const std::shared_ptr<const StagedStory>& story, const Output& 
   const fs::path folder = folder_of(output, w);
   const std::size_t count = story->frames.size();
   const int turns = turns_of(w, output);
+  std::set<std::string> written;
   for (std::size_t i = 0; i < count; ++i) {
     const render::PngText text{w.title + ", step " + std::to_string(i + 1) + " of " + std::to_string(count),
                                alternative_text(*story, i)};
     Output turned = output;
     for (int turn = 0; turn <= turns; ++turn) {
       turned.look.turn = output.look.turn + 360.0 * turn / (turns + 1);
+      written.insert(picture_name(i, turn));
       renderer.write(folder / picture_name(i, turn), renderer.draw(*story, i, turned), text,
                      [written = written_, story, i](const fs::path& file) { written(file, *story, i); });
     }
   }
-  renderer.then([=] { remove_stale(folder, count, turns); });
+  renderer.then([=, files = files(w), title = w.title] { remove_outputs(folder, files, title, written); });
 }
 
 }  // namespace walkthroughs

@@ -33,7 +33,7 @@ using FrameWritten = std::function<void(const std::filesystem::path& file, const
 class Frames : public Sink {
  public:
   explicit Frames(FrameWritten written) : written_(std::move(written)) {}
-  std::vector<std::string> files(const Walkthrough&) const override { return {"*.png"}; }
+  std::vector<std::string> files(const Walkthrough&) const override { return {"###.png", "###-turn-#.png"}; }
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
 
  private:

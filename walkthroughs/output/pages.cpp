@@ -13,6 +13,7 @@
 #include "render/html.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/page/compare_page.hpp"
 #include "walkthroughs/page/index_page.hpp"
 #include "walkthroughs/text/shell_word.hpp"
@@ -43,19 +44,13 @@ std::string url_of(const fs::path& path) {
   return url;
 }
 
-void remove_stale(const fs::path& file) {
-  std::error_code ignored;
-  fs::remove(file, ignored);
-}
-
 /// What the page asks for, before there is a page that asks. Where it asks for nothing, that of an earlier run goes.
 void write_files_beside(const Story& story, const PagePictures& pictures, const PageSurroundings& around,
                         const fs::path& folder) {
   if (around.has_files)
-    for (const PageFile& file : page_files(story, pictures, around))
-      render::write_file(folder / file.name, file.content);
+    for (const PageFile& file : page_files(story, pictures, around)) write_output(folder / file.name, file.content);
   else
-    for (const char* stale : files_asked_for) remove_stale(folder / stale);
+    remove_outputs(folder, {files_asked_for.begin(), files_asked_for.end()});
 }
 
 std::string copy_of_scene(const PageOrigin& origin) { return origin.name + ".json"; }
@@ -88,9 +83,9 @@ void write_sources(const Story& story, const PageOrigin& origin, Pages::Pictures
   for (const std::string& name : sources_beside(origin, folder)) {
     const std::string content = pictures == Pages::Pictures::beside ? source(name, story, origin) : "";
     if (content.empty())
-      remove_stale(folder / name);
+      remove_outputs(folder, {name});
     else
-      render::write_file(folder / name, content);
+      write_output(folder / name, content);
   }
 }
 
@@ -137,11 +132,6 @@ std::vector<IndexEntry> pages_in(const fs::path& folder) {
 }
 
 }  // namespace
-
-bool is_of_others(const fs::path& page) {
-  const std::string beginning = beginning_of(page, std::size_t{1} << 12);
-  return !beginning.empty() && beginning.find("<meta name=\"generator\" content=\"gjkstep\">") == std::string::npos;
-}
 
 std::vector<PageOrigin>::const_iterator Pages::origin_of(const Walkthrough& walkthrough) const {
   return std::ranges::find(origins_, walkthrough.name, &PageOrigin::name);
@@ -196,7 +186,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   renderer.then([=, written = written_, around = surroundings_of(w), origin = *origin_of(w), kind = pictures_] {
     write_files_beside(*story, pictures, around, folder);
     write_sources(*story, origin, kind, folder);
-    render::write_file(folder / page_file, page_html(*story, pictures, around));
+    write_output(folder / page_file, page_html(*story, pictures, around));
     written(folder / page_file, *story);
   });
 }
@@ -205,10 +195,10 @@ void write_index(const fs::path& folder) {
   const std::vector<IndexEntry> entries = pages_in(folder), searches = comparable(entries);
   const bool is_pair = searches.size() >= 2;
   if (is_pair)
-    render::write_file(folder / compare_file, compare_html(searches));
+    write_output(folder / compare_file, compare_html(searches));
   else
-    remove_stale(folder / compare_file);  // of an earlier run
-  render::write_file(folder / page_file, index_html(entries, is_pair ? compare_file : ""));
+    remove_outputs(folder, {compare_file});  // of an earlier run
+  write_output(folder / page_file, index_html(entries, is_pair ? compare_file : ""));
 }
 
 }  // namespace walkthroughs

@@ -54,10 +54,7 @@ class Pages : public Sink {
 };
 
 /// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a search
-/// FOLDER/compare.html, where not removes it. Requires: neither is_of_others(). Errors: render::FileError.
+/// FOLDER/compare.html, where not removes it. Errors: render::FileError.
 void write_index(const std::filesystem::path& folder);
-
-/// Returns: whether something is written there that is no page of gjkstep.
-bool is_of_others(const std::filesystem::path& page);
 
 }  // namespace walkthroughs

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <system_error>
+#include <set>
 
 #include "render/file.hpp"
 #include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/picture/footer.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -126,12 +127,6 @@ namespace {
 
 std::string file_of_page(std::size_t page) { return "sheet-" + std::to_string(page + 1) + ".png"; }
 
-void remove_pages_from(std::size_t page, const fs::path& folder) {
-  std::error_code ignored;
-  while (fs::is_regular_file(folder / file_of_page(page), ignored) && fs::remove(folder / file_of_page(page), ignored))
-    ++page;
-}
-
 /// Draws the pages of one story.
 class PageDrawing {
  public:
@@ -201,7 +196,7 @@ void write_pdf(const fs::path& folder, std::size_t pages, const render::PaperSiz
     const fs::path file = folder / file_of_page(page);
     pdf.add(render::decode_png(read_back(file), file.string()), paper);
   }
-  render::write_file(folder / "sheet.pdf", pdf.finish());
+  write_output(folder / "sheet.pdf", pdf.finish());
 }
 
 }  // namespace
@@ -213,11 +208,14 @@ void PaperSheets::add(const std::shared_ptr<const StagedStory>& story, const Out
   const fs::path folder = folder_of(output, story->walkthrough);
   const auto tell = [written = written_, story](const fs::path& file) { written(file, *story); };
   const PageDrawing drawing(*story, output, layout, renderer);
-  for (std::size_t page = 0; page < layout.pages.size(); ++page)
+  std::set<std::string> pages;
+  for (std::size_t page = 0; page < layout.pages.size(); ++page) {
     renderer.write(folder / file_of_page(page), drawing.draw(page), text, tell);
-  renderer.then([folder, tell, text, pages = layout.pages.size(), paper = paper_] {
-    write_pdf(folder, pages, paper, text);
-    remove_pages_from(pages, folder);
+    pages.insert(file_of_page(page));
+  }
+  renderer.then([folder, tell, text, pages, paper = paper_] {
+    write_pdf(folder, pages.size(), paper, text);
+    remove_outputs(folder, {"sheet-#.png"}, text.title, pages);
     tell(folder / "sheet.pdf");
   });
 }

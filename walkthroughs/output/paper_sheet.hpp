@@ -42,7 +42,7 @@ class PaperSheets : public Sink {
 
   PaperSheets(render::PaperSize paper, bool larger_text, TooSmall too_small, FileWritten written)
       : paper_(paper), larger_text_(larger_text), too_small_(std::move(too_small)), written_(std::move(written)) {}
-  std::vector<std::string> files(const Walkthrough&) const override { return {"*.png", "sheet.pdf"}; }
+  std::vector<std::string> files(const Walkthrough&) const override { return {"sheet-#.png", "sheet.pdf"}; }
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
 
  private:

@@ -3,6 +3,7 @@
 #include "render/file.hpp"
 #include "render/image.hpp"
 #include "render/limits.hpp"
+#include "walkthroughs/output/manifest.hpp"
 
 namespace walkthroughs {
 
@@ -42,7 +43,7 @@ void Renderer::write(fs::path file, render::Image image, render::PngText text, W
   writer_.prepare([file = std::move(file), image = std::move(image), text = std::move(text),
                    written = std::move(written)]() -> render::Worker::Job {
     return [=, png = render::encode_png(image, text)] {
-      render::write_file(file, png);
+      write_output(file, png);
       written(file);
     };
   });

@@ -18,8 +18,7 @@ class Sink {
  public:
   virtual ~Sink() = default;
 
-  /// Returns: the names of what this format writes, and may remove, in the folder of a walkthrough; where how many there
-  /// will be shows later, such as *.png for all with that ending.
+  /// Returns: the names of what this format writes, and may remove, in the folder of a walkthrough, as patterns of fits().
   virtual std::vector<std::string> files(const Walkthrough& walkthrough) const = 0;
 
   /// Asks `renderer` for what this format makes of a story, behind all that was asked for before: formats may read the files

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/picture_size.hpp"
@@ -51,10 +50,9 @@ bool is_scene_file(const std::string& name) {
   return end == ".json";
 }
 
-void expect_own_page(const std::filesystem::path& page, const std::string& option) {
-  if (is_of_others(page))
-    throw UsageError(printable(page.string()) +
-                     " is not of gjkstep and would be replaced or removed; choose another folder with " + option);
+void add_force_flag(CLI::App& command, bool& force) {
+  command.add_flag("--force", force,
+                   "overwrite, and remove, also files that gjkstep has not written or that were changed since");
 }
 
 void expect_output_apart_from(const std::string& scene_file) {

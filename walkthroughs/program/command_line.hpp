@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +34,8 @@ render::Backend chosen_backend(const std::optional<std::string>& name);
 /// name, and how.
 void expect_named(const std::string& option, const std::string& name, const std::string& example);
 
-/// Errors: UsageError where a page stands there that gjkstep has not written. `option`: which chooses its folder.
-void expect_own_page(const std::filesystem::path& page, const std::string& option);
+/// The option --force of all commands that write files. Adding it to a command fills `force`, which must live as long.
+void add_force_flag(CLI::App& command, bool& force);
 
 /// Errors: UsageError where standard output is the scene file that is to be read.
 void expect_output_apart_from(const std::string& scene_file);

@@ -8,6 +8,7 @@
 
 #include "render/compare_report.hpp"
 #include "render/file.hpp"
+#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
@@ -70,7 +71,7 @@ render::CompareReport empty_report(const CompareCommand& command) {
 
 constexpr const char* page_of_report = "index.html";
 
-void expect_apart(const std::vector<render::FilePair>& pairs, const fs::path& report) {
+Places places_of(const std::vector<render::FilePair>& pairs, const fs::path& report) {
   Places places;
   for (const render::FilePair& files : pairs) {
     places.read(files.expected, "the picture " + files.expected.string());
@@ -78,19 +79,18 @@ void expect_apart(const std::vector<render::FilePair>& pairs, const fs::path& re
   }
   places.write(report / page_of_report, "the page of --report");
   places.write_standard_output();
-  places.expect_apart();
+  return places;
 }
 
 /// Before all that is compared, not after it.
 void expect_writable_report(const fs::path& folder) {
   render::make_folder(folder, "choose another with --report");
-  expect_own_page(folder / page_of_report, "--report");
   render::expect_writable(folder / page_of_report);
 }
 
 void write_report(const render::CompareReport& report, const fs::path& folder) {
   const fs::path page = folder / page_of_report;
-  render::write_file(page, report.html());
+  write_output(page, report.html());
   std::cout << "report: " << printable(page.string()) << std::endl;
 }
 
@@ -141,8 +141,11 @@ int CompareCommand::run() const {
   if (report) expect_named("--report", *report, "a folder to write to, for example --report differences");
   const std::vector<render::FilePair> pairs = pairs_of(expected, actual);
   std::optional<render::CompareReport> page;
+  Places places;
   if (report) {
-    expect_apart(pairs, *report);
+    places = places_of(pairs, *report);
+    places.expect_apart();
+    places.expect_no_loss(force ? Others::overwritten : Others::kept, "--report");
     expect_writable_report(*report);
     page = empty_report(*this);
   }
@@ -154,6 +157,7 @@ int CompareCommand::run() const {
   }
   std::cout << tally.summary() << std::endl;
   if (page) write_report(*page, *report);
+  places.tidy_manifests();
   return tally.exit_code();
 }
 
@@ -163,6 +167,7 @@ CLI::App* add_compare_command(CLI::App& app, CompareCommand& compare) {
   command->add_option("ACTUAL", compare.actual, "what to compare it with: as EXPECTED a file or a folder")->required();
   command->add_option("--report", compare.report,
                       "folder to write index.html to: a page that shows what differs, and how to accept it");
+  add_force_flag(*command, compare.force);
   command->footer(
       "Decoded pixels are compared, transparent ones on white, of animations the first picture. A pixel is off when a\n"
       "channel differs by more than 2. Pictures pass when at most 8 pixels are off (in large pictures: one in 50,000;\n"

@@ -10,6 +10,7 @@ namespace walkthroughs {
 struct CompareCommand {
   std::string expected, actual;
   std::optional<std::string> report;  ///< folder to write index.html to
+  bool force = false;
 
   /// Returns: the exit code: 0 the same, 1 different, 3 a picture cannot be read (told on standard error).
   /// Errors: UsageError; render::ReadError where a side is not there; render::FileError where the report cannot be

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
-#include <string_view>
+#include <set>
 #include <system_error>
 
+#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 
 namespace walkthroughs {
@@ -44,14 +46,24 @@ fs::path resolved_but_for_last(const fs::path& path) {
 }
 
 bool is_one_of(const std::vector<std::string>& names, const std::string& file) {
-  return std::ranges::any_of(names, [&file](const std::string_view name) {
-    return name.starts_with('*') ? file.ends_with(name.substr(1)) : file == name;
-  });
+  return std::ranges::any_of(names, [&file](const std::string& name) { return fits(name, file); });
 }
 
 [[noreturn]] void refuse(const std::string& one, const std::string& other, const fs::path& where) {
   throw UsageError(one + " and " + other + " have the same place, " + where.string() +
                    ": one would be written over the other; choose another place for one of them");
+}
+
+/// Requires: there is one. Names the first few.
+[[noreturn]] void refuse_to_lose(const std::vector<fs::path>& files, const std::string& elsewhere) {
+  const std::size_t named = std::min<std::size_t>(3, files.size());
+  std::string words = files[0].string();
+  for (std::size_t i = 1; i < named; ++i) words += (i + 1 == files.size() ? " and " : ", ") + files[i].string();
+  if (named < files.size()) words += " and " + std::to_string(files.size() - named) + " more";
+  throw UsageError(
+      words + (files.size() == 1 ? " is not of gjkstep, or was" : " are not of gjkstep, or were") +
+      " changed since, and would be overwritten or removed; nothing is written: choose another place with " +
+      elsewhere + ", or say --force");
 }
 
 /// Returns: the path of what a standard stream is, empty where it is no file, such as a pipe.
@@ -70,10 +82,16 @@ void Places::add(std::vector<Place>& places, const fs::path& file, const std::st
 }
 
 void Places::read(const fs::path& file, const std::string& what) { add(read_, file, what); }
-void Places::write(const fs::path& file, const std::string& what) { add(written_, file, what); }
+void Places::reserve(const fs::path& file, const std::string& what) { add(written_, file, what); }
 
-void Places::write_into(const fs::path& folder, const std::vector<std::string>& names, const std::string& what) {
-  folders_.push_back({resolved(folder), names, what});
+void Places::write(const fs::path& file, const std::string& what) {
+  reserve(file, what);
+  files_.emplace_back(file, what);
+}
+
+void Places::write_into(const fs::path& folder, const std::vector<std::string>& names, const std::string& what,
+                        const std::string& title) {
+  folders_.push_back({resolved(folder), folder, names, what, title});
 }
 
 void Places::read_standard_input() {
@@ -81,7 +99,7 @@ void Places::read_standard_input() {
 }
 
 void Places::write_standard_output() {
-  if (const fs::path file = file_of(STDOUT_FILENO); !file.empty()) write(file, "standard output");
+  if (const fs::path file = file_of(STDOUT_FILENO); !file.empty()) reserve(file, "standard output");
 }
 
 void Places::expect_apart() const {
@@ -106,12 +124,32 @@ void Places::expect_apart() const {
     if (const auto there = folders.find(place); there != folders.end()) refuse(what, there->second, place);
   };
   for (const auto& [place, what] : read_) files.emplace(place, what);
+  for (const auto& [file, what] : files_)
+    if (file.filename() == manifest_file) refuse(what, "the manifest of that folder", file);
   for (const auto& [place, what] : written_)
     if (const auto [there, is_new] = files.emplace(place, what); !is_new) refuse(what, there->second, place);
   for (const auto& [place, what] : files) {
     expect_not_written_into(place, what);
     expect_no_folder(place, what);
   }
+}
+
+void Places::expect_no_loss(Others others, const std::string& elsewhere) const {
+  std::vector<fs::path> lost;
+  for (const auto& [file, what] : files_) std::ranges::copy(files_of_others(file), std::back_inserter(lost));
+  for (const Folder& folder : folders_)
+    std::ranges::copy(files_of_others(folder.spelt, folder.names, folder.title), std::back_inserter(lost));
+  if (others == Others::overwritten)
+    std::ranges::for_each(lost, adopt);
+  else if (!lost.empty())
+    refuse_to_lose(lost, elsewhere);
+}
+
+void Places::tidy_manifests() const {
+  std::set<fs::path> folders;
+  for (const auto& [file, what] : files_) folders.insert(file.parent_path());
+  for (const Folder& folder : folders_) folders.insert(folder.spelt);
+  std::ranges::for_each(folders, tidy_manifest);
 }
 
 }  // namespace walkthroughs

@@ -17,6 +17,7 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/output/animation.hpp"
 #include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
@@ -105,9 +106,12 @@ class Rendering {
     expect_chosen_frames(selection);
     Written written;  // before the renderer, which writes what it was given even when it goes early
     const Sinks sinks = sinks_for(selection, written);
-    expect_apart(selection, sinks, output.folder);
+    const Places places = all_places(selection, sinks, output.folder);
+    places.expect_apart();
+    places.expect_no_loss(command_.force ? Others::overwritten : Others::kept,
+                          command_.captions ? "--out and --captions" : "--out");
     expect_writable_captions(selection, output.folder);
-    if (is_asked_for_pages()) expect_writable_pages(selection, output.folder);
+    if (is_asked_for_pages()) expect_writable_pages(output.folder);
     Studio studio{chosen_backend(command_.gl)};
     Renderer renderer(studio);
     for (const Selection::Chosen& each : selection.chosen()) {
@@ -118,9 +122,9 @@ class Rendering {
     if (command_.rendered_by) write_rendered_by(studio, output.folder);
     if (command_.captions) write_captions(written.frames);
     if (command_.movie) print_movies(selection, output);
-    if (!is_asked_for_pages()) return;
-    write_index(output.folder);
-    std::cout << "open " << printable((output.folder / page_file).string()) << '\n';
+    if (is_asked_for_pages()) write_index(output.folder);
+    places.tidy_manifests();
+    if (is_asked_for_pages()) std::cout << "open " << printable((output.folder / page_file).string()) << '\n';
   }
 
  private:
@@ -165,9 +169,8 @@ class Rendering {
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
       sinks.push_back(std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
     if (is_asked_for_pages())
-      sinks.push_back(
-          std::make_unique<Pages>(pictures_of_pages(), command_.out, options_of_pictures(), origins_of(selection),
-                                  report_file));
+      sinks.push_back(std::make_unique<Pages>(pictures_of_pages(), command_.out, options_of_pictures(),
+                                              origins_of(selection), report_file));
     return sinks;
   }
 
@@ -208,22 +211,23 @@ class Rendering {
     return selection;
   }
 
-  /// With films, which the reader may have made of the pictures.
   static std::vector<std::string> files_of(const Walkthrough& walkthrough, const Sinks& sinks) {
-    std::vector<std::string> files{"*.mp4", "*.gif"};
+    std::vector<std::string> files;
     for (const std::unique_ptr<Sink>& sink : sinks)
       std::ranges::copy(sink->files(walkthrough), std::back_inserter(files));
     return files;
   }
 
-  void expect_apart(const Selection& selection, const Sinks& sinks, const std::filesystem::path& folder) const {
+  Places all_places(const Selection& selection, const Sinks& sinks, const std::filesystem::path& folder) const {
     Places places;
     for (const std::string& name : command_.names)
       if (is_scene_file(name)) places.read(name, "the scene file " + name);
     for (const std::string& file : command_.traces) places.read(file, "the trace " + file);
-    for (const Selection::Chosen& each : selection.chosen())
-      places.write_into(folder / each.walkthrough->name, files_of(*each.walkthrough, sinks),
-                        "the pictures of " + each.walkthrough->name);
+    for (const Selection::Chosen& each : selection.chosen()) {
+      const Walkthrough& w = *each.walkthrough;
+      places.write_into(folder / w.name, files_of(w, sinks), "the pictures of " + w.name, w.title);
+      if (command_.movie) places.reserve(folder / w.name / ("animation." + *command_.movie), "the film of " + w.name);
+    }
     if (command_.rendered_by) places.write(folder / render::rendered_by_file, "what --rendered-by notes");
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
     if (is_asked_for_pages()) {
@@ -231,7 +235,7 @@ class Rendering {
       places.write(folder / compare_file, "the page that compares two");
     }
     places.write_standard_output();
-    places.expect_apart();
+    return places;
   }
 
   /// Before all that is drawn, not after it. They may be meant to lie beside pictures.
@@ -272,13 +276,8 @@ class Rendering {
     return origins;
   }
 
-  /// Of others only pages are looked for: what else lies in the folder of a walkthrough belongs to the page there.
-  static void expect_writable_pages(const Selection& selection, const std::filesystem::path& folder) {
+  static void expect_writable_pages(const std::filesystem::path& folder) {
     render::make_folder(folder, "choose another with --out");
-    std::vector<std::filesystem::path> pages{folder / page_file, folder / compare_file};
-    for (const Selection::Chosen& each : selection.chosen())
-      pages.push_back(folder / each.walkthrough->name / page_file);
-    for (const std::filesystem::path& page : pages) expect_own_page(page, "--out");
     for (const char* page : {page_file, compare_file}) render::expect_writable(folder / page);
   }
 
@@ -370,13 +369,13 @@ class Rendering {
   static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {
     const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
     const std::filesystem::path file = folder / render::rendered_by_file;
-    render::write_file(file, text);
+    write_output(file, text);
     std::cout << printable(file.string()) << "  what drew these pictures\n";
   }
 
   void write_captions(const std::vector<FrameFile>& written) const {
     const std::string text = captions_json(written);
-    render::write_file(*command_.captions, text);
+    write_output(*command_.captions, text);
     std::cout << printable(*command_.captions) << "  captions and descriptions of the frames\n";
   }
 
@@ -453,6 +452,7 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command->add_flag("--rendered-by", render.rendered_by,
                     "write OUT/rendered-by.json as well: what drew the pictures; 'gjkstep compare' shows it");
   command->add_option("--out", render.out, "folder to write to")->capture_default_str();
+  add_force_flag(*command, render.force);
   command->add_option("--size", render.size,
                       "width and height in pixels; if not given, what the scene file says, or 1280x720");
   expect_number(command->add_option(

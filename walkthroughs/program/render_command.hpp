@@ -19,6 +19,7 @@ struct RenderCommand {
   bool no_captions = false, no_values = false;
   std::optional<std::string> letters;
   bool rendered_by = false;
+  bool force = false;
   int turns = 0;
   double frame_time = 2;
   std::string detail = "decision";

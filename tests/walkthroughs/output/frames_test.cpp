@@ -10,6 +10,7 @@
 #include "tests/kit/places.hpp"
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
 using namespace walkthroughs;
@@ -362,9 +363,9 @@ TEST_CASE("Frames that an earlier, longer run has left are removed, other files 
   Studio studio;
   const fs::path own = folder.path() / "figure-5";
   fs::create_directories(own);
-  const std::vector<std::string> foreign = {"002.txt", "04.png", "notes.txt", "strip.png", "x003.png"};
+  const std::vector<std::string> foreign = {"002.txt", "005.png", "04.png", "notes.txt", "strip.png", "x003.png"};
   for (const std::string& name : foreign) std::ofstream(own / name) << "mine";
-  for (const std::string name : {"000.png", "003.png", "004.png", "005.png"}) std::ofstream(own / name) << "stale";
+  for (const std::string name : {"000.png", "003.png", "004.png", "011.png"}) write_output(own / name, "stale");
   render_frames(StagedStory(tell(walkthrough("figure-5"))), {folder.path(), {64, 36}}, studio, nobody);
   std::vector<std::string> expected = {"000.png", "001.png", "002.png"};
   for (const std::string& name : foreign) {

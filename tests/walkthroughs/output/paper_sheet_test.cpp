@@ -10,6 +10,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/output/manifest.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -101,7 +102,7 @@ TEST_CASE("gjkstep render --sheet=a4 writes pages that compare reads, one PDF of
   const Folder folder, again;
   const fs::path own = folder.path() / "figure-4-right";
   fs::create_directories(own);
-  for (const char* stale : {"sheet-3.png", "sheet-4.png"}) std::ofstream(own / stale) << "older";
+  for (const char* stale : {"sheet-3.png", "sheet-4.png"}) write_output(own / stale, "older");
   const std::string command = "render figure-4-right --size 320x180 --sheet=a4";
   const Outcome outcome = run(command + option_out(folder));
   CHECK(outcome.exit_code == 0);

@@ -5,6 +5,7 @@
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/animation.hpp"
+#include "walkthroughs/output/manifest.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -22,8 +23,6 @@ Walkthrough in_space() {
   w.scenes[0].dimension = Dimension::space;
   return w;
 }
-
-void store(const fs::path& file) { std::ofstream(file) << "mine"; }
 
 }  // namespace
 
@@ -64,8 +63,10 @@ TEST_CASE("Views of a scene in space stand beside the frames, in folders of fold
   const fs::path own = folder.path() / "in" / "space";
   render_frames(story, {folder.path(), small, {}, 3}, studio, nobody);
   CHECK(listing(own).size() == 4 * story.frames.size());
-  for (const char* stale : {"006.png", "006-turn-1.png", "007.png", "000-turn-4.png"}) store(own / stale);
-  for (const char* foreign : {"009.png", "000-turn-9.png", "000-turn-x.png", "turn-1.png"}) store(own / foreign);
+  for (const char* stale : {"006.png", "006-turn-1.png", "007.png", "000-turn-4.png"})
+    write_output(own / stale, "stale");
+  for (const char* foreign : {"009.png", "000-turn-9.png", "000-turn-x.png", "turn-1.png"})
+    kit::write(own / foreign, "mine");
   std::vector<std::string> expected = {"009.png", "000-turn-9.png", "000-turn-x.png", "turn-1.png"};
   for (std::size_t i = 0; i < story.frames.size(); ++i)
     for (const char* view : {".png", "-turn-1.png"}) expected.push_back("00" + std::to_string(i) + view);

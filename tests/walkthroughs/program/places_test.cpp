@@ -19,7 +19,7 @@ namespace {
 /// Whether what is written to `file` would be refused beside the pictures in `folder`.
 bool is_refused(const fs::path& folder, const fs::path& file) {
   Places places;
-  places.write_into(folder, {"*.png", "sheet.pdf"}, "the pictures");
+  places.write_into(folder, {"###.png", "###-turn-#.png", "sheet.pdf"}, "the pictures");
   places.write(file, "the captions");
   try {
     places.expect_apart();
@@ -35,13 +35,14 @@ bool is_refused(const fs::path& folder, const fs::path& file) {
 
 TEST_CASE(
     "Where pictures are written nothing else may be named as one, and nothing may take the place of the folders") {
-  for (const char* file : {"out/a/000.png", "out/a/999-turn-2.png", "out/a/strip.png", "out/a/sheet.pdf",
-                           "out/a/sheet.pdf/b", "out/a", "out", "./out/b/../a/000.png", "out//a/./000.png"}) {
+  for (const char* file : {"out/a/000.png", "out/a/999-turn-2.png", "out/a/sheet.pdf", "out/a/sheet.pdf/b", "out/a",
+                           "out", "./out/b/../a/000.png", "out//a/./000.png"}) {
     INFO(file);
     CHECK(is_refused("out/a", file));
   }
-  for (const char* file : {"captions.json", "out/captions.json", "out/a/captions.json", "out/000.png",
-                           "out/a/my-sheet.pdf", "out/b/000.png", "out/a/b/000.png", "ou", "out/aa"}) {
+  for (const char* file :
+       {"captions.json", "out/captions.json", "out/a/captions.json", "out/000.png", "out/a/my-sheet.pdf",
+        "out/a/photo.png", "out/b/000.png", "out/a/b/000.png", "ou", "out/aa"}) {
     INFO(file);
     CHECK_FALSE(is_refused("out/a", file));
   }
@@ -95,8 +96,8 @@ TEST_CASE("Two files, two folders of pictures, or a file and the folder of anoth
   expect_refused([](Places& p) { p.write("a", "one"), p.write("a/b", "two"); });
   expect_refused([](Places& p) { p.read("a", "one"), p.write("a/b", "two"); });
   expect_refused([](Places& p) { p.write_into("a", {}, "one"), p.write_into("b/../a", {}, "two"); });
-  expect_refused([](Places& p) { p.write_into("a", {"*.png"}, "one"), p.write_into("a/b.png", {}, "two"); });
-  expect_refused([](Places& p) { p.read("a/000.png", "one"), p.write_into("a", {"*.png"}, "two"); });
+  expect_refused([](Places& p) { p.write_into("a", {"###.png"}, "one"), p.write_into("a/100.png", {}, "two"); });
+  expect_refused([](Places& p) { p.read("a/000.png", "one"), p.write_into("a", {"###.png"}, "two"); });
 }
 
 TEST_CASE(

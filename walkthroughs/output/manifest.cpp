@@ -1,0 +1,248 @@
+#include "walkthroughs/output/manifest.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <map>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "render/file.hpp"
+#include "render/png_chunk.hpp"
+
+namespace walkthroughs {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Returns: nothing where it cannot be read: who cannot look into a file does not know it.
+std::vector<std::uint8_t> content_of(const fs::path& file) {
+  try {
+    return render::read_file(file);
+  } catch (const render::ReadError&) {
+    return {};
+  }
+}
+
+std::string_view text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+/// What stands beside a file while it replaces another has the name of that one in the manifest.
+std::string name_in_place(std::string name) {
+  constexpr std::string_view unfinished = ".unfinished";
+  if (name.ends_with(unfinished)) name.erase(name.size() - unfinished.size());
+  return name;
+}
+
+// ---------------------------------------------------------------------------------------------- marks
+
+/// Returns: the title in a picture; empty where it has none.
+std::string_view title_of(Bytes png) {
+  using namespace std::string_view_literals;
+  if (!text_of(png).starts_with(text_of(render::png_signature))) return "";
+  png = png.subspan(render::png_signature.size());
+  while (const auto chunk = render::take_png_chunk(png)) {
+    const std::string_view data = text_of(chunk->data);
+    for (const auto& [type, key] : {std::pair("tEXt"sv, "Title\0"sv), std::pair("iTXt"sv, "Title\0\0\0\0\0"sv)})
+      if (chunk->type == type && data.starts_with(key)) return data.substr(key.size());
+  }
+  return "";
+}
+
+/// Whether an earlier version, which kept no manifest, has made it.
+bool bears_our_mark(Bytes bytes, const std::string& title) {
+  const std::string_view beginning = text_of(bytes).substr(0, 1 << 12);
+  if (beginning.find("<meta name=\"generator\" content=\"gjkstep\">") != std::string_view::npos) return true;
+  const std::string_view found = title_of(bytes);
+  const std::size_t step = found.rfind(", step ");
+  return (step != std::string_view::npos && fits(", step # of #", found.substr(step))) ||
+         (!title.empty() && found == title);
+}
+
+// ---------------------------------------------------------------------------------------------- lines
+
+std::string line_of(std::string name, Bytes bytes) {
+  char mark[40];
+  std::snprintf(mark, sizeof mark, "%08lx %zu ", ::crc32_z(0, bytes.data(), bytes.size()), bytes.size());
+  std::ranges::replace(name, '\n', '/');  // which no name has
+  return mark + name;
+}
+
+/// Returns: the name in a line; empty where it is none of ours.
+std::string name_in(const std::string& line) {
+  const auto is_hexadecimal = [](char c) { return ('0' <= c && c <= '9') || ('a' <= c && c <= 'f'); };
+  const std::size_t size = line.find(' '), end = line.find(' ', size + 1);
+  if (size != 8 || end == std::string::npos || !std::all_of(line.begin(), line.begin() + 8, is_hexadecimal) ||
+      !fits("#", std::string_view(line).substr(size + 1, end - size - 1)))
+    return "";
+  std::string name = line.substr(end + 1);
+  std::ranges::replace(name, '/', '\n');
+  return name;
+}
+
+/// The lines about the files of a folder.
+class Manifest {
+ public:
+  explicit Manifest(const fs::path& folder) : folder_(folder) {
+    std::istringstream text{std::string(text_of(content_of(folder / manifest_file)))};
+    for (std::string line; std::getline(text, line);) {
+      const std::string name = name_in(line);
+      std::vector<std::string>& lines = lines_[name];
+      if (name.empty() ? !line.empty() : std::ranges::count(lines, line) == 0) lines.push_back(line);
+    }
+  }
+
+  bool is_ours(const std::string& name, const std::string& title) const {
+    const std::vector<std::uint8_t> bytes = content_of(folder_ / name);
+    const auto lines = lines_.find(name_in_place(name));
+    return lines == lines_.end() ? bears_our_mark(bytes, title)
+                                 : std::ranges::count(lines->second, line_of(lines->first, bytes)) > 0;
+  }
+
+  /// Returns: its text without lines about files that are gone, or that were replaced. A file that was changed keeps its lines.
+  std::string tidied() const {
+    std::string text;
+    for (const auto& [name, lines] : lines_) {
+      std::error_code unknown;
+      if (!name.empty() && !fs::exists(folder_ / name, unknown)) continue;
+      const std::string fitting = lines.size() > 1 ? line_of(name, content_of(folder_ / name)) : "";
+      const bool is_known = std::ranges::count(lines, fitting) > 0;
+      for (const std::string& line : lines) text += is_known && line != fitting ? "" : line + "\n";
+    }
+    return text;
+  }
+
+ private:
+  fs::path folder_;
+  std::map<std::string, std::vector<std::string>> lines_;  // by name; by "" those that are not ours
+};
+
+// ---------------------------------------------------------------------------------------------- folders
+
+/// As long as it lives other runs neither write to the folder nor tidy it, where the file system has locks.
+class Lock {
+ public:
+  explicit Lock(const fs::path& folder)
+      : descriptor_(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  ~Lock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+/// Appends a line about a file with these bytes. It begins with the end of the one before, which a full disk may have cut short.
+void note(const fs::path& file, Bytes bytes) {
+  const fs::path manifest = file.parent_path() / manifest_file;
+  const std::string line = "\n" + line_of(name_in_place(file.filename().string()), bytes);
+  const int descriptor = ::open(manifest.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666);
+  const bool is_written =
+      descriptor >= 0 && ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const int error = errno;
+  const bool is_closed = descriptor < 0 || ::close(descriptor) == 0;
+  if (!is_written || !is_closed)
+    throw render::FileError("cannot write " + manifest.string() + ", which says what gjkstep wrote there: " +
+                            std::generic_category().message(is_written ? errno : error) +
+                            "; check that it may be written to and the disk has space left");
+}
+
+/// Returns: the names in `folder` that fit one of the patterns, sorted.
+std::vector<std::string> names_in(const fs::path& folder, const std::vector<std::string>& patterns) {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return names;
+  for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (std::ranges::any_of(patterns, [&](const std::string& pattern) { return fits(pattern, name_in_place(name)); }))
+      names.push_back(name);
+  }
+  if (error)
+    throw render::FileError("cannot look into the folder " + folder.string() + ": " + error.message() +
+                            "; check that it may be read, or choose another");
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Whether it would be lost: folders and devices are neither replaced nor removed.
+bool is_file(const fs::path& path) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
+  return fs::is_regular_file(status) || (!fs::exists(status) && fs::is_symlink(fs::symlink_status(path, unknown)));
+}
+
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+}  // namespace
+
+bool fits(std::string_view pattern, std::string_view name) {
+  while (!pattern.empty() && !name.empty()) {
+    if (pattern[0] == '#' ? !is_digit(name[0]) : pattern[0] != name[0]) return false;
+    const bool is_last_of_number = pattern[0] == '#' && !pattern.starts_with("##");
+    name.remove_prefix(1);
+    if (!is_last_of_number || name.empty() || !is_digit(name[0])) pattern.remove_prefix(1);
+  }
+  return pattern.empty() && name.empty();
+}
+
+void write_output(const fs::path& file, Bytes bytes) {
+  const Lock lock(file.parent_path());
+  note(file, bytes);
+  render::write_file(file, bytes);
+}
+
+void write_output(const fs::path& file, std::string_view text) {
+  write_output(file, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void remove_outputs(const fs::path& folder, const std::vector<std::string>& patterns, const std::string& title,
+                    const std::set<std::string>& kept) {
+  const Lock lock(folder);
+  const Manifest manifest(folder);
+  std::error_code ignored;
+  for (const std::string& name : names_in(folder, patterns))
+    if (!kept.contains(name_in_place(name)) && is_file(folder / name) && manifest.is_ours(name, title))
+      fs::remove(folder / name, ignored);
+}
+
+std::vector<fs::path> files_of_others(const fs::path& folder, const std::vector<std::string>& patterns,
+                                      const std::string& title) {
+  const Manifest manifest(folder);
+  std::vector<fs::path> found;
+  for (const std::string& name : names_in(folder, patterns))
+    if (is_file(folder / name) && !manifest.is_ours(name, title)) found.push_back(folder / name);
+  return found;
+}
+
+std::vector<fs::path> files_of_others(const fs::path& file) {
+  const Manifest manifest(file.parent_path());
+  std::vector<fs::path> found{file, file.string() + ".unfinished"};
+  std::erase_if(found,
+                [&](const fs::path& each) { return !is_file(each) || manifest.is_ours(each.filename().string(), ""); });
+  return found;
+}
+
+void adopt(const fs::path& file) {
+  const Lock lock(file.parent_path());
+  note(file, content_of(file));
+}
+
+void tidy_manifest(const fs::path& folder) {
+  const Lock lock(folder);
+  if (const std::string text = Manifest(folder).tidied(); !text.empty())
+    render::write_file(folder / manifest_file, text);
+}
+
+}  // namespace walkthroughs

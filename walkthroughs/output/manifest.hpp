@@ -1,0 +1,45 @@
+/// What the program has written, so that no file of others is lost: a manifest in each folder of outputs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace walkthroughs {
+
+/// Lines "CRC-32 size name" about the files beside it. A file is ours as long as one of the lines of its name fits it, and
+/// where there is none a picture or a page that bears our mark, as those of earlier versions do. Other lines count for nothing, and stay.
+inline constexpr const char* manifest_file = ".gjkstep";
+
+/// Whether a pattern such as ###-turn-#.png fits the name of a file: each # is a digit, the last of a row of them one or more.
+bool fits(std::string_view pattern, std::string_view name);
+
+/// Writes as render::write_file(), and the line about it before it is there: a run that is killed in between leaves a file that is
+/// still known. Errors: render::FileError.
+void write_output(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
+void write_output(const std::filesystem::path& file, std::string_view text);
+
+/// Removes what is ours in `folder` and fits one of the patterns, but for what is `kept`. `title`: see files_of_others().
+void remove_outputs(const std::filesystem::path& folder, const std::vector<std::string>& patterns,
+                    const std::string& title = "", const std::set<std::string>& kept = {});
+
+/// Returns: the files in `folder` whose names fit one of the patterns and that would be lost where one of that name is written or
+/// removed: those that are not ours. `title`: of the pictures there that show no step.
+/// Errors: render::FileError where the folder cannot be looked into.
+std::vector<std::filesystem::path> files_of_others(const std::filesystem::path& folder,
+                                                   const std::vector<std::string>& patterns, const std::string& title);
+
+/// The same of one file.
+std::vector<std::filesystem::path> files_of_others(const std::filesystem::path& file);
+
+/// Makes a file ours as it is. Errors: render::FileError.
+void adopt(const std::filesystem::path& file);
+
+/// Takes lines that no file fits any more out of the manifest of a folder, if it has one. Errors: render::FileError.
+void tidy_manifest(const std::filesystem::path& folder);
+
+}  // namespace walkthroughs
