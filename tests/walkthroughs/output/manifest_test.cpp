@@ -117,7 +117,7 @@ TEST_CASE(
   const Folder folder;
   const std::string foreign = "some words\n12345678 9\n1234567g 9 name\n12345678 x name\nsome words\n";
   kit::write(folder / manifest_file, foreign + "00000000 5 torn");
-  for (const char* content : {"first", "second", "third"})
+  for (const char* content : {"first", "second", "third", "third"})
     for (const char* name : {"same", "changed", "gone"}) write_output(folder / name, content);
   kit::write(folder / "changed", "mine");
   fs::remove(folder / "gone");
@@ -139,6 +139,13 @@ TEST_CASE("A folder without a manifest gets none from tidying, and where none ca
   fs::create_directories(folder / manifest_file);
   CHECK_THROWS_WITH(write_output(folder / "a.json", "ours"), kit::contains((folder / manifest_file).string()));
   CHECK_FALSE(fs::exists(folder / "a.json"));
+}
+
+TEST_CASE("A line that a full disk has cut short is no harm to the next one") {
+  const Folder folder;
+  kit::write(folder / manifest_file, "0123");
+  write_output(folder / "a.json", "ours");
+  CHECK(is_ours(folder / "a.json"));
 }
 
 TEST_CASE("Removed is what fits, is ours and is not kept") {

@@ -70,6 +70,7 @@ TEST_CASE("Whatever is written anywhere is not written over what others have the
   CHECK(kit::listing(place.out) == kit::listing(model.out));
   for (const std::string& name : kit::listing(place.out)) CHECK(bytes_of(place.out / name) != "somebody else's");
   CHECK(run(place.all(kind)).exit_code == 0);
+  CHECK(lines(bytes_of(place.out / "mine/.gjkstep")).size() == kit::listing(place.out / "mine").size());
 }
 
 TEST_CASE("What was changed is not written over, what was not is, also with other options") {
@@ -86,7 +87,8 @@ TEST_CASE("What was changed is not written over, what was not is, also with othe
   for (const char* file : {"mine/notes.txt", "mine/photo.png", "mine/4.png", "mine/animation.mp4", "notes.txt"})
     kit::write(place.out / file, "in nobody's way");
   CHECK(run(place.command("--sheet=a4 --movie mp4 --detail step")).exit_code == 0);
-  CHECK(run(place.all("single")).exit_code == 0);
+  CHECK(run(place.all("single"), "", {.out = kit::write(place.folder / "log", "an older one"), .err = ""}).exit_code ==
+        0);
   for (const char* file : {"mine/notes.txt", "mine/photo.png", "mine/4.png", "mine/animation.mp4", "notes.txt"})
     CHECK(bytes_of(place.out / file) == "in nobody's way");
 }
