@@ -12,7 +12,6 @@
 #include "tests/kit/program.hpp"
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs::test {
 
@@ -56,13 +55,6 @@ inline std::filesystem::path scene_file(const std::filesystem::path& file) {
   std::ofstream(file) << R"({"dimension": 2, "size": "48x27",
     "a": {"points": [[0, 0], [2, 0], [2, 2], [0, 2]]}, "b": {"points": [[1, 1], [3, 1], [3, 3]]}})";
   return file;
-}
-
-/// Returns: a folder of the catalogue, or nothing where it has none.
-inline std::string some_folder() {
-  for (const Walkthrough& w : catalogue())
-    if (const std::size_t slash = w.name.find('/'); slash != std::string::npos) return w.name.substr(0, slash);
-  return "";
 }
 
 }  // namespace walkthroughs::test

@@ -1,15 +1,12 @@
 // Scenes that users write: what is read, from which files, and what it means.
 #include "walkthroughs/text/scene_file.hpp"
 
-#include <sys/stat.h>
-
 #include <sstream>
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/places.hpp"
 #include "tests/walkthroughs/text/scene_texts.hpp"
 #include "walkthroughs/model/number_text.hpp"
-#include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 using namespace walkthroughs;
@@ -260,26 +257,6 @@ TEST_CASE("In floats a cylinder has the axis that its numbers have as floats, of
   CHECK(axis("[0.1, 0.3, 0.7]") != in_double.axis().cast<float>().cast<double>());
 }
 
-TEST_CASE("Numbers that do not fit into floats are named where they stand, and what to do", "[scene-file]") {
-  const auto check = [](const std::string& b, const std::string& rest, const std::string& place,
-                        const std::string& part) {
-    check_complaint(scene_text(corner, b, R"("scalar": "float")" + rest), place,
-                    {part, "choose another unit of length, or compute in double"});
-    CHECK_NOTHROW(parsed(scene_text(corner, b, R"("scalar": "double")" + rest)));
-  };
-  check(R"({"sphere": {"center": [1e40, 0, 0], "radius": 1}})", "", "3: b.sphere.center[0]",
-        "1e+40 is beyond the largest float, 3.4e38");
-  check(R"({"points": [[0, 0, 0],
-    [0, 0, -1e39]]})",
-        "", "4: b.points[1][2]", "-1e+39 is beyond");
-  check(R"({"points": [[0, 0, 0]], "pose": {"translation": [0, 1e39, 0]}})", "", "3: b.pose.translation[1]",
-        "1e+39 is beyond");
-  check(R"({"sphere": {"center": [0, 0, 0], "radius": 1e-50}})", "", "3: b.sphere.radius",
-        "1e-50 is so small that it is 0 as a float");
-  check(ball, ",\n\"first_direction\": [0, 1e-46, 0]", "5: first_direction", "1e-46 is so small");
-  check(ball, ",\n\"first_direction\": [0, 1e39, 0]", "5: first_direction[1]", "1e+39 is beyond");
-}
-
 TEST_CASE("In floats eager rules begin between the centers, or along +x where no float tells how", "[scene-file]") {
   const auto first = [](const std::string& x) {
     return scene_of(scene_text("{\"points\": [[-" + x + ", 0, 0]]}", "{\"points\": [[" + x + ", 0, 0]]}",
@@ -291,17 +268,6 @@ TEST_CASE("In floats eager rules begin between the centers, or along +x where no
   CHECK(first("1e-46") == Point(1, 0, 0));
 }
 
-TEST_CASE("The summary says in one line what a scene declares", "[scene-file]") {
-  CHECK(summary(parsed(std::string(example_scene()))) ==
-        "'A can beside a tilted box', space, 'box' (8 points) and 'can' (cylinder), panels: search, objects, hull, "
-        "algorithm, decision");
-  CHECK(summary(parsed(scene_text(R"({"points": [[0, 0]]})", ball, R"("dimension": 2, "panels": [])"))) ==
-        "'my scene', plane, 'point set' (1 point) and 'disc' (disc), panels: search");
-  const std::string capsule = R"({"name": "capsule", "sum": [{"points": [[0, 0, 0], [1, 0, 0]]}, )" + ball + "]}";
-  CHECK(summary(parsed(scene_text(capsule, ball, R"("panels": [])"))) ==
-        "'my scene', space, 'capsule' (sum of 2 points and a sphere) and 'sphere' (sphere), panels: search");
-}
-
 // -- Files ------------------------------------------------------------------------------------------------------------
 
 TEST_CASE("A scene is read from its file, which errors name", "[scene-file]") {
@@ -309,28 +275,6 @@ TEST_CASE("A scene is read from its file, which errors name", "[scene-file]") {
   CHECK(read_scene(good.path).walkthrough.name == "two-balls");
   const Written bad(scene_text(corner, "{}"));
   CHECK(complaint_about_file(bad.path).starts_with(bad.path.string() + ":3: b: has no shape"));
-}
-
-TEST_CASE("What is not a readable regular file is turned away without waiting for it", "[scene-file]") {
-  const Folder folder;
-  CHECK(complaint_about_file(folder.path()).starts_with(folder.path().string() + ": is a folder; "));
-  CHECK(complaint_about_file("/dev/zero") == "/dev/zero: is not a regular file; name a scene file");
-  const fs::path pipe = folder.path() / "pipe";
-  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  CHECK(complaint_about_file(pipe).find(": is not a regular file; ") != std::string::npos);
-  const fs::path none = folder.path() / "none.json";
-  CHECK(complaint_about_file(none).starts_with(none.string() + ": cannot be read: No such file or directory; "));
-  CHECK(complaint_about_file("").find("cannot be read") != std::string::npos);
-}
-
-TEST_CASE("A file that is too large is turned away unread", "[scene-file]") {
-  const Written file("");
-  fs::resize_file(file.path, std::uintmax_t{1} << 40);  // takes no room on the disk
-  CHECK(complaint_about_file(file.path).find(": is larger than 16 MiB; ") != std::string::npos);
-  fs::resize_file(file.path, scene_limits::bytes + 1);
-  CHECK(complaint_about_file(file.path).find("larger than 16 MiB") != std::string::npos);
-  fs::resize_file(file.path, scene_limits::bytes);
-  CHECK(complaint_about_file(file.path).find("byte 0") != std::string::npos);
 }
 
 // -- The corpus of the fuzzer -----------------------------------------------------------------------------------------

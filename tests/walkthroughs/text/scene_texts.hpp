@@ -53,13 +53,6 @@ inline void check_complaint(const std::string& text, const std::string& place, c
   CHECK(said.size() < 400);
 }
 
-inline void check_object(const std::string& object, const std::string& place, const std::vector<std::string>& parts) {
-  check_complaint(scene_text(object, ball), place, parts);
-}
-inline void check_rest(const std::string& rest, const std::string& place, const std::vector<std::string>& parts) {
-  check_complaint(scene_text(corner, ball, rest), place, parts);
-}
-
 /// A file in a folder of its own.
 struct Written {
   explicit Written(const std::string& text, const std::string& name = "scene.json") : path(folder.path() / name) {
