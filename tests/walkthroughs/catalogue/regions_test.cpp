@@ -267,13 +267,18 @@ TEST_CASE("In a walkthrough of a region no other point is as far as the one that
   }
 }
 
-TEST_CASE("Every point of the objects in walkthroughs of regions is a corner") {
-  for (const Walkthrough* w : regions())
-    for (const Object* object : {&w->scenes[0].a, &w->scenes[0].b}) {
+TEST_CASE(
+    "Objects of walkthroughs of regions have small whole corners, no other points, two names and default options") {
+  for (const Walkthrough* w : regions()) {
+    const Scene& scene = w->scenes.at(0);
+    bool is_flat = true;
+    for (const Object* object : {&scene.a, &scene.b}) {
       INFO(w->name << ", " << object->name);
       const std::vector<Point> points = vertices_of(*object);
       CHECK(points.size() >= 3);
       for (const Point& p : points) {
+        for (const double x : p) CHECK((x == std::round(x) && std::abs(x) <= 5));
+        is_flat = is_flat && p.z() == 0;
         std::vector<Point> others;
         for (const Point& q : points)
           if (q != p) others.push_back(q - p);
@@ -281,59 +286,33 @@ TEST_CASE("Every point of the objects in walkthroughs of regions is a corner") {
         CHECK_FALSE(hold_origin(others));
       }
     }
-}
-
-TEST_CASE("The simplex that a walkthrough of a region is about is easy to see") {
-  for (const Walkthrough* w : regions()) {
     INFO(w->name);
-    const std::vector<Point> corners = corners_at(run_of(*w), dimension_of(*w) + 1);
-    for (const Point& p : corners)
-      for (const Point& q : corners)
-        if (&p != &q) CHECK((p - q).norm() >= 0.2 * diameter(corners));
-    for (const Point& p : corners)
-      for (const Point& q : corners)
-        for (const Point& r : corners)
-          if (&p != &q && &q != &r && &r != &p) CHECK(angle(p, q, r) >= (is_narrow(*w) ? 15 : 20));
+    CHECK(is_flat == (scene.dimension == Dimension::plane));
+    CHECK(scene.a.name != scene.b.name);
+    CHECK(scene.options.first_direction == Point(1, 0, 0));
+    CHECK(scene.options.crossing_test == gjk::CrossingTest::on);
+    CHECK(scene.rules == RuleSet::as_intended);
   }
 }
 
-TEST_CASE("In walkthroughs of regions the origin is plainly on one side of whatever it is not on") {
+TEST_CASE(
+    "The simplex that a walkthrough of a region is about is easy to see, the origin plainly on one side or on it") {
   for (const Walkthrough* w : regions()) {
     INFO(w->name);
     const Run run = run_of(*w);
     const int decision = dimension_of(*w) + 1;
-    if (!run.at(decision).simplex) continue;
-    const double size = diameter(corners_at(run, decision));
+    const std::vector<Point> corners = corners_at(run, decision);
+    const double size = diameter(corners);
+    for (const Point& p : corners)
+      for (const Point& q : corners) {
+        if (&p == &q) continue;
+        CHECK((p - q).norm() >= 0.2 * size);
+        for (const Point& r : corners)
+          if (&q != &r && &r != &p) CHECK(angle(p, q, r) >= (is_narrow(*w) ? 15 : 20));
+      }
     for (const auto& region : run.at(decision).regions)
       if (const double* value = std::get_if<double>(&region.value); value && *value != 0)
         CHECK(std::abs(*value) / region.normal.value().norm() >= (is_narrow(*w) ? 0.014 : 0.08) * size);
-  }
-}
-
-TEST_CASE("Objects of planar walkthroughs of regions lie in the plane z = 0 and the others do not") {
-  for (const Walkthrough* w : regions()) {
-    INFO(w->name);
-    bool flat = true;
-    for (const Object* object : {&w->scenes[0].a, &w->scenes[0].b})
-      for (const Point& p : vertices_of(*object)) flat = flat && p.z() == 0;
-    CHECK(flat == (w->scenes[0].dimension == Dimension::plane));
-  }
-}
-
-TEST_CASE("Walkthroughs of regions have small integers and two names and the default options") {
-  for (const Walkthrough* w : regions()) {
-    INFO(w->name);
-    const Scene& scene = w->scenes.at(0);
-    CHECK(scene.a.name != scene.b.name);
-    for (const Object* object : {&scene.a, &scene.b})
-      for (const Point& p : vertices_of(*object))
-        for (const double x : {p.x(), p.y(), p.z()}) {
-          CHECK(x == std::round(x));
-          CHECK(std::abs(x) <= 5);
-        }
-    CHECK(scene.options.first_direction == Point(1, 0, 0));
-    CHECK(scene.options.crossing_test == gjk::CrossingTest::on);
-    CHECK(scene.rules == RuleSet::as_intended);
   }
 }
 
