@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "tests/kit/folder.hpp"
+#include "tests/walkthroughs/polygons.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs::test {
-
-using render::Vec2;
 
 inline const Walkthrough& walkthrough(const std::string& name) {
   if (const Walkthrough* found = find_walkthrough(name)) return *found;
@@ -85,17 +84,6 @@ struct Told {
     return letters;
   }
 };
-
-inline double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
-
-/// Returns: whether `p` lies on the other side of the line through `from` and `to` than `inside`.
-inline bool beyond(const Vec2& from, const Vec2& to, const Vec2& p, const Vec2& inside) {
-  return cross(to - from, p - from) * cross(to - from, inside - from) < 0;
-}
-
-inline bool triangle_contains(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  return !beyond(a, b, p, c) && !beyond(b, c, p, a) && !beyond(c, a, p, b);
-}
 
 using kit::bytes_of, kit::Folder, kit::listing;
 

@@ -1,62 +1,59 @@
-// Searches that go round in a circle: that they do, and that a frame says so.
+// Searches that go round in a circle: that they do, that a frame says so, and that the complete rules do not.
 
-#include "tests/core/oracle.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/places.hpp"
+#include "tests/kit/text.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
-#include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/picture/stage.hpp"
+#include "walkthroughs/story/decision.hpp"
+#include "walkthroughs/story/exact.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
-using gjk::test::exact;
-using gjk::test::ExactVecs;
+using gjk::Status;
 
 namespace {
 
 const std::vector<std::string> cycles = {"cycle-separated", "cycle-intersecting"};
 
-bool intersect(const Scene& scene) {
-  ExactVecs differences;
-  for (const Point& a : vertices_of(scene.a))
-    for (const Point& b : vertices_of(scene.b)) differences.push_back(exact(a) - exact(b));
-  return gjk::test::contain_origin(differences);
+void check_last_but_one_tells(const Return& back, const Story& story) {
+  CHECK(std::ranges::count(story.frames, Focus::repetition, &Frame::focus) == 1);
+  const Frame& frame = story.frames.at(story.frames.size() - 2);
+  CHECK(frame.focus == Focus::repetition);
+  CHECK(frame.events[0].last == back.event);
+  CHECK(kit::has(frame.caption, " iteration " + std::to_string(back.to_iteration) + ":"));
+  CHECK(kit::has(frame.headline, " iteration " + std::to_string(back.to_iteration) + "."));
+  CHECK(frame.facts.back().mark == Fact::Mark::no);
 }
 
 }  // namespace
 
-TEST_CASE("Of the two pairs that run in circles one is apart and one is not") {
-  CHECK_FALSE(intersect(walkthrough("cycle-separated").scenes[0]));
-  CHECK(intersect(walkthrough("cycle-intersecting").scenes[0]));
-}
-
-TEST_CASE("A search that runs in circles ends undecided, as soon as it is back where it was") {
-  for (const std::string& name : cycles) {
-    INFO(name);
-    const Told told(name);
-    const gjk::Result<double> result = told.result();
-    CHECK(result.status == gjk::Status::undecided);
-    CHECK(result.reason == gjk::Reason::cycle);
-    CHECK(result.iterations == 9);
-    const auto back = first_return(told.trace);
-    REQUIRE(back);
-    CHECK(result.cycle_start == back->to_iteration + 1);
-    CHECK(back->event + 2 == told.trace.events.size());
-  }
-}
-
-TEST_CASE("One frame, the last but one, says which iteration the search is back in") {
+TEST_CASE("A search that runs in circles ends undecided, as soon as it is back where it was, and a frame says so") {
   for (const std::string& name : cycles) {
     INFO(name);
     const Story story = tell(walkthrough(name));
     const Trace& trace = story.tellings[0].trace;
-    const Return back = first_return(trace).value();
-    CHECK(std::ranges::count(story.frames, Focus::repetition, &Frame::focus) == 1);
-    const Frame& frame = story.frames.at(story.frames.size() - 2);
-    CHECK(frame.focus == Focus::repetition);
-    CHECK(frame.events[0].last == back.event);
-    CHECK(frame.caption.find(" iteration " + std::to_string(back.to_iteration) + ":") != std::string::npos);
-    CHECK(frame.headline.find(" iteration " + std::to_string(back.to_iteration) + ".") != std::string::npos);
-    CHECK(frame.facts.back().mark == Fact::Mark::no);
+    const gjk::Result<double> result = all<gjk::Finished>(trace).at(0).result;
+    CHECK(result.status == Status::undecided);
+    CHECK(result.reason == gjk::Reason::cycle);
+    CHECK(result.iterations == 9);
+    const auto back = first_return(trace);
+    REQUIRE(back);
+    CHECK(result.cycle_start == back->to_iteration + 1);
+    CHECK(back->event + 2 == trace.events.size());
+    check_last_but_one_tells(*back, story);
+  }
+}
+
+TEST_CASE("The two searches that run in circles do so without the crossing test too") {
+  for (const std::string& name : cycles) {
+    Walkthrough w = walkthrough(name);
+    w.scenes[0].options.crossing_test = gjk::CrossingTest::off;
+    const Story story = tell(w);
+    CHECK(Told(w.scenes[0]).result().reason == gjk::Reason::cycle);
+    const auto back = first_return(story.tellings[0].trace);
+    REQUIRE(back);
+    check_last_but_one_tells(*back, story);
   }
 }
 
@@ -81,29 +78,50 @@ TEST_CASE(
     CHECK(story.frames[i].moments[0].iteration <= story.frames[i - 1].moments[0].iteration + 1);
 }
 
-TEST_CASE("The two searches that run in circles do so without the crossing test too") {
+TEST_CASE("The last frame tells how often a search goes round, as the study has it") {
+  CHECK(kit::has(bytes_of(kit::source("tests/study/results") / "errors.md"), "| triangles | 4e-6 ("));
   for (const std::string& name : cycles) {
-    Walkthrough w = walkthrough(name);
-    w.scenes[0].options.crossing_test = gjk::CrossingTest::off;
-    const Story story = tell(w);
-    const auto back = first_return(story.tellings[0].trace);
-    CHECK(Told(w.scenes[0]).result().reason == gjk::Reason::cycle);
-    REQUIRE(back);
-    const Frame& frame = story.frames.at(story.frames.size() - 2);
-    CHECK(frame.focus == Focus::repetition);
-    CHECK(frame.events[0].last == back->event);
+    const std::vector<Fact> facts = tell(walkthrough(name)).frames.back().facts;
+    CHECK(kit::has(facts.at(1).text, "Of a million random pairs of triangles 4 go round"));
   }
 }
 
-TEST_CASE("The last frame tells why it goes round, how often, as the study has it, and what helps") {
-  const std::string measured = bytes_of(kit::source("tests/study/results") / "errors.md");
-  CHECK(measured.find("| triangles | 4e-6 (") != std::string::npos);
-  for (const std::string& name : cycles) {
-    INFO(name);
-    const std::vector<Fact> facts = tell(walkthrough(name)).frames.back().facts;
-    REQUIRE(facts.size() >= 2);
-    CHECK(facts[1].text.find("Of a million random pairs of triangles 4 go round") != std::string::npos);
-    CHECK(facts[1].text.find("the complete rules end, but where numbers round; a certified answer always does") !=
-          std::string::npos);
+// -- The complete rules -----------------------------------------------------------------------------------------------
+
+TEST_CASE("By the complete rules the pairs that run in circles are decided, as exact arithmetic does") {
+  for (const auto& [name, truth] :
+       {std::pair("cycle-separated", Status::separated), std::pair("cycle-intersecting", Status::intersecting)}) {
+    const Told told(std::string("complete/") + name);
+    CHECK(told.result().status == truth);
+    CHECK(exact_answer(told.scene) == truth);
   }
+}
+
+TEST_CASE("Beside the report's rules, which go round, the complete rules end, seen from the same place") {
+  const StagedStory both{tell(walkthrough("complete/beside-the-report"))};
+  const auto result = [&](std::size_t s) {
+    return std::get<gjk::Finished<double>>(both.tellings[s].trace.events.back()).result;
+  };
+  CHECK(result(0).reason == gjk::Reason::cycle);
+  CHECK(result(1).status == Status::separated);
+  CHECK(both.stages[0].lens.camera->toward_viewer() == both.stages[1].lens.camera->toward_viewer());
+}
+
+TEST_CASE("Whether an edge leads toward the origin is shown in the plane of both") {
+  int shown = 0;
+  for (const char* const name : {"complete/cycle-separated", "complete/cycle-intersecting"}) {
+    const Story story = tell(walkthrough(name));
+    for (const Frame& frame : story.frames) {
+      if (frame.focus != Focus::region || !asks_along_edge(frame.moments[0].regions.back())) continue;
+      const gjk::RegionTested<double>& asked = frame.moments[0].regions.back();
+      INFO(name << ": " << frame.caption);
+      const auto views = decision_views(frame.moments[0], frame.focus);
+      REQUIRE(views.size() == 1);
+      CHECK(views[0].kind == DecisionView::Kind::segment);
+      CHECK(views[0].face == asked.feature);
+      CHECK(kit::has(frame.caption, " leads from A toward the origin.") == (std::get<double>(asked.value) > 0));
+      ++shown;
+    }
+  }
+  CHECK(shown == 24);
 }

@@ -12,22 +12,26 @@
 
 namespace walkthroughs::test {
 
-/// The point of a feature's line, plane or space that is nearest to a point, as weights of the feature's vertices.
+/// The point of a feature's line, plane or space that is nearest to a point, and the weights of the feature's vertices in it:
+/// one is negative exactly where the point lies beyond what is opposite to its vertex.
 struct Footpoint {
-  Eigen::VectorXd weights;
-  double distance;
+  std::vector<double> weights;
+  Point at;
 };
 
+/// Requires: up to four vertices. Of vertices that depend on each other the weights are not finite.
 inline Footpoint footpoint(const std::vector<Point>& vertices, const Point& p) {
-  const auto count = static_cast<Eigen::Index>(vertices.size());
-  Eigen::MatrixXd span(3, count - 1);
-  for (Eigen::Index i = 1; i < count; ++i) span.col(i - 1) = vertices[static_cast<std::size_t>(i)] - vertices[0];
-  Eigen::VectorXd weights(count);
-  if (count > 1) weights.tail(count - 1) = span.colPivHouseholderQr().solve(p - vertices[0]);
-  weights[0] = 1 - (count > 1 ? weights.tail(count - 1).sum() : 0);
-  Point foot = vertices[0];
-  if (count > 1) foot += span * weights.tail(count - 1);
-  return {weights, (foot - p).norm()};
+  Eigen::Matrix3d edges = Eigen::Matrix3d::Zero(), missing = Eigen::Matrix3d::Identity();
+  const auto count = static_cast<Eigen::Index>(vertices.size()) - 1;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    edges.col(i) = vertices[static_cast<std::size_t>(i) + 1] - vertices[0];
+    missing(i, i) = 0;
+  }
+  const Eigen::Matrix3d gram = edges.transpose() * edges + missing;
+  const Point found = gram.inverse() * (edges.transpose() * (p - vertices[0]));
+  std::vector<double> weights{1 - found.sum()};
+  for (Eigen::Index i = 0; i < count; ++i) weights.push_back(found[i]);
+  return {weights, vertices[0] + edges * found};
 }
 
 /// Returns: its letters in alphabetical order; empty where a point lies on the border between two regions.
@@ -44,10 +48,10 @@ inline std::string nearest_feature(const Simplex& simplex, const Point& p) {
       letters += gjk::letter(static_cast<gjk::Role>(i));
     }
     const Footpoint found = footpoint(vertices, p);
-    if (found.weights.minCoeff() < -border || found.distance > least + border) continue;
-    const bool tie = found.distance > least - border || found.weights.minCoeff() < border;
-    nearest = tie ? "" : letters;
-    least = std::min(least, found.distance);
+    const double distance = (found.at - p).norm(), weight = *std::ranges::min_element(found.weights);
+    if (weight < -border || distance > least + border) continue;
+    nearest = distance > least - border || weight < border ? "" : letters;
+    least = std::min(least, distance);
   }
   return nearest;
 }

@@ -2,40 +2,41 @@
 
 #include "walkthroughs/model/any_shape.hpp"
 
-#include <random>
 #include <set>
 
-#include "core/gjk.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
+#include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/model/exact_number.hpp"
-#include "walkthroughs/model/scene.hpp"
 
 using namespace walkthroughs;
+using namespace walkthroughs::test;
 
 namespace {
 
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double number() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
-  Point point() { return {number(), number(), number()}; }
-  Points points(int count) {
-    Points list;
-    for (int i = 0; i < count; ++i) list.push_back(point());
-    return list;
-  }
-  AnyShape shape(int sums = 2) {
-    switch (std::uniform_int_distribution<int>(0, sums > 0 ? 3 : 2)(random_)) {
-      case 0: return points(5);
-      case 1: return Ball{point(), std::abs(number())};
-      case 2: return Cylinder{point(), point(), std::abs(number()), std::abs(number())};
-      default: return Sum{{shape(sums - 1), shape(sums - 1)}};
-    }
-  }
+Point point_at_random(kit::Dice& dice) {
+  const double x = dice.between(-1.0, 1.0), y = dice.between(-1.0, 1.0);
+  return {x, y, dice.between(-1.0, 1.0)};
+}
 
- private:
-  std::mt19937 random_;
-};
+Points points_at_random(kit::Dice& dice, int count) {
+  Points list;
+  for (int i = 0; i < count; ++i) list.push_back(point_at_random(dice));
+  return list;
+}
+
+AnyShape shape_at_random(kit::Dice& dice, int sums = 2) {
+  const int kind = dice.between(0, sums > 0 ? 3 : 2);
+  if (kind == 0) return points_at_random(dice, 5);
+  if (kind == 3) {
+    const AnyShape one = shape_at_random(dice, sums - 1);
+    return Sum{{one, shape_at_random(dice, sums - 1)}};
+  }
+  const Point center = point_at_random(dice), axis = point_at_random(dice);
+  const double radius = dice.between(0.0, 1.0);
+  if (kind == 1) return Ball{center, radius};
+  return Cylinder{center, axis, radius, dice.between(0.0, 1.0)};
+}
 
 Points all_sums(const Points& a, const Points& b) {
   Points all;
@@ -75,47 +76,43 @@ TEST_CASE("Every shape has a key and a name of its own") {
 }
 
 TEST_CASE("Support of a sum (Eq. 7): the farthest point reaches as far as those of the two together") {
-  Dice dice(3);
+  kit::Dice dice(3);
   for (int i = 0; i < 500; ++i) {
-    const AnyShape shape = Sum{{dice.shape(), dice.shape()}};
-    const Point d = dice.point();
+    const AnyShape one = shape_at_random(dice), shape = Sum{{one, shape_at_random(dice)}};
+    const Point d = point_at_random(dice);
     const gjk::SupportPoint<double> found = Asked<double>(shape).support(d);
     CHECK(found.point.dot(d) == Approx(reach(shape, d)).margin(1e-12));
     CHECK(!found.index);
+    CHECK(middle(shape).dot(d) <= reach(shape, d));  // which lies inside
   }
 }
 
-TEST_CASE("Support of a sum of point sets is the farthest of all sums, by trying them all") {
-  Dice dice(4);
-  for (int i = 0; i < 200; ++i) {
-    const Points a = dice.points(6), b = dice.points(4);
-    const Point d = dice.point();
-    CHECK(Asked<double>(Sum{{a, b}}).support(d).point == Asked<double>(all_sums(a, b)).support(d).point);
-  }
-}
-
-TEST_CASE("GJK answers for a sum of point sets as for the set of all sums: status, iterations, simplex") {
-  Dice dice(5);
-  const auto check = [&]<class S>(S) {
-    for (int i = 0; i < 100; ++i) {
-      Points quarters[3];  // doubles hold all that is computed from these, so that both ways find the same numbers
-      for (Points& points : quarters) {
-        points = dice.points(4);
-        for (Point& p : points) p = (p * 64).array().round() / 4;
-      }
-      const auto in = [](const AnyShape& shape) { return Asked<S>(converted<S>(shape, Cast<S>{})); };
-      const Asked<S> sum = in(Sum{{quarters[0], quarters[1]}}), all = in(all_sums(quarters[0], quarters[1]));
-      const Asked<S> other = in(quarters[2]);
-      const auto found = gjk::collision<S>(sum, other, gjk::Options<S>{}),
-                 expected = gjk::collision<S>(all, other, gjk::Options<S>{});
-      CHECK(found.status == expected.status);
-      CHECK(found.iterations == expected.iterations);
-      REQUIRE(found.simplex.size() == expected.simplex.size());
-      for (int k = 0; k < found.simplex.size(); ++k) CHECK(found.simplex[k].w == expected.simplex[k].w);
+TEST_CASE(
+    "A sum of point sets is, to the support function and to GJK, the set of all sums, in doubles and in fractions") {
+  kit::Dice dice(5);
+  for (int i = 0; i < 100; ++i) {
+    Points
+        sets[3];  // of quarters: doubles hold all that is computed from these, so that both ways find the same numbers
+    for (Points& points : sets) {
+      points = points_at_random(dice, 4);
+      for (Point& p : points) p = (p * 64).array().round() / 4;
     }
-  };
-  check(double{});
-  check(Exact{});
+    const AnyShape sum = Sum{{sets[0], sets[1]}}, all_of_them = all_sums(sets[0], sets[1]);
+    const Point d = point_at_random(dice);
+    CHECK(Asked<double>(sum).support(d).point == Asked<double>(all_of_them).support(d).point);
+    const auto in_fractions = [&](const AnyShape& shape) {
+      return Asked<Exact>(converted<Exact>(shape, Cast<Exact>{})).support(d.cast<Exact>()).point;
+    };
+    CHECK(in_fractions(sum) == in_fractions(all_of_them));
+    const auto result = [&](const AnyShape& shape) {
+      return all<gjk::Finished>(run({.name = "", .a = {"a", shape}, .b = {"b", sets[2]}})).at(0).result;
+    };
+    const gjk::Result<double> found = result(sum), expected = result(all_of_them);
+    CHECK(found.status == expected.status);
+    CHECK(found.iterations == expected.iterations);
+    REQUIRE(found.simplex.size() == expected.simplex.size());
+    for (int k = 0; k < found.simplex.size(); ++k) CHECK(found.simplex[k].w == expected.simplex[k].w);
+  }
 }
 
 TEST_CASE("Converting turns each number by what it is") {
@@ -145,13 +142,7 @@ TEST_CASE("The largest number of a shape is that of all its fields, also within 
   CHECK(largest_number(AnyShape(Sum{{can(), Ball{{0, -20, 0}, 1}}})) == 20);
 }
 
-TEST_CASE("The middle of a shape lies inside, of a sum it is the sum of the middles") {
-  Dice dice(6);
-  for (int i = 0; i < 200; ++i) {
-    const AnyShape shape = dice.shape();
-    const Point d = dice.point();
-    CHECK(middle(shape).dot(d) <= reach(shape, d));
-  }
+TEST_CASE("The middle of a sum is the sum of the middles") {
   CHECK(middle(AnyShape(Sum{{Points{{0, 0, 0}, {2, 4, 6}}, can()}})) == Point(2, 0, 6));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -57,27 +58,45 @@ Words words_at(const Json& properties, const std::string& key) {
   return value.contains("const") ? Words{value["const"].get<std::string>()} : value.value("enum", Words{});
 }
 
-/// Checks that the `objects` of the schema together have the fields of R, those that cannot be missing in each.
+/// What the lists of fields say of a key.
+struct Listed {
+  std::string key;
+  bool may_be_missing;
+  std::optional<Words> words;  ///< of those that have some to choose from
+};
+
 template <class R>
-void check_same_fields(const std::vector<Json>& objects, const Words& besides = {}) {
+std::vector<Listed> fields_of() {
+  std::vector<Listed> list;
+  const R record{};
+  for_each_field(record, [&](const auto& field, const auto& value) {
+    list.push_back({std::string(field.key), field.may_be_missing(), {}});
+    if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>) {
+      const auto& known = words_of::all(value);
+      list.back().words.emplace(known.begin(), known.end());
+    }
+  });
+  return list;
+}
+
+/// Checks that the `objects` of the schema together have these fields, those that cannot be missing in each.
+void check_same_fields(const std::vector<Json>& objects, const std::vector<Listed>& fields, const Words& besides = {}) {
   REQUIRE(!objects.empty());
   Words in_list = besides, in_schema;
   for (const Json& object : objects)
     for (const auto& [key, value] : object.at("properties").items()) in_schema.insert(key);
-  const R record{};
-  for_each_field(record, [&](const auto& field, const auto& value) {
-    const std::string key(field.key);
-    in_list.insert(key);
-    INFO(key);
-    const auto requires_it = [&](const Json& object) { return object.at("required").get<Words>().count(key) == 1; };
-    CHECK(std::ranges::all_of(objects, requires_it) != field.may_be_missing());
-    if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>) {
-      Words words;
-      for (const Json& object : objects) words.merge(words_at(object.at("properties"), key));
-      const auto& known = words_of::all(value);
-      CHECK(words == Words(known.begin(), known.end()));
+  for (const Listed& field : fields) {
+    in_list.insert(field.key);
+    INFO(field.key);
+    Words words;
+    bool is_required = true;
+    for (const Json& object : objects) {
+      is_required = is_required && object.at("required").get<Words>().count(field.key) == 1;
+      if (field.words) words.merge(words_at(object.at("properties"), field.key));
     }
-  });
+    CHECK(is_required != field.may_be_missing);
+    if (field.words) CHECK(words == *field.words);
+  }
   CHECK(in_schema == in_list);
 }
 
@@ -88,7 +107,8 @@ void check_same_events(std::type_identity<std::variant<Events...>>) {
     for (const std::string& event : words_at(each.value("properties", Json::object()), "event"))
       lines[event].push_back(each);
   CHECK(lines.size() == sizeof...(Events));
-  (check_same_fields<Events>(lines[std::string(FieldsOf<Events>::event)], {"scene", "iteration", "event"}), ...);
+  (check_same_fields(lines[std::string(FieldsOf<Events>::event)], fields_of<Events>(), {"scene", "iteration", "event"}),
+   ...);
 }
 
 }  // namespace
@@ -99,9 +119,10 @@ TEST_CASE("The schema of traces has the fields and words of each event, and requ
 
 TEST_CASE("The schema of traces has the fields of what events are made of") {
   const Json defs = definitions();
-  check_same_fields<gjk::SupportPoint<double>>({defs.at("support")});
-  check_same_fields<gjk::Vertex<double>>({defs.at("vertex")});
-  check_same_fields<gjk::Separation<double>>({defs.at("finished-separated").at("properties").at("separation")});
+  check_same_fields({defs.at("support")}, fields_of<gjk::SupportPoint<double>>());
+  check_same_fields({defs.at("vertex")}, fields_of<gjk::Vertex<double>>());
+  check_same_fields({defs.at("finished-separated").at("properties").at("separation")},
+                    fields_of<gjk::Separation<double>>());
 }
 
 TEST_CASE("The schema of traces has each shape, and the fields of those that have some") {

@@ -2,7 +2,7 @@
 
 #include "walkthroughs/model/moment.hpp"
 
-#include <sstream>
+#include <optional>
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -23,52 +23,42 @@ std::vector<Told> searches() {
   return list;
 }
 
-/// The state that counts, as the events state it outright.
-struct State {
-  std::string simplex, found;
-  Point direction = {0, 0, 0};
-};
-
-std::string points(const Simplex& simplex) {
-  std::ostringstream text;
-  for (int i = 0; i < simplex.size(); ++i) text << simplex[i].w.transpose() << ';';
-  return text.str();
-}
-
-std::string point(const Point& p) {
-  std::ostringstream text;
-  text << p.transpose();
-  return text.str();
-}
-
-std::vector<State> states(const Trace& trace) {
-  std::vector<State> list;
-  State now;
-  for (const auto& event : trace.events) {
-    if (const auto* e = std::get_if<gjk::SearchStarted<double>>(&event)) now.direction = e->direction;
-    if (const auto* e = std::get_if<gjk::SupportFound<double>>(&event)) now.found = point(e->vertex.w);
-    if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&event)) now.simplex = points(e->simplex);
-    if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&event)) now.simplex = points(e->after);
-    if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&event)) {
-      now.direction = e->direction;
-      now.found.clear();
-    }
-    list.push_back(now);
-  }
+std::vector<Point> points_of(const Simplex& simplex) {
+  std::vector<Point> list;
+  for (int i = 0; i < simplex.size(); ++i) list.push_back(simplex[i].w);
   return list;
 }
 
 }  // namespace
 
-TEST_CASE("Simplex, direction and the vertex found are as the trace states them after each event") {
+TEST_CASE("After each event the moment is as the events state it outright, and of the iteration at hand") {
   for (const Told& told : searches()) {
-    const std::vector<State> expected = states(told.trace);
-    for (std::size_t i = 0; i < expected.size(); ++i) {
+    std::vector<Point> simplex;
+    std::optional<Point> found, direction;
+    std::vector<std::string> features;
+    int iteration = 0;
+    for (std::size_t i = 0; i < told.trace.events.size(); ++i) {
+      const auto& event = told.trace.events[i];
+      if (iteration_of(event) != std::exchange(iteration, iteration_of(event))) features.clear();
+      if (const auto* e = std::get_if<gjk::SearchStarted<double>>(&event)) direction = e->direction;
+      if (const auto* e = std::get_if<gjk::SupportFound<double>>(&event)) found = e->vertex.w;
+      if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&event)) simplex = points_of(e->simplex);
+      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&event)) features.push_back(e->feature + e->face);
+      if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&event)) simplex = points_of(e->after);
+      if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&event)) direction = e->direction, found.reset();
       const Moment now = replay(told.trace, i + 1);
-      CHECK(points(now.simplex) == expected[i].simplex);
-      CHECK(now.direction->value == expected[i].direction);
-      CHECK((now.found ? point(now.found->w) : "") == expected[i].found);
+      CHECK(points_of(now.simplex) == simplex);
+      CHECK(now.direction->value == direction);
+      CHECK((now.found ? std::optional(now.found->w) : std::nullopt) == found);
+      std::vector<std::string> replayed;
+      for (const auto& region : now.regions) replayed.push_back(region.feature + region.face);
+      CHECK(replayed == features);
+      if (now.crossing) CHECK(now.crossing->iteration == iteration);
+      if (now.reduction) CHECK(now.reduction->iteration == iteration);
+      CHECK(now.result.has_value() == (i + 1 == told.trace.events.size()));
     }
+    CHECK(replay(told.trace, told.trace.events.size()).result->status == told.result().status);
+    CHECK(simplex == points_of(told.result().simplex));
   }
 }
 
@@ -78,33 +68,6 @@ TEST_CASE("Before the first event nothing is known") {
   CHECK_FALSE(now.direction.has_value());
   CHECK(now.simplex.size() == 0);
   CHECK(now.segments.empty());
-}
-
-TEST_CASE("The last moment has the result, and no other has") {
-  for (const Told& told : searches()) {
-    const std::size_t count = told.trace.events.size();
-    for (std::size_t i = 0; i < count; ++i) CHECK_FALSE(replay(told.trace, i).result.has_value());
-    CHECK(replay(told.trace, count).result->status == told.result().status);
-    CHECK(points(replay(told.trace, count).simplex) == points(told.result().simplex));
-  }
-}
-
-TEST_CASE("Crossing, regions and reduction are those of the iteration at hand") {
-  for (const Told& told : searches()) {
-    std::vector<std::string> features;
-    int iteration = 0;
-    for (std::size_t i = 0; i < told.trace.events.size(); ++i) {
-      const auto& event = told.trace.events[i];
-      if (iteration_of(event) != std::exchange(iteration, iteration_of(event))) features.clear();
-      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&event)) features.push_back(e->feature + e->face);
-      const Moment now = replay(told.trace, i + 1);
-      std::vector<std::string> replayed;
-      for (const auto& region : now.regions) replayed.push_back(region.feature + region.face);
-      CHECK(replayed == features);
-      if (now.crossing) CHECK(now.crossing->iteration == iteration);
-      if (now.reduction) CHECK(now.reduction->iteration == iteration);
-    }
-  }
 }
 
 TEST_CASE("A direction leads away from the simplex that was kept, the first from none") {

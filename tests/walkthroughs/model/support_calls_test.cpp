@@ -42,8 +42,6 @@ void draw_all(const StagedStory& story) {
   }
 }
 
-bool has_round_objects(const Scene& scene) { return vertices_of(scene.a).empty() || vertices_of(scene.b).empty(); }
-
 }  // namespace
 
 TEST_CASE("The search asks each object once for each point it finds") {
@@ -55,26 +53,18 @@ TEST_CASE("The search asks each object once for each point it finds") {
   }
 }
 
-TEST_CASE("Without the outline of the difference telling and drawing ask no support function", "[unsanitized]") {
+TEST_CASE("Telling and drawing ask support functions for an outline of the difference of round objects only",
+          "[unsanitized]") {
   for (const Walkthrough& original : catalogue()) {
     if (original.layout != Layout::search) continue;
     INFO(original.name);
-    const Walkthrough w = unasked(original, {.objects = true, .hull = false, .algorithm = true});
-    const StagedStory story(tell(w));
-    CHECK(calls_of(w) == calls_of_search(original));
-    draw_all(story);
-    CHECK(calls_of(w) == calls_of_search(original));
-  }
-}
-
-TEST_CASE("The outline of the difference asks the support functions of round objects only", "[unsanitized]") {
-  for (const Walkthrough& original : catalogue()) {
-    if (original.layout != Layout::search) continue;
-    INFO(original.name);
-    const Walkthrough w = unasked(original, {.objects = true, .hull = true, .algorithm = true});
-    draw_all(StagedStory(tell(w)));
-    const Calls calls = calls_of(w), of_search = calls_of_search(original);
-    CHECK((calls.at(0) > of_search.at(0)) == has_round_objects(w.scenes[0]));
-    CHECK((calls.at(1) > of_search.at(1)) == has_round_objects(w.scenes[0]));
+    const Calls of_search = calls_of_search(original);
+    const Walkthrough without = unasked(original, {.hull = false}), with = unasked(original, {});
+    draw_all(StagedStory(tell(without)));
+    CHECK(calls_of(without) == of_search);
+    draw_all(StagedStory(tell(with)));
+    const Scene& scene = with.scenes[0];
+    const bool is_round = vertices_of(scene.a).empty() || vertices_of(scene.b).empty();
+    for (std::size_t i : {0u, 1u}) CHECK((calls_of(with).at(i) > of_search.at(i)) == is_round);
   }
 }

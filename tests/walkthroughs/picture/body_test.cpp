@@ -3,12 +3,13 @@
 #include "walkthroughs/picture/body.hpp"
 
 #include <numbers>
-#include <random>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
+#include "tests/walkthroughs/polygons.hpp"
 
 using namespace walkthroughs;
-using render::Vec2;
+using namespace walkthroughs::test;
 
 namespace {
 
@@ -27,6 +28,39 @@ Cylinder can() { return {{0.5, 0, 0}, {1, 2, 2}, 0.6, 2}; }
 Points segment() { return {{-1, 0, 0}, {2, 0, 0}}; }
 Points triangle() { return {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}; }
 
+Points around(int count, double z_of_base) {
+  Points rim;
+  for (int i = 0; i < count; ++i)
+    rim.emplace_back(std::cos(2 * pi * i / count), std::sin(2 * pi * i / count), z_of_base);
+  return rim;
+}
+
+Points cone(int count) {
+  Points points = around(count, 0);
+  points.emplace_back(0, 0, 2);
+  return points;
+}
+
+Points on_ball(int count, std::uint64_t seed = 1) {
+  kit::Dice dice(seed);
+  Points points;
+  while (points.size() < static_cast<std::size_t>(count)) {
+    const double x = dice.between(-1.0, 1.0), y = dice.between(-1.0, 1.0), z = dice.between(-1.0, 1.0);
+    if (const Point p(x, y, z); p.norm() <= 1) points.push_back(p.normalized());
+  }
+  return points;
+}
+
+/// Every point a corner, few of them farthest in a direction that one would think of, the hull nearly flat.
+Points twisted_cubic(int count) {
+  Points curve;
+  for (int i = 0; i < count; ++i) {
+    const double t = -1 + 2.0 * i / (count - 1);
+    curve.emplace_back(t, t * t, t * t * t);
+  }
+  return curve;
+}
+
 Pose askew() { return {Eigen::AngleAxisd(0.7, Point(1, -2, 3).normalized()).toRotationMatrix(), Point(5, 6, 7)}; }
 
 Lens from_above_the_side() { return {render::Camera(35, 25)}; }
@@ -36,19 +70,14 @@ std::vector<Vec2> outline_of(const AnyShape& shape, const Lens& lens, const Pose
   return outline(object, body_of(object, lens.camera ? Dimension::space : Dimension::plane), lens);
 }
 
-double area(const std::vector<Vec2>& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    twice += p.x() * q.y() - p.y() * q.x();
-  }
-  return twice / 2;
-}
-
 double reach(const std::vector<Vec2>& polygon, const Vec2& d) {
   double most = polygon.at(0).dot(d);
   for (const Vec2& p : polygon) most = std::max(most, p.dot(d));
   return most;
+}
+
+std::size_t flats_of(const AnyShape& shape, const Pose& pose = {}) {
+  return body_of({"object", shape, pose}, Dimension::space).flats.size();
 }
 
 /// The outline reaches as far as the support function of the object says, in each direction of the picture.
@@ -117,9 +146,7 @@ TEST_CASE("Sums of point sets are polytopes with the faces of their sum") {
 }
 
 TEST_CASE("What of a round object is flat: caps, the faces of a rounded box, nothing of a capsule") {
-  const auto flats = [](const AnyShape& shape) {
-    return body_of({"object", shape, askew()}, Dimension::space).flats.size();
-  };
+  const auto flats = [](const AnyShape& shape) { return flats_of(shape, askew()); };
   CHECK(flats(ball(1)) == 0);
   CHECK(flats(can()) == 2);
   CHECK(flats(Sum{{segment(), ball(1)}}) == 0);
@@ -131,19 +158,16 @@ TEST_CASE("What of a round object is flat: caps, the faces of a rounded box, not
 }
 
 TEST_CASE("Which parts are flat depends neither on where an object lies nor on the order of its points") {
-  const auto flats = [](const AnyShape& shape) {
-    return body_of({"object", shape, {}}, Dimension::space).flats.size();
-  };
-  CHECK(flats(Sum{{Points{{1, 2, 3}, {5, 2, 3}, {1, 5, 4}}, ball(1)}}) == 2);
-  std::mt19937 random(7474);
-  const auto coordinate = [&] { return static_cast<double>(random() % 9) - 4; };
+  CHECK(flats_of(Sum{{Points{{1, 2, 3}, {5, 2, 3}, {1, 5, 4}}, ball(1)}}) == 2);
+  kit::Dice dice(7474);
   for (int i = 0; i < 100; ++i) {
-    Points points;
-    for (int k = 0; k < 6; ++k) points.emplace_back(coordinate(), coordinate(), coordinate());
-    const std::size_t expected = flats(Sum{{points, can()}});
+    Points points(6);
+    for (Point& p : points)
+      for (double& x : p) x = dice.between(-4, 4);
+    const std::size_t expected = flats_of(Sum{{points, can()}});
     std::ranges::reverse(points);
     CAPTURE(i);
-    CHECK(flats(Sum{{points, can()}}) == expected);
+    CHECK(flats_of(Sum{{points, can()}}) == expected);
   }
 }
 
@@ -158,50 +182,10 @@ TEST_CASE("Each flat part lies where its object ends, and its rim in one plane")
 }
 
 TEST_CASE("A sum of point sets with too many corners has no faces and still its outline") {
-  std::mt19937 random(1);
-  std::normal_distribution<double> number;
-  Points many[2];
-  for (Points& points : many)
-    for (int i = 0; i < 300; ++i) points.push_back(Point(number(random), number(random), number(random)).normalized());
-  const AnyShape shape = Sum{{many[0], many[1]}};
+  const AnyShape shape = Sum{{on_ball(300, 1), on_ball(300, 2)}};
   CHECK(body_of({"object", shape, {}}, Dimension::space).vertices.empty());
   check_is_outline(shape, from_above_the_side(), {});
 }
-
-namespace {
-
-Points around(int count, double z_of_base) {
-  Points rim;
-  for (int i = 0; i < count; ++i)
-    rim.emplace_back(std::cos(2 * pi * i / count), std::sin(2 * pi * i / count), z_of_base);
-  return rim;
-}
-
-Points on_ball(int count) {
-  std::mt19937 random(1);
-  std::normal_distribution<double> number;
-  Points points;
-  for (int i = 0; i < count; ++i) points.push_back(Point(number(random), number(random), number(random)).normalized());
-  return points;
-}
-
-/// Every point a corner, few of them farthest in a direction that one would think of, the hull nearly flat.
-Points twisted_cubic(int count) {
-  Points curve;
-  for (int i = 0; i < count; ++i) {
-    const double t = -1 + 2.0 * i / (count - 1);
-    curve.emplace_back(t, t * t, t * t * t);
-  }
-  return curve;
-}
-
-Points cone(int count) {
-  Points points = around(count, 0);
-  points.emplace_back(0, 0, 2);
-  return points;
-}
-
-}  // namespace
 
 TEST_CASE("A body with more corners than a picture can show is drawn as its outline, and only then") {
   for (const Points& many : {on_ball(1500), on_ball(20'000), cone(1200), cone(50'000)}) {
@@ -223,12 +207,9 @@ TEST_CASE("A body with more corners than a picture can show is drawn as its outl
 }
 
 TEST_CASE("Very many points along a curve are drawn as their outline, too") {
-  const Object object{"curve", twisted_cubic(50'000), {}};
-  const Body body = body_of(object, Dimension::space),
-             exact = body_of({"curve", twisted_cubic(1000), {}}, Dimension::space);
-  CHECK(area(outline(object, body, from_above_the_side())) ==
-        Approx(area(outline(object, exact, from_above_the_side()))).epsilon(1e-4));
-  CHECK(body.only_outline);
+  const auto area_of = [](const Points& points) { return area(outline_of(points, from_above_the_side())); };
+  CHECK(area_of(twisted_cubic(50'000)) == Approx(area_of(twisted_cubic(1000))).epsilon(1e-4));
+  CHECK(body_of({"curve", twisted_cubic(50'000), {}}, Dimension::space).only_outline);
 }
 
 TEST_CASE("What sticks out between the directions that are looked along is part of the hull") {
@@ -242,7 +223,7 @@ TEST_CASE("What sticks out between the directions that are looked along is part 
 
 TEST_CASE("A rounded cone of very many corners has its outline, too, and no flat parts") {
   const AnyShape shape = Sum{{cone(20'000), ball(0.5)}};
-  CHECK(body_of({"object", shape, {}}, Dimension::space).flats.empty());
+  CHECK(flats_of(shape) == 0);
   check_is_outline(shape, from_above_the_side(), {});
 }
 

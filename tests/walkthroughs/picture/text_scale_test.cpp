@@ -16,24 +16,11 @@ using namespace walkthroughs::test;
 
 namespace {
 
-Look look_of(double text_scale, Text text = Text::around) {
+Look look_of(double text_scale) {
   render::Theme theme = render::themes::report;
   theme.text = text_scale;
-  return {.style = Style(theme), .text = text};
+  return {.style = Style(theme)};
 }
-
-struct LaidOut {
-  int crowded;      ///< labels that are not clear, and lines of text that were left out
-  double smallest;  ///< em size of the text, in page units
-};
-
-LaidOut lay_out(const StagedStory& story, std::size_t index, const Look& look, render::Font& font) {
-  render::Canvas page(page_of_frame(look.text), page_of_frame(look.text), look.style.theme.paper, font);
-  const int crowded = draw_frame(page, story, index, look);
-  return {crowded, page.smallest_text()};
-}
-
-bool is_in_space(const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0].dimension == Dimension::space; }
 
 /// Searches that go round in circles show the same again and again.
 bool repeats(const Walkthrough& w) { return w.name.starts_with("cycle-"); }
@@ -53,8 +40,9 @@ TEST_CASE("At every scale of text all lines below the panels fit, and hardly a l
       const StagedStory story(tell(w));
       for (std::size_t i = which; i < story.frames.size(); i += scales.size()) {  // all are half a minute
         INFO(w.name << ", frame " << i << ", text " << scale);
-        const int crowded = lay_out(story, i, look, font).crowded;
-        CHECK(crowded <= (is_in_space(w) ? 3 : 1));
+        render::Canvas page(frame_page, frame_page, look.style.theme.paper, font);
+        const int crowded = draw_frame(page, story, i, look);
+        CHECK(crowded <= (!w.scenes.empty() && w.scenes[0].dimension == Dimension::space ? 3 : 1));
         with_crowded += crowded > 0 ? 1 : 0;
         ++frames;
       }
@@ -105,9 +93,12 @@ Listed list(const StagedStory& story, std::size_t index, double text_scale, doub
 
 }  // namespace
 
-TEST_CASE("Of pseudo-code in large letters an excerpt is shown that holds the line that runs", "[text-scale]") {
+TEST_CASE(
+    "Of pseudo-code in large letters an excerpt holds the line that runs, and ends in dots where the code goes on",
+    "[text-scale]") {
   render::Font font{render::Font::default_directory()};
   const StagedStory story(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
+  int with_dots = 0, without = 0;
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
     INFO("frame " << i);
     const bool is_marked = list(story, i, 1, 448, font).is_marked;
@@ -117,21 +108,11 @@ TEST_CASE("Of pseudo-code in large letters an excerpt is shown that holds the li
         CHECK(listed.is_marked == is_marked);
         CHECK(listed.smallest >= 17);  // as large as the largest at the usual scale, though long lines are fitted
       }
-  }
-}
-
-TEST_CASE("An excerpt of pseudo-code that ends before the algorithm does has dots in its last row, and no other has",
-          "[text-scale]") {
-  render::Font font{render::Font::default_directory()};
-  const StagedStory story(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
-  int with_dots = 0, without = 0;
-  for (std::size_t i = 0; i < story.frames.size(); ++i) {
     const Moment now = story.drawn(i, 0);
     const Focus focus = story.frames[i].focus;
     const auto& code = algorithm(running_algorithm(now, focus), RuleSet::as_intended);
     const std::optional<std::size_t> current = current_line(code, now, focus);
     if (code.size() < 20 || !current) continue;
-    INFO("frame " << i << ", line " << *current << " of " << code.size());
     const int letters = list(story, i, 1.5, 240, font).in_last_row;
     if (*current < 8) CHECK(letters == 1);
     if (*current > 17) CHECK(letters > 4);

@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/text.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
-#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/decision.hpp"
-#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -19,6 +19,8 @@ using namespace walkthroughs::test;
 namespace {
 
 using Mark = Fact::Mark;
+
+using kit::has;
 
 const Frame& frame(const Story& story, const std::string& caption) {
   const auto found = std::ranges::find(story.frames, caption, &Frame::caption);
@@ -119,32 +121,49 @@ std::vector<double> components(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
-TEST_CASE("Each caption is one sentence on one line", "[unsanitized]") {
+TEST_CASE("Each caption is one sentence on one line, alternative text has no markup and tells of each scene",
+          "[unsanitized]") {
   for (const Walkthrough& w : catalogue()) {
-    for (const Frame& f : tell(w).frames) {
+    const Story story = tell(w);
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      const Frame& f = story.frames[i];
       INFO(f.caption);
       CHECK(f.caption.ends_with('.'));
       CHECK_FALSE(f.caption.ends_with(".."));
       for (std::size_t dot = 0; (dot = f.caption.find(". ", dot)) != std::string::npos; ++dot)
         CHECK(f.caption.substr(0, dot).ends_with("Eq"));
       CHECK(f.caption.find_first_of("\n!?") == std::string::npos);
-      CHECK(f.caption.find("  ") == std::string::npos);
+      CHECK_FALSE(has(f.caption, "  "));
       CHECK((f.caption.front() >= 'A' && f.caption.front() <= 'Z'));
-      for (const Fact& fact : f.facts) CHECK(fact.text.find('\n') == std::string::npos);
+      for (const Fact& fact : f.facts) CHECK_FALSE(has(fact.text, "\n"));
+      const std::string text = alternative_text(story, i);
+      CHECK((text.ends_with('.') && !has(text, "_")));
+      for (const Scene& scene : w.scenes)
+        CHECK(has(text, "Of the two, " + scene.name + ": ") == (w.scenes.size() == 2));
     }
   }
 }
 
+TEST_CASE("Captions as JSON tell file, walkthrough, caption, facts, description and events of each frame") {
+  const Story story = tell(walkthrough("figure-5"));
+  const std::string json = captions_json({{"out/000.png", story, 0}, {"out/002.png", story, 2}});
+  std::string caption = plain(story.frames[2].caption), text = alternative_text(story, 2);
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; ++at) text.replace(at, 1, "\\n");
+  for (const std::string& part :
+       {std::string("\"schema\": \"gjkstep-captions\""), std::string("\"version\": 1"),
+        std::string("\"file\": \"out/000.png\""), std::string("\"file\": \"out/002.png\""),
+        std::string("\"walkthrough\": \"figure-5\""), "\"caption\": \"" + caption + "\"",
+        "\"" + plain(story.frames[2].facts.at(1).text) + "\"", "\"alternative_text\": \"" + text + "\""}) {
+    INFO(part);
+    CHECK(has(json, part));
+  }
+}
+
 TEST_CASE("What exact numbers say against the search is marked so, and no other remark") {
-  const auto last_marks = [](const char* name) {
-    const Story story = tell(walkthrough(name));
-    std::set<Fact::Mark> marks;
-    for (const Fact& fact : story.frames.back().facts) marks.insert(fact.mark);
-    return marks;
-  };
-  CHECK(last_marks("failures/far-from-the-origin").contains(Fact::Mark::truth));
-  for (const char* name : {"cycle-separated", "complete/cycle-separated"})
-    CHECK_FALSE(last_marks(name).contains(Fact::Mark::truth));
+  for (const auto& [name, is_marked] : {std::pair("failures/far-from-the-origin", true),
+                                        {"cycle-separated", false},
+                                        {"complete/cycle-separated", false}})
+    CHECK((std::ranges::count(tell(walkthrough(name)).frames.back().facts, Mark::truth, &Fact::mark) > 0) == is_marked);
 }
 
 TEST_CASE("Each remark stands in exactly one caption") {
@@ -236,112 +255,6 @@ TEST_CASE("Every region that is skipped is told with its reason, in each frame o
   CHECK(skipped > 0);
 }
 
-TEST_CASE("Figure 4, left, in the letters of the picture") {
-  const Story story = tell(walkthrough("figure-4-left"));
-  CHECK(facts(story.frames.at(0)) == Facts{"d = (1, 0); A·d = 3.75, then G·d = 3.5",
-                                           "A = a − b = (2.25, 1.75) − (−1.5, −1.5) = (3.75, 3.25)",
-                                           "no crossing test yet: it judges the move from one point to the next"});
-  CHECK(facts(frame(story, "The move to E crossed the origin, so the search goes on.")) ==
-        Facts{"✓ E·d = 4.375 > 0: the origin was crossed"});
-  CHECK(facts(frame(story, "The origin lies to one side of segment AE.")) ==
-        Facts{"✓ R3 or R4: EA×EO×EA = (24, −72) ≠ 0",
-              "EA×EO×EA points toward the origin in both, so they need not be told apart",
-              "skipped R1: the search has just moved away from A, toward the origin",
-              "skipped R2: were the origin beyond E, the move to E would not have reached it"});
-  CHECK(facts(frame(story, "The origin lies beyond edge EG.")) ==
-        Facts{"✓ R3: GE_n·GO = 71.5 > 0", "GE_n = GE×GEA_n = (−38.5, −126.5, 0)",
-              "skipped R4, R6: ruled out when the search kept EA",
-              "skipped R5: the search has just moved away from EA, toward the origin",
-              "skipped R2: were the origin beyond G, the move to G would not have reached it"});
-  CHECK(facts(frame(story, "A is no longer needed and leaves the simplex.")) ==
-        Facts{"[A, E, G] becomes [E, G], oldest first", "the origin lies beyond this edge; G stays the newest",
-              "not asked: R7, R1: one edge beyond which the origin lies is enough"});
-  CHECK(facts(frame(story, "The next search goes from segment EG toward the origin.")) ==
-        Facts{"d = GE×GO×GE = (−5.6875, −18.6875)"});
-  CHECK(facts(frame(story, "The origin does not lie beyond edge EF.")) ==
-        Facts{"✗ R7: FE_n·FO = −20.25 ≤ 0", "FE_n = FGE_n×FE = (−20.25, −20.25, 0)",
-              "skipped R4, R6: ruled out when the search kept GE",
-              "skipped R5: the search has just moved away from GE, toward the origin",
-              "skipped R2: were the origin beyond F, the move to F would not have reached it"});
-  CHECK(facts(frame(story, "The origin lies in triangle EFG.")) ==
-        Facts{"✓ R1: FGE_n·FO = 0", "FGE_n = FG×FE = (0, 0, 9)", "skipped R4, R6: ruled out when the search kept GE",
-              "skipped R5: the search has just moved away from GE, toward the origin",
-              "skipped R2: were the origin beyond F, the move to F would not have reached it"});
-  CHECK(facts(frame(story, "The origin lies in triangle EFG, so the objects intersect.")) ==
-        Facts{"answer: intersecting after 4 iterations", "R3: FG_n·FO = −31.5 ≤ 0", "R7: FE_n·FO = −20.25 ≤ 0",
-              "R1: FGE_n·FO = 0"});
-}
-
-TEST_CASE("What has not been asked is told with what is dropped, and why it need not be") {
-  const auto not_asked = [](const std::string& name) {
-    const Story story = tell(walkthrough("regions/3-simplex-" + name));
-    Facts said;
-    for (const Frame& each : story.frames)
-      if (each.focus == Focus::reduction && each.moments[0].processed.size() == 4 && said.empty())
-        for (const Fact& fact : each.facts)
-          if (fact.text.starts_with("not asked: ")) said.push_back(fact.text.substr(11));
-    return said;
-  };
-  const std::string edge = ": one edge beyond which the origin lies is enough",
-                    face =
-                        ": one face above which the origin lies is enough; a vertex that is dropped is found again if "
-                        "needed",
-                    neither = ": the origin lies above neither of its faces",
-                    too = " (above which the origin lies, too)";
-  CHECK(not_asked("face-abc") == Facts{"ACD, ADB, AD" + face});
-  CHECK(not_asked("face-abc-edge-ab") == Facts{"the inside of ABC" + edge, "ACD, ADB" + too + ", AD" + face});
-  CHECK(not_asked("face-abc-edge-ac") == Facts{"AB, the inside of ABC" + edge, "ACD" + too + ", ADB, AD" + face});
-  CHECK(not_asked("face-acd") == Facts{"ADB, AB" + face});
-  CHECK(not_asked("face-acd-edge-ad") == Facts{"AC, the inside of ACD" + edge, "ADB" + too + ", AB" + face});
-  CHECK(not_asked("face-adb") == Facts{"AC" + neither});
-  CHECK(not_asked("face-adb-edge-ab") == Facts{"AD, the inside of ADB" + edge, "AC" + neither});
-}
-
-TEST_CASE("That no edge of a tetrahedron around the origin was asked is told, and that a triangle stays as it is") {
-  const Story inside = tell(walkthrough("regions/3-simplex-inside"));
-  std::ptrdiff_t told = 0;
-  for (const Frame& each : inside.frames)
-    if (each.caption.starts_with("No face sees"))
-      told += std::ranges::count(facts(each), "not asked: AB, AC, AD: the origin lies above none of their faces");
-  CHECK(told == 1);
-  const auto stays = [](const std::string& name) {
-    const Story story = tell(walkthrough(name));
-    int count = 0;
-    for (const Frame& each : story.frames)
-      if (each.focus == Focus::direction && each.facts.size() > 1)
-        count += each.facts[1].text ==
-                 "the simplex stays [C, B, A]: read from the list, its normal points to the origin already";
-    return count;
-  };
-  CHECK(stays("regions/2-simplex-r1-above") == 1);
-  CHECK(stays("regions/2-simplex-r3") == 0);
-}
-
-TEST_CASE("A list that is not by age any more is not called so") {
-  const Story story = tell(walkthrough("regions/2-simplex-r1-below"));
-  for (const Frame& each : story.frames)
-    if (each.caption.starts_with("The simplex stays"))
-      CHECK(each.facts[0].text == "[C, B, A] becomes [C, A, B], no longer by age: A is still the newest");
-}
-
-TEST_CASE("Figure 4, right, says where the two tellings part") {
-  const Story with = tell(walkthrough("figure-4-right")),
-              without = tell(walkthrough("figure-4-right-no-crossing-test"));
-  CHECK(with.frames.back().caption ==
-        "The difference does not contain the origin, so the objects do not intersect; Section 3.1.2 does not use "
-        "the test yet and goes on to F.");
-  CHECK(facts(with.frames.back()) ==
-        Facts{"answer: separated after 2 iterations", "with d = (−4.25, −4.5): w·d ≤ E·d = −10.1875 < 0 for every w"});
-  CHECK(facts(with.frames.at(4)) == Facts{"✗ E·d = −10.1875 < 0: the origin was not crossed (Eq. 9)"});
-  CHECK(without.frames.at(10).caption ==
-        "Along d the farthest point of the difference is E again, so there is no new point.");
-  CHECK(without.frames.at(0).facts.back().text == "this run does without the crossing test");
-  CHECK(facts(without.frames.at(4)).at(0) == "R3 or R4: EA×EO×EA = (23.5, −52.875) ≠ 0");  // not certain: no mark
-  CHECK(facts(without.frames.back()) == Facts{"answer: separated after 4 iterations",
-                                              "the search has run out of points: E is not new",
-                                              "with d = (−15.25, −24.7812): w·d ≤ E·d = −58.1406 < 0 for every w"});
-}
-
 TEST_CASE("A move that ends at the origin's height proves nothing, and says so") {
   const Walkthrough touching = walkthrough_of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}});
   const Story story = tell(touching);  // A (2,0), B (0,2), C the origin
@@ -401,11 +314,10 @@ TEST_CASE("A search that runs into its limit ends without an answer") {
 TEST_CASE("The origin beyond the other edge of a triangle is told as R7, and the edge keeps its letters") {
   const Walkthrough across = walkthrough_of({{-5, 5, 0}, {-1, 4, 0}, {0, -1, 0}, {-4, -2, 0}});
   const Story story = tell(across);  // A, C, B are found, C is dropped
-  CHECK(facts(frame(story, "The origin lies beyond edge AB.")) ==
-        Facts{"✓ R7: BA_n·BO = 19 > 0", "BA_n = BCA_n×BA = (95, 19, 0)",
-              "skipped R4, R6: ruled out when the search kept CA",
-              "skipped R5: the search has just moved away from CA, toward the origin",
-              "skipped R2: were the origin beyond B, the move to B would not have reached it"});
+  const Facts told = facts(frame(story, "The origin lies beyond edge AB."));
+  CHECK(told.at(0) == "✓ R7: BA_n·BO = 19 > 0");
+  CHECK(told.at(1) == "BA_n = BCA_n×BA = (95, 19, 0)");
+  CHECK(told.at(2) == "skipped R4, R6: ruled out when the search kept CA");
   CHECK(frame(story, "C is no longer needed and leaves the simplex.").facts.at(0).text ==
         "[A, C, B] becomes [A, B], oldest first");
   CHECK(facts(frame(story, "The next search goes from segment AB toward the origin.")) ==

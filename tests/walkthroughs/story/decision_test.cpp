@@ -215,35 +215,3 @@ TEST_CASE("Vertices that span no plane, first points and scenes of the plane hav
     if (frame.focus == Focus::support || frame.focus == Focus::direction || frame.focus == Focus::end)
       CHECK(decision_views(frame.moments[0], frame.focus).empty());
 }
-
-TEST_CASE("What is seen there is told in words") {
-  const auto words = [](const std::string& name, const std::string& caption) {
-    const Story story = tell(walkthrough(name));
-    std::string said;
-    for (std::size_t i = 0; i < story.frames.size(); ++i) {
-      if (!story.frames[i].caption.starts_with(caption)) continue;
-      for (const DecisionView& view : decision_views(story.frames[i].moments[0], story.frames[i].focus))
-        said += (said.empty() ? "" : " ") + in_words(view, story.frames[i].moments[0], story.names(i, 0));
-      return said;
-    }
-    return said;
-  };
-  CHECK(words("regions/2-simplex-r1-above", "The origin lies above triangle ABC") ==
-        "Seen edge-on, the origin lies above triangle ABC. Seen down its normal, the foot of the origin lies within "
-        "triangle ABC.");
-  CHECK(words("regions/2-simplex-r1-below", "The origin lies below triangle ABC")
-            .starts_with("Seen edge-on, the origin lies below triangle ABC."));
-  CHECK(words("regions/3-simplex-on-face", "The origin does not lie above face ACD") ==
-        "Seen edge-on, the origin lies in the plane of triangle ACD. Seen down its normal, the foot of the origin lies "
-        "within triangle ACD.");
-  CHECK(words("regions/3-simplex-face-adb-edge-ad", "The foot of the origin lies beyond edge AD") ==
-        "Seen edge-on, the origin lies above triangle ADB. Seen down its normal, the foot of the origin lies beyond AD "
-        "of "
-        "triangle ADB.");
-  CHECK(words("regions/3-simplex-inside", "The move to P crossed") ==
-        "In the plane of d and OP, P lies past the origin along d.");
-  CHECK(words("vehicle-and-threat/vehicle-near-miss", "The move to P did not cross") ==
-        "In the plane of d and OP, P stops short of the origin along d.");
-  CHECK(words("regions/3-simplex-inside", "The origin lies to one side") ==
-        "In the plane of segment AB and the origin, the origin lies to one side of it.");
-}

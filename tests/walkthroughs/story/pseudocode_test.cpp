@@ -2,7 +2,10 @@
 
 #include "walkthroughs/story/pseudocode.hpp"
 
+#include <array>
+
 #include "tests/kit/catch.hpp"
+#include "tests/kit/text.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
@@ -10,6 +13,8 @@ using namespace walkthroughs;
 using namespace walkthroughs::test;
 
 namespace {
+
+using kit::has;
 
 /// Calls `check(event, now, rules)` after each event of that kind, in every search by any rules.
 template <template <class> class E, class Check>
@@ -60,16 +65,11 @@ std::string with_letters(std::string text, const std::string& kept) {
   return text;
 }
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-bool begins(const std::string& text, std::initializer_list<const char*> words) {
-  return std::ranges::any_of(words, [&](const char* word) { return text.starts_with(word); });
-}
-
 /// Whether a line is about those that follow it: a condition or a loop without a statement of its own.
 bool opens(const CodeLine& line) {
-  return begins(line.text, {"if ", "else", "for each", "repeat", "of a triangle", "and "}) &&
-         line.text.find("keep") == std::string::npos && line.text.find("else the origin") == std::string::npos;
+  const auto begins = [&](const char* word) { return line.text.starts_with(word); };
+  return std::ranges::any_of(std::array{"if ", "else", "for each", "repeat", "of a triangle", "and "}, begins) &&
+         !has(line.text, "keep") && !has(line.text, "else the origin");
 }
 
 }  // namespace
@@ -97,31 +97,26 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Every region test that was made has exactly one line and it is the current one") {
+TEST_CASE("Every region test that was made has exactly one line, the current one, and no other line has a value") {
   after_each<gjk::RegionTested>([](const gjk::RegionTested<double>& event, const Moment& now, RuleSet rules) {
-    if (event.verdict == gjk::Verdict::skipped) return;
     const std::vector<CodeLine>& code = code_of(now, Focus::region, rules);
+    std::ptrdiff_t made = 0, shown = 0;
+    for (const auto& region : now.regions) made += region.verdict != gjk::Verdict::skipped;
     std::vector<std::size_t> lines;
-    for (std::size_t i = 0; i < code.size(); ++i)
-      if (test_of(code[i], now) == &now.regions.back()) lines.push_back(i);
-    INFO(event.face << " " << event.feature);
-    REQUIRE(lines.size() == 1);
-    CHECK(current_line(code, now, Focus::region) == lines[0]);
-  });
-}
-
-TEST_CASE("A line whose test was not made has no value and neither has one that is no test") {
-  after_each<gjk::RegionTested>([](const gjk::RegionTested<double>&, const Moment& now, RuleSet rules) {
-    int made = 0, shown = 0;
-    for (const auto& region : now.regions) made += region.verdict == gjk::Verdict::skipped ? 0 : 1;
-    for (const CodeLine& line : code_of(now, Focus::region, rules)) {
-      shown += test_of(line, now) ? 1 : 0;
-      CHECK((line.kind == LineKind::test || !test_of(line, now)));
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      const auto* test = test_of(code[i], now);
+      shown += test != nullptr;
+      CHECK((code[i].kind == LineKind::test || !test));
+      if (test == &now.regions.back()) lines.push_back(i);
     }
     if (rules == RuleSet::complete)  // one line for several edges
       CHECK((shown > 0) == (made > 0));
     else
       CHECK(shown == made);
+    if (event.verdict == gjk::Verdict::skipped) return;
+    INFO(event.face << " " << event.feature);
+    REQUIRE(lines.size() == 1);
+    CHECK(current_line(code, now, Focus::region) == lines[0]);
   });
 }
 

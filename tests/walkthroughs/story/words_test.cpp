@@ -78,17 +78,11 @@ TEST_CASE("A short number has at most four significant digits") {
   CHECK(short_number(-594432117.0) == "−5.94432e+08");
 }
 
-TEST_CASE("The minus sign of a number is U+2212, in the exponent too") {
+TEST_CASE("The minus sign of a number is U+2212, in the exponent too, and zero has none") {
   CHECK(number(-10.1875) == "\u221210.1875");
-  CHECK(number(-1) == "−1");
   CHECK(number(-1.5e-7) == "−1.5e−07");
   CHECK(number(-2.5e9).find('-') == std::string::npos);
-}
-
-TEST_CASE("Zero is never negative") {
-  CHECK(number(0.0) == "0");
   CHECK(number(-0.0) == "0");
-  CHECK(vector({-0.0, 1, 0}) == "(0, 1)");
   CHECK(number(-std::numeric_limits<double>::denorm_min()) != "−0");
 }
 
@@ -107,6 +101,7 @@ TEST_CASE("Roles become the letters of the corners, the newest vertex being A") 
   CHECK(translate("AEF", "AC×AO×AC") == "FA×FO×FA");
   CHECK(translate("AEF", "−ABCn") == "−FEA_n");
   CHECK(translate("BCDE", "ABCn ADBn BD") == "EDC_n EBD_n DB");
+  CHECK(translate("BCDA", "ABCD") == "ADCB");  // no letter twice
 }
 
 TEST_CASE("Translation leaves words that are no roles alone") {
@@ -118,8 +113,6 @@ TEST_CASE("Translation leaves words that are no roles alone") {
   CHECK(translate("AEF", "") == "");
 }
 
-TEST_CASE("A letter is not translated twice") { CHECK(translate("BCDA", "ABCD") == "ADCB"); }
-
 TEST_CASE("A feature is named in alphabetical order, whatever the order of its vertices") {
   CHECK(corners("AEF")().sorted("AB") == "EF");
   CHECK(corners("AFE")().sorted("AB") == "EF");
@@ -127,14 +120,10 @@ TEST_CASE("A feature is named in alphabetical order, whatever the order of its v
   CHECK(corners("FAE")().sorted("C") == "F");
 }
 
-TEST_CASE("A simplex is listed oldest first") {
-  CHECK(corners("FAE")().list(simplex("FAE")) == "[F, A, E]");
-  CHECK(corners("A")().list(simplex("A")) == "[A]");
-  CHECK(corners("A")().list(Simplex{}) == "[]");
-}
-
-TEST_CASE("A simplex is named with its kind and its letters in alphabetical order") {
+TEST_CASE("A simplex is listed oldest first, and named with its kind and its letters in alphabetical order") {
   const Named names = corners("FAE");
+  CHECK(names().list(simplex("FAE")) == "[F, A, E]");
+  CHECK(names().list(Simplex{}) == "[]");
   CHECK(names().simplex(simplex("FAE")) == "triangle AEF");
   CHECK(names().simplex(simplex("FE")) == "segment EF");
   CHECK(names().simplex(simplex("E")) == "E");
@@ -195,17 +184,13 @@ TEST_CASE("In roles vertices of a simplex that lie at one place are listed under
   CHECK(roles("AA")().simplex(simplex("AA")) == "segment AB");
 }
 
-TEST_CASE("Translation keeps roles and turns n into a subscript") {
+TEST_CASE("Translation keeps roles, in the order in which the report writes them, and turns n into a subscript") {
   const Named names = roles("BCDE");
-  CHECK(names().translate("AB×AO×AB") == "AB×AO×AB");
   CHECK(names().translate("ABn·AO, ABCn, ADBn, BD") == "AB_n·AO, ABC_n, ADB_n, BD");
   CHECK(names().translate("the search has just moved away from BCD, toward the origin") ==
         "the search has just moved away from BCD, toward the origin");
-}
-
-TEST_CASE("In roles a feature keeps the order in which the report writes it") {
-  CHECK(roles("BCDE")().sorted("ADB") == "ADB");
-  CHECK(roles("BCDE")().sorted("DB") == "DB");
+  CHECK(names().sorted("ADB") == "ADB");
+  CHECK(names().sorted("DB") == "DB");
 }
 
 // -- Markup -----------------------------------------------------------------------------------------------------------
@@ -239,13 +224,8 @@ TEST_CASE("Letters may be fixed: the first point that is found is A, the second 
     }
   }
   CHECK(places.size() == 5);
-  const auto caption = [&](const std::string& end) {
-    return std::ranges::any_of(story.frames, [&](const Frame& frame) { return frame.caption.starts_with(end); });
-  };
-  CHECK(caption("Along d the farthest point of the difference is D."));
-  CHECK(caption("D joins the simplex as its newest vertex."));
-  CHECK(caption("The origin lies above face ACD."));
-  CHECK(caption("B and C are no longer needed and leave the simplex."));
+  const std::string expected = "D joins the simplex as its newest vertex.";
+  CHECK(std::ranges::count(story.frames, expected, &Frame::caption) == 1);
 }
 
 TEST_CASE("After Z come A2, B2 and so on") {
@@ -259,16 +239,17 @@ TEST_CASE("After Z come A2, B2 and so on") {
   CHECK(names.of(Point(60, 0, 0)).empty());
 }
 
-TEST_CASE("Where roles move on, what a vertex was called before is told") {
+TEST_CASE("Where roles move on, what a vertex was called before is told, but for the newest") {
   const Story story = tell(walkthrough("regions/3-simplex-face-adb-edge-ad"));
-  std::vector<std::string> said;
+  int moves = 0;
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
     if (story.frames[i].focus != Focus::added) continue;
-    said.push_back(story.frames[i].facts[0].text);
-    CHECK(story.names(i, 0).before(story.frames[i].moments[0].simplex.point(gjk::Role::A)).empty());
+    const Simplex& simplex = story.frames[i].moments[0].simplex;
+    std::string before;
+    for (int role = simplex.size(); role-- > 0;)
+      before += story.names(i, 0).before(simplex.point(static_cast<gjk::Role>(role)));
+    CHECK(before == std::string("CBA").substr(static_cast<std::size_t>(4 - simplex.size())));
+    ++moves;
   }
-  REQUIRE(said.size() == 3);
-  CHECK(said[0] == "[A] and P are now [B, A]: A becomes B");
-  CHECK(said[1] == "[B, A] and P are now [C, B, A]: A becomes B, B becomes C");
-  CHECK(said[2] == "[C, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C, C becomes D");
+  CHECK(moves == 3);
 }
