@@ -160,7 +160,7 @@ void note(const fs::path& file, Bytes bytes) {
 }
 
 /// Returns: the names in `folder` that fit one of the patterns, sorted.
-std::vector<std::string> names_in(const fs::path& folder, const std::vector<std::string>& patterns) {
+std::vector<std::string> fitting_names(const fs::path& folder, const std::vector<std::string>& patterns) {
   std::vector<std::string> names;
   std::error_code error;
   if (!fs::is_directory(folder, error)) return names;
@@ -212,7 +212,7 @@ void remove_outputs(const fs::path& folder, const std::vector<std::string>& patt
   const Lock lock(folder);
   const Manifest manifest(folder);
   std::error_code ignored;
-  for (const std::string& name : names_in(folder, patterns))
+  for (const std::string& name : fitting_names(folder, patterns))
     if (!kept.contains(name_in_place(name)) && is_file(folder / name) && manifest.is_ours(name, title))
       fs::remove(folder / name, ignored);
 }
@@ -221,7 +221,7 @@ std::vector<fs::path> files_of_others(const fs::path& folder, const std::vector<
                                       const std::string& title) {
   const Manifest manifest(folder);
   std::vector<fs::path> found;
-  for (const std::string& name : names_in(folder, patterns))
+  for (const std::string& name : fitting_names(folder, patterns))
     if (is_file(folder / name) && !manifest.is_ours(name, title)) found.push_back(folder / name);
   return found;
 }
