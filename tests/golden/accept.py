@@ -43,7 +43,7 @@ def program_of_before():
 
 
 def frames_to_draw(lines):
-    """Of each walkthrough its name, frames ("3,7"; empty: all) and options, as long as there are not too many."""
+    """Of each walkthrough its name, steps ("1,4"; empty: all) and options, as long as there are not too many."""
     left = arguments.most
     each = max(1, left // len(lines))
     for line in lines:

@@ -123,12 +123,12 @@ std::vector<std::string> words_of(const std::string& line) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// Returns: "0,3", the frames of a line that are others or new; of a search at random none, which is all.
+/// Returns: "1,4", the steps of a line whose frames are others or new; of a search at random none, which is all.
 std::string changed_frames(const std::vector<std::string>& accepted, const Line& now) {
   std::string frames;
   for (std::size_t i = 0; i < now.sums.size() && now.scene.empty(); ++i)
     if (i + 1 >= accepted.size() || accepted[i + 1] != now.sums[i])
-      frames += (frames.empty() ? "" : ",") + std::to_string(i);
+      frames += (frames.empty() ? "" : ",") + std::to_string(i + 1);
   return frames;
 }
 

@@ -205,10 +205,7 @@ TEST_CASE("A file that does not tell its size is read whole, and no more of it t
 }
 
 TEST_CASE("A file of 3 GiB is refused for its size before it is read") {
-  if (!bytes_read_so_far()) {
-    WARN("skipped: nobody counts what is read");
-    return;
-  }
+  if (!bytes_read_so_far()) return kit::skip("nobody counts what is read");
   const Folder folder;
   write_file(folder / "large", "");
   fs::resize_file(folder / "large", std::uintmax_t{3} << 30);  // no disk holds its zeros
@@ -233,10 +230,7 @@ TEST_CASE("What could not be read afterwards is not written") {
 TEST_CASE(
     "A program that is ended while it writes, or finds no room, leaves nothing behind, and the old file as it was") {
   const Folder folder;
-  if (!has_unnamed_files(folder.path())) {
-    WARN("skipped: here every file has a name");
-    return;
-  }
+  if (!has_unnamed_files(folder.path())) return kit::skip("here every file has a name");
   write_file(folder / "old", bytes);
   for (const char* name : {"new", "old"}) {
     CHECK(WTERMSIG(status_of_writing_too_much(folder / name, SIG_DFL)) == SIGXFSZ);
@@ -248,10 +242,7 @@ TEST_CASE(
 
 TEST_CASE("What a killed program has left beside a file is gone when the file is written again, be it there or not") {
   const Folder folder;
-  if (!has_unnamed_files(folder.path())) {
-    WARN("skipped: here every file has a name");
-    return;
-  }
+  if (!has_unnamed_files(folder.path())) return kit::skip("here every file has a name");
   const fs::path file = folder / "file", left = folder / "file.unfinished";
   for (int round = 0; round < 2; ++round) {
     std::ofstream(left) << "half";
@@ -265,10 +256,7 @@ TEST_CASE("Where every file has a name, nothing else is left, whatever number th
   const Folder folder;
   write_file(folder / "file", "old");
   const int code = written_without_proc(folder.path());
-  if (code == refused) {
-    WARN("skipped: this process may not change its root");
-    return;
-  }
+  if (code == refused) return kit::skip("this process may not change its root");
   CHECK(code == 0);
   CHECK(read_file(folder / "file") == bytes);
   CHECK(entries(folder.path()) == 1);
