@@ -179,6 +179,9 @@ TEST_CASE("Folders are compared by name: same or different or another size or mi
   draw(folders.actual / "sub/5.png", {10, 10, 10});
   CHECK(verdicts(folders) ==
         std::vector{Verdict::same, Verdict::different, Verdict::other_size, Verdict::missing, Verdict::extra});
+  const std::vector<FilePair> pairs = file_pairs(folders.expected, folders.actual);
+  CHECK(compare_files(pairs[3]).words == "only the expected side has it");
+  CHECK(compare_files(pairs[4]).words == "only the actual side has it");
 }
 
 TEST_CASE("What cannot be read is told so whatever it is and the other pictures are compared") {

@@ -87,6 +87,18 @@ TEST_CASE("a new image is black and rows run from the top") {
   REQUIRE(image.row(1) - image.row(0) == 9);
 }
 
+TEST_CASE("a part of a picture has its pixels, and so has what it is pasted into, there alone") {
+  const Image image = gradient({9, 7}), part = part_of(image, 2, 3, {4, 2});
+  Image other({9, 7});
+  other.paste(part, 5, 1);
+  for (int y = 0; y < 7; ++y)
+    for (int x = 0; x < 9; ++x) {
+      const bool is_pasted = x >= 5 && y >= 1 && y < 3;
+      REQUIRE(other.pixel(x, y) == (is_pasted ? image.pixel(x - 3, y + 2) : palette::black));
+      if (is_pasted) REQUIRE(part.pixel(x - 5, y - 1) == other.pixel(x, y));
+    }
+}
+
 TEST_CASE("what is written is read back, whatever the size") {
   const Folder folder;
   for (const Size size : {Size{1, 1}, Size{37, 21}, Size{256, 3}}) {
