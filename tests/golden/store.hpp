@@ -28,7 +28,13 @@ std::filesystem::path leave_candidate(const std::string& name, std::string_view 
 void accept(const std::string& name, std::span<const std::uint8_t> bytes, const std::string& why);
 void accept(const std::string& name, std::string_view text, const std::string& why);
 
-/// Returns: the command that accepts what the tests of that name draw now.
+/// Returns: the command that accepts what these tests draw or write now: "images", "traces", …
 std::string command_to_accept(const std::string& tests);
+
+/// Checks that a text is the one that is accepted as `name`, and tells which lines are others; or accepts it.
+void check_text(const std::string& name, const std::string& now, const std::string& tests);
+
+/// Whether letters are as wide as those of the accepted pictures. Warns that the test is skipped where another FreeType makes them.
+bool letters_are_those_accepted();
 
 }  // namespace golden

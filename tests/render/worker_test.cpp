@@ -53,17 +53,6 @@ TEST_CASE("a worker runs all jobs, in the order in which they came, on another t
   REQUIRE(thread != std::this_thread::get_id());
 }
 
-TEST_CASE("a worker can go on after it has finished") {
-  int ran = 0;
-  Worker worker(1);
-  worker.finish();
-  for (int round = 1; round <= 3; ++round) {
-    worker.post([&] { ++ran; });
-    worker.finish();
-    REQUIRE(ran == round);
-  }
-}
-
 TEST_CASE("no more jobs wait than the worker was told") {
   Door door;
   std::atomic<int> handed_over = 0;
@@ -75,9 +64,9 @@ TEST_CASE("no more jobs wait than the worker was told") {
     }
   });
   // One runs and two wait; the fourth is not taken before the door opens. Nothing can be seen of a thread that waits, so
-  // this only fails when it is wrong and not every time: but every time often enough.
+  // this only fails when it is wrong and not every time: but often enough.
   while (handed_over < 3) std::this_thread::yield();
-  for (int i = 0; i < 1000; ++i) std::this_thread::yield();
+  for (int i = 0; i < 50; ++i) std::this_thread::yield();
   REQUIRE(handed_over == 3);
   door.open();
   giver.join();
@@ -115,21 +104,19 @@ TEST_CASE("who waits for room hears of an error") {
   REQUIRE(error_of([&] { worker.finish(); }) == "disk full");
 }
 
-TEST_CASE("a worker that goes away has run what it was given, and keeps nothing") {
+TEST_CASE("a worker that has finished or goes away has run what it was given and keeps nothing, and may go on before") {
   const auto held = std::make_shared<int>(0);
   {
     Worker worker(4);
+    for (int round = 1; round <= 2; ++round) {
+      worker.post([held] { ++*held; });
+      worker.finish();
+      REQUIRE(*held == round);
+      REQUIRE(held.use_count() == 1);
+    }
     for (int i = 0; i < 4; ++i) worker.post([held] { ++*held; });
   }
-  REQUIRE(*held == 4);
-  REQUIRE(held.use_count() == 1);
-}
-
-TEST_CASE("a job's belongings are gone when finish returns") {
-  const auto held = std::make_shared<int>(0);
-  Worker worker(4);
-  worker.post([held] { ++*held; });
-  worker.finish();
+  REQUIRE(*held == 6);
   REQUIRE(held.use_count() == 1);
 }
 
