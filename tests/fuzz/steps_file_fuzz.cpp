@@ -2,7 +2,7 @@
 /// are told as a story; or it is turned away with an InputError that names it. And whatever a line that a judged program writes
 /// holds, it is an answer or none, with the reason.
 ///
-///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
+///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DGJKSTEP_STUDY=ON -DCMAKE_CXX_COMPILER=clang++
 ///     ninja -C build/fuzz steps-file-fuzz
 ///     mkdir -p build/fuzz/found-steps
 ///     build/fuzz/steps-file-fuzz -dict=tests/fuzz/steps_file.dict -max_len=4096 -timeout=10 -rss_limit_mb=512

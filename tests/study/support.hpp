@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/study/methods/all_methods.hpp"
-#include "tests/study/sweep/settings.hpp"
+#include "tests/study/sweep/sweep.hpp"
 
 namespace study::test {
 
@@ -29,6 +29,14 @@ inline Plan plan_for(const std::vector<const Family*>& families, const std::vect
 
 /// Returns: the counts of the one family and the one method of the plan, at the report's limit.
 inline Counts counts_of(const Plan& plan) { return counts_at(sweep(plan).rows.front().tally, report_limit); }
+
+/// Returns: how many all queries took together.
+inline std::uint64_t iterations_of(const Counts& counts) {
+  std::uint64_t sum = 0;
+  for (const Histogram& histogram : {counts.hit_iterations, counts.miss_iterations})
+    for (std::size_t k = 0; k < histogram.size(); ++k) sum += k * histogram[k];
+  return sum;
+}
 
 /// The first pair on which GJK cycles for ever (it has no point in common), and the second, which does intersect.
 inline Pair separated_pair_that_cycles() {

@@ -1,78 +1,79 @@
 #include "tests/study/claims/claims.hpp"
 
-#include <algorithm>
-#include <cstdio>
-#include <ostream>
-
-#include "tests/study/claims/claims_text.hpp"
+#include "tests/study/methods/mistakes.hpp"
 
 namespace study {
+namespace {
 
-void row(std::ostream& out, const Cells& cells) {
-  for (const std::string& cell : cells) out << "| " << cell << ' ';
-  out << "|\n";
+/// Returns: the head of a file: how it was made, and its columns.
+template <class Names>
+std::string head(const ClaimsOptions& options, std::string columns, const Names& names) {
+  for (const char* const name : names) columns += std::string(",") + name;
+  return "# command: gjkstep-study claims --pairs " + std::to_string(options.pairs) + " --seed " +
+         std::to_string(options.seed) +
+         "\n# compiler: " GJKSTEP_COMPILER "\n# pairs: " + std::to_string(options.pairs) + "\n" + columns + '\n';
 }
 
-void heading(std::ostream& out, const Cells& cells, std::size_t left) {
-  row(out, cells);
-  for (std::size_t i = 0; i < cells.size(); ++i) out << (i < left ? "|---" : "|--:");
-  out << "|\n";
+std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
+
+std::string row(const std::string& keys, const auto& counters) {
+  std::string text = keys;
+  for (const std::int64_t number : counters.numbers) text += ',' + std::to_string(number);
+  return text + '\n';
 }
 
-std::string decimals(double x, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, x);
+std::string row(const Shape& shape, const std::string& computed, bool is_all, const EffortCounts& counts) {
+  std::string text = csv_line(shape.name, computed, shape.hardness == Hardness::hard ? "hard" : "random",
+                              is_all ? "yes" : "no", in_quotes(shape.what));
+  for (const Histogram& histogram : counts.histograms) text.insert(text.size() - 1, ',' + csv_text(histogram));
   return text;
 }
 
-void paragraph(std::ostream& out, const std::string& text) { out << text << "\n\n"; }
-
-namespace {
-
-Counted count_all(const ClaimsOptions& options) {
-  const auto tell = [&](const std::string& what) {
-    if (options.progress) options.progress(what);
-  };
-  Counted counted;
-  counted.options = options;
+std::string effort_csv(const ClaimsOptions& options) {
+  std::string text = head(options, "shape,in,kind,all,what", effort_names);
   for (const Shape& shape : claim_shapes()) {
-    tell("effort: " + shape.name);
-    counted.efforts.push_back(measure_effort(shape, options));
+    options.progress("effort: " + shape.name);
+    text += row(shape, "double", shape.pairs(options) == shape.size, count_effort(shape, options));
   }
   for (const std::string& name : whole_number_shapes()) {
-    tell("effort, in fractions: " + name);
-    counted.in_fractions.push_back(measure_in_fractions(claim_shape(name), options));
+    options.progress("effort, in fractions: " + name);
+    text += row(claim_shape(name), "fractions", false, count_in_fractions(claim_shape(name), options));
   }
+  return text;
+}
+
+std::string moller_csv(const ClaimsOptions& options) {
+  std::string text = head(options, "kind,rules,way", compared_names);
   for (const TriangleKind& kind : triangle_kinds()) {
-    tell("Möller's test: " + kind.name);
-    counted.moller.push_back(measure_moller(kind, options));
+    options.progress("Möller's test: " + kind.name);
+    const Comparisons compared = compare_with_moller(kind, options);
+    for (std::size_t rules = 0; rules < rules_compared.size(); ++rules)
+      for (std::size_t way = 0; way < way_names.size(); ++way)
+        text += row(in_quotes(kind.name) + ',' + rules_compared[rules] + ',' + in_quotes(way_names[way]),
+                    compared[rules][way]);
   }
-  tell("Möller's test: " + common_vertex_kind().name);
-  counted.common_vertex = measure_moller(common_vertex_kind(), options);
-  tell("mistakes: triangles");
-  counted.triangles = measure_mistakes(TestPairs::triangles, options);
-  tell("mistakes: tetrahedra");
-  counted.tetrahedra = measure_mistakes(TestPairs::tetrahedra, options);
-  tell("mistakes: triangles on a grid");
-  counted.grid = measure_mistakes(TestPairs::grid_triangles, options);
-  return counted;
+  return text;
+}
+
+std::string mistakes_csv(const ClaimsOptions& options) {
+  std::string text = head(options, "pairs,mistake,name,section", of_mistake_names);
+  for (const char* const pairs : mistaken_pairs) {
+    options.progress(std::string("mistakes: ") + pairs);
+    const MistakeCounts counts = count_mistakes(pairs, options);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      text += row(std::string(pairs) + ",M" + std::to_string(i + 1) + ',' + in_quotes(mistakes()[i].name) + ',' +
+                      mistakes()[i].section,
+                  counts[i]);
+  }
+  return text;
 }
 
 }  // namespace
 
-void write_claims(std::ostream& out, const ClaimsOptions& options) {
-  const Counted counted = count_all(options);
-  const auto hard = std::ranges::find(claim_shapes(), Hardness::hard, &Shape::hardness);
-  out << "# The report's claims, measured\n\n";
-  paragraph(out, "Made by `gjkstep-study claims --pairs " + std::to_string(options.pairs) + " --seed " +
-                     std::to_string(options.seed) + "`, compiled by " GJKSTEP_COMPILER ". " + grouped(options.pairs) +
-                     " pairs of every kind, " + grouped(hard->pairs(options)) +
-                     " of hard families, or all that there are. GJK is gjkstep's, in double, with the rules as "
-                     "intended and exact zero tests, where nothing else is said. Intervals are Wilson's for 95 %.");
-  write_claims_table(out, counted);
-  write_effort(out, counted);
-  write_moller(out, counted);
-  write_mistakes(out, counted);
+std::vector<Csv> claims_csv(const ClaimsOptions& options) {
+  return {{"claims-effort.csv", effort_csv(options)},
+          {"claims-moller.csv", moller_csv(options)},
+          {"claims-mistakes.csv", mistakes_csv(options)}};
 }
 
 }  // namespace study

@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
 #include "core/gjk.hpp"
-#include "tests/study/claims/claims_measured.hpp"
+#include "tests/study/claims/claims.hpp"
+#include "tests/study/methods/question.hpp"
 #include "tests/study/pairs/dice.hpp"
 #include "tests/study/pairs/families.hpp"
-#include "tests/study/truth/oracle.hpp"
 #include "tests/study/pairs/over_pairs.hpp"
-#include "tests/study/methods/question.hpp"
+#include "tests/study/truth/oracle.hpp"
 
 namespace study {
 namespace {
@@ -43,7 +42,7 @@ gjk::Simplex<double> in_doubles(const gjk::Simplex<Exact>& exact) {
 
 /// A run in fractions.
 struct ExactWatch {
-  Shortcuts& shortcuts;
+  Shortcuts shortcuts;
 
   template <class E>
   void operator()(const E&) {}
@@ -53,7 +52,7 @@ struct ExactWatch {
 /// One run, watched by both observers.
 struct Watch {
   CrossProducts cross_products;
-  Shortcuts& shortcuts;
+  Shortcuts shortcuts;
 
   template <class E>
   void operator()(const E& event) {
@@ -63,24 +62,25 @@ struct Watch {
 };
 
 /// `truly`: what is true of the pair, where GJK's answer is not taken for it.
-Cost& kind_of(gjk::Status status, std::optional<Truth> truly, ShapeEffort& sum) {
-  if (status == gjk::Status::undecided) return sum.undecided;
+Effort kind_of(gjk::Status status, std::optional<Truth> truly) {
+  if (status == gjk::Status::undecided) return Effort::undecided;
   const Truth answer = status == gjk::Status::intersecting ? Truth::intersecting : Truth::separated;
-  if (answer != truly.value_or(answer)) return sum.wrong;
-  return answer == Truth::intersecting ? sum.hits : sum.misses;
+  if (answer != truly.value_or(answer)) return Effort::wrong;
+  return answer == Truth::intersecting ? Effort::hits : Effort::misses;
 }
 
 template <class A, class B>
-void ask(const A& a, const B& b, std::optional<Truth> truly, ShapeEffort& sum) {
-  Watch watch{{}, sum.shortcuts};
+void ask(const A& a, const B& b, std::optional<Truth> truly, EffortCounts& sum) {
+  Watch watch{{}, Shortcuts(sum)};
   const auto result = gjk::collision<double>(shape_of(a), shape_of(b), gjk::Options<double>{}, watch);
-  Cost& cost = kind_of(result.status, truly, sum);
-  cost.iterations.add(result.iterations);
-  cost.cross_products.add(watch.cross_products.total);
-  sum.most_in_a_3simplex.add(watch.cross_products.most_in_a_3simplex);
+  const Effort kind = kind_of(result.status, truly);
+  count(sum[kind], result.iterations);
+  if (kind == Effort::hits) count(sum[Effort::hit_cross_products], watch.cross_products.total);
+  if (kind == Effort::misses) count(sum[Effort::miss_cross_products], watch.cross_products.total);
+  count(sum[Effort::most_in_a_3simplex], watch.cross_products.most_in_a_3simplex);
 }
 
-void ask(const Pair& pair, std::optional<Truth> truly, ShapeEffort& sum) {
+void ask(const Pair& pair, std::optional<Truth> truly, EffortCounts& sum) {
   if (const Points* const a = std::get_if<Points>(&pair.a))
     ask(*a, std::get<Points>(pair.b), truly, sum);
   else
@@ -88,80 +88,6 @@ void ask(const Pair& pair, std::optional<Truth> truly, ShapeEffort& sum) {
 }
 
 }  // namespace
-
-// -- Distribution -----------------------------------------------------------------------------------------------------
-
-void Distribution::add(int k) {
-  const auto i = static_cast<std::size_t>(k);
-  if (counts_.size() <= i) counts_.resize(i + 1);
-  ++counts_[i];
-}
-
-Distribution& Distribution::operator+=(const Distribution& other) {
-  counts_.resize(std::max(counts_.size(), other.counts_.size()));
-  for (std::size_t i = 0; i < other.counts_.size(); ++i) counts_[i] += other.counts_[i];
-  return *this;
-}
-
-std::uint64_t Distribution::queries() const {
-  return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
-}
-
-Rate Distribution::between(int least, int most) const {
-  Rate rate{0, queries()};
-  for (std::size_t i = 0; i < counts_.size(); ++i)
-    if (static_cast<int>(i) >= least && static_cast<int>(i) <= most) rate.count += counts_[i];
-  return rate;
-}
-
-double Distribution::mean() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < counts_.size(); ++i) sum += static_cast<double>(i) * static_cast<double>(counts_[i]);
-  return queries() == 0 ? 0 : sum / static_cast<double>(queries());
-}
-
-int Distribution::percentile_99() const {
-  const std::uint64_t all = queries();
-  std::uint64_t seen = 0;
-  for (std::size_t i = 0; i < counts_.size(); ++i)
-    if (100 * (seen += counts_[i]) >= 99 * all) return static_cast<int>(i);
-  return 0;
-}
-
-int Distribution::max() const {
-  const auto last = std::find_if(counts_.rbegin(), counts_.rend(), [](std::uint64_t n) { return n > 0; });
-  return last == counts_.rend() ? 0 : static_cast<int>(counts_.rend() - last) - 1;
-}
-
-// -- Effort -----------------------------------------------------------------------------------------------------------
-
-Cost& Cost::operator+=(const Cost& other) {
-  iterations += other.iterations;
-  cross_products += other.cross_products;
-  return *this;
-}
-
-std::uint64_t ShapeEffort::queries() const {
-  return hits.iterations.queries() + misses.iterations.queries() + wrong.iterations.queries() +
-         undecided.iterations.queries();
-}
-
-Rate ShapeEffort::answered_within(int least, int most) const {
-  Rate rate;
-  for (const Cost* const cost : {&hits, &misses, &wrong}) rate.count += cost->iterations.between(least, most).count;
-  rate.trials = queries();
-  return rate;
-}
-
-ShapeEffort& ShapeEffort::operator+=(const ShapeEffort& other) {
-  hits += other.hits;
-  misses += other.misses;
-  wrong += other.wrong;
-  undecided += other.undecided;
-  most_in_a_3simplex += other.most_in_a_3simplex;
-  shortcuts += other.shortcuts;
-  return *this;
-}
 
 std::uint64_t Shape::pairs(const ClaimsOptions& options) const {
   const std::uint64_t wanted =
@@ -194,8 +120,8 @@ const Shape& claim_shape(const std::string& name) {
   return *found;
 }
 
-ShapeEffort measure_effort(const Shape& shape, const ClaimsOptions& options) {
-  return over_pairs<ShapeEffort>(shape.pairs(options), options.threads, [&](ShapeEffort& sum, std::uint64_t index) {
+EffortCounts count_effort(const Shape& shape, const ClaimsOptions& options) {
+  return over_pairs<EffortCounts>(shape.pairs(options), options.threads, [&](EffortCounts& sum, std::uint64_t index) {
     const Pair pair = shape.make(options.seed, index);
     ask(pair, shape.hardness == Hardness::hard ? std::optional(truth(pair)) : std::nullopt, sum);
   });
@@ -207,12 +133,12 @@ const std::vector<std::string>& whole_number_shapes() {
   return names;
 }
 
-Shortcuts measure_in_fractions(const Shape& shape, const ClaimsOptions& options) {
+EffortCounts count_in_fractions(const Shape& shape, const ClaimsOptions& options) {
   const std::uint64_t pairs = std::min(shape.pairs(options), std::max(options.pairs / 50, std::uint64_t{1}));
-  return over_pairs<Shortcuts>(pairs, options.threads, [&](Shortcuts& sum, std::uint64_t index) {
+  return over_pairs<EffortCounts>(pairs, options.threads, [&](EffortCounts& sum, std::uint64_t index) {
     const Pair pair = shape.make(options.seed, index);
     const auto a = form_of<Exact>(pair.a), b = form_of<Exact>(pair.b);
-    ExactWatch watch{sum};
+    ExactWatch watch{Shortcuts(sum)};
     gjk::collision<Exact>(std::get<gjk::PointSet<Exact>>(*a), std::get<gjk::PointSet<Exact>>(*b), gjk::Options<Exact>{},
                           watch);
   });

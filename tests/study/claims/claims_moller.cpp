@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "core/gjk.hpp"
-#include "tests/study/claims/claims_measured.hpp"
-#include "tests/study/claims/claims_verdict.hpp"
+#include "tests/study/claims/claims.hpp"
 #include "tests/study/methods/moller_1997.hpp"
 #include "tests/study/pairs/dice.hpp"
 #include "tests/study/pairs/families.hpp"
@@ -52,7 +50,7 @@ Pair rounded_to_float(Pair pair) {
 
 // -- How triangles lie ------------------------------------------------------------------------------------------------
 
-bool share_a_vertex(const Triangles<double>& t) {
+bool have_a_common_vertex(const Triangles<double>& t) {
   return std::ranges::any_of(t.a, [&](const auto& corner) { return std::ranges::find(t.b, corner) != t.b.end(); });
 }
 
@@ -79,8 +77,11 @@ moller_1997::Finding<Exact> found_exactly(const Pair& pair) {
   return moller_1997::find(t.a, t.b, Distances::as_computed);
 }
 
+/// Of a pair about which GJK and Möller's test disagree: how the triangles lie, by exact arithmetic.
+enum class Contact { common_vertex, edges, beyond_plane, something_else };
+
 Contact contact_of(const Pair& pair) {
-  if (share_a_vertex(triangles_of<double>(pair))) return Contact::common_vertex;
+  if (have_a_common_vertex(triangles_of<double>(pair))) return Contact::common_vertex;
   const auto finding = found_exactly(pair);
   if (edges_touch(finding)) return Contact::edges;
   return finding.how == moller_1997::How::beyond_a_plane ? Contact::beyond_plane : Contact::something_else;
@@ -94,105 +95,78 @@ gjk::Status ask_gjk(const Triangles<S>& t) {
   return gjk::collision<S, Rules>(set(t.a), set(t.b)).status;
 }
 
-/// By Way: snapping is not GJK's.
+/// By way: snapping is not GJK's.
 template <class Rules>
-std::array<gjk::Status, ways> ask_gjk(const Triangles<double>& t, const Triangles<float>& f) {
+std::array<gjk::Status, way_names.size()> ask_gjk(const Triangles<double>& t, const Triangles<float>& f) {
   const gjk::Status in_double = ask_gjk<Rules>(t), in_float = ask_gjk<Rules>(f);
   return {in_double, in_float, in_double, in_float};
 }
 
-/// By Way.
-std::array<bool, ways> ask_moller(const Triangles<double>& t, const Triangles<float>& f) {
+/// By way.
+std::array<bool, way_names.size()> ask_moller(const Triangles<double>& t, const Triangles<float>& f) {
   return {moller_1997::meet(t.a, t.b, Distances::as_computed), moller_1997::meet(f.a, f.b, Distances::as_computed),
           moller_1997::meet(t.a, t.b, Distances::small_ones_snapped),
           moller_1997::meet(f.a, f.b, Distances::small_ones_snapped)};
 }
 
 /// `contact` is found once it is needed: exact arithmetic takes its time.
-void compare(gjk::Status gjk, bool moller, bool meet, const Pair& pair, std::optional<Contact>& contact,
+void compare(gjk::Status gjk, bool moller, bool meets, const Pair& pair, std::optional<Contact>& contact,
              Comparison& sum) {
+  using enum Compared;
   const bool yes = gjk == gjk::Status::intersecting;
-  sum.undecided += gjk == gjk::Status::undecided ? 1 : 0;
+  sum[undecided] += gjk == gjk::Status::undecided;
   if (yes == moller) {
-    ++(yes ? sum.both_yes : sum.both_no);
+    ++sum[yes ? both_yes : both_no];
     return;
   }
   if (!contact) contact = contact_of(pair);
-  (yes ? sum.only_gjk : sum.only_moller)[static_cast<std::size_t>(*contact)].add(meet);
+  ++sum[yes ? only_gjk : only_moller];
+  sum[yes ? only_gjk_right : only_moller_right] += meets;
+  sum[only_gjk_touch_so] += yes && contact == Contact::edges;
+  sum[only_gjk_share_a_vertex] += yes && contact == Contact::common_vertex;
+  sum[only_moller_beyond_plane] += moller && contact == Contact::beyond_plane;
 }
 
-void ask_about(const Pair& pair, MollerCounts& sum) {
+void ask_about(const Pair& pair, Comparisons& sum) {
+  using enum Compared;
   const Triangles<double> t = triangles_of<double>(pair);
   const Triangles<float> f = triangles_of<float>(pair);
-  const bool meet = truth(pair) == Truth::intersecting, share = share_a_vertex(t);
-  const std::array gjk{ask_gjk<gjk::AsIntended>(t, f), ask_gjk<gjk::AsPrinted>(t, f)};
-  const std::array<bool, ways> moller = ask_moller(t, f);
+  const bool meets = truth(pair) == Truth::intersecting, shares = have_a_common_vertex(t),
+             touches_so = nearly_touch(t) && edges_touch(found_exactly(pair));
+  const std::array by_gjk{ask_gjk<gjk::AsIntended>(t, f), ask_gjk<gjk::AsPrinted>(t, f)};
+  const auto by_moller = ask_moller(t, f);
   std::optional<Contact> contact;
-  for (std::size_t w = 0; w < ways; ++w) {
-    for (std::size_t rules = 0; rules < gjk.size(); ++rules)
-      compare(gjk[rules][w], moller[w], meet, pair, contact, sum.compared[rules][w]);
-    if (share) sum.common_vertex_seen[w].add(moller[w]);
-  }
-  ++sum.pairs;
-  sum.meet += meet ? 1 : 0;
-  sum.edges_touch += nearly_touch(t) && edges_touch(found_exactly(pair)) ? 1 : 0;
+  for (std::size_t rules = 0; rules < by_gjk.size(); ++rules)
+    for (std::size_t way = 0; way < by_moller.size(); ++way) {
+      Comparison& counts = sum[rules][way];
+      ++counts[Compared::pairs];
+      counts[meet] += meets;
+      counts[touch_so] += touches_so;
+      counts[Compared::share_a_vertex] += shares;
+      counts[share_seen_by_moller] += shares && by_moller[way];
+      compare(by_gjk[rules][way], by_moller[way], meets, pair, contact, counts);
+    }
 }
 
 // -- Kinds of triangles -----------------------------------------------------------------------------------------------
 
+/// Returns: 1,000 of 1000.
+std::string grouped(int number) {
+  const std::string digits = std::to_string(number);
+  return digits.size() <= 3 ? digits : digits.substr(0, digits.size() - 3) + ',' + digits.substr(digits.size() - 3);
+}
+
 /// Coordinates k/divisor for k = 0 … levels - 1, all alike.
 TriangleKind coarse(int levels, int divisor = 1) {
-  const std::string most = grouped(static_cast<std::uint64_t>(levels - 1));
-  std::string name = divisor == 1 ? "whole numbers 0 … " + most
-                                  : "k/" + grouped(static_cast<std::uint64_t>(divisor)) + " for k = 0 … " + most;
+  const std::string most = grouped(levels - 1);
+  std::string name = divisor == 1 ? "whole numbers 0 … " + most : "k/" + grouped(divisor) + " for k = 0 … " + most;
   return {std::move(name), [=](std::uint64_t seed, std::uint64_t index) {
             Dice dice(seed, "coarse-triangles", index);
             return rounded_to_float(coarse_triangles(dice, levels, divisor));
           }};
 }
 
-Rate sum_of(const std::array<Rate, contacts>& rates) {
-  return std::accumulate(rates.begin(), rates.end(), Rate{}, [](Rate sum, const Rate& r) { return sum += r; });
-}
-
 }  // namespace
-
-// -- Comparison -------------------------------------------------------------------------------------------------------
-
-Rate Comparison::all_only_gjk() const { return sum_of(only_gjk); }
-Rate Comparison::all_only_moller() const { return sum_of(only_moller); }
-
-Rate Comparison::agreement() const {
-  const std::uint64_t agree = both_yes + both_no;
-  return {agree, agree + all_only_gjk().trials + all_only_moller().trials};
-}
-
-Rate Comparison::gjk_right() const {
-  Rate rate = all_only_gjk();
-  return rate += all_only_moller().opposite();
-}
-
-Comparison& Comparison::operator+=(const Comparison& other) {
-  both_yes += other.both_yes;
-  both_no += other.both_no;
-  undecided += other.undecided;
-  for (std::size_t i = 0; i < contacts; ++i) {
-    only_gjk[i] += other.only_gjk[i];
-    only_moller[i] += other.only_moller[i];
-  }
-  return *this;
-}
-
-MollerCounts& MollerCounts::operator+=(const MollerCounts& other) {
-  pairs += other.pairs;
-  meet += other.meet;
-  edges_touch += other.edges_touch;
-  for (std::size_t w = 0; w < ways; ++w) {
-    for (std::size_t rules = 0; rules < compared.size(); ++rules) compared[rules][w] += other.compared[rules][w];
-    common_vertex_seen[w] += other.common_vertex_seen[w];
-  }
-  return *this;
-}
 
 const std::vector<TriangleKind>& triangle_kinds() {
   static const std::vector<TriangleKind> all{
@@ -208,20 +182,17 @@ const std::vector<TriangleKind>& triangle_kinds() {
       coarse(101, 100),
       coarse(1001, 1000),
       coarse(32768, 32767),
+      {"a common vertex, whole numbers 0 … 100",
+       [](std::uint64_t seed, std::uint64_t index) {
+         Dice dice(seed, "common-vertex", index);
+         return coarse_triangles_with_a_common_corner(dice, 101);
+       }},
   };
   return all;
 }
 
-const TriangleKind& common_vertex_kind() {
-  static const TriangleKind kind{"a common vertex, whole numbers 0 … 100", [](std::uint64_t seed, std::uint64_t index) {
-                                   Dice dice(seed, "common-vertex", index);
-                                   return coarse_triangles_with_a_common_corner(dice, 101);
-                                 }};
-  return kind;
-}
-
-MollerCounts measure_moller(const TriangleKind& kind, const ClaimsOptions& options) {
-  return over_pairs<MollerCounts>(options.pairs, options.threads, [&](MollerCounts& sum, std::uint64_t index) {
+Comparisons compare_with_moller(const TriangleKind& kind, const ClaimsOptions& options) {
+  return over_pairs<Comparisons>(options.pairs, options.threads, [&](Comparisons& sum, std::uint64_t index) {
     ask_about(kind.make(options.seed, index), sum);
   });
 }

@@ -4,13 +4,48 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <type_traits>
 
 #include "core/events.hpp"
+#include "tests/study/sweep/tally.hpp"
 #include "tests/study/truth/nearest_feature.hpp"
-#include "tests/study/sweep/rate.hpp"
 
 namespace study {
+
+// clang-format off
+/// What is counted of one shape, each in a histogram.
+enum class Effort {
+  hits, misses, wrong, undecided,            // queries, by iterations
+  hit_cross_products, miss_cross_products,   // queries, by cross products
+  most_in_a_3simplex,                        // queries, by the most cross products that one 3-simplex took
+  simplices,                                 // by the number of vertices
+  nearest_of_2, nearest_of_3, nearest_of_4,  // simplices of so many vertices, by Feature; all of it where it has the origin
+  kept_the_nearest,  // 3-simplices that are not flat, by whether Algorithm 5 keeps the nearest feature
+  // Section 3.2.3: "AB·AO > 0 and BA·BO > 0 in addition to Eq. 12", which the report does without. By iteration: edges AX kept;
+  // of these, AX·AO > 0 is false, the origin lies beyond A; XA·XO > 0 is false, it lies beyond X.
+  triangle_edges, triangle_newest_false, triangle_older_false,           // Algorithm 4
+  tetrahedron_edges, tetrahedron_newest_false, tetrahedron_older_false,  // Algorithm 5
+};
+inline constexpr std::array effort_names{
+    "hits", "misses", "wrong", "undecided", "hit_cross_products", "miss_cross_products", "most_in_a_3simplex",
+    "simplices", "nearest_of_2", "nearest_of_3", "nearest_of_4", "kept_the_nearest",
+    "triangle_edges", "triangle_newest_false", "triangle_older_false",
+    "tetrahedron_edges", "tetrahedron_newest_false", "tetrahedron_older_false"};
+// clang-format on
+
+struct EffortCounts {
+  std::array<Histogram, effort_names.size()> histograms;
+
+  Histogram& operator[](Effort effort) { return histograms[static_cast<std::size_t>(effort)]; }
+  /// Returns: how many were counted under k.
+  std::uint64_t at(Effort effort, std::size_t k) const {
+    const Histogram& histogram = histograms[static_cast<std::size_t>(effort)];
+    return k < histogram.size() ? histogram[k] : 0;
+  }
+  EffortCounts& operator+=(const EffortCounts& more) {
+    for (std::size_t i = 0; i < histograms.size(); ++i) add(histograms[i], more.histograms[i]);
+    return *this;
+  }
+};
 
 /// Counts the cross products of a run from what it tells. Algorithm 5 is counted as it runs here: the normals of Eq. 14
 /// one by one, until one sees the origin; the report's listing computes all three first.
@@ -53,29 +88,11 @@ struct CrossProducts {
   int in_this_simplex_ = 0;
 };
 
-/// Section 3.2.3: "AB·AO > 0 and BA·BO > 0 in addition to Eq. 12", which the report does without.
-struct ExtraChecks {
-  std::uint64_t edges = 0;         ///< where Eq. 12 or its like for another edge AX was true
-  std::uint64_t newest_false = 0;  ///< of these AX·AO > 0 was false: the origin lies beyond A
-  std::uint64_t older_false = 0;   ///< of these XA·XO > 0 was false: it lies beyond X
-
-  ExtraChecks& operator+=(const ExtraChecks& other) {
-    edges += other.edges;
-    newest_false += other.newest_false;
-    older_false += other.older_false;
-    return *this;
-  }
-};
-
 /// Looks, exactly, where the origin lies when Algorithms 3-5 are called.
-struct Shortcuts {
-  static constexpr std::size_t iterations = 21;
-
-  std::array<std::array<std::uint64_t, 16>, 5>
-      nearest{};  ///< by size of the simplex and Feature; all of it where it contains the origin
-  std::array<ExtraChecks, iterations> in_triangle, in_tetrahedron;  ///< by iteration: Algorithm 4, Algorithm 5
-  Rate kept_the_nearest;  ///< what Algorithm 5 keeps is the nearest feature, of those that are not flat
-  std::size_t largest_simplex = 0;
+class Shortcuts {
+ public:
+  /// `counts`: gets what is seen.
+  explicit Shortcuts(EffortCounts& counts) : counts_(counts) {}
 
   template <class E>
   void operator()(const E&) {}
@@ -83,52 +100,40 @@ struct Shortcuts {
   void operator()(const gjk::VertexAdded<double>& event) { look_at(event.simplex); }
 
   void look_at(const gjk::Simplex<double>& simplex) {
+    using enum Effort;
     simplex_ = simplex;
-    const auto size = static_cast<std::size_t>(simplex.size());
-    largest_simplex = std::max(largest_simplex, size);
+    const int size = simplex.size();
+    count(counts_[simplices], size);
     nearest_ = size >= 2 ? nearest_feature(simplex) : feature_of(gjk::Role::A);
     if (size < 2) return;
     const bool is_inside = nearest_ != 0 && lies_on(simplex, nearest_);
-    ++nearest[size][is_inside ? (1U << size) - 1 : nearest_];
+    count(counts_[size == 2   ? nearest_of_2
+                  : size == 3 ? nearest_of_3
+                              : nearest_of_4],
+          static_cast<int>(is_inside ? (1U << size) - 1 : nearest_));
   }
 
   void operator()(const gjk::SimplexReduced<double>& event) {
     if (event.before.size() < 4 || nearest_ == 0) return;  // of a flat one it cannot be told
     Feature kept = 0;
     for (const char role : event.kept) kept |= 1U << (role - 'A');
-    kept_the_nearest.add(kept == nearest_);
+    count(counts_[Effort::kept_the_nearest], kept == nearest_);
   }
 
   void operator()(const gjk::RegionTested<double>& event) {
     if (event.verdict != gjk::Verdict::chosen || event.feature.size() != 2 || event.simplex_size < 3) return;
     const auto other = static_cast<gjk::Role>(event.feature[1] - 'A');
-    const auto iteration = std::min(static_cast<std::size_t>(event.iteration), iterations - 1);
-    ExtraChecks& checks = (event.simplex_size == 3 ? in_triangle : in_tetrahedron)[iteration];
-    ++checks.edges;
-    if (!lies_toward(simplex_, gjk::Role::A, other)) ++checks.newest_false;
-    if (!lies_toward(simplex_, other, gjk::Role::A)) ++checks.older_false;
-  }
-
-  Shortcuts& operator+=(const Shortcuts& other) {
-    for (std::size_t size = 0; size < nearest.size(); ++size)
-      for (std::size_t f = 0; f < nearest[size].size(); ++f) nearest[size][f] += other.nearest[size][f];
-    for (std::size_t i = 0; i < iterations; ++i) {
-      in_triangle[i] += other.in_triangle[i];
-      in_tetrahedron[i] += other.in_tetrahedron[i];
-    }
-    kept_the_nearest += other.kept_the_nearest;
-    largest_simplex = std::max(largest_simplex, other.largest_simplex);
-    return *this;
-  }
-
-  /// Returns: how often `feature` was the nearest when a simplex of that many vertices was processed.
-  Rate nearest_was(std::size_t size, Feature feature) const {
-    Rate rate{nearest[size][feature], 0};
-    for (const std::uint64_t n : nearest[size]) rate.trials += n;
-    return rate;
+    const bool is_triangle = event.simplex_size == 3;
+    using enum Effort;
+    count(counts_[is_triangle ? triangle_edges : tetrahedron_edges], event.iteration);
+    if (!lies_toward(simplex_, gjk::Role::A, other))
+      count(counts_[is_triangle ? triangle_newest_false : tetrahedron_newest_false], event.iteration);
+    if (!lies_toward(simplex_, other, gjk::Role::A))
+      count(counts_[is_triangle ? triangle_older_false : tetrahedron_older_false], event.iteration);
   }
 
  private:
+  EffortCounts& counts_;
   gjk::Simplex<double> simplex_;
   Feature nearest_ = 0;  ///< of it
 };

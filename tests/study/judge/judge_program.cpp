@@ -8,8 +8,8 @@
 #include "tests/study/judge/answer.hpp"
 #include "tests/study/judge/resemblance.hpp"
 #include "tests/study/judge/rounding.hpp"
+#include "tests/study/judge/symmetries.hpp"
 #include "tests/study/pairs/dice.hpp"
-#include "tests/study/symmetries/symmetries.hpp"
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {

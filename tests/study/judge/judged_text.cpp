@@ -5,9 +5,8 @@
 #include <set>
 #include <sstream>
 
-#include "tests/study/claims/claims_text.hpp"
+#include "tests/study/judge/markdown.hpp"
 #include "tests/study/methods/mistakes.hpp"
-#include "tests/study/report/tables.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace study {
@@ -43,8 +42,7 @@ std::string pairs_in_common(const Resemblance& best) {
 std::optional<Numbers> numbers_that_explain(const ProgramJudged& judged) {
   const LaidToRounding& rounding = judged.rounding;
   if (rounding.in_doubles == rounding.wrong) return Numbers::doubles;
-  const bool is_like_floats =
-      !judged.resemblances.empty() && judged.resemblances.front().sound_in == Numbers::floats;
+  const bool is_like_floats = !judged.resemblances.empty() && judged.resemblances.front().sound_in == Numbers::floats;
   return is_like_floats && rounding.in_floats == rounding.wrong ? std::optional(Numbers::floats) : std::nullopt;
 }
 
@@ -59,9 +57,9 @@ void add_rounding(const ProgramJudged& judged, std::vector<std::string>& sentenc
                         std::string(numbers_words[static_cast<std::size_t>(*numbers)]) + " they explain all of its " +
                         wrong + "; " + others + ", and may show on no other pairs.");
   else
-    sentences.push_back("Rounding and cycles do not explain all of it: in doubles " + std::to_string(rounding.in_doubles) +
-                        " of its " + wrong + ", in floats " + std::to_string(rounding.in_floats) + "; " + others +
-                        ", and may be the reason.");
+    sentences.push_back("Rounding and cycles do not explain all of it: in doubles " +
+                        std::to_string(rounding.in_doubles) + " of its " + wrong + ", in floats " +
+                        std::to_string(rounding.in_floats) + "; " + others + ", and may be the reason.");
 }
 
 /// Returns: how the sentence begins that names the most alike.
@@ -69,7 +67,8 @@ std::string likeness(const ProgramJudged& judged) {
   const Resemblance& best = judged.resemblances.front();
   if (!best.has_evidence()) return "Too few pairs to name a mistake; the nearest is ";
   if (best.sound_in) return "It answers most like ";
-  return best.share() >= alike_enough ? "It behaves like " : "No single mistake of the study explains it; the nearest is ";
+  return best.share() >= alike_enough ? "It behaves like "
+                                      : "No single mistake of the study explains it; the nearest is ";
 }
 
 void add_resemblance(const ProgramJudged& judged, std::vector<std::string>& sentences) {

@@ -18,16 +18,6 @@ bool is_of_points(const Family& family) {
   return std::holds_alternative<Points>(pair.a) && std::holds_alternative<Points>(pair.b);
 }
 
-TEST_CASE("Answers are certified in float and in double, by rules as intended and eager", "[certified]") {
-  std::vector<std::string> names;
-  for (const Method* const method : certified_ones()) names.push_back(method->name());
-  CHECK(names == std::vector<std::string>{"certified float exact", "certified-eager float exact",
-                                          "certified double exact", "certified-eager double exact"});
-  CHECK(first_search_of("certified") == gjk::RuleSet::as_intended);
-  CHECK(first_search_of("certified-eager") == gjk::RuleSet::eager);
-  for (const auto& rules : gjk::rule_sets) CHECK_FALSE(is_certified(rules.name));
-}
-
 TEST_CASE("Certified answers about all families of points are right and their certificates hold", "[certified]") {
   for (const Family& family : families()) {
     if (!is_of_points(family)) continue;
@@ -87,10 +77,10 @@ TEST_CASE("Second searches are counted where the first proves nothing", "[certif
         .tally.second_iterations;
   };
   const Histogram touching = searches("touching-face-askew"), apart = searches("triangles");
-  CHECK(total(without_none(touching)) == 400);  // no double proves that sets touch
+  CHECK(total(touching) == 400);
+  CHECK(touching[0] == 0);  // no double proves that sets touch
   CHECK(total(apart) == 400);
-  CHECK(total(without_none(apart)) < 200);
-  CHECK(without_none({}).empty());
+  CHECK(apart[0] > 200);
 }
 
 TEST_CASE("Every certified answer is timed alone, by whether a second search followed, and the slowest pair is named",

@@ -1,7 +1,9 @@
 #include "tests/study/program/claims_command.hpp"
 
+#include <filesystem>
 #include <iostream>
 
+#include "render/file.hpp"
 #include "tests/study/claims/claims.hpp"
 #include "tests/study/program/options.hpp"
 
@@ -17,14 +19,22 @@ void ClaimsCommand::add_to(CLI::App& app) {
                 std::uint64_t{1}, most_pairs);
   add_seed(app, seed);
   add_threads(app, threads);
+  app.add_option("--out", out, "folder of the CSV files")->capture_default_str();
+  app.footer("tests/study/report/report.py makes claims.md of the CSV files.");
 }
 
 void ClaimsCommand::run() const {
+  expect_named("--out", out);
+  render::make_folder(out, "choose another with --out");  // before the work, not after it
   std::cerr << "seed " << seed << '\n';
-  write_claims(std::cout, {.pairs = quick ? 20'000 : pairs,
-                           .seed = seed,
-                           .threads = threads_of(threads),
-                           .progress = [](const std::string& what) { std::cerr << what << '\n'; }});
+  for (const Csv& csv : claims_csv({.pairs = quick ? 20'000 : pairs,
+                        .seed = seed,
+                        .threads = threads_of(threads),
+                        .progress = [](const std::string& what) { std::cerr << what << '\n'; }})) {
+    const std::filesystem::path file = std::filesystem::path(out) / csv.name;
+    render::write_file(file, csv.text);
+    std::cout << file.string() << '\n';
+  }
 }
 
 }  // namespace study

@@ -12,12 +12,11 @@
 #include "tests/study/program/claims_command.hpp"
 #include "tests/study/program/judge_command.hpp"
 #include "tests/study/program/pairs_command.hpp"
-#include "tests/study/program/symmetries_command.hpp"
 #include "tests/study/sweep/plan.hpp"
 
 namespace study {
 
-/// `gjkstep-study run`: sweeps, and writes what was found.
+/// `gjkstep-study run`: sweeps, and writes what was counted and timed.
 struct RunCommand {
   Request request;
   bool quick = false, full = false;
@@ -30,16 +29,8 @@ struct RunCommand {
   void run() const;
 
  private:
-  void save(const std::vector<Failure>& found, std::uint64_t seed) const;
-};
-
-/// `gjkstep-study merge`: adds up shards, and writes what they found together.
-struct MergeCommand {
-  std::vector<std::string> files;
-  std::string out = "study";
-
-  void add_to(CLI::App& app);
-  void run() const;
+  void expect_apart(const Plan& plan) const;
+  void save(const std::vector<Failure>& found) const;
 };
 
 /// All of them. A further command is one more entry in Commands::add_to().
@@ -52,10 +43,11 @@ class Commands {
   void run() const;
 
  private:
+  template <class Command>
+  void add(CLI::App& app, Command& command, const char* name, const char* what);
+
   RunCommand run_;
-  MergeCommand merge_;
   ClaimsCommand claims_;
-  SymmetriesCommand symmetries_;
   PairsCommand pairs_;
   JudgeCommand judge_;
   CheckStepsCommand check_steps_;

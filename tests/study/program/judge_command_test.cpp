@@ -4,15 +4,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/walkthroughs/program/program.hpp"
+#include "tests/study/program/run_study.hpp"
 
-namespace walkthroughs::test {
+namespace study::test {
 namespace {
 
-std::string in(const Folder& folder, const std::string& name) { return quoted((folder.path() / name).string()); }
-
 TEST_CASE("judge: a sound program ends with 0, a wrong one with 1 and what is wrong", "[judge]") {
-  const Outcome sound = run("judge -- " + quoted(GJKSTEP_ITSELF) + " query --certified");
+  const Outcome sound = run("judge -- " + quoted(kit::program()) + " query --certified");
   INFO(sound.err);
   CHECK(sound.exit_code == 0);
   CHECK(has(sound.out, "query --certified: nothing is wrong: "));
@@ -26,12 +24,12 @@ TEST_CASE("judge: a sound program ends with 0, a wrong one with 1 and what is wr
 
 TEST_CASE("judge: families are asked with intervals, and the same seed makes the same pairs", "[judge]") {
   const std::string command = "judge --families triangles,spheres --count 50 --seed 3 -- ";
-  const Outcome one = run(command + quoted(GJKSTEP_ITSELF) + " query --rules as-printed");
+  const Outcome one = run(command + quoted(kit::program()) + " query --rules as-printed");
   CHECK(one.exit_code == 1);
   CHECK(has(one.out, "wrong, with the 95 % interval"));
   CHECK(has(one.out, "| all | 100 |"));
   CHECK(has(one.out, "made by: `gjkstep-study " + command));
-  CHECK(run(command + quoted(GJKSTEP_ITSELF) + " query --rules as-printed").out == one.out);
+  CHECK(run(command + quoted(kit::program()) + " query --rules as-printed").out == one.out);
 }
 
 TEST_CASE("judge: JSON says the same, with every pair that is not right", "[judge]") {
@@ -53,7 +51,7 @@ TEST_CASE("judge: what gjkstep-study pairs writes is judged, and pairs that are 
   std::ofstream(folder.path() / "bad.jsonl") << R"({"a":{"points":[[0,0,0]]}})"
                                              << "\n";
   const Outcome outcome =
-      run("judge --pairs " + in(folder, "pairs.jsonl") + " -- " + quoted(GJKSTEP_ITSELF) + " query");
+      run("judge --pairs " + in(folder, "pairs.jsonl") + " -- " + quoted(kit::program()) + " query");
   CHECK(has(outcome.out, "of 8 pairs") != has(outcome.out, "wrong: 8 pairs"));
   check_failure("judge --pairs " + in(folder, "bad.jsonl") + " -- cat", 3, {"bad.jsonl:1: ", "b"});
   check_failure("judge --pairs " + in(folder, "nowhere") + " -- cat", 3, {"nowhere: cannot be read"});
@@ -69,7 +67,7 @@ TEST_CASE("judge: failures are saved as scenes that gjkstep render draws", "[jud
   const std::vector<std::string> files = listing(folder.path() / "wrong");
   REQUIRE(files.size() > 5);
   CHECK(std::ranges::count(files, "wrong-no-m14-1.json") == 1);
-  const std::string render = quoted(GJKSTEP_ITSELF) + " render " + in(folder, "wrong/" + files.front()) +
+  const std::string render = quoted(kit::program()) + " render " + in(folder, "wrong/" + files.front()) +
                              " --size 160x90 --out " + in(folder, "pictures") + " >/dev/null 2>&1";
   CHECK(std::system(render.c_str()) == 0);
   CHECK_FALSE(listing(folder.path() / "pictures").empty());
@@ -87,7 +85,7 @@ TEST_CASE("judge: a page has the verdict, families and pictures in it, and nothi
   CHECK_FALSE(has(page, "http://"));
   CHECK_FALSE(has(page, "https://"));
   const Outcome sound = run("judge --families boxes --count 3 --html " + in(folder, "sound.html") + " -- " +
-                            quoted(GJKSTEP_ITSELF) + " query --certified");
+                            quoted(kit::program()) + " query --certified");
   CHECK(sound.exit_code == 0);
   CHECK_FALSE(has(bytes_of(folder.path() / "sound.html"), "<img"));
 }
@@ -113,12 +111,13 @@ TEST_CASE("judge: the recipe says what happens", "[judge]") {
   const std::string out = run("judge -- " + quoted(JUDGED_WRONG_GJK)).out;
   const std::string verdict = lines(out).at(0).substr(2 + std::string(JUDGED_WRONG_GJK).size());
   CHECK(has(recipe, "# ./wrong_gjk" + verdict + "\n"));
-  CHECK(has(recipe, "[a GJK of " + std::to_string(lines(bytes_of(JUDGE_ADAPTERS "/wrong_gjk.cpp")).size()) + " lines]"));
+  CHECK(
+      has(recipe, "[a GJK of " + std::to_string(lines(bytes_of(JUDGE_ADAPTERS "/wrong_gjk.cpp")).size()) + " lines]"));
   const std::string sentence = lines(out).at(2);
   CHECK(has(recipe, sentence.substr(0, sentence.find(';')) + "; …\n"));
   const auto line = recipe.find("  if (dot(n, AO) < 0) return s = {C, B, A}, -n;");
   CHECK(has(bytes_of(JUDGE_ADAPTERS "/wrong_gjk.cpp"), recipe.substr(line, recipe.find(';', line) - line)));
-  const auto doubles = run("judge --json -- " + quoted(GJKSTEP_ITSELF) + " query");
+  const auto doubles = run("judge --json -- " + quoted(kit::program()) + " query");
   const auto all = nlohmann::json::parse(doubles.out)["all"];
   const int wrong = all["wrong_yes"].get<int>() + all["wrong_no"].get<int>(), unproved = all["false_evidence"];
   CHECK(has(recipe, "in doubles is wrong on " + std::to_string(wrong) + " of these pairs, " + std::to_string(unproved) +
@@ -128,8 +127,9 @@ TEST_CASE("judge: the recipe says what happens", "[judge]") {
 TEST_CASE("check-steps: the recipe's search has its wrong step named", "[judge]") {
   const Folder folder;
   const std::string pair = in(folder, "pair.jsonl"), steps = in(folder, "steps.jsonl");
-  const std::string make = "grep '\"m14-1\"' " + quoted(GJKSTEP_CORPUS) + " >" + pair + " && (cat " + pair +
-                           "; JUDGE_STEPS=1 " + quoted(JUDGED_WRONG_GJK) + " <" + pair + ") >" + steps;
+  const std::string make = "grep '\"m14-1\"' " + quoted(kit::source("tests/study/corpus.jsonl")) + " >" + pair +
+                           " && (cat " + pair + "; JUDGE_STEPS=1 " + quoted(JUDGED_WRONG_GJK) + " <" + pair + ") >" +
+                           steps;
   REQUIRE(std::system(make.c_str()) == 0);
   const Outcome outcome = run("check-steps " + steps);
   CHECK(outcome.exit_code == 1);
@@ -167,16 +167,17 @@ false
   check_failure("check-steps " + in(folder, "bad"), 3, {"bad:1: the first line must be a pair"});
 }
 
-TEST_CASE("check-steps: who tells steps at their end, as the adapter does, is not blamed for a no that follows from them",
-          "[judge]") {
+TEST_CASE(
+    "check-steps: who tells steps at their end, as the adapter does, is not blamed for a no that follows from them",
+    "[judge]") {
   // A right one; and one in a direction that rounds, and is not told.
   for (const std::string name : {"m4-1", "touching-edge-askew-37"}) {
     INFO(name);
     const Folder folder;
     const std::string steps = in(folder, "steps.jsonl");
-    const std::string make = "grep '\"" + name + "\"' " + quoted(GJKSTEP_CORPUS) + " | tee " + steps +
-                             " | JUDGE_STEPS=1 " + quoted(JUDGED_WRONG_GJK) + " >" + steps + ".told && cat " + steps +
-                             ".told >>" + steps;
+    const std::string make = "grep '\"" + name + "\"' " + quoted(kit::source("tests/study/corpus.jsonl")) + " | tee " +
+                             steps + " | JUDGE_STEPS=1 " + quoted(JUDGED_WRONG_GJK) + " >" + steps + ".told && cat " +
+                             steps + ".told >>" + steps;
     REQUIRE(std::system(make.c_str()) == 0);
     REQUIRE(has(bytes_of(folder.path() / "steps.jsonl"), "\nfalse\n"));
     const Outcome outcome = run("check-steps " + steps);
@@ -207,7 +208,7 @@ TEST_CASE("judge: --steps names the first wrong step of failures, where the prog
   CHECK(lines(table).at(4).starts_with("| m14-1 | 3 |"));  // small whole numbers
   CHECK(has(table, " | – | every step is one"));
   CHECK(has(run("judge --steps -- sed s/.*/true/").out, "| it tells no steps |"));
-  CHECK_FALSE(has(run("judge --steps -- " + quoted(GJKSTEP_ITSELF) + " query --certified").out, "first wrong step"));
+  CHECK_FALSE(has(run("judge --steps -- " + quoted(kit::program()) + " query --certified").out, "first wrong step"));
 }
 
 TEST_CASE("judge: --steps is in JSON and on the page, too, where both searches are drawn as they part", "[judge]") {
@@ -239,8 +240,7 @@ TEST_CASE("judge: wrong usage ends with 2, what cannot be written with 5", "[jud
   check_failure("judge --html '' -- cat", 2, {"--html '': name a file"});
   check_failure("judge --save-failures /dev/null/x -- cat", 5, {"/dev/null/x"});
   check_failure("judge --html /dev/null/x -- cat", 5, {"/dev/null/x"});
-  const Outcome outcome =
-      run("judge --families boxes --count 2 -- sed s/.*/true/", "", {.out = "/dev/full", .err = ""});
+  const Outcome outcome = run("judge --families boxes --count 2 -- sed s/.*/true/", "/dev/full");
   CHECK(outcome.exit_code == 5);
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("judge: ended while it waits, it leaves nothing running", "[judge]") {
     INFO(signal);
     const Folder folder;
     std::ofstream(folder.path() / "script")
-        << "env --default-signal=INT " << quoted(GJKSTEP_PROGRAM)
+        << "env --default-signal=INT " << quoted(kit::built("gjkstep-study"))
         << " judge --time-limit 100 -- sh -c 'setsid sleep 2000 & echo $! >" << (folder.path() / "started").string()
         << "; sleep 2000' >/dev/null 2>&1 &\nuntil [ -s " << in(folder, "started") << " ]; do sleep 0.02; done\nkill -"
         << signal << " $!\nwait $!\n";
@@ -267,9 +267,10 @@ TEST_CASE("judge: killed while it waits, it leaves nothing of the program's grou
     const Folder folder;
     const std::string started = in(folder, "started");
     std::ofstream(folder.path() / "script")
-        << "setsid " << quoted(GJKSTEP_PROGRAM) << " judge --time-limit 100 -- sh -c '(sleep 2000 & echo $! >"
-        << (folder.path() / "started").string() << "; wait) & sleep 2000' >/dev/null 2>&1 &\nuntil [ -s " << started
-        << " ]; do sleep 0.02; done\nkill -KILL " << whom << "\nwait $!\n"
+        << "setsid " << quoted(kit::built("gjkstep-study"))
+        << " judge --time-limit 100 -- sh -c '(sleep 2000 & echo $! >" << (folder.path() / "started").string()
+        << "; wait) & sleep 2000' >/dev/null 2>&1 &\nuntil [ -s " << started << " ]; do sleep 0.02; done\nkill -KILL "
+        << whom << "\nwait $!\n"
         << "while readlink /proc/$(cat " << started << ")/exe; do sleep 0.02; done\n";  // one that has ended has none
     CHECK(std::system(("timeout 60 sh " + in(folder, "script") + " 2>/dev/null").c_str()) == 0);
   }
@@ -281,7 +282,7 @@ TEST_CASE("judge: options of the program are its own", "[judge]") {
   CHECK(has(outcome.out, "First pair without an answer: boxes-0: "));
   CHECK_FALSE(outcome.out.starts_with("{"));
   // Behind a list, too.
-  const Outcome own = run("judge --count 2 --families boxes -- " + quoted(GJKSTEP_ITSELF) + " query --certified");
+  const Outcome own = run("judge --count 2 --families boxes -- " + quoted(kit::program()) + " query --certified");
   CHECK(own.exit_code == 0);
   CHECK(has(own.out, "query --certified: nothing is wrong: 2 pairs\n"));
 }
@@ -327,7 +328,7 @@ TEST_CASE("judge: a pair that has no room to be scaled is not", "[judge]") {
       << R"({"a":{"points":[[0,0,0],[1e308,1e-308,3e-320]]},"b":{"points":[[-1e308,0,5e-324],[1e308,1,1]]}})"
       << "\n";
   const Outcome outcome =
-      run("judge --pairs " + in(folder, "pairs.jsonl") + " -- " + quoted(GJKSTEP_ITSELF) + " query --certified");
+      run("judge --pairs " + in(folder, "pairs.jsonl") + " -- " + quoted(kit::program()) + " query --certified");
   INFO(outcome.out);
   CHECK(outcome.exit_code == 0);
 }
@@ -347,4 +348,4 @@ TEST_CASE("judge: of two that explain the same the simpler one is named", "[judg
 }
 
 }  // namespace
-}  // namespace walkthroughs::test
+}  // namespace study::test

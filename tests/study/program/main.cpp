@@ -7,7 +7,7 @@
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (shards that do not go together, an unreadable file),\n"
+    "Exit codes: 0 ok, 2 wrong usage, 3 bad input (an unreadable file),\n"
     "5 cannot write, 1 GJK in exact numbers or a certified answer is at odds with the oracle, a program that was "
     "judged or\n"
     "whose steps were checked is wrong, or anything else.";
@@ -34,6 +34,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return walkthroughs::exit_code_of("gjkstep-study", "ask for fewer --families or --threads, or merge fewer files",
+  return walkthroughs::exit_code_of("gjkstep-study", "ask for fewer --families or --threads",
                                     [&] { return run(argc, argv); });
 }

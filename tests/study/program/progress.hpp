@@ -17,9 +17,9 @@ class ProgressLine {
     next_ = now + (is_terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(15));
     const double part = static_cast<double>(done) / static_cast<double>(all);
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    std::fprintf(stderr, "%s%llu of %llu pairs (%.0f %%), %.0f s%s", is_terminal_ ? "\r" : "",
+    std::fprintf(stderr, "%s%llu of %llu pairs (%.0f %%), %.0f s, some %.0f s left%s", is_terminal_ ? "\r" : "",
                  static_cast<unsigned long long>(done), static_cast<unsigned long long>(all), 100 * part, seconds,
-                 is_terminal_ && done < all ? "" : "\n");
+                 part > 0 ? seconds / part - seconds : 0.0, is_terminal_ && done < all ? "" : "\n");
   }
 
  private:

@@ -130,17 +130,17 @@ def check(program, folder):
         held = (folder / "held.pid").read_text().strip()
         slurm.run("scancel", "--signal=KILL", "--full", f"{job}_{killed}")
         wait_for("the end of the one that was killed", lambda: not slurm.states(job) and not is_running(held))
-        missing = [i for i in range(shards) if not (out / f"shard-{i}-of-{shards}.json").exists()]
+        missing = [i for i in range(shards) if not (out / f"shard-{i}-of-{shards}/counts.csv").exists()]
         assert missing == [killed], missing
         again = slurm.submit(str(killed), str(program), str(out), str(shards), *study)
         wait_for("the shard that is run again", lambda: not slurm.states(again))
     finally:
         slurm.end()
-    files = sorted(str(file) for file in out.glob("shard-*.json"))
-    assert len(files) == shards, len(files)
-    subprocess.run([program, "merge", *files, "--out", folder / "merged"], check=True, capture_output=True)
+    report = here.parent / "report/report.py"
     subprocess.run([program, "run", *study, "--out", folder / "one"], check=True, capture_output=True)
-    for name in ("study.csv", "tables.md", "errors.md", "settings.md"):
+    subprocess.run([report, folder / "one"], check=True, capture_output=True)
+    subprocess.run([report, *out.glob("shard-*"), "--out", folder / "merged"], check=True, capture_output=True)
+    for name in ("tables.md", "errors.md", "settings.md"):
         assert (folder / "merged" / name).read_bytes() == (folder / "one" / name).read_bytes(), name
     print(f"{shards} shards, number {killed} killed and run again: merged as one run, byte for byte")
 

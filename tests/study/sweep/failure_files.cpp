@@ -95,6 +95,12 @@ std::string keys_of(const Failure& failure) {
   return text;
 }
 
+/// Whether a scene can hold these bodies: its numbers have an upper limit.
+bool fits_scene(const Failure& failure) {
+  return std::max(walkthroughs::largest_number(failure.pair.a), walkthroughs::largest_number(failure.pair.b)) <=
+         walkthroughs::scene_limits::magnitude;
+}
+
 }  // namespace
 
 std::string to_string(Kind kind) {
@@ -118,11 +124,6 @@ std::string scene_name(const Failure& failure) {
                      std::to_string(failure.index) + ".json";
   std::ranges::replace(name, ' ', '-');
   return name;
-}
-
-bool fits_scene(const Failure& failure) {
-  return std::max(walkthroughs::largest_number(failure.pair.a), walkthroughs::largest_number(failure.pair.b)) <=
-         walkthroughs::scene_limits::magnitude;
 }
 
 Saved write_failures(const std::filesystem::path& folder, const std::vector<Failure>& failures, std::uint64_t seed) {

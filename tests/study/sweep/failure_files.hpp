@@ -19,9 +19,6 @@ std::string scene_of(const Failure& failure, std::uint64_t seed);
 /// Returns: "family-method-kind-index.json", made of plain letters.
 std::string scene_name(const Failure& failure);
 
-/// Whether a scene can hold these bodies: its numbers have an upper limit.
-bool fits_scene(const Failure& failure);
-
 struct Saved {
   std::size_t files = 0;
   std::size_t left_out = 0;  ///< which no scene can hold

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
-#include <cmath>
-#include <fstream>
 
 #include "tests/study/methods/all_methods.hpp"
 #include "walkthroughs/text/nearest.hpp"
@@ -126,54 +123,10 @@ std::string option(const std::string& name, const std::vector<std::string>& valu
   return text;
 }
 
-/// Returns: what Linux calls the processor.
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(std::min(line.find(':') + 2, line.size()));
-  return "an unknown processor";
-}
-
 std::vector<std::string> words_of(const std::vector<int>& numbers) {
   std::vector<std::string> words;
   for (const int number : numbers) words.push_back(std::to_string(number));
   return words;
-}
-
-// -- How long it will take ----------------------------------------------------------------------------------------------
-
-std::vector<const Method*> methods_where(const Plan& plan, bool (*wanted)(const Method& method)) {
-  std::vector<const Method*> some = plan.methods;
-  std::erase_if(some, [=](const Method* method) { return !wanted(*method); });
-  return some;
-}
-
-bool is_quick(const Method& method) { return !method.scalar.is_slow; }
-bool is_slow(const Method& method) { return method.scalar.is_slow; }
-bool is_checked(const Method& method) { return method.certificate_holds != nullptr; }
-
-enum class SlowToo { no, yes };
-
-double seconds_of(const Plan& plan) {
-  const auto start = std::chrono::steady_clock::now();
-  sweep(plan);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Returns: about how long one thread takes for so many pairs of the family, from asking the first `few`. With `slow_too` that
-/// is what is done with the first pairs only.
-double seconds_of(const Plan& plan, const std::vector<const Method*>& methods, const Family* family,
-                  std::uint64_t pairs, std::uint64_t few, SlowToo slow_too) {
-  if (methods.empty() || pairs == 0) return 0;
-  few = std::min(few, pairs);
-  const std::uint64_t slow = slow_too == SlowToo::yes ? few : 0;
-  Plan sample{.seed = plan.seed, .parts = {{family, few, slow}}, .methods = methods, .limits = plan.limits};
-  sample.timed_pairs = 0;
-  const double untimed = seconds_of(sample) / static_cast<double>(few);
-  sample.timed_pairs = few;
-  const double timed = seconds_of(sample) / static_cast<double>(few);
-  return untimed * static_cast<double>(pairs) +
-         std::max(timed - untimed, 0.0) * static_cast<double>(std::min(pairs, plan.timed_pairs));
 }
 
 }  // namespace
@@ -209,17 +162,6 @@ std::string command_of(const Request& request) {
          option("--zero-test", request.zero_tests) + option("--limit", words_of(request.limits));
 }
 
-Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows) {
-  Study study;
-  study.header = {command_of(request), GJKSTEP_VERSION, GJKSTEP_COMPILER, request.seed, plan.limits};
-  study.shard = plan.shard;
-  study.processors = {processor() + ", " + std::to_string(plan.threads) + (plan.threads == 1 ? " thread" : " threads")};
-  for (const Part& part : plan.parts)
-    study.families.push_back({part.family->name, part.family->what, part.pairs, part.slow_pairs, part.family->size});
-  study.rows = std::move(rows);
-  return study;
-}
-
 Shard parse_shard(const std::string& text) {
   Shard shard;
   const char* const end = text.data() + text.size();
@@ -229,17 +171,6 @@ Shard parse_shard(const std::string& text) {
   if (!has_index || count.ec != std::errc() || count.ptr != end || shard.index >= shard.count)
     throw UsageError("--shard: expected I/N with I from 0 to N - 1, such as 0/8, found '" + text + "'");
   return shard;
-}
-
-double estimated_seconds(const Plan& plan) {
-  double seconds = 0;
-  for (const Part& part : plan.parts) {
-    const std::uint64_t pairs = part.pairs / plan.shard.count, slow = part.slow_pairs / plan.shard.count;
-    seconds += seconds_of(plan, methods_where(plan, is_quick), part.family, pairs, 64, SlowToo::no);
-    seconds += seconds_of(plan, methods_where(plan, is_slow), part.family, slow, 4, SlowToo::yes);
-    seconds += seconds_of(plan, methods_where(plan, is_checked), part.family, slow, 4, SlowToo::yes);
-  }
-  return seconds / static_cast<double>(plan.threads);
 }
 
 }  // namespace study

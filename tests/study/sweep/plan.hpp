@@ -3,11 +3,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "tests/study/sweep/study.hpp"
+#include "tests/study/sweep/sweep.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 
 namespace study {
@@ -40,13 +39,7 @@ Plan plan_of(const Request& request);
 /// Returns: the command that makes this study in one run.
 std::string command_of(const Request& request);
 
-/// Returns: the study that these findings of the plan are.
-Study study_of(const Request& request, const Plan& plan, std::vector<Row> rows);
-
 /// Reads "2/8": shard 2, counted from 0, of 8. Errors: UsageError.
 Shard parse_shard(const std::string& text);
-
-/// Returns: about how many seconds the plan will take, found by asking a few pairs of each family.
-double estimated_seconds(const Plan& plan);
 
 }  // namespace study

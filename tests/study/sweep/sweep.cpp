@@ -201,8 +201,7 @@ class Worker {
   std::vector<const Question*> timed_questions(const Method& method) const {
     std::vector<const Question*> batch;
     for (const View& view : views_.at(method.scalar.name))
-      if (view.question && (!method.scalar.is_slow || batch.size() < slow_batch))
-        batch.push_back(view.question.get());
+      if (view.question && (!method.scalar.is_slow || batch.size() < slow_batch)) batch.push_back(view.question.get());
     return batch;
   }
 

@@ -24,7 +24,6 @@ void add(Counts& counts, Truth truth, Answer answer, int k, std::uint64_t querie
   const bool in_time = k <= limit && answer != Answer::at_limit;
   const int taken = std::min(k, limit);
   counts.pairs += queries;
-  counts.support_calls += 2 * queries * static_cast<std::uint64_t>(taken);
   if (truth == Truth::intersecting) counts.hits += queries;
   Histogram& iterations = iterations_of(counts, truth);
   iterations.resize(std::max(iterations.size(), static_cast<std::size_t>(taken) + 1));
@@ -51,11 +50,6 @@ void add(Histogram& sum, const Histogram& more) {
 
 std::uint64_t total(const Histogram& histogram) {
   return std::accumulate(histogram.begin(), histogram.end(), std::uint64_t{0});
-}
-
-Histogram without_none(Histogram histogram) {
-  if (!histogram.empty()) histogram[0] = 0;
-  return histogram;
 }
 
 void Tally::count(const Judgement& judgement, const Outcome& outcome) {
@@ -85,55 +79,17 @@ TimesAlone& TimesAlone::operator+=(const TimesAlone& more) {
   return *this;
 }
 
-std::uint64_t Tally::pairs() const {
-  std::uint64_t sum = out_of_range + not_askable + exceptions;
-  for (const auto& by_answer : queries)
-    for (const Histogram& histogram : by_answer) sum += total(histogram);
-  return sum;
-}
-
 Counts counts_at(const Tally& tally, int limit) {
   Counts counts;
   for (const Truth truth : {Truth::separated, Truth::intersecting})
     for (std::size_t answer = 0; answer < answers; ++answer) {
       const Histogram& histogram = tally.queries[index(truth)][answer];
       for (std::size_t k = 0; k < histogram.size(); ++k)
-        if (histogram[k] > 0)
-          add(counts, truth, static_cast<Answer>(answer), static_cast<int>(k), histogram[k], limit);
+        if (histogram[k] > 0) add(counts, truth, static_cast<Answer>(answer), static_cast<int>(k), histogram[k], limit);
     }
   for (std::size_t k = 0; k < tally.returns.size() && k <= static_cast<std::size_t>(limit); ++k)
     counts.cycles += tally.returns[k];
   return counts;
-}
-
-Counts& operator+=(Counts& sum, const Counts& more) {
-  sum.pairs += more.pairs;
-  sum.hits += more.hits;
-  sum.false_positives += more.false_positives;
-  sum.false_negatives += more.false_negatives;
-  sum.undecided += more.undecided;
-  sum.unusable += more.unusable;
-  sum.in_doubt += more.in_doubt;
-  sum.cycles += more.cycles;
-  sum.support_calls += more.support_calls;
-  add(sum.hit_iterations, more.hit_iterations);
-  add(sum.miss_iterations, more.miss_iterations);
-  return sum;
-}
-
-Spread spread_of(const Histogram& histogram) {
-  const std::uint64_t all = total(histogram);
-  Spread spread{0, 0, 0};
-  std::uint64_t weighted = 0, so_far = 0;
-  for (std::size_t k = 0; k < histogram.size(); ++k) {
-    if (histogram[k] == 0) continue;
-    if (100 * so_far < 99 * all) spread.p99 = static_cast<int>(k);
-    so_far += histogram[k];
-    weighted += k * histogram[k];
-    spread.max = static_cast<int>(k);
-  }
-  spread.mean = static_cast<double>(weighted) / static_cast<double>(all);
-  return spread;
 }
 
 Timing& Timing::operator+=(const Timing& more) {

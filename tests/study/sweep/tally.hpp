@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "tests/study/methods/method.hpp"
-#include "tests/study/sweep/rate.hpp"
 #include "tests/study/truth/judgement.hpp"
 
 namespace study {
@@ -19,8 +18,6 @@ using Histogram = std::vector<std::uint64_t>;
 void count(Histogram& histogram, int iterations);
 void add(Histogram& sum, const Histogram& more);
 std::uint64_t total(const Histogram& histogram);
-/// Returns: the queries that took at least one iteration.
-Histogram without_none(Histogram histogram);
 
 /// The queries are asked once, with the largest limit. What a smaller limit L would have answered follows: a query that
 /// ends within L iterations ends alike, any other is undecided.
@@ -38,8 +35,6 @@ struct Tally {
   void count(const Judgement& judgement, const Outcome& outcome);
   Tally& operator+=(const Tally& more);
   bool operator==(const Tally&) const = default;
-
-  std::uint64_t pairs() const;  ///< asked or not
 };
 
 /// A tally, as a reader asks for it: at one iteration limit.
@@ -52,9 +47,7 @@ struct Counts {
   std::uint64_t unusable = 0;  ///< undecided ones whose search direction became zero, infinite or not a number
   std::uint64_t in_doubt = 0;  ///< undecided ones about points that are known too badly
   std::uint64_t cycles = 0;  ///< undecided ones that came back to a state within the limit: they go in circles for ever
-  std::uint64_t support_calls = 0;
   Histogram hit_iterations, miss_iterations;  ///< by truth; undecided queries count with the iterations they took
-  Extent extent = Extent::sample;             ///< of the pairs
 
   std::uint64_t misses() const { return pairs - hits; }
   std::uint64_t wrong() const { return false_positives + false_negatives; }
@@ -62,35 +55,11 @@ struct Counts {
 
 Counts counts_at(const Tally& tally, int limit);
 
-Counts& operator+=(Counts& sum, const Counts& more);
-
-// Rates, each of the pairs with which it can happen.
-inline Rate hit_rate(const Counts& counts) { return {counts.hits, counts.pairs, counts.extent}; }
-inline Rate false_positive_rate(const Counts& counts) {
-  return {counts.false_positives, counts.misses(), counts.extent};
-}
-inline Rate false_negative_rate(const Counts& counts) { return {counts.false_negatives, counts.hits, counts.extent}; }
-inline Rate wrong_rate(const Counts& counts) { return {counts.wrong(), counts.pairs, counts.extent}; }
-inline Rate undecided_rate(const Counts& counts) { return {counts.undecided, counts.pairs, counts.extent}; }
-inline Rate failure_rate(const Counts& counts) {
-  return {counts.wrong() + counts.undecided, counts.pairs, counts.extent};
-}
-
-/// Mean, 99 % and largest of a histogram. `p99`: the least k such that at least 99 % took k or fewer.
-struct Spread {
-  double mean;
-  int p99, max;
-};
-
-/// Requires: total(histogram) > 0.
-Spread spread_of(const Histogram& histogram);
-
 /// Kept apart from the counts, because no two runs agree. Times of batches, see turns.hpp, are added.
 struct Timing {
   std::uint64_t queries = 0, nanoseconds = 0;
 
   Timing& operator+=(const Timing& more);
-  double per_query() const { return static_cast<double>(nanoseconds) / static_cast<double>(queries); }
 };
 
 using Timings = std::map<int, Timing>;  ///< by iteration limit
@@ -98,8 +67,8 @@ using Timings = std::map<int, Timing>;  ///< by iteration limit
 /// Of certified queries, each timed alone: that the clock is read once is part of each.
 struct TimesAlone {
   Timing one_search = {}, two_searches = {};  ///< that needed no second search, and that did
-  std::uint64_t slowest_pair = 0;   ///< its index
-  std::uint64_t slowest = 0;        ///< its nanoseconds, the least of five askings; 0 where nothing was asked
+  std::uint64_t slowest_pair = 0;             ///< its index
+  std::uint64_t slowest = 0;                  ///< its nanoseconds, the least of five askings; 0 where nothing was asked
 
   TimesAlone& operator+=(const TimesAlone& more);
 };

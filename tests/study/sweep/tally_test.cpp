@@ -24,7 +24,6 @@ TEST_CASE("What a smaller limit answers follows from the answers at the largest"
         REQUIRE(derived.false_positives == asked.false_positives);
         REQUIRE(derived.false_negatives == asked.false_negatives);
         REQUIRE(derived.undecided == asked.undecided);
-        REQUIRE(derived.support_calls == asked.support_calls);
         REQUIRE(derived.hit_iterations == asked.hit_iterations);
         REQUIRE(derived.miss_iterations == asked.miss_iterations);
       }
@@ -50,23 +49,9 @@ TEST_CASE("A tally tells wrong answers of either kind apart from undecided ones"
   REQUIRE(at_8.undecided == 4);  // those that took 9, 50, 6 and 7
   REQUIRE(at_8.unusable == 1);
   REQUIRE(at_8.in_doubt == 1);
-  REQUIRE(at_8.support_calls == 2 * (3 + 4 + 8 + 5 + 2 + 8 + 6 + 7));
+  REQUIRE(iterations_of(at_8) == 3 + 4 + 8 + 5 + 2 + 8 + 6 + 7);
   REQUIRE(at_8.hit_iterations == Histogram{0, 0, 0, 0, 1, 1, 0, 1, 1});
   REQUIRE(counts_at(tally, 10).false_negatives == 2);
-}
-
-TEST_CASE("Each rate is a share of the pairs with which it can happen", "[tally]") {
-  Counts counts;
-  counts.pairs = 10;
-  counts.hits = 4;
-  counts.false_positives = 3;
-  counts.false_negatives = 2;
-  counts.undecided = 1;
-  CHECK(false_positive_rate(counts).share() == 3.0 / 6);
-  CHECK(false_negative_rate(counts).share() == 2.0 / 4);
-  CHECK(undecided_rate(counts).share() == 1.0 / 10);
-  CHECK(wrong_rate(counts).share() == 5.0 / 10);
-  CHECK(failure_rate(counts).share() == 6.0 / 10);
 }
 
 TEST_CASE("Tallies add up", "[tally]") {
@@ -95,16 +80,6 @@ TEST_CASE("Times of queries asked alone add up, and the slowest pair is that of 
     REQUIRE(sum.slowest == 400);
     REQUIRE(sum.slowest_pair == 4);
   }
-}
-
-TEST_CASE("Mean, 99 % and largest of a histogram are those that were counted by hand", "[tally]") {
-  const Spread few = spread_of({0, 0, 1, 3});
-  REQUIRE(few.mean == Approx(2.75));
-  REQUIRE(few.p99 == 3);
-  REQUIRE(few.max == 3);
-  REQUIRE(spread_of({0, 0, 99, 0, 0, 1}).p99 == 2);  // 99 of 100 took 2
-  REQUIRE(spread_of({0, 0, 98, 0, 0, 2}).p99 == 5);
-  REQUIRE(spread_of({0, 0, 99, 0, 0, 1, 0}).max == 5);
 }
 
 }  // namespace

@@ -66,22 +66,5 @@ TEST_CASE("The clock of a thread stands still while the thread waits for another
   CHECK(thread_time() - before >= much);
 }
 
-/// Rules that wait for another thread to compute, as a query does that another program's turn interrupts.
-struct Waiting : gjk::AsIntended {
-  static bool is_at_origin(const auto& AO) {
-    std::thread(compute_for, std::chrono::milliseconds(50)).join();
-    return gjk::AsIntended::is_at_origin(AO);
-  }
-};
-
-TEST_CASE("What a query waits is not part of its time", "[turns]") {
-  const Method waiting = method_of<double, Waiting>("waiting", "exact", scalar_called<double>("double"));
-  const auto question = waiting.scalar.question(family_named("triangles").make(1, 0));
-  const Question* const one = question.get();
-  const nanoseconds time = waiting.time({&one, 1}, 20);
-  CHECK(time > nanoseconds(0));
-  CHECK(time < std::chrono::milliseconds(25));
-}
-
 }  // namespace
 }  // namespace study::test
