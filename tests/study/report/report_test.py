@@ -3,11 +3,11 @@
 
     python3 tests/study/report/report_test.py build/gjkstep-study
 """
-import contextlib, io, pathlib, subprocess, sys, tempfile, unittest
+import collections, contextlib, io, pathlib, subprocess, sys, tempfile, unittest
 from unittest import mock
 sys.dont_write_bytecode = True
 import claims, pictures, report, tables
-from data import Rate, Refused, Study
+from data import Rate, Refused, Study, percentile_99
 
 head = "# command: gjkstep-study run --pairs 10\n# seed: 1\n# version: gjkstep-study 9\n# compiler: GNU 12.2.0 -O3\n# shard: 0 of 1\n"
 columns = {
@@ -73,6 +73,7 @@ class Tables(InFolder):
 
     def test_iterations_are_those_within_the_limit(self):
         self.assertIn("\n| family | 6.50, 20, 20 | 3.00, 3, 3 | 8.8 |\n", tables.tables_md(self.study()))
+        self.assertEqual([percentile_99(collections.Counter({2: 100 - n, 5: n})) for n in (1, 2)], [2, 5])
 
     def test_errors_are_shares_of_the_pairs_with_which_they_can_happen(self):
         text = tables.errors_md(self.study())
@@ -81,6 +82,8 @@ class Tables(InFolder):
         self.assertIn("\n## certified double\n\nNothing was seen in: family.\n", text)
         self.assertIn("\n| family | 0.2 (0.057 – 0.51) | no pairs | 0.1 (0.018 – 0.4) |\n",
                       tables.errors_md(self.study(**replaced("counts", 1, hits=0, false_negatives=0))))
+        self.assertIn("\n## In double\n\nNothing was seen in: family.\n",
+                      tables.errors_md(self.study(**replaced("counts", 1, hits=0, false_positives=0, false_negatives=0, undecided=0))))
 
     def test_settings_vary_rules_zero_tests_and_limits(self):
         text = tables.settings_md(self.study())
@@ -129,7 +132,10 @@ class Pictures(InFolder):
 
     def test_points_are_means_of_families_and_certified_ones_stand_on_zero_with_their_number(self):
         text = pictures.error_vs_time(self.study())
-        self.assertIn("$curve0 << EOD\n90 0.8\n100 0.4\nEOD\n$curve1 << EOD\n123 0\nEOD\n", text)
+        curves = "$curve0 << EOD\n90 0.8\n100 0.4\nEOD\n$curve1 << EOD\n123 0\nEOD\n"
+        self.assertIn(curves, text)
+        two = {name: lines + [line.replace("family,", "other,") for line in lines] for name, lines in rows.items()}
+        self.assertIn(curves, pictures.error_vs_time(self.study(**two)))
         self.assertIn("title 'certified: 0 of 10 wrong or undecided'", text)
         self.assertEqual([line.split("'")[1] for line in text.splitlines() if line.startswith("set label") and "graph" in line], ["0 wrong", "5", "20"])
 
@@ -207,6 +213,10 @@ class Claims(unittest.TestCase):
                 ("always", {"boxes": (3, 3, True)}, "**holds** at 1 of 1"),  # all that there are
                 ("usually", {"boxes": (500, 1000)}, "left open at 1 of 1: boxes (50 % lies within the interval)")):
             self.assertEqual(claims.verdict(strength, {place: Rate(*rate) for place, rate in measured.items()}), expected)
+
+    def test_the_text_that_is_kept_is_that_of_the_counts_that_are_kept(self):
+        results = pathlib.Path(__file__).resolve().parents[1] / "results"
+        self.assertEqual(claims.claims_md(results), (results / "claims.md").read_text(), "tests/study/report/report.py tests/study/results makes it anew")
 
     def test_rates_are_told_with_as_many_digits_as_say_something(self):
         for rate, text in (((123, 1000), "12.3 % (10.4–14.5)"), ((0, 1000000), "0 (at most 3.84 per million)"), ((0, 0), "–"),
