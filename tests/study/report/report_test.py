@@ -174,6 +174,9 @@ class Shards(InFolder):
         self.assertEqual(study.iterations("family", setting, "second searches"), {0: 16, 4: 2, 8: 2})
         self.assertEqual(study.nanoseconds("family", study.usual), 100)
         self.assertEqual(list(study.alone("family", setting).values()), [16, 3200, 4, 12004, 5000, 9])
+        untimed = self.shards(lambda text: text.replace("family,as-intended,double,exact,20,10,1000\n", ""))  # a shard may have no pair of a family
+        for folders in (untimed, untimed[::-1]):
+            self.assertEqual(Study(folders).nanoseconds("family", study.usual), 100)
 
     def test_what_does_not_go_together_is_told_by_name(self):
         first, second = self.shards()
