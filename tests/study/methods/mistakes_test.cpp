@@ -37,7 +37,7 @@ class Witness {
   void operator()(const gjk::VertexAdded<double>& e) {
     gjk::Simplex<double> expected = simplex_;
     expected.add(vertex_);
-    REQUIRE(gjk::test::same_simplex(e.simplex, expected));
+    REQUIRE(e.simplex == expected);
     simplex_ = e.simplex;
     letters_.emplace(simplex_);
     edges_.clear();
@@ -60,11 +60,10 @@ class Witness {
     told_.insert(e.reason);
   }
   void operator()(const gjk::SimplexReduced<double>& e) {
-    REQUIRE(gjk::test::same_simplex(e.before, simplex_));
+    REQUIRE(e.before == simplex_);
     REQUIRE(e.kept.size() == static_cast<std::size_t>(e.after.size()));
     for (int i = 0; i < e.after.size(); ++i)
-      REQUIRE(gjk::test::same_vertex(e.after[i],
-                                     e.before[static_cast<gjk::Role>(e.kept[static_cast<std::size_t>(i)] - 'A')]));
+      REQUIRE(e.after[i] == e.before[static_cast<gjk::Role>(e.kept[static_cast<std::size_t>(i)] - 'A')]);
     told_.insert(std::to_string(e.before.size()) + " keeps " + e.kept);
     simplex_ = e.after;
   }
