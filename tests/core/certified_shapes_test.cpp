@@ -146,7 +146,12 @@ TEST_CASE(
   }
   CHECK(around > 50);
   CHECK(beside > 300);
-  detail::Surface more({V(1, 1, 1), V(1, -1, -1), V(-1, 1, -1), V(-1, -1, 1)});
+  const auto moved_by = [](const V& by) {
+    return detail::Surface({V(1, 1, 1) + by, V(1, -1, -1) + by, V(-1, 1, -1) + by, V(-1, -1, 1) + by});
+  };
+  for (const V& by : {V(2, 0, 0), V(5, 5, 5), V(-1, -1, -1)})  // the last has a corner there
+    CHECK_FALSE(moved_by(by).goes_around_origin());
+  detail::Surface more = moved_by(V(0, 0, 0));
   more.add(V(3, 3, -3));
   CHECK(more.goes_around_origin());
   CHECK(more.lowest().height > 0);
