@@ -63,25 +63,6 @@ TEST_CASE("The error of one operation, to the last bit: neither too small nor, w
   CHECK((-three).error == 0.5);
 }
 
-TEST_CASE("A sum is off by at most u of it, and there is a sum that is", "[bounded]") {
-  for (const double sign : {1.0, -1.0}) {
-    const Known at_the_bound = Known(sign) + Known(sign * u);
-    REQUIRE(abs(at_the_bound.meant - Rational(at_the_bound.bounded.value)) == Rational(u));
-    REQUIRE(at_the_bound.holds());
-    REQUIRE(at_the_bound.bounded.error <= u * (1 + 32 * u));
-    REQUIRE((Known(sign) - Known(-sign * u)).holds());
-  }
-}
-
-TEST_CASE("A product is off by at most u of it, and there is one that nearly is", "[bounded]") {
-  const Known x(1 + 0x1p-27), y(1 + 0x1p-26);  // 2^-53, the last part of their product, is half of the last digit
-  for (const Known& product : {x * y, -x * y, x * -y, -x * -y}) {
-    REQUIRE(abs(product.meant - Rational(product.bounded.value)) == Rational(u));
-    REQUIRE(product.holds());
-    REQUIRE(product.bounded.error <= u * (1 + 0x1p-25));
-  }
-}
-
 TEST_CASE("What comes in with an error goes out with all that it does at its extremes", "[bounded]") {
   const std::vector<Bounded> numbers{{0, 0},  {0, 1},       {0, 0x1p-60},  {3, 0},     {3, 1},        {3, 0x1p-60},
                                      {-3, 1}, {-3, 0x1p-9}, {1000, 0.125}, {0.1, 0.3}, {1e-9, 1e-12}, {-7e8, 3e5}};
@@ -90,9 +71,7 @@ TEST_CASE("What comes in with an error goes out with all that it does at its ext
 }
 
 TEST_CASE("Errors that are rounded down themselves are enlarged for it", "[bounded]") {
-  const std::uint64_t seed = 51;
-  INFO("seed " << seed);
-  Dice dice(seed);
+  Dice dice(51);
   require_all_hold({1, 1}, {-1, u});
   for (int i = 0; i < 1000; ++i) {  // values that need no rounding leave nothing that would make up for it
     const Bounded x{0, dice.between(0.0, 1.0)}, y{0, std::ldexp(dice.between(0.0, 1.0), dice.between(-60, 60))};
@@ -147,9 +126,7 @@ TEST_CASE("A sign is certain beyond the error, and without one", "[bounded]") {
 
 TEST_CASE("Sums and products of random numbers hold, and their errors are at most a little larger than they must be",
           "[bounded]") {
-  const std::uint64_t seed = 52;
-  INFO("seed " << seed);
-  Dice dice(seed);
+  Dice dice(52);
   for (int i = 0; i < 4000; ++i) {
     const Known x(any_number(dice, 60)), y(any_number(dice, 60));
     for (const Known& result : {x + y, x - y, x * y}) {
@@ -160,9 +137,7 @@ TEST_CASE("Sums and products of random numbers hold, and their errors are at mos
 }
 
 TEST_CASE("Chains of sums and products hold, however they began", "[bounded]") {
-  const std::uint64_t seed = 53;
-  INFO("seed " << seed);
-  Dice dice(seed);
+  Dice dice(53);
   int certain = 0;
   for (int i = 0; i < 1000; ++i) {
     const int reach = i % 4 == 0 ? 250 : 20;

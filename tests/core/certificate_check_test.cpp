@@ -29,14 +29,6 @@ IndexPairs of(std::initializer_list<int> indices) {
 
 const PointSet<double> origin({V::Zero()});
 
-/// Of a set of points and the origin alone.
-bool feature_separates(const std::vector<V>& points, const IndexPairs& feature) {
-  return holds(SeparatingFeature{feature}, PointSet<double>(points), origin);
-}
-bool simplex_is_common(const std::vector<V>& points, const IndexPairs& simplex) {
-  return holds(CommonSimplex{simplex}, PointSet<double>(points), origin);
-}
-
 // -- A direction ------------------------------------------------------------------------------------------------------
 
 const PointSet<double> low({V(0, 0, 0), V(5, 0, 0), V(0, 0, 1)}), high({V(9, 9, 3), V(0, 0, 2), V(-7, 0, 2)});
@@ -79,103 +71,88 @@ TEST_CASE("All points of both sets are looked at, wherever they stand in the lis
   }
 }
 
-// -- A feature --------------------------------------------------------------------------------------------------------
+// -- A feature, and a simplex -----------------------------------------------------------------------------------------
 
-TEST_CASE("One, two or three points separate where all others lie beyond the nearest of their hull", "[certificate]") {
+/// Of a set of points and the origin alone.
+struct Case {
+  std::vector<V> points;
+  IndexPairs of;
+  bool holds;
+};
+template <class Certified>
+void require_as_said(const std::vector<Case>& cases) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    INFO("case " << i);
+    REQUIRE(holds(Certified{cases[i].of}, PointSet<double>(cases[i].points), origin) == cases[i].holds);
+  }
+}
+
+TEST_CASE("One, two or three points separate where all others lie beyond the nearest point of their line or plane",
+          "[certificate]") {
   const std::vector<V> points{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1), V(3, 3, 1), V(0, 0, 9)};
-  REQUIRE(feature_separates(points, of({0, 1, 2})));
-  REQUIRE(feature_separates(points, of({2, 1, 0})));
-  REQUIRE(feature_separates({V(-1, 2, 2), V(1, 2, 2), V(0, 5, 5)}, of({0, 1})));
-  REQUIRE(feature_separates({V(-1, 2, 2), V(0, 2, 2), V(0, 5, 5)}, of({1})));
+  const auto and_at = [](double z) { return std::vector{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1), V(7, 7, z)}; };
+  const std::vector<V> on_a_line{V(1, 0, 1), V(-1, 0, 1), V(1, 0, 1), V(3, 0, 1)};
+  require_as_said<SeparatingFeature>({
+      {points, of({0, 1, 2}), true},
+      {points, of({2, 1, 0}), true},
+      {{V(-1, 2, 2), V(1, 2, 2), V(0, 5, 5)}, of({0, 1}), true},
+      {{V(-1, 2, 2), V(0, 2, 2), V(0, 5, 5)}, of({1}), true},
+      {{V(1, 1, 1), V(2, 1, 1), V(1, 2, 1)}, of({0, 1, 2}), true},  // z = 1, though outside of their hull
+      {and_at(1e-300), of({0, 1, 2}), true},                        // a point beside the plane through the origin
+      {and_at(0.0), of({0, 1, 2}), false},
+      {and_at(-1e-300), of({0, 1, 2}), false},
+      {{V(0, 0, 0)}, of({0}), false},  // holding the origin
+      {{V(-1, 2, 3), V(1, -2, -3)}, of({0, 1}), false},
+      {{V(1, 1, 0), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2}), false},
+      {on_a_line, of({0, 1}), true},
+      {on_a_line, of({0, 0}), false},  // repeated or dependent
+      {on_a_line, of({0, 2}), false},
+      {on_a_line, of({0, 1, 1}), false},
+      {on_a_line, of({0, 1, 2}), false},
+      {on_a_line, of({0, 1, 3}), false},
+      {points, of({}), false},
+      {{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1), V(0, 0, 2)}, of({0, 1, 2, 3}), false},
+  });
   const PointSet<double> a({V(0, 0, 0), V(4, 0, 0)}), b({V(0, 1, 0), V(3, 0, 1), V(3, 0, -1)});
-  REQUIRE(holds(SeparatingFeature{pairs({{0, 0}, {1, 0}})}, PointSet<double>({a.points()[0], a.points()[1]}),
-                PointSet<double>({b.points()[0]})));
+  REQUIRE(holds(SeparatingFeature{pairs({{0, 0}, {1, 0}})}, a, PointSet<double>({b.points()[0]})));
   REQUIRE_FALSE(holds(SeparatingFeature{pairs({{1, 1}, {1, 2}})}, a, b));
 }
 
-TEST_CASE("The nearest point of the plane of three points separates, though it be outside of their hull",
-          "[certificate]") {
-  REQUIRE(feature_separates({V(1, 1, 1), V(2, 1, 1), V(1, 2, 1)}, of({0, 1, 2})));  // z = 1: enough to be a proof
-}
-
-TEST_CASE("A feature does not separate where a point lies on its side of the origin, or in the plane through it",
-          "[certificate]") {
-  const std::vector<V> triangle{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1)};
-  for (const auto& [z, separates] : {std::pair(1e-300, true), std::pair(0.0, false), std::pair(-1e-300, false)}) {
-    std::vector<V> points = triangle;
-    points.push_back(V(7, 7, z));
-    REQUIRE(feature_separates(points, of({0, 1, 2})) == separates);
-  }
-}
-
-TEST_CASE("A feature that holds the origin does not separate", "[certificate]") {
-  REQUIRE_FALSE(feature_separates({V(0, 0, 0)}, of({0})));
-  REQUIRE_FALSE(feature_separates({V(-1, 2, 3), V(1, -2, -3)}, of({0, 1})));
-  REQUIRE_FALSE(feature_separates({V(1, 1, 0), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2})));
-}
-
-TEST_CASE("A feature of repeated or dependent points does not separate", "[certificate]") {
-  const std::vector<V> points{V(1, 0, 1), V(-1, 0, 1), V(1, 0, 1), V(3, 0, 1)};
-  REQUIRE(feature_separates(points, of({0, 1})));
-  REQUIRE_FALSE(feature_separates(points, of({0, 0})));
-  REQUIRE_FALSE(feature_separates(points, of({0, 2})));
-  REQUIRE_FALSE(feature_separates(points, of({0, 1, 1})));
-  REQUIRE_FALSE(feature_separates(points, of({0, 1, 2})));
-  REQUIRE_FALSE(feature_separates(points, of({0, 1, 3})));
-}
-
-TEST_CASE("A feature has one to three points", "[certificate]") {
-  const std::vector<V> points{V(1, 1, 1), V(-2, 1, 1), V(1, -2, 1), V(0, 0, 2)};
-  REQUIRE_FALSE(feature_separates(points, of({})));
-  REQUIRE_FALSE(feature_separates(points, of({0, 1, 2, 3})));
-}
-
-// -- A simplex --------------------------------------------------------------------------------------------------------
-
 TEST_CASE("One to four points are common where weights of at least 0 add them up to the origin", "[certificate]") {
   const std::vector<V> corners{V(-1, -1, -1), V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)};
-  REQUIRE(simplex_is_common(corners, of({0, 1, 2, 3})));
-  REQUIRE(simplex_is_common(corners, of({2, 0, 3, 1})));
-  REQUIRE(simplex_is_common({V(1, 1, 0), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2})));
-  REQUIRE(simplex_is_common({V(1, 2, -3), V(-2, -4, 6)}, of({1, 0})));
-  REQUIRE(simplex_is_common({V(0, 0, 0)}, of({0})));
-  REQUIRE(simplex_is_common({V(0, 0, 0), V(1, 0, 0), V(0, 1, 0)}, of({0, 1, 2})));  // two weights are 0
-}
-
-TEST_CASE("A simplex that misses the origin by one ulp is not common, in its plane or off it", "[certificate]") {
-  for (const double speck : {5e-324, -5e-324}) {
-    REQUIRE_FALSE(simplex_is_common({V(0, 0, speck)}, of({0})));
-    REQUIRE_FALSE(simplex_is_common({V(1, speck, 0), V(-1, 0, 0)}, of({0, 1})));
-    REQUIRE_FALSE(simplex_is_common({V(1, 1, speck), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2})));
+  const std::vector<V> dependent{V(1, 0, 0), V(-1, 0, 0), V(1, 0, 0), V(3, 0, 0), V(0, 1, 0)};
+  const auto with = [](double x) { return std::vector{V(x, 1, 0), V(-1, -1, 0), V(0, 0, 1), V(3, -2, 0)}; };
+  std::vector<Case> cases{
+      {corners, of({0, 1, 2, 3}), true},
+      {corners, of({2, 0, 3, 1}), true},
+      {{V(1, 1, 0), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2}), true},
+      {{V(1, 2, -3), V(-2, -4, 6)}, of({1, 0}), true},
+      {{V(0, 0, 0)}, of({0}), true},
+      {{V(0, 0, 0), V(1, 0, 0), V(0, 1, 0)}, of({0, 1, 2}), true},  // two weights are 0
+      {{V(5e-324, 0, 0), V(1, 0, 0)}, of({0, 1}), false},
+      {{V(1, 1, 0), V(-above_1, -1, 0)}, of({0, 1}), false},
+      {with(below_1), of({0, 1, 2, 3}), true},
+      {with(1), of({0, 1, 2, 3}), true},
+      {with(above_1), of({0, 1, 2, 3}), false},
+      {{V(1, 0, 0), V(2, 0, 0)}, of({0, 1}), false},
+      {dependent, of({0, 1}), true},
+      {dependent, of({0, 1, 1}), false},
+      {dependent, of({0, 1, 2}), false},
+      {dependent, of({0, 1, 3}), false},
+      {dependent, of({0, 1, 3, 4}), false},
+      {{V(0, 0, 0)}, of({0, 0}), false},
+      {{V(0, 0, 0)}, of({}), false},
+  };
+  for (const double speck : {5e-324, -5e-324}) {  // an ulp beside the origin, in the plane or off it
+    cases.push_back({{V(0, 0, speck)}, of({0}), false});
+    cases.push_back({{V(1, speck, 0), V(-1, 0, 0)}, of({0, 1}), false});
+    cases.push_back({{V(1, 1, speck), V(-2, 1, 0), V(1, -2, 0)}, of({0, 1, 2}), false});
   }
-  REQUIRE_FALSE(simplex_is_common({V(5e-324, 0, 0), V(1, 0, 0)}, of({0, 1})));
-  REQUIRE_FALSE(simplex_is_common({V(1, 1, 0), V(-above_1, -1, 0)}, of({0, 1})));
-  for (const auto& [x, is_common] : {std::pair(below_1, true), std::pair(1.0, true), std::pair(above_1, false)})
-    REQUIRE(simplex_is_common({V(x, 1, 0), V(-1, -1, 0), V(0, 0, 1), V(3, -2, 0)}, of({0, 1, 2, 3})) == is_common);
-}
-
-TEST_CASE("A simplex that needs a negative weight is not common, whichever it is", "[certificate]") {
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::vector<V> corners{V(-1, -1, -1), V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)};
-    corners[i] *= -1;
-    INFO("the corner " << i);
-    REQUIRE_FALSE(simplex_is_common(corners, of({0, 1, 2, 3})));
+  for (std::size_t i = 0; i < 4; ++i) {  // a negative weight, whichever it is
+    cases.push_back({corners, of({0, 1, 2, 3}), false});
+    cases.back().points[i] *= -1;
   }
-  REQUIRE_FALSE(simplex_is_common({V(1, 0, 0), V(2, 0, 0)}, of({0, 1})));
-}
-
-TEST_CASE("A simplex of repeated or dependent points is not common, though it hold the origin", "[certificate]") {
-  const std::vector<V> points{V(1, 0, 0), V(-1, 0, 0), V(1, 0, 0), V(3, 0, 0), V(0, 1, 0)};
-  REQUIRE(simplex_is_common(points, of({0, 1})));
-  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 1})));
-  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 2})));
-  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 3})));
-  REQUIRE_FALSE(simplex_is_common(points, of({0, 1, 3, 4})));
-  REQUIRE_FALSE(simplex_is_common({V(0, 0, 0)}, of({0, 0})));
-}
-
-TEST_CASE("A simplex has at least one point", "[certificate]") {
-  REQUIRE_FALSE(simplex_is_common({V(0, 0, 0)}, of({})));
+  require_as_said<CommonSimplex>(cases);
 }
 
 // -- All of them ------------------------------------------------------------------------------------------------------

@@ -100,13 +100,10 @@ TEST_CASE("Of whole numbers that no double holds the highest bits are off by 1 a
 TEST_CASE("A direction is told as long as it is where each of its numbers can be written in full, else near 1",
           "[certified]") {
   const auto told = [](const Vec3<float>& w) {
-    Trace<float> trace;  // of a first search that comes to no answer
-    certified_collision(PointSet<float>({w}), PointSet<float>({Vec3<float>::Zero()}),
-                        Options<float>{.first_direction = w, .iteration_limit = 1}, trace);
-    Vec3<float> direction = Vec3<float>::Zero();
-    for (const Event<float>& event : trace.events)
-      if (const auto* chosen = std::get_if<DirectionChosen<float>>(&event)) direction = chosen->direction;
-    return direction;
+    // The first search comes to no answer.
+    const auto events =
+        test::told<float>(pair_of<float>({w}, {Vec3<float>::Zero()}), {.first_direction = w, .iteration_limit = 1});
+    return events_of_kind<DirectionChosen<float>>(events).back().direction;
   };
   const float x = 0x1p-100F, least = 0x1p-126F, less = 0x1p-127F;  // `less` has a digit less than others
   for (const auto& at : {std::array{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
@@ -132,14 +129,13 @@ bool is_known_from_scan(const std::vector<S>& a, const std::vector<S>& b) {
     return points;
   };
   const Pair<S> pair = pair_of<S>(on_x(a), on_x(b));
-  Trace<S> trace;  // of a first search that comes to no answer
-  const CertifiedResult result =
-      certified_collision(pair.a, pair.b, Options<S>{.first_direction = {0, 1, 0}, .iteration_limit = 1}, trace);
+  // The first search comes to no answer.
+  const auto events = told<S>(pair, {.first_direction = {0, 1, 0}, .iteration_limit = 1});
+  const CertifiedResult result = std::get<Certified<S>>(events.back()).result;
   REQUIRE(result.status == Status::separated);
   REQUIRE(result.proof == Proof::second_search);
-  for (const Event<S>& event : trace.events)
-    if (const auto* sign = std::get_if<SignTaken<S>>(&event); sign && sign->expression == "max w·d")
-      return sign->exact.empty();
+  for (const auto& sign : events_of_kind<SignTaken<S>>(events))
+    if (sign.expression == "max w·d") return sign.exact.empty();
   FAIL("no scan");
   return false;
 }

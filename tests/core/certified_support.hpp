@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "core/certificate_check.hpp"
 #include "core/certified.hpp"
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
@@ -28,19 +27,6 @@ template <class S>
 struct Pair {
   PointSet<S> a, b;
 };
-
-/// Returns: the certified answer. Requires, as all answers must be: it is one, and its certificate holds.
-template <class Rules = AsIntended, class S>
-CertifiedResult proven(const Pair<S>& pair, const Options<S>& options = {}) {
-  const CertifiedResult result = certified_collision<S, Rules>(pair.a, pair.b, options);
-  REQUIRE(result.status != Status::undecided);
-  REQUIRE(claim_of(result.certificate) == result.status);
-  REQUIRE(holds(result.certificate, pair.a, pair.b));
-  REQUIRE((result.second_iterations > 0) == (result.proof == Proof::second_search));
-  REQUIRE(result.second_iterations <= 12);  // a seen maximum, 9, with slack
-  return result;
-}
-
 template <class S>
 Pair<S> pair_of(const std::vector<Vec3<S>>& a, const std::vector<Vec3<S>>& b) {
   return {PointSet<S>(a), PointSet<S>(b)};
@@ -49,5 +35,17 @@ template <class S>
 Pair<S> pair_of(const Points& a, const Points& b) {
   return {point_set<S>(a), point_set<S>(b)};
 }
+
+/// Returns: that answer. Requires, as all answers must be: it is one, and its certificate holds.
+template <class S>
+CertifiedResult examined(const CertifiedResult& result, const Pair<S>& pair);
+
+/// Returns: the certified answer, examined.
+template <class S>
+CertifiedResult proven(const Pair<S>& pair, const Options<S>& options = {});
+
+/// Returns: what the certified answer tells.
+template <class S>
+std::vector<Event<S>> told(const Pair<S>& pair, const Options<S>& options = {});
 
 }  // namespace gjk::test

@@ -6,7 +6,6 @@
 #include <map>
 #include <tuple>
 
-#include "core/rule_sets.hpp"
 #include "tests/core/certified_support.hpp"
 #include "tests/core/oracle.hpp"
 
@@ -18,15 +17,10 @@ template <class S, class Change>
 Pair<S> changed(const Pair<S>& pair, const Change& change) {
   const auto all = [&](const PointSet<S>& set) {
     std::vector<Vec3<S>> points;
-    for (const Vec3<S>& p : set.points()) points.push_back(change(p));
+    for (const Vec3<S>& p : set.points()) points.push_back(Vec3<S>(change(p)));
     return PointSet<S>(points);
   };
   return {all(pair.a), all(pair.b)};
-}
-
-template <class S>
-Vec3<S> scaled(const Vec3<S>& p, int exponent) {
-  return p.unaryExpr([=](S x) { return std::scalbn(x, exponent); });
 }
 
 /// One to five points each, of a lattice so crowded that many touch, are flat, or are repeated.
@@ -34,16 +28,6 @@ template <class S>
 Pair<S> crowded_pair(Dice& dice) {
   const Points a = dice.points(dice.between(1, 5), 2), b = dice.points(dice.between(1, 5), 2);
   return pair_of<S>(a, b);
-}
-
-Status found_in_fractions(const PointSet<Rational>& a, const PointSet<Rational>& b) {
-  Options<Rational> options;
-  options.iteration_limit = 100;
-  return collision<Rational>(a, b, options).status;
-}
-template <class S>
-Status found_in_fractions(const Pair<S>& pair) {
-  return found_in_fractions(PointSet<Rational>(exact(pair.a.points())), PointSet<Rational>(exact(pair.b.points())));
 }
 
 // -- C3 ---------------------------------------------------------------------------------------------------------------
@@ -151,9 +135,7 @@ bool compare_along(const Pair<S>& pair, Dice& dice) {
 TEMPLATE_TEST_CASE("C3: the sign of w·d is the exact one, and no point across the origin is missed", "[certified]",
                    float, double) {
   using S = TestType;
-  const std::uint64_t seed = 71;
-  INFO("seed " << seed);
-  Dice dice(seed);
+  Dice dice(71);
   int compared = 0;
   for (int i = 0; i < 1600; ++i) {
     INFO("pair " << i);
@@ -211,20 +193,17 @@ TEMPLATE_TEST_CASE("Bounded numbers have their largest coordinate near 1, and no
 
 // -- Right answers ----------------------------------------------------------------------------------------------------
 
-TEMPLATE_TEST_CASE("Point sets of a crowded lattice are found as in fractions", "[certified]", float, double) {
+// Each is right where its certificate holds, which proven() looks at.
+
+TEMPLATE_TEST_CASE("Point sets of a crowded lattice are proven, in each way", "[certified]", float, double) {
   using S = TestType;
-  const std::uint64_t seed = 72;
-  INFO("seed " << seed);
-  Dice dice(seed);
+  Dice dice(72);
   std::map<Status, int> seen;
   std::map<Proof, int> proofs;
   for (int i = 0; i < 800; ++i) {
     const Pair<S> pair = crowded_pair<S>(dice);
     INFO("pair " << i);
     const CertifiedResult result = proven(pair);
-    const Status expected = found_in_fractions(pair);
-    REQUIRE(expected != Status::undecided);
-    REQUIRE(result.status == expected);
     ++seen[result.status];
     ++proofs[result.proof];
   }
@@ -235,22 +214,25 @@ TEMPLATE_TEST_CASE("Point sets of a crowded lattice are found as in fractions", 
   REQUIRE(proofs[Proof::second_search] > 100);
 }
 
-TEMPLATE_TEST_CASE("Sets of wild, stretched, clustered and denormal points are proven", "[certified]", float, double) {
+TEMPLATE_TEST_CASE(
+    "Sets of wild, stretched, clustered and denormal points are proven, also of so many that they are asked in blocks",
+    "[certified]", float, double) {
   using S = TestType;
-  const std::uint64_t seed = 73;
-  INFO("seed " << seed);
-  Dice dice(seed);
-  for (int i = 0; i < 300; ++i) {
+  Dice dice(73);
+  for (int i = 0; i < 400; ++i) {
     INFO("pair " << i);
-    proven(hard_pair<S>(dice, i));
+    const Pair<S> pair = hard_pair<S>(dice, i);
+    const Status status = proven(pair).status;
+    if (i % 64 < 4) continue;  // costly
+    std::vector<Vec3<S>> b = pair.b.points();
+    b.insert(b.begin(), 20, b.back());
+    REQUIRE(proven(pair_of<S>(b, pair.a.points())).status == status);
   }
 }
 
 TEMPLATE_TEST_CASE("Tetrahedra of any size are proven, up to where their sums overflow", "[certified]", float, double) {
   using S = TestType;
-  const std::uint64_t seed = 74;
-  INFO("seed " << seed);
-  Dice dice(seed);
+  Dice dice(74);
   const S most = std::numeric_limits<S>::max();
   for (const S scale : {S(1e10), S(1e19), S(1e30), most / 8, most}) {
     std::map<Status, int> seen;
@@ -267,52 +249,6 @@ TEMPLATE_TEST_CASE("Tetrahedra of any size are proven, up to where their sums ov
     }
     REQUIRE(seen[Status::intersecting] > 10);
     REQUIRE(seen[Status::separated] > 10);
-  }
-}
-
-/// A segment from a corner of a triangle askew, through which the other end is moved by single digits: which side it is on
-/// plain numbers cannot tell.
-TEMPLATE_TEST_CASE("A corner that is moved by single digits around a face askew is proven on its side", "[certified]",
-                   float, double) {
-  using S = TestType;
-  using V = Vec3<S>;
-  const std::uint64_t seed = 75;
-  INFO("seed " << seed);
-  Dice dice(seed);
-  const auto any = [&] { return V(V(vec<S>(dice.point(999))) / S(7)); };
-  std::map<Status, int> seen;
-  for (int i = 0; i < 60; ++i) {
-    const V p = any(), q = any(), r = any(), away = (q - p).cross(r - p) / S(1000);
-    V corner = p / S(4) + q / S(4) + r / S(2);
-    for (int steps = -3; steps <= 3; ++steps) {
-      corner.x() = steps == -3 ? below(below(below(corner.x()))) : above(corner.x());
-      INFO("face " << i << ", " << steps << " digits");
-      const Pair<S> pair = pair_of<S>({p, q, r}, {corner, corner + away});
-      const CertifiedResult result = proven(pair);
-      REQUIRE(result.status == proven(Pair<S>{pair.b, pair.a}).status);
-      ++seen[result.status];
-    }
-  }
-  REQUIRE(seen[Status::intersecting] > 100);
-  REQUIRE(seen[Status::separated] > 100);
-}
-
-TEMPLATE_TEST_CASE("Boxes askew that share a face, rounded, are proven", "[certified]", float, double) {
-  using S = TestType;
-  const std::uint64_t seed = 76;
-  INFO("seed " << seed);
-  Dice dice(seed);
-  const Points cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
-  for (int i = 0; i < 60; ++i) {
-    const auto turn = Eigen::AngleAxis<S>(S(0.1) + S(i), Vec3<S>(1, -2, 3).normalized()).toRotationMatrix();
-    const auto placed = [&](const Points& points) {
-      std::vector<Vec3<S>> turned;
-      for (const Point& p : points) turned.push_back(turn * vec<S>(p) + Vec3<S>(30, -50, 70));
-      return turned;
-    };
-    const Point apart{2, dice.between(0, 1), dice.between(-2, 2)};
-    INFO("boxes " << i);
-    proven(pair_of<S>(placed(cube), placed(moved(cube, apart))));
   }
 }
 
@@ -338,131 +274,56 @@ TEMPLATE_TEST_CASE("Equal sets, and single points, are together exactly where th
   }
 }
 
-TEST_CASE("Coordinates of the largest and of the least size, in one pair", "[certified]") {
-  using V = Vec3<double>;
-  const std::vector<V> needle{V(-1e300, 1e-300, 0), V(1e300, -1e-300, 0)}, huge{V(1e308, 0, 1), V(-1e308, 1e308, -1)};
-  REQUIRE(proven(pair_of<double>(needle, {V(0, 0, 0)})).status == Status::intersecting);
-  REQUIRE(proven(pair_of<double>(needle, {V(5e-324, 0, 0)})).status == Status::separated);
-  REQUIRE(proven(pair_of<double>(needle, {V(0, 0, -5e-324)})).status == Status::separated);
-  REQUIRE(proven(pair_of<double>(needle, {V(0, 0, -5e-324), V(0, 0, 1e300)})).status == Status::intersecting);
-  REQUIRE(proven(pair_of<double>(huge, {V(0, 0.5e308, 0)})).status == Status::intersecting);
-  REQUIRE(proven(pair_of<double>(huge, {V(0, 0.5e308, 5e-324)})).status == Status::separated);
-}
-
-// -- What must not matter ---------------------------------------------------------------------------------------------
-
-TEMPLATE_TEST_CASE("The status stays when the sets are exchanged, their points permuted or repeated", "[certified]",
-                   float, double) {
-  using S = TestType;
-  const std::uint64_t seed = 77;
-  INFO("seed " << seed);
-  Dice dice(seed);
-  for (int i = 0; i < 300; ++i) {
-    const Pair<S> pair = i % 2 == 0 ? crowded_pair<S>(dice) : wild_pair<S>(dice);
-    const Status status = proven(pair).status;
-    INFO("pair " << i);
-    REQUIRE(proven(Pair<S>{pair.b, pair.a}).status == status);
-    std::vector<Vec3<S>> a = pair.a.points(), b = pair.b.points();
-    std::reverse(a.begin(), a.end());
-    std::rotate(b.begin(), b.begin() + 1 - (b.size() == 1), b.end());
-    REQUIRE(proven(pair_of<S>(a, b)).status == status);
-    a.insert(a.end(), pair.a.points().begin(), pair.a.points().end());
-    b.insert(b.begin(), 20, b.back());  // so many are asked in blocks
-    REQUIRE(proven(pair_of<S>(a, b)).status == status);
-  }
-}
-
-TEMPLATE_TEST_CASE("The status stays when both sets are scaled by a power of two, up to both ends of the range",
-                   "[certified]", float, double) {
-  using S = TestType;
-  using Limits = std::numeric_limits<S>;
-  const std::uint64_t seed = 78;
-  INFO("seed " << seed);
-  Dice dice(seed);
-  const int ends[] = {Limits::min_exponent - Limits::digits, Limits::max_exponent - 2};
-  for (int i = 0; i < 100; ++i) {
-    const Pair<S> pair = crowded_pair<S>(dice);
-    const Status status = proven(pair).status;
-    for (const int exponent : {ends[0], ends[0] + 1, ends[0] / 2, ends[0] / 4, ends[1] / 4, ends[1] / 2, ends[1]}) {
-      INFO("pair " << i << " times 2^" << exponent);
-      REQUIRE(proven(changed(pair, [=](const Vec3<S>& p) { return scaled(p, exponent); })).status == status);
-    }
-  }
-}
-
-TEMPLATE_TEST_CASE("The status stays when both sets are moved without rounding", "[certified]", float, double) {
-  using S = TestType;
-  const std::uint64_t seed = 79;
-  INFO("seed " << seed);
-  Dice dice(seed);
-  const S far = std::scalbn(S(1), std::numeric_limits<S>::digits - 1);
-  for (int i = 0; i < 200; ++i) {
-    const Pair<S> pair = crowded_pair<S>(dice);
-    const Status status = proven(pair).status;
-    for (const Vec3<S>& by : {Vec3<S>(3, -5, 7), Vec3<S>(far - 2, 0, 9), Vec3<S>(far - 2, far - 2, 2 - far)}) {
-      INFO("pair " << i << " moved by " << by.transpose());
-      REQUIRE(proven(changed(pair, [&](const Vec3<S>& p) { return Vec3<S>(p + by); })).status == status);
-    }
-  }
-}
-
 // -- C5 ---------------------------------------------------------------------------------------------------------------
 
-/// Wrong: the normals of a triangle and of one face point to the other side.
-struct Inward : Intended<> {
-  static auto ABCn_of_triangle(const auto& AB, const auto& AC) { return AC.cross(AB); }
-  static auto ACDn(const auto& AC, const auto& AD) { return AD.cross(AC); }
+enum class Mistake {
+  inward,   ///< the normals of a triangle and of one face point to the other side
+  rash,     ///< triangles and tetrahedra hold the origin wherever it is
+  backward  ///< what did not reach the origin counts as having crossed it
 };
-/// Wrong: triangles and tetrahedra hold the origin wherever it is.
-struct Rash : Intended<> {
-  static bool is_beyond_edge(const auto&) { return false; }
-  static Side side_of_triangle(const auto&) { return Side::above; }
-  static bool is_above_face(const auto&) { return false; }
-};
-/// Wrong: what did not reach the origin counts as having crossed it.
-struct Backward : Intended<> {
-  static bool crossed(const auto& w_d) { return w_d.is_negative(); }
+struct Wrong : AsIntended {
+  static inline Mistake mistake = Mistake::inward;
+  static bool is(Mistake one) { return mistake == one; }
+
+  static auto ABCn_of_triangle(const auto& AB, const auto& AC) {
+    return is(Mistake::inward) ? AC.cross(AB) : AB.cross(AC);
+  }
+  static auto ACDn(const auto& AC, const auto& AD) { return is(Mistake::inward) ? AD.cross(AC) : AC.cross(AD); }
+  static bool is_beyond_edge(const auto& x) { return !is(Mistake::rash) && AsIntended::is_beyond_edge(x); }
+  static Side side_of_triangle(const auto& x) {
+    return is(Mistake::rash) ? Side::above : AsIntended::side_of_triangle(x);
+  }
+  static bool is_above_face(const auto& x) { return !is(Mistake::rash) && AsIntended::is_above_face(x); }
+  static bool crossed(const auto& w_d) { return is(Mistake::backward) ? w_d.is_negative() : AsIntended::crossed(w_d); }
 };
 
-template <class S>
-std::vector<Options<S>> odd_options() {
-  std::vector<Options<S>> all(7);
+std::vector<Options<double>> odd_options() {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  std::vector<Options<double>> all(7);
   all[1].iteration_limit = 0;
   all[2].iteration_limit = 1;
   all[3].crossing_test = CrossingTest::off;
-  all[4].first_direction = Vec3<S>(std::numeric_limits<S>::denorm_min(), 0, -std::numeric_limits<S>::denorm_min());
-  all[5].first_direction = Vec3<S>(0, std::numeric_limits<S>::max(), 1);
-  all[6].first_direction = Vec3<S>(0, 0, 0);
+  all[4].first_direction = Vec3<double>(least, 0, -least);
+  all[5].first_direction = Vec3<double>(0, std::numeric_limits<double>::max(), 1);
+  all[6].first_direction = Vec3<double>(0, 0, 0);
   return all;
 }
 
-/// How many of some pairs and options were proven by what these rules found.
-template <class Rules, class S>
-std::map<Proof, int> proofs_with(std::uint64_t seed) {
-  INFO("seed " << seed);
-  Dice dice(seed);
-  std::map<Proof, int> proofs;
-  for (int i = 0; i < 60; ++i) {
-    const Pair<S> pair = i % 3 > 0 ? crowded_pair<S>(dice) : wild_pair<S>(dice);
-    const Status status = proven(pair).status;
-    for (const Options<S>& options : odd_options<S>()) {
-      INFO("pair " << i << ", limit " << options.iteration_limit << ", d " << options.first_direction.transpose());
-      const CertifiedResult result = proven<Rules>(pair, options);
-      REQUIRE(result.status == status);
-      ++proofs[result.proof];
+TEST_CASE("C5: the answer is proven with wrong rules, and with any options", "[certified]") {
+  Dice dice(80);
+  for (const Mistake mistake : {Mistake::inward, Mistake::rash, Mistake::backward}) {
+    Wrong::mistake = mistake;
+    int second_searches = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Pair<double> pair = i % 3 > 0 ? crowded_pair<double>(dice) : wild_pair<double>(dice);
+      for (const Options<double>& options : odd_options()) {
+        INFO("pair " << i << ", limit " << options.iteration_limit << ", d " << options.first_direction.transpose());
+        const auto result = examined(certified_collision<double, Wrong>(pair.a, pair.b, options), pair);
+        second_searches += result.proof == Proof::second_search;
+      }
     }
+    REQUIRE(second_searches > 100);
   }
-  return proofs;
-}
-
-TEMPLATE_TEST_CASE("C5: the status is the same with any rules, wrong ones included, and with any options",
-                   "[certified]", (std::tuple<AsIntended, float>), (std::tuple<AsPrinted, double>),
-                   (std::tuple<Eager<>, double>), (std::tuple<Intended<RelativeZeroTest>, double>),
-                   (std::tuple<Inward, float>), (std::tuple<Rash, double>), (std::tuple<Backward, double>)) {
-  using Rules = std::tuple_element_t<0, TestType>;
-  using S = std::tuple_element_t<1, TestType>;
-  std::map<Proof, int> proofs = proofs_with<Rules, S>(80);
-  REQUIRE(proofs[Proof::second_search] > 100);
 }
 
 /// Wrong: both objects are asked in the same direction.
@@ -488,59 +349,39 @@ concept MayGuess = requires(const PointSet<double>& set) {
 
 TEST_CASE("C5: rules that ask another difference for its farthest points are not taken", "[certified]") {
   STATIC_REQUIRE(MayGuess<AsIntended>);
-  STATIC_REQUIRE(MayGuess<Inward>);
+  STATIC_REQUIRE(MayGuess<Wrong>);
   STATIC_REQUIRE_FALSE(MayGuess<SameDirection>);
-}
-
-TEST_CASE("C5: a search that may not begin leaves all to the second one", "[certified]") {
-  Options<double> options;
-  options.iteration_limit = 0;
-  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
-  for (const auto& [by, expected] :
-       {std::pair(Point{1, 1, 1}, Status::intersecting), std::pair(Point{7, 7, 7}, Status::separated)}) {
-    const CertifiedResult result = proven(pair_of<double>(tetrahedron, moved(tetrahedron, by)), options);
-    REQUIRE(result.status == expected);
-    REQUIRE(result.iterations == 0);
-    REQUIRE(result.proof == Proof::second_search);
-  }
 }
 
 // -- Which proof ------------------------------------------------------------------------------------------------------
 
-TEMPLATE_TEST_CASE("Sets clearly apart are proven by the direction that the first search found", "[certified]", float,
-                   double) {
-  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
-  const Pair<TestType> pair = pair_of<TestType>(tetrahedron, moved(tetrahedron, {4, 5, 6}));
-  const CertifiedResult result = proven(pair);
-  const Result<TestType> plain = collision<TestType>(pair.a, pair.b);
-  REQUIRE(result.status == Status::separated);
-  REQUIRE(result.proof == Proof::direction);
-  REQUIRE(result.certificate == Certificate(SeparatingDirection{plain.separation->direction.template cast<double>()}));
-  REQUIRE(result.iterations == plain.iterations);
-  REQUIRE(result.second_iterations == 0);
-}
-
-TEMPLATE_TEST_CASE("Sets deep in each other are proven by the tetrahedron that the first search found", "[certified]",
-                   float, double) {
-  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
-  const Pair<TestType> pair = pair_of<TestType>(tetrahedron, moved(tetrahedron, {2, 1, 1}));
-  const CertifiedResult result = proven(pair);
-  const Result<TestType> plain = collision<TestType>(pair.a, pair.b);
-  REQUIRE(result.status == Status::intersecting);
-  REQUIRE(result.proof == Proof::tetrahedron);
-  REQUIRE(plain.simplex.size() == 4);
-  IndexPairs corners;
-  for (int i = 0; i < 4; ++i) corners.add({*plain.simplex[i].a.index, *plain.simplex[i].b.index});
-  REQUIRE(result.certificate == Certificate(CommonSimplex{corners}));
-  REQUIRE(result.iterations == plain.iterations);
-  REQUIRE(result.second_iterations == 0);
+TEMPLATE_TEST_CASE(
+    "Sets clearly apart are proven by the direction that the first search found, deep ones by its tetrahedron",
+    "[certified]", float, double) {
+  for (const Point& by : {Point{4, 5, 6}, Point{2, 1, 1}}) {
+    const Pair<TestType> pair = pair_of<TestType>(corner, moved(corner, by));
+    const CertifiedResult result = proven(pair);
+    const Result<TestType> plain = asked<TestType>(pair.a, pair.b);
+    REQUIRE(result.status == plain.status);
+    REQUIRE(result.iterations == plain.iterations);
+    REQUIRE(result.second_iterations == 0);
+    if (plain.separation) {
+      REQUIRE(result.proof == Proof::direction);
+      const SeparatingDirection found{plain.separation->direction.template cast<double>()};
+      REQUIRE(result.certificate == Certificate(found));
+    } else {
+      REQUIRE(result.proof == Proof::tetrahedron);
+      IndexPairs corners;
+      for (int i = 0; i < 4; ++i) corners.add({*plain.simplex[i].a.index, *plain.simplex[i].b.index});
+      REQUIRE(result.certificate == Certificate(CommonSimplex{corners}));
+    }
+  }
 }
 
 TEMPLATE_TEST_CASE("Touching is intersecting, and for the second search", "[certified]", float, double) {
-  const Points tetrahedron{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
   for (const Point& by : {Point{6, 0, 0}, Point{3, 3, 0}, Point{2, 2, 2}, Point{-6, 0, 0}, Point{-3, 0, -3}}) {
     INFO("moved by " << by[0] << ", " << by[1] << ", " << by[2]);
-    const CertifiedResult result = proven(pair_of<TestType>(tetrahedron, moved(tetrahedron, by)));
+    const CertifiedResult result = proven(pair_of<TestType>(corner, moved(corner, by)));
     REQUIRE(result.status == Status::intersecting);
     REQUIRE(result.proof == Proof::second_search);
     REQUIRE(std::get<CommonSimplex>(result.certificate).of.size() <= 4);

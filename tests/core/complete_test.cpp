@@ -3,8 +3,7 @@
 
 #include <set>
 
-#include "core/certified.hpp"
-#include "tests/core/oracle.hpp"
+#include "tests/core/evidence.hpp"
 #include "tests/kit/catch.hpp"
 
 namespace gjk::test {
@@ -20,15 +19,16 @@ TEST_CASE("In exact numbers each step of the complete rules brings the simplex n
   for (int i = 0; i < 600; ++i) {
     const PairOfHulls t = random_pair(dice);
     const auto a = point_set<Rational>(t.a), b = point_set<Rational>(t.b);
-    Trace<Rational> trace;
-    const Result<Rational> result = collision<Rational, Exactly>(a, b, {.iteration_limit = 100}, trace);
+    const auto [result, events] = observed<Rational, Exactly>(a, b, {.iteration_limit = 100});
     INFO("pair " << i << ", seed 71");
     REQUIRE(result.status != Status::undecided);
-    const bool together =
-        certified_collision(point_set<double>(t.a), point_set<double>(t.b)).status == Status::intersecting;
-    REQUIRE((result.status == Status::intersecting) == together);
+    if (result.separation)
+      REQUIRE(
+          difference_stays_below<Rational>(t.a, t.b, result.separation->direction, result.separation->support_value));
+    else
+      REQUIRE(contain_origin(places(result.simplex)));
     std::optional<Rational> before;
-    for (const auto& reduction : events_of_kind<SimplexReduced<Rational>>(trace.events)) {
+    for (const auto& reduction : events_of_kind<SimplexReduced<Rational>>(events)) {
       const ExactVec v = nearest_to_origin(reduction.after);
       REQUIRE((!before || v.squaredNorm() < *before));
       before = v.squaredNorm();
@@ -41,10 +41,9 @@ TEST_CASE("In exact numbers each step of the complete rules brings the simplex n
 TEST_CASE("The complete rules end where the report's go round for ever", "[complete]") {
   const auto check = [](const Points& a, const Points& b, Status expected) {
     const auto exact_a = point_set<Rational>(a), exact_b = point_set<Rational>(b);
-    REQUIRE(collision<Rational>(exact_a, exact_b).reason == Reason::cycle);
-    REQUIRE(collision<Rational, Exactly>(exact_a, exact_b).status == expected);
-    REQUIRE(collision<double, Exactly>(point_set<double>(a), point_set<double>(b)).status == expected);
-    REQUIRE(collision<float, Exactly>(point_set<float>(a), point_set<float>(b)).status == expected);
+    REQUIRE(asked<Rational>(exact_a, exact_b).reason == Reason::cycle);
+    REQUIRE(asked<Rational, Exactly>(exact_a, exact_b).status == expected);
+    REQUIRE(asked<double, Exactly>(point_set<double>(a), point_set<double>(b)).status == expected);
   };
   check(cycling_apart_a, cycling_apart_b, Status::separated);
   check(cycling_meeting_a, cycling_meeting_b, Status::intersecting);
@@ -63,9 +62,7 @@ TEST_CASE("The complete rules come to every feature that A belongs to", "[comple
   std::set<std::string> chosen;
   for (int i = 0; i < 20000; ++i) {
     const Points a = dice.points(dice.between(1, 5), 6), b = dice.points(dice.between(1, 4), 6);
-    Trace<double> trace;
-    collision<double, Exactly>(point_set<double>(a), point_set<double>(b), {}, trace);
-    chosen.merge(chosen_in(trace.events));
+    chosen.merge(chosen_in(observed<double, Exactly>(point_set<double>(a), point_set<double>(b)).events));
   }
   REQUIRE(chosen == std::set<std::string>{"1 A", "2 A", "2 AB", "3 A", "3 AB", "3 AC", "3 ABC", "4 A", "4 AB", "4 AC",
                                           "4 AD", "4 ABC", "4 ACD", "4 ADB", "4 ABCD"});
@@ -76,15 +73,13 @@ TEST_CASE("A question of the complete rules is told once, with the product that 
   int possible = 0;
   for (int i = 0; i < 2000; ++i) {
     const Points a = dice.points(4, 9), b = dice.points(4, 9);
-    Trace<double> trace;
-    collision<double, Exactly>(point_set<double>(a), point_set<double>(b), {}, trace);
-    std::set<std::string> asked;
-    for (const Event<double>& event : trace.events) {
-      if (std::holds_alternative<VertexAdded<double>>(event)) asked.clear();
+    std::set<std::string> told;
+    for (const Event<double>& event : observed<double, Exactly>(point_set<double>(a), point_set<double>(b)).events) {
+      if (std::holds_alternative<VertexAdded<double>>(event)) told.clear();
       const auto* const region = std::get_if<RegionTested<double>>(&event);
       if (!region || region->verdict == Verdict::skipped || region->expression.empty()) continue;
       INFO("pair " << i << ", seed 73, " << region->face << " " << region->expression);
-      REQUIRE(asked.insert(region->face + " " + region->expression).second);
+      REQUIRE(told.insert(region->face + " " + region->expression).second);
       const double* const value = std::get_if<double>(&region->value);
       if (!value || region->feature == "ABC") continue;
       const bool holds = region->relation == Relation::not_negative ? *value >= 0 : *value > 0;
@@ -97,7 +92,7 @@ TEST_CASE("A question of the complete rules is told once, with the product that 
 
 TEST_CASE("A product that is not a number ends a search by the complete rules undecided", "[complete]") {
   const PointSet<double> a({{1e200, 0, 1}, {-1e200, 0, 1}}), origin({{0, 0, 0}});
-  const Result<double> result = collision<double, Exactly>(a, origin);
+  const Result<double> result = asked<double, Exactly>(a, origin);
   REQUIRE(result.reason == Reason::unusable_direction);
   REQUIRE(result.status == Status::undecided);
 }

@@ -65,13 +65,10 @@ struct Tally {
 };
 
 Tally compare(int size, int tries, std::uint64_t seed) {
-  INFO("seed " << seed);
   Dice dice(seed);
   Tally tally;
   for (int i = 0; i < tries; ++i) {
-    const Points points = dice.points(size, i % 8 == 0 ? 9 : 2);
-    std::vector<Vec3<double>> oldest_first;
-    for (const Point& p : points) oldest_first.push_back(vec<double>(p));
+    const std::vector<Vec3<double>> oldest_first = point_set<double>(dice.points(size, i % 8 == 0 ? 9 : 2)).points();
     ExactVecs newest_first = exact(oldest_first);
     std::reverse(newest_first.begin(), newest_first.end());
     if (gram_determinant(newest_first) == 0) continue;
@@ -95,26 +92,15 @@ void require_each_seen(const Tally& tally, const std::vector<std::string>& featu
   }
 }
 
-TEST_CASE("A vertex is nearest to the origin with itself", "[nearest]") {
+TEST_CASE("The feature of a simplex that is nearest to the origin, if A is in it", "[nearest][unsanitized]") {
   require_each_seen(compare(1, 50, 60), {"A"}, 50);
-}
-
-TEST_CASE("The feature of a segment that is nearest to the origin, if A is in it", "[nearest]") {
-  const Tally tally = compare(2, 1000, 61);
-  require_each_seen(tally, {"A", "AB"}, 50);
-  REQUIRE(tally.on_a_boundary > 10);
-}
-
-TEST_CASE("The feature of a triangle that is nearest to the origin, if A is in it", "[nearest]") {
-  const Tally tally = compare(3, 4000, 62);
-  require_each_seen(tally, {"A", "AB", "AC", "ABC"}, 50);
-  REQUIRE(tally.on_a_boundary > 100);
-}
-
-TEST_CASE("The feature of a tetrahedron that is nearest to the origin, if A is in it", "[nearest][unsanitized]") {
-  const Tally tally = compare(4, 7000, 63);
-  require_each_seen(tally, {"A", "AB", "AC", "AD", "ABC", "ABD", "ACD", "ABCD"}, 50);
-  REQUIRE(tally.on_a_boundary > 300);
+  const Tally segments = compare(2, 1000, 61), triangles = compare(3, 4000, 62), tetrahedra = compare(4, 7000, 63);
+  require_each_seen(segments, {"A", "AB"}, 50);
+  REQUIRE(segments.on_a_boundary > 10);
+  require_each_seen(triangles, {"A", "AB", "AC", "ABC"}, 50);
+  REQUIRE(triangles.on_a_boundary > 100);
+  require_each_seen(tetrahedra, {"A", "AB", "AC", "AD", "ABC", "ABD", "ACD", "ABCD"}, 50);
+  REQUIRE(tetrahedra.on_a_boundary > 300);
 }
 
 }  // namespace

@@ -41,19 +41,17 @@ const std::vector<ExactRun>& exact_runs() {
 // -- P1 ---------------------------------------------------------------------------------------------------------------
 
 /// Runs that are likely to come upon a zero direction: they throw where one reaches a support function.
-template <class S, class A, class B>
-void require_directions_only(const A& a, const B& b) {
-  const Watched<S, A> watched_a(a);
-  const Watched<S, B> watched_b(b);
+template <class S>
+void require_directions_only(const AnyShape<S>& a, const AnyShape<S>& b) {
   for (const CrossingTest test : {CrossingTest::on, CrossingTest::off})
     for (const Point& first : Points{{1, 0, 0}, {0, 0, 0}, {1, -2, 3}}) {
       Options<S> options;
       options.first_direction = vec<S>(first);
       options.crossing_test = test;
-      const int before = watched_a.times_asked();
-      REQUIRE_NOTHROW(collision<S>(watched_a, watched_b, options));
-      REQUIRE(watched_a.times_asked() - before <= options.iteration_limit);
-      REQUIRE(watched_a.times_asked() == watched_b.times_asked());
+      const int before = a.times_asked();
+      REQUIRE_NOTHROW(asked<S>(a, b, options));
+      REQUIRE(a.times_asked() - before <= options.iteration_limit);
+      REQUIRE(a.times_asked() == b.times_asked());
     }
 }
 
@@ -68,15 +66,7 @@ const std::vector<Points> degenerate_hulls{
     {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}},
     {{-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}, {1, -1, 1}, {1, 1, -1}, {1, 1, 1}}};
 
-PointSet<double> scaled(const Points& points, double scale) {
-  std::vector<Vec3<double>> placed;
-  for (const Point& p : points) placed.push_back(vec<double>(p) * scale);
-  return PointSet<double>(placed);
-}
-
-TEST_CASE(
-    "P1. The support function returns a point farthest in the direction given, and is never given the zero vector",
-    "[properties]") {
+TEST_CASE("P1. The support function is never given the zero vector", "[properties]") {
   SECTION("degenerate pairs, from 1e-200 to 1e200: identical, single points, on a line, in a plane, touching") {
     for (const double scale : {1e-200, 1e-100, 1e-50, 1e-3, 1.0, 1e3, 1e50, 1e100, 1e200})
       for (const Points& a : degenerate_hulls)
@@ -95,34 +85,6 @@ TEST_CASE(
         require_directions_only<double>(a, scaled({{0, 1, 0}}, scale));
       }
   }
-  SECTION("random pairs") {
-    INFO("seed " << seed);
-    Dice dice(seed);
-    for (int i = 0; i < 5000; ++i) {
-      const PairOfHulls hulls = random_pair(dice);
-      require_directions_only<double>(point_set<double>(hulls.a), point_set<double>(hulls.b));
-    }
-  }
-  SECTION("the point returned is farthest") {
-    INFO("seed " << seed);
-    Dice dice(seed);
-    for (int i = 0; i < 2000; ++i) {
-      const Points points = dice.points(dice.between(1, 8), 5);
-      const Vec3<Rational> d = vec<Rational>(dice.point(5));
-      if (!is_direction(d)) continue;
-      const Vec3<Rational> answer = point_set<Rational>(points).support(d).point;
-      for (const Point& p : points) REQUIRE(vec<Rational>(p).dot(d) <= answer.dot(d));
-    }
-  }
-}
-
-TEST_CASE("The watch over P1 itself notices a zero, an infinite and an undefined direction", "[properties]") {
-  const auto point = point_set<double>({{0, 0, 0}});
-  const Watched<double, PointSet<double>> watched(point);
-  REQUIRE_THROWS_AS(watched.support({0, 0, 0}), std::logic_error);
-  REQUIRE_THROWS_AS(watched.support({1, std::numeric_limits<double>::infinity(), 0}), std::logic_error);
-  REQUIRE_THROWS_AS(watched.support({1, 0, std::nan("")}), std::logic_error);
-  REQUIRE_NOTHROW(watched.support({0, 1e-300, 0}));
 }
 
 // -- P2 to P5 ---------------------------------------------------------------------------------------------------------
@@ -131,7 +93,6 @@ TEST_CASE(
     "P2. Every vertex of the simplex lies on the hull of the Minkowski difference: no point of the difference lies "
     "farther in the direction in which it was found",
     "[properties][unsanitized]") {
-  INFO("seed " << seed);
   for (const ExactRun& run : exact_runs()) {
     std::vector<Vec3<Rational>> found;
     for (const auto& event : run.run.events) {
@@ -152,14 +113,13 @@ TEST_CASE(
     "P3. A is the vertex added last. The others stay in the order in which they were added, except where Algorithm 4 "
     "moves below a triangle and where Algorithm 5 keeps a face",
     "[properties][unsanitized]") {
-  INFO("seed " << seed);
   std::set<std::string> in_order, reordered;
   for (const ExactRun& run : exact_runs()) {
     const SupportFound<Rational>* last = nullptr;
     for (const auto& event : run.run.events) {
       if (const auto* support = std::get_if<SupportFound<Rational>>(&event)) last = support;
       if (const auto* added = std::get_if<VertexAdded<Rational>>(&event))
-        REQUIRE(same_vertex(added->simplex[Role::A], last->vertex));
+        REQUIRE((added->simplex[Role::A] == last->vertex));
       if (const auto* reduced = std::get_if<SimplexReduced<Rational>>(&event)) {
         const bool oldest_first = std::is_sorted(reduced->kept.rbegin(), reduced->kept.rend());
         (oldest_first ? in_order : reordered).insert(std::to_string(reduced->before.size()) + ":" + reduced->kept);
@@ -172,7 +132,6 @@ TEST_CASE(
 
 TEST_CASE("P4. Normals point away from the simplex: no vertex of the triangle or tetrahedron lies on their side of A",
           "[properties][unsanitized]") {
-  INFO("seed " << seed);
   int normals = 0;
   for (const ExactRun& run : exact_runs()) {
     Simplex<Rational> simplex;
@@ -193,7 +152,6 @@ TEST_CASE("P4. Normals point away from the simplex: no vertex of the triangle or
 }
 
 TEST_CASE("P5. Of four vertices, A lies in the direction of BC×BD", "[properties][unsanitized]") {
-  INFO("seed " << seed);
   int tetrahedra = 0, flat = 0;
   for (const ExactRun& run : exact_runs())
     for (const auto& added : events_of_kind<VertexAdded<Rational>>(run.run.events)) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -89,13 +91,21 @@ class Replay {
     follows(e, "C", 'A');
     must(verdict_ != Crossing::not_crossed, "the search ends where the origin was not crossed");
     simplex_.add(vertex_);
-    must(same_simplex(e.simplex, simplex_), "the vertex found is added as the newest");
+    must(e.simplex == simplex_, "the vertex found is added as the newest");
+    regions_.clear();
   }
 
   void operator()(const RegionTested<S>& e) {
     follows(e, "AR", 'R');
     must(e.simplex_size == simplex_.size(), "the region belongs to this simplex");
     must(!e.reason.empty(), "a region has a reason");
+    must(regions_.insert({e.feature, e.label, e.face}).second, "a region is told once");
+    must((e.value.index() != 0) == !e.expression.empty() && e.normal.has_value() == !e.formula.empty(),
+         "what is computed has its text");
+    must((e.value.index() == 0) == (e.verdict == Verdict::skipped) || e.feature == "ABCD",
+         "what is skipped has no value");
+    if (e.value.index() != 0)
+      must(stands_in_relation(e) == (e.verdict == Verdict::chosen), "the value fits the verdict");
     Letters<S> letters(simplex_);
     if (e.normal) {
       must(*e.normal == letters.vector(e.formula), "the normal is its formula's value");
@@ -111,11 +121,12 @@ class Replay {
   void operator()(const SimplexReduced<S>& e) {
     follows(e, "R", 'X');
     must(!e.why.empty(), "a reduction has a reason");
-    must(same_simplex(e.before, simplex_), "the simplex before is the one of the last event");
+    must(e.before == simplex_, "the simplex before is the one of the last event");
     kept_from_ = simplex_;
     simplex_ = {};
     for (const char c : e.kept) simplex_.add(kept_from_[static_cast<Role>(c - 'A')]);
-    must(same_simplex(e.after, simplex_), "the simplex after has the vertices kept, in their order");
+    must(e.after == simplex_, "the simplex after has the vertices kept, in their order");
+    must(!(e.after == e.before), "a reduction changes something");
     must(static_cast<int>(e.kept.size() + e.dropped.size()) == kept_from_.size(), "each vertex is kept or dropped");
     must(e.kept.find_first_of(e.dropped) == std::string::npos, "no vertex is kept and dropped");
   }
@@ -136,7 +147,7 @@ class Replay {
     const bool not_crossed = near_side || (last() == 'C' && verdict_ == Crossing::not_crossed);
     follows(e, "SCDR", 'F');
     must(e.result.iterations == iteration_, "the iterations are counted");
-    must(same_simplex(e.result.simplex, simplex_), "the last simplex is the result's");
+    must(e.result.simplex == simplex_, "the last simplex is the result's");
     must((e.result.status == Status::intersecting) == (contains_origin_ && !near_side),
          "intersecting exactly where the origin was found");
     must((e.result.reason == Reason::origin_not_crossed) == not_crossed, "Eq. 9 is the reason exactly where it failed");
@@ -144,8 +155,7 @@ class Replay {
     must(e.result.cycle_start.has_value() == (e.result.reason == Reason::cycle), "a cycle begins somewhere");
     if (e.result.cycle_start) {
       const auto& [direction, simplex] = states_.at(static_cast<std::size_t>(*e.result.cycle_start) - 1);
-      must(direction == direction_ && same_simplex(simplex, simplex_),
-           "the next iteration would begin as the one told did");
+      must(direction == direction_ && simplex == simplex_, "the next iteration would begin as the one told did");
     }
     must(!e.result.separation || (e.result.separation->direction == direction_ &&
                                   e.result.separation->support_value == vertex_.w.dot(direction_)),
@@ -156,6 +166,19 @@ class Replay {
   const std::string& kinds() const { return kinds_; }
 
  private:
+  static bool stands_in_relation(const RegionTested<S>& e) {
+    const S* const number = std::get_if<S>(&e.value);
+    const bool negative = number && *number < S(0);
+    const bool zero = number ? *number == S(0) : is_zero(std::get<Vec3<S>>(e.value));
+    switch (e.relation) {
+      case Relation::positive: return !negative && !zero;
+      case Relation::negative: return negative;
+      case Relation::zero: return zero;
+      case Relation::not_zero: return !zero;
+      case Relation::not_negative: return !negative;
+    }
+    return false;
+  }
   char last() const { return kinds_.empty() ? ' ' : kinds_.back(); }
   void must(bool holds, const std::string& what) const {
     if (!holds) throw std::logic_error("after the events " + kinds_ + ": " + what);
@@ -174,7 +197,8 @@ class Replay {
   Vertex<S> vertex_;
   Simplex<S> simplex_, kept_from_;
   std::vector<Vec3<S>> seen_;
-  std::vector<std::pair<Vec3<S>, Simplex<S>>> states_;  // with which each iteration began
+  std::set<std::tuple<std::string, std::string, std::string>> regions_;  // of the simplex that is processed
+  std::vector<std::pair<Vec3<S>, Simplex<S>>> states_;                   // with which each iteration began
   Crossing verdict_ = Crossing::crossed;
   bool contains_origin_ = false;
 };

@@ -13,30 +13,6 @@ namespace {
 
 using V = Vec3<double>;
 
-TEMPLATE_TEST_CASE("Eq. 5: a point set answers with the point farthest in the direction, and with its index",
-                   "[shapes]", float, double, long double, Rational) {
-  using S = TestType;
-  const auto points = point_set<S>({{0, 0, 0}, {3, 1, 0}, {-1, 4, 2}, {1, -1, -5}});
-  const auto farthest = [&](const Point& d) { return *points.support(vec<S>(d)).index; };
-  REQUIRE(farthest({1, 0, 0}) == 1);
-  REQUIRE(farthest({0, 1, 0}) == 2);
-  REQUIRE(farthest({0, 0, -1}) == 3);
-  REQUIRE(farthest({-1, -1, 1}) == 0);
-  REQUIRE(points.support(vec<S>({0, 0, -1})).point == vec<S>({1, -1, -5}));
-}
-
-TEST_CASE("Eq. 5: among equally far points the first in the list is the answer", "[shapes]") {
-  const auto points = point_set<double>({{-1, 0, 0}, {2, 5, 0}, {2, -5, 0}, {2, 5, 0}});
-  REQUIRE(points.support({1, 0, 0}).index == 1);
-  REQUIRE(points.support({0, 1, 0}).index == 1);
-  REQUIRE(points.support({0, 0, 1}).index == 0);
-}
-
-TEST_CASE("Eq. 5: the length of the direction does not matter, from 1e-200 to 1e200", "[shapes]") {
-  const auto points = point_set<double>({{0, 0, 0}, {3, 1, 0}, {-1, 4, 2}});
-  for (const double length : {1e-200, 1e-3, 1.0, 1e3, 1e200}) REQUIRE(points.support(V(-1, 2, 1) * length).index == 2);
-}
-
 /// Small whole numbers: many points are equally far, and every sum is exact.
 TEMPLATE_TEST_CASE("Eq. 5: of many points the first of the farthest is the answer", "[shapes]", float, double,
                    long double, Rational) {
@@ -106,8 +82,21 @@ TEMPLATE_TEST_CASE("The mean of a point set is off by at most nur, and not finit
   REQUIRE_FALSE(std::isfinite(PointSet<S>({Vec3<S>(most, 0, 0), Vec3<S>(most, 0, 0)}).mean().x()));
 }
 
-TEST_CASE("A point set needs at least one point", "[shapes]") {
+TEST_CASE(
+    "Shapes refuse what is none: no points, lengths that are not positive and finite, an axis that is zero or not "
+    "finite",
+    "[shapes]") {
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const V center(0, 0, 0), up(0, 0, 1);
   REQUIRE_THROWS_AS(PointSet<double>({}), std::invalid_argument);
+  for (const double length : {0.0, -1.0, infinity, nan}) {
+    REQUIRE_THROWS_AS(Sphere<double>(center, length), std::invalid_argument);
+    REQUIRE_THROWS_AS(Cylinder<double>(center, up, length, 1), std::invalid_argument);
+    REQUIRE_THROWS_AS(Cylinder<double>(center, up, 1, length), std::invalid_argument);
+  }
+  for (const V& axis : {V(0, 0, 0), V(infinity, 0, 0), V(0, 0, -infinity), V(nan, 0, 0), V(1, 0, nan), V(nan, 1, 0)})
+    REQUIRE_THROWS_AS(Cylinder<double>(center, axis, 1, 1), std::invalid_argument);
+  REQUIRE_NOTHROW(Cylinder<double>(center, up, 1e-3, 1e3));
 }
 
 TEMPLATE_TEST_CASE("Eq. 6: a sphere answers with the end of its radius along the direction", "[shapes]", float, double,
@@ -133,12 +122,6 @@ TEST_CASE("Eq. 6: directions whose squared length under- or overflows reach the 
   REQUIRE(sphere.support(V(std::numeric_limits<double>::denorm_min(), 0, 0)).point == V(3, 0, 0));
 }
 
-TEST_CASE("A sphere needs a positive, finite radius", "[shapes]") {
-  for (const double radius :
-       {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-    REQUIRE_THROWS_AS(Sphere<double>(V(0, 0, 0), radius), std::invalid_argument);
-}
-
 TEST_CASE("Eq. 7: the support of a sum is the sum of the supports", "[shapes]") {
   const auto triangle = point_set<double>({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
   const MinkowskiSum<double, PointSet<double>, Sphere<double>> rounded(triangle, Sphere<double>(V(0, 0, 5), 1));
@@ -160,15 +143,6 @@ TEST_CASE("Eq. 8: the support of a difference is support(A, d) - support(B, -d),
   REQUIRE(difference.support({1, 0, 0}).point == vertex.w);
 }
 
-TEST_CASE("Eq. 8: Section 2.4's triangles reach x = -1 and x = 1, and their difference x = -2", "[shapes]") {
-  const auto c = point_set<double>({{-1, 0, 0}, {-3, 1, 0}, {-3, -1, 0}});
-  const auto d = point_set<double>({{1, 0, 0}, {3, 1, 0}, {3, -1, 0}});
-  const V plus_x(1, 0, 0);
-  REQUIRE(c.support(plus_x).point.x() == -1);
-  REQUIRE(d.support(-plus_x).point.x() == 1);
-  REQUIRE(MinkowskiDifference<double, PointSet<double>, PointSet<double>>(c, d).support(plus_x).point.x() == -2);
-}
-
 /// A shape as a user may write it: no index, no base class.
 struct UnitCube {
   V support(const V& d) const {
@@ -181,17 +155,9 @@ TEST_CASE("Anything with a support function is a shape, also one that returns a 
   STATIC_REQUIRE(Shape<PointSet<Rational>, Rational>);
   STATIC_REQUIRE(Shape<MinkowskiSum<double, UnitCube, Sphere<double>>, double>);
   STATIC_REQUIRE_FALSE(Shape<V, double>);
-  REQUIRE(collision<double>(UnitCube{}, Sphere<double>(V(2, 0.5, 0.5), 1.25)).status == Status::intersecting);
-  REQUIRE(collision<double>(UnitCube{}, Sphere<double>(V(2, 0.5, 0.5), 0.75)).status == Status::separated);
+  REQUIRE(asked<double>(UnitCube{}, Sphere<double>(V(2, 0.5, 0.5), 1.25)).status == Status::intersecting);
+  REQUIRE(asked<double>(UnitCube{}, Sphere<double>(V(2, 0.5, 0.5), 0.75)).status == Status::separated);
   REQUIRE(collision<double>(UnitCube{}, UnitCube{}).status == Status::intersecting);
-}
-
-TEST_CASE("A sphere is a ball grown from a point: the sum of two spheres is the sphere of both radii", "[shapes]") {
-  const MinkowskiSum<double, Sphere<double>, Sphere<double>> sum(Sphere<double>(V(1, 0, 0), 1),
-                                                                 Sphere<double>(V(0, 2, 0), 2));
-  const Sphere<double> both(V(1, 2, 0), 3);
-  for (const V& d : {V(1, 0, 0), V(1, -2, 3), V(-4, 1, 1)})
-    REQUIRE((sum.support(d).point - both.support(d).point).norm() <= 1e-14);
 }
 
 // -- Cylinder ---------------------------------------------------------------------------------------------------------
@@ -235,7 +201,7 @@ TEMPLATE_TEST_CASE("A cylinder answers with the rim point of the cap on the side
 }
 
 TEMPLATE_TEST_CASE("A cylinder answers with the middle of a cap, exactly, for every multiple of its axis", "[shapes]",
-                   float, double, long double) {
+                   float, double) {
   using S = TestType;
   for (const Point& axis : axes) {
     const Cylinder<S> cylinder(Vec3<S>(1, 2, 3), vec<S>(axis), S(2), S(3));
@@ -261,36 +227,8 @@ TEST_CASE("A cylinder asked perpendicular to its axis answers on the cap along t
   REQUIRE(turned_over.support({0, 1, 0}).point == V(1, 4, 1));
 }
 
-TEMPLATE_TEST_CASE("P1: no point of a cylinder lies farther in a direction than the answer, which is one of its points",
-                   "[shapes]", float, double, long double) {
-  using S = TestType;
-  const S epsilon = std::numeric_limits<S>::epsilon();
-  for (const Point& axis : axes)
-    for (const S scale : {S(1e-3), S(1), S(1e3)}) {
-      const Cylinder<S> cylinder(scale * Vec3<S>(1, 2, 3), vec<S>(axis), scale * S(2), scale * S(3));
-      std::vector<Vec3<S>> surface;  // rims, and caps a little inside
-      const Vec3<S> up = vec<S>(axis).normalized(), u = up.unitOrthogonal(), v = up.cross(u);
-      for (int i = 0; i < 360; ++i)
-        for (const S reach : {S(0), S(0.5), S(1)})
-          for (const S side : {S(-1), S(1)}) {
-            const S angle = S(i) * S(0.017453292519943295L);
-            const Vec3<S> across = u * std::cos(angle) + v * std::sin(angle);
-            surface.push_back(cylinder.center() + scale * (up * (side * S(1.5)) + across * (reach * S(2))));
-          }
-      for (const Vec3<S>& d : points_all_around<S>(21, 60)) {
-        const Vec3<S> found = cylinder.support(d).point;
-        const InCylinder<S> at(cylinder, found);
-        REQUIRE(std::abs(std::abs(at.along) - scale * S(1.5)) <= 64 * epsilon * scale);
-        REQUIRE(std::abs(at.from_axis - scale * S(2)) <= 64 * epsilon * scale);
-        S farthest = -std::numeric_limits<S>::infinity();
-        for (const Vec3<S>& p : surface) farthest = std::max(farthest, p.dot(d));
-        REQUIRE(found.dot(d) >= farthest - 64 * epsilon * scale);
-      }
-    }
-}
-
 TEMPLATE_TEST_CASE("P1: a direction that rounding has put beside the axis still leads to a point of the cylinder",
-                   "[shapes]", float, double, long double) {
+                   "[shapes]", float, double) {
   using S = TestType;
   const S epsilon = std::numeric_limits<S>::epsilon();
   Dice dice(22);
@@ -324,37 +262,6 @@ TEST_CASE("Neither the length of the axis nor that of the direction changes a cy
   REQUIRE(upright.support({std::numeric_limits<double>::denorm_min(), 0, 1e308}).point == V(0, 0, 1));
 }
 
-TEST_CASE("A cylinder needs a positive, finite radius and height, and a finite axis that is not zero", "[shapes]") {
-  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  const V center(0, 0, 0), up(0, 0, 1);
-  for (const double length : {0.0, -1.0, infinity, nan}) {
-    REQUIRE_THROWS_AS(Cylinder<double>(center, up, length, 1), std::invalid_argument);
-    REQUIRE_THROWS_AS(Cylinder<double>(center, up, 1, length), std::invalid_argument);
-  }
-  for (const V& axis : {V(0, 0, 0), V(infinity, 0, 0), V(0, 0, -infinity), V(nan, 0, 0), V(1, 0, nan), V(nan, 1, 0)})
-    REQUIRE_THROWS_AS(Cylinder<double>(center, axis, 1, 1), std::invalid_argument);
-  REQUIRE_NOTHROW(Cylinder<double>(center, up, 1e-3, 1e3));
-}
-
-TEST_CASE("A point meets a cylinder where it lies between the caps and within the radius", "[shapes]") {
-  Dice dice(23);
-  int inside = 0;
-  for (int i = 0; i < 3000; ++i) {
-    const Cylinder<double> cylinder(V(0, 0, 0), vec<double>(axes[static_cast<std::size_t>(i) % axes.size()]), 1, 1.5);
-    const V p(dice.between(-1., 1.), dice.between(-1., 1.), dice.between(-1., 1.));
-    const InCylinder<double> at(cylinder, p);
-    const double gap = std::max(std::abs(at.along) - 0.75, at.from_axis - 1);
-    if (std::abs(gap) < 1e-6) continue;  // too close for rounded support points to tell
-    INFO("point " << i << ", gap " << gap);
-    const Status status = asked<double>(PointSet<double>({p}), cylinder).status;
-    // Curved sets may need more than the report's 20 iterations; wrong they may not be.
-    if (status != Status::undecided) REQUIRE((status == Status::intersecting) == (gap < 0));
-    inside += status == Status::intersecting;
-  }
-  REQUIRE(inside > 900);
-  REQUIRE(inside < 2100);
-}
-
 // -- Poses ------------------------------------------------------------------------------------------------------------
 
 /// A third of a full turn about (1,-2,3), more or less.
@@ -364,7 +271,7 @@ Pose<S> some_pose() {
 }
 
 TEMPLATE_TEST_CASE("A posed point set answers as the points do where the pose puts them, and keeps their numbers",
-                   "[shapes]", float, double, long double) {
+                   "[shapes]", float, double) {
   using S = TestType;
   const auto points = point_set<S>({{0, 0, 0}, {3, 1, 0}, {-1, 4, 2}, {1, -1, -5}, {-4, -2, 3}});
   const Pose<S> pose = some_pose<S>();
@@ -386,20 +293,6 @@ TEST_CASE("A posed point set is exact in exact numbers", "[shapes]") {
   REQUIRE(posed.support(vec<Rational>({1, 0, 0})).point == vec<Rational>({10, 0, 0}));
 }
 
-TEST_CASE("A posed sphere is the sphere around the posed center, a posed cylinder the one along the turned axis",
-          "[shapes]") {
-  const auto pose = some_pose<double>();
-  const V center(1, 2, 3), axis(2, 0, 1);
-  const Posed<double, Sphere<double>> ball(Sphere<double>(center, 2), pose);
-  const Posed<double, Cylinder<double>> can(Cylinder<double>(center, axis, 2, 3), pose);
-  const Sphere<double> moved_ball(pose(center), 2);
-  const Cylinder<double> moved_can(pose(center), pose.rotation * axis, 2, 3);
-  for (const V& d : points_all_around<double>(25, 200)) {
-    REQUIRE((ball.support(d).point - moved_ball.support(d).point).norm() <= 1e-13);
-    REQUIRE((can.support(d).point - moved_can.support(d).point).norm() <= 1e-13);
-  }
-}
-
 TEST_CASE("P1: a pose turns the largest and the smallest directions without losing them", "[shapes]") {
   const auto pose = some_pose<double>();
   const Posed<double, Sphere<double>> ball(Sphere<double>(V(0, 0, 0), 1), pose);
@@ -416,21 +309,6 @@ TEST_CASE("No pose changes nothing, not even which of equally far points is the 
   const Posed<double, PointSet<double>> posed(points, {});
   for (const V& d : {V(1, 1, 0), V(0.1, 0.1, 0), V(7e11, 7e11, 1e-3), V(-1, 2, 0.3)})
     REQUIRE(posed.support(d).index == points.support(d).index);
-}
-
-TEST_CASE("Posing both shapes alike does not change the answer", "[shapes]") {
-  Dice dice(26);
-  const auto pose = some_pose<double>();
-  for (int i = 0; i < 300; ++i) {
-    const V where(dice.between(-2., 2.), dice.between(-2., 2.), dice.between(-2., 2.));
-    const Cylinder<double> can(V(0, 0, 0), V(1, -2, 3), 1, 1.5);
-    const Sphere<double> ball(where, 0.7);
-    const Posed<double, Cylinder<double>> posed_can(can, pose);
-    const Posed<double, Sphere<double>> posed_ball(ball, pose);
-    const Status status = asked<double>(can, ball).status, posed = asked<double>(posed_can, posed_ball).status;
-    INFO("pair " << i);
-    if (status != Status::undecided && posed != Status::undecided) REQUIRE(posed == status);
-  }
 }
 
 }  // namespace

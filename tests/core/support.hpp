@@ -1,9 +1,10 @@
-/// What the tests of the core share: the exact number, frames, watched shapes, observed runs, and dice.
+/// What the tests of the core share: the exact number, frames, shapes of any kind, runs, and dice.
 #pragma once
 
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
+#include <concepts>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -34,11 +35,21 @@ PointSet<S> point_set(const Points& points) {
   return PointSet<S>(converted);
 }
 
+inline PointSet<double> scaled(const Points& points, double scale) {
+  std::vector<Vec3<double>> placed;
+  for (const Point& p : points) placed.push_back(vec<double>(p) * scale);
+  return PointSet<double>(placed);
+}
+
 inline Points moved(Points points, const Point& by) {
   for (Point& p : points)
     for (std::size_t i = 0; i < 3; ++i) p[i] += by[i];
   return points;
 }
+
+inline const Points cube{{-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1},
+                         {1, -1, -1},  {1, -1, 1},  {1, 1, -1},  {1, 1, 1}};
+inline const Points corner{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
 
 /// Algorithm 5 takes the first face that sees the origin, and comes back to the same simplex for ever.
 inline const Points cycling_apart_a{{-2, 3, 3}, {1, 3, 1}, {3, -2, -1}, {-4, -5, -2}};
@@ -101,30 +112,28 @@ std::vector<Vec3<S>> seen(const Points& points, const Frame<S>& frame) {
   return placed;
 }
 
-// -- Watched shapes and observed runs ---------------------------------------------------------------------------------
+// -- Shapes of any kind, and runs -------------------------------------------------------------------------------------
 
+/// A shape of any kind, so that a search is compiled once for all kinds. Refers to it. Throws where a direction breaks P1.
 template <class S>
-bool is_direction(const Vec3<S>& d) {
-  if constexpr (std::floating_point<S>)
-    for (int i = 0; i < 3; ++i)
-      if (!std::isfinite(d[i])) return false;
-  return d[0] != S(0) || d[1] != S(0) || d[2] != S(0);
-}
-
-/// A shape that throws where a direction breaks P1. All runs of these tests go through it. Refers to the shape inside.
-template <class S, class Inner>
-class Watched {
+class AnyShape {
  public:
-  explicit Watched(const Inner& inner) : inner_(inner) {}
+  template <class A>
+  requires(!std::same_as<A, AnyShape> && Shape<A, S>) AnyShape(const A& shape)
+      : shape_(&shape), support_([](const void* any, const Vec3<S>& d) -> SupportPoint<S> {
+          return static_cast<const A*>(any)->support(d);
+        }) {}
+
   SupportPoint<S> support(const Vec3<S>& d) const {
-    if (!is_direction(d)) throw std::logic_error("P1: the support function was given no direction");
+    if (!is_usable_direction(d)) throw std::logic_error("P1: the support function was given no direction");
     ++times_asked_;
-    return inner_.support(d);
+    return support_(shape_, d);
   }
   int times_asked() const { return times_asked_; }
 
  private:
-  const Inner& inner_;
+  const void* shape_;
+  SupportPoint<S> (*support_)(const void*, const Vec3<S>&);
   mutable int times_asked_ = 0;
 };
 
@@ -134,16 +143,34 @@ struct Run {
   std::vector<Event<S>> events;
 };
 
-template <class S, class A, class B>
-Run<S> observed(const A& a, const B& b, const Options<S>& options = {}) {
-  Trace<S> trace;
-  const Result<S> result = collision<S>(Watched<S, A>(a), Watched<S, B>(b), options, trace);
-  return {result, std::move(trace.events)};
-}
+/// One step of Algorithms 2-5.
+template <class S>
+struct ToldStep {
+  std::optional<Vec3<S>> direction;  ///< the next; empty where the simplex contains the origin
+  std::vector<Event<S>> events;
+};
 
-template <class S, class A, class B>
-Result<S> asked(const A& a, const B& b, const Options<S>& options = {}) {
-  return collision<S>(Watched<S, A>(a), Watched<S, B>(b), options);
+/// What searches.cpp compiles, and for which scalars and rules it does.
+template <class S, class Rules>
+struct Searches {
+  static Result<S> asked(const AnyShape<S>& a, const AnyShape<S>& b, const Options<S>& options);
+  static Run<S> observed(const AnyShape<S>& a, const AnyShape<S>& b, const Options<S>& options);
+  static ToldStep<S> step(Simplex<S>& simplex, CrossingTest crossing_test);
+};
+
+/// Returns: the answer of a plain run.
+template <class S, class Rules = AsIntended>
+Result<S> asked(const AnyShape<S>& a, const AnyShape<S>& b, const Options<S>& options = {}) {
+  return Searches<S, Rules>::asked(a, b, options);
+}
+template <class S, class Rules = AsIntended>
+Run<S> observed(const AnyShape<S>& a, const AnyShape<S>& b, const Options<S>& options = {}) {
+  return Searches<S, Rules>::observed(a, b, options);
+}
+/// `simplex`: becomes what is kept of it.
+template <class Rules = AsIntended, class S>
+ToldStep<S> step(Simplex<S>& simplex, CrossingTest crossing_test = CrossingTest::on) {
+  return Searches<S, Rules>::step(simplex, crossing_test);
 }
 
 template <class E, class S>
@@ -166,30 +193,6 @@ std::vector<Vec3<S>> places(const Simplex<S>& simplex) {
   std::vector<Vec3<S>> points;
   for (int i = 0; i < simplex.size(); ++i) points.push_back(simplex[i].w);
   return points;
-}
-
-template <class S>
-bool same_vertex(const Vertex<S>& v, const Vertex<S>& u) {
-  return v.w == u.w && v.a.point == u.a.point && v.b.point == u.b.point && v.a.index == u.a.index &&
-         v.b.index == u.b.index;
-}
-
-template <class S>
-bool same_simplex(const Simplex<S>& s, const Simplex<S>& t) {
-  if (s.size() != t.size()) return false;
-  for (int i = 0; i < s.size(); ++i)
-    if (!same_vertex(s[i], t[i])) return false;
-  return true;
-}
-
-template <class S>
-bool same_result(const Result<S>& r, const Result<S>& q) {
-  if (r.separation.has_value() != q.separation.has_value()) return false;
-  if (r.separation && (r.separation->direction != q.separation->direction ||
-                       r.separation->support_value != q.separation->support_value))
-    return false;
-  return r.status == q.status && r.reason == q.reason && r.iterations == q.iterations &&
-         same_simplex(r.simplex, q.simplex);
 }
 
 // -- Dice -------------------------------------------------------------------------------------------------------------

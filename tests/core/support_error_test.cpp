@@ -2,8 +2,10 @@
 #include "core/support_error.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <functional>
 #include <vector>
 
+#include "tests/core/any_doubtful.hpp"
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
 
@@ -28,73 +30,61 @@ Long length(const LongVec& x) { return sqrt(dot(x, x)); }
 // -- What is true -----------------------------------------------------------------------------------------------------
 
 /// A shape as its numbers say: how far it reaches along d, and how far a point is from it, at most.
-struct TrueBall {
-  LongVec c;
-  Long r;
-  Long reach(const LongVec& d) const { return dot(c, d) + r * length(d); }
-  Long distance(const LongVec& p) const { return std::max(Long(0), Long(length(minus(p, c)) - r)); }
-};
-struct TrueCan {
-  LongVec c, axis;
-  Long r, H;
-  Long reach(const LongVec& d) const {
-    return dot(c, d) + (H * abs(dot(axis, d)) + r * length(cross(axis, d))) / length(axis);
-  }
-  Long distance(const LongVec& p) const {
-    const LongVec way = minus(p, c);
-    const Long along = abs(dot(way, axis)) / length(axis) - H, across = length(cross(way, axis)) / length(axis) - r;
-    return length({std::max(Long(0), along), std::max(Long(0), across), Long(0)});
-  }
-};
-struct TruePoints {
-  std::vector<LongVec> points;
-  Long reach(const LongVec& d) const {
-    Long most = dot(points[0], d);
-    for (const LongVec& p : points) most = std::max(most, dot(p, d));
-    return most;
-  }
-  Long distance(const LongVec& p) const {
-    Long least = length(minus(p, points[0]));
-    for (const LongVec& q : points) least = std::min(least, length(minus(p, q)));
-    return least;
-  }
-};
-/// Turned by a matrix that need not be a rotation; its inverse tells points at rest.
-template <class Rest>
-struct TrueMoved {
-  Rest rest;
-  std::array<LongVec, 3> columns;
-  LongVec by;
-  Long reach(const LongVec& d) const {
-    return dot(by, d) + rest.reach({dot(columns[0], d), dot(columns[1], d), dot(columns[2], d)});
-  }
-  Long distance(const LongVec& p) const {
-    const LongVec way = minus(p, by);
-    const LongVec rows[] = {cross(columns[1], columns[2]), cross(columns[2], columns[0]),
-                            cross(columns[0], columns[1])};
-    const Long det = dot(columns[0], rows[0]);
-    return rest.distance({dot(rows[0], way) / det, dot(rows[1], way) / det, dot(rows[2], way) / det});
-  }
+struct Truth {
+  std::function<Long(const LongVec& d)> reach;
+  std::function<Long(const LongVec& p)> distance;
 };
 
 template <class S>
-TrueBall truth_of(const Sphere<S>& ball) {
-  return {exactly(ball.center()), Long(ball.radius())};
+Truth truth_of(const Sphere<S>& ball) {
+  const LongVec c = exactly(ball.center());
+  const Long r(ball.radius());
+  return {[=](const LongVec& d) -> Long { return dot(c, d) + r * length(d); },
+          [=](const LongVec& p) { return std::max(Long(0), Long(length(minus(p, c)) - r)); }};
+}
+/// `of_axis`: that the cylinder was made with.
+template <class S>
+Truth truth_of(const Cylinder<S>& can, const Vec3<S>& of_axis) {
+  const LongVec c = exactly(can.center()), axis = exactly(of_axis);
+  const Long r(can.radius()), H = Long(can.height()) / 2;
+  return {[=](const LongVec& d) -> Long {
+            return dot(c, d) + (H * abs(dot(axis, d)) + r * length(cross(axis, d))) / length(axis);
+          },
+          [=](const LongVec& p) {
+            const LongVec way = minus(p, c);
+            const Long along = abs(dot(way, axis)) / length(axis) - H,
+                       across = length(cross(way, axis)) / length(axis) - r;
+            return length({std::max(Long(0), along), std::max(Long(0), across), Long(0)});
+          }};
 }
 template <class S>
-TrueCan truth_of(const Cylinder<S>& can, const Vec3<S>& axis) {
-  return {exactly(can.center()), exactly(axis), Long(can.radius()), Long(can.height()) / 2};
+Truth truth_of(const PointSet<S>& set) {
+  std::vector<LongVec> points;
+  for (const Vec3<S>& p : set.points()) points.push_back(exactly(p));
+  return {[=](const LongVec& d) {
+            Long most = dot(points[0], d);
+            for (const LongVec& p : points) most = std::max(most, dot(p, d));
+            return most;
+          },
+          [=](const LongVec& p) {
+            Long least = length(minus(p, points[0]));
+            for (const LongVec& q : points) least = std::min(least, length(minus(p, q)));
+            return least;
+          }};
 }
+/// Turned by a matrix that need not be a rotation; its inverse tells points at rest.
 template <class S>
-TruePoints truth_of(const PointSet<S>& set) {
-  TruePoints truth;
-  for (const Vec3<S>& p : set.points()) truth.points.push_back(exactly(p));
-  return truth;
-}
-template <class S, class Rest>
-TrueMoved<Rest> truth_of(const Pose<S>& pose, const Rest& rest) {
+Truth truth_of(const Pose<S>& pose, const Truth& rest) {
   const auto column = [&](int i) { return exactly(Vec3<S>(pose.rotation.col(i))); };
-  return {rest, {column(0), column(1), column(2)}, exactly(pose.translation)};
+  const LongVec x = column(0), y = column(1), z = column(2), by = exactly(pose.translation);
+  return {[=](const LongVec& d) -> Long {
+            return dot(by, d) + rest.reach({dot(x, d), dot(y, d), dot(z, d)});
+          },
+          [=](const LongVec& p) {
+            const LongVec way = minus(p, by), yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+            const Long det = dot(x, yz);
+            return rest.distance({dot(yz, way) / det, dot(zx, way) / det, dot(xy, way) / det});
+          }};
 }
 
 // -- Dice -------------------------------------------------------------------------------------------------------------
@@ -152,10 +142,10 @@ struct Needed {
   double distance = 0, reach = 0;
 };
 
-template <class S, class Shape, class Truth>
-void look(const Shape& shape, const Truth& truth, const Vec3<S>& d, Needed& needed) {
+template <class S>
+void look(const AnyDoubtful<S>& shape, const Truth& truth, const Vec3<S>& d, Needed& needed) {
   const Doubt known = doubt(shape);
-  const LongVec p = exactly(Vec3<S>(near_support(shape, d))), along = exactly(d);
+  const LongVec p = exactly(near_support(shape, d)), along = exactly(d);
   const Long error(known.error), short_by = (truth.reach(along) - dot(p, along)) / length(along);
   REQUIRE(truth.distance(p) <= error);
   REQUIRE(short_by <= error);

@@ -50,9 +50,7 @@ TEST_CASE("Each verdict is told with the reason that fits it", "[telling]") {
   for (int i = 0; i < 20000; ++i) {
     const CrossingTest crossing_test = i % 8 < 4 ? CrossingTest::on : CrossingTest::off;
     Simplex<double> simplex = random_simplex(dice, 1 + i % 4);
-    Trace<double> trace;
-    process<AsIntended>(simplex, crossing_test, trace);
-    for (const auto& region : events_of_kind<RegionTested<double>>(trace.events)) {
+    for (const auto& region : events_of_kind<RegionTested<double>>(step(simplex, crossing_test).events)) {
       INFO(region.feature << " " << region.label << " " << region.face << " of " << region.simplex_size);
       const bool on = crossing_test == CrossingTest::on;
       REQUIRE(region.reason ==
@@ -73,9 +71,7 @@ TEST_CASE("Why vertices are kept, and in this order, is told with them", "[telli
   std::map<std::string, std::set<std::string>> kept;
   for (int i = 0; i < 20000; ++i) {
     Simplex<double> simplex = random_simplex(dice, 3 + i % 2);
-    Trace<double> trace;
-    process<AsIntended>(simplex, CrossingTest::on, trace);
-    for (const auto& e : events_of_kind<SimplexReduced<double>>(trace.events))
+    for (const auto& e : events_of_kind<SimplexReduced<double>>(step(simplex).events))
       kept[e.why].insert(std::to_string(e.before.size()) + ": " + e.kept + " without " + e.dropped);
   }
   CHECK(kept ==
@@ -114,7 +110,12 @@ std::string first_reason(const std::vector<Vec3<double>>& oldest_first) {
   return "";
 }
 
-TEST_CASE("Rules that decide otherwise than their numbers say are told to do so", "[telling]") {
+/// Looks for the origin on AB by the vector to it: zero where A is the origin, which is more than that.
+struct ByVertex : AsIntended {
+  static auto from_segment(const auto& /*AB*/, const auto& AO) { return AO; }
+};
+
+TEST_CASE("Rules that decide otherwise than their numbers say, or by another vector, are told to do so", "[telling]") {
   using V = Vec3<double>;
   const std::string go_on = ", but these rules go on as if ";
   CHECK(first_reason<Contrary>({V(0, 0, 0)}) == "A is the origin" + go_on + "the origin lies elsewhere");
@@ -125,15 +126,6 @@ TEST_CASE("Rules that decide otherwise than their numbers say are told to do so"
         "ABn points toward the origin" + go_on + "ABn does not point toward the origin");
   CHECK(first_reason<Contrary>({V(1, -3, 0), V(-1, 1, 0), V(1, 1, 0)}) ==
         "ABn does not point toward the origin" + go_on + "ABn points toward the origin");
-}
-
-/// Looks for the origin on AB by the vector to it: zero where A is the origin, which is more than that.
-struct ByVertex : AsIntended {
-  static auto from_segment(const auto& /*AB*/, const auto& AO) { return AO; }
-};
-
-TEST_CASE("A vector that is not AB×AO×AB is told as what it is", "[telling]") {
-  using V = Vec3<double>;
   CHECK(first_reason<ByVertex>({V(1, 0, 0), V(0, 0, 0)}) ==
         "AO is zero, from which these rules conclude: the origin lies on AB");
   CHECK(first_reason<ByVertex>({V(1, 0, 0), V(-1, 0, 0)}) ==
