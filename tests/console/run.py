@@ -55,7 +55,7 @@ def check(is_right, number, reason):
 
 
 def transcript(lines, without):
-    """Returns: the commands of each block."""
+    """Returns: the commands of each block, none where it is left out."""
     blocks, before = [], '#'
     for number, line in enumerate(lines, 1):
         if line == '' and (number == len(lines) or lines[number].startswith('# ')):
@@ -71,7 +71,7 @@ def transcript(lines, without):
                 check(not blocks or blocks[-1][1], number, 'the block before has no command')
                 blocks.append((True, []))
             if needed and needed[1] in without:
-                blocks[-1] = (False, [])
+                blocks[-1] = (False, blocks[-1][1])
         elif kind == '$':
             check(blocks, number, 'a block begins with # and what it shows')
             blocks[-1][1].append(Command(rest, number))
@@ -86,7 +86,7 @@ def transcript(lines, without):
             command.end = number
         before = kind
     check(blocks and blocks[-1][1], len(lines), 'there is no command at the end')
-    return [commands for is_wanted, commands in blocks if is_wanted]
+    return [commands if is_wanted else [] for is_wanted, commands in blocks]
 
 
 def markdown(lines, _):
@@ -181,8 +181,8 @@ def differs(file, given, runner, pool):
     new, answers = list(lines), list(pool.map(lambda commands: runner.answers(is_markdown, commands), blocks))
     for command, answer in reversed([pair for two in zip(blocks, answers) for pair in zip(*two)]):
         new[command.begin:command.end] = merged(lines[command.begin:command.end], answer)
-    count = sum(map(len, blocks))
-    print(f'{file}: {count} command' + 's' * (count != 1))
+    left_out = sum(not commands for commands in blocks)
+    print(f'{file}: {sum(map(len, blocks))} typed' + f', {left_out} left out' * (left_out > 0))
     for line in difflib.unified_diff(lines, new, f'{file}: expected', f'{file}: answered', lineterm=''):
         print(line)
     if given.accept and new != lines:
