@@ -52,11 +52,11 @@ quick() {
   timed "running" test_in build --label-exclude "full|long"
 }
 
-# libcgal-dev finds the truth that the study measures against; gnuplot-nox and python3-matplotlib draw its pictures.
+# libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
 # libbenchmark-dev: the benchmarks are compiled. strace lets single calls of the system fail, as on a full disk.
 # dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system, and make the other Debian.
 full_packages="catch2 python3 python3-jsonschema chromium chromium-driver python3-selenium tidy poppler-utils libcgal-dev \
-  gnuplot-nox python3-matplotlib libbenchmark-dev strace dpkg-dev file mmdebstrap python3-yaml"
+  gnuplot-nox libbenchmark-dev strace dpkg-dev file mmdebstrap python3-yaml"
 
 full() {
   timed "installing" require_packages $program_packages $full_packages

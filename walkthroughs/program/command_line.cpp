@@ -56,6 +56,7 @@ void add_force_flag(CLI::App& command, bool& force) {
 }
 
 void expect_output_apart_from(const std::string& scene_file) {
+  if (scene_file.empty()) return;  // which is told where it is read
   Places places;
   places.read(scene_file, "the scene file " + scene_file);
   places.write_standard_output();

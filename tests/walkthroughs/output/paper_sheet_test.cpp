@@ -122,7 +122,7 @@ TEST_CASE("gjkstep render --sheet=a4 writes pages that compare reads, one PDF of
 TEST_CASE("A reader of PDF files finds the pages of a sheet, their size and their very pixels, and no date",
           "[paper-sheet]") {
   if (said_by("pdfinfo -v 2>&1").find("pdfinfo version") == std::string::npos) {
-    WARN("skipped: there is no pdfinfo");
+    kit::skip("there is no pdfinfo");
     return;
   }
   const Folder folder;
@@ -143,7 +143,7 @@ TEST_CASE("A reader of PDF files finds the pages of a sheet, their size and thei
 
 TEST_CASE("The picture of a sheet fills the page of its PDF to the last column and row", "[paper-sheet]") {
   if (said_by("pdftoppm -v 2>&1").find("pdftoppm version") == std::string::npos) {
-    WARN("skipped: there is no pdftoppm");
+    kit::skip("there is no pdftoppm");
     return;
   }
   const Folder folder;  // on dark paper, beside which the PDF's own is seen

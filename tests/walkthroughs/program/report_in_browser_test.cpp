@@ -51,7 +51,7 @@ constexpr const char* swapper =
 
 bool browser_is_there() {
   if (std::system("command -v chromium >/dev/null") == 0) return true;
-  WARN("skipped: there is no browser; install the Debian package chromium");
+  kit::skip("there is no browser; install the Debian package chromium");
   return false;
 }
 
