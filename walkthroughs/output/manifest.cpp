@@ -188,6 +188,7 @@ bool is_digit(char c) { return '0' <= c && c <= '9'; }
 }  // namespace
 
 bool fits(std::string_view pattern, std::string_view name) {
+  if (pattern.starts_with('*')) return name.ends_with(pattern.substr(1));
   while (!pattern.empty() && !name.empty()) {
     if (pattern[0] == '#' ? !is_digit(name[0]) : pattern[0] != name[0]) return false;
     const bool is_last_of_number = pattern[0] == '#' && !pattern.starts_with("##");

@@ -15,7 +15,8 @@ namespace walkthroughs {
 /// where there is none a picture or a page that bears our mark, as those of earlier versions do. Other lines count for nothing, and stay.
 inline constexpr const char* manifest_file = ".gjkstep";
 
-/// Whether a pattern such as ###-turn-#.png fits the name of a file: each # is a digit, the last of a row of them one or more.
+/// Whether a pattern such as ###-turn-#.png fits the name of a file: each # is a digit, the last of a row of them one or more, and
+/// a * at the beginning stands for anything.
 bool fits(std::string_view pattern, std::string_view name);
 
 /// Writes as render::write_file(), and the line about it before it is there: a run that is killed in between leaves a file that is

@@ -34,6 +34,7 @@ TEST_CASE("Patterns take a digit for each #, and any more for the last of a row"
                                       {"###-turn-#.png", "001-turn-12.png"},
                                       {"sheet-#.png", "sheet-1.png"},
                                       {"page.css", "page.css"},
+                                      {"*.json", "any.json"},
                                       {"#", "7"},
                                       {"", ""}})
     CHECK(fits(pattern, name));
@@ -47,6 +48,7 @@ TEST_CASE("Patterns take a digit for each #, and any more for the last of a row"
                                       {"sheet-#.png", "sheet-x.png"},
                                       {"page.css", "page"},
                                       {"page", "page.css"},
+                                      {"*.json", "any.json.bak"},
                                       {"#", ""},
                                       {"", "7"}})
     CHECK_FALSE(fits(pattern, name));
