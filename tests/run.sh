@@ -61,7 +61,7 @@ full_packages="catch2 python3 python3-jsonschema chromium chromium-driver python
 full() {
   timed "installing" require_packages $program_packages $full_packages
   # axe-core looks for what bars readers from pages, by the rules of WCAG. No package of Debian has it.
-  npm install --silent --no-save --no-audit --no-fund --prefix build/npm axe-core@4.14.1 ||
+  npm install --silent --no-save --no-audit --no-fund --prefix build/checked/npm axe-core@4.14.1 ||
     printf 'no axe-core from npm: pages are not tried for barriers\n'
   timed "compiling with warnings as errors" build build/checked all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DGJKSTEP_WERROR=ON
   export GJKSTEP_BARE_ROOT=1
