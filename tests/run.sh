@@ -2,7 +2,7 @@
 # Installs what is missing, builds, and runs the tests.
 #
 #     tests/run.sh           unit tests, golden traces and pictures, the command line, a page in a browser
-#     tests/run.sh --full    all of these with warnings as errors, then under sanitizers and on the other Debian; study and judge,
+#     tests/run.sh --full    all of these with warnings as errors, then under sanitizers; study and judge,
 #                            the Debian package on a bare system, disturbed runs
 #     tests/run.sh --long    what takes hours: benchmarks and peers, compilers and settings, mutants, fuzzers, kills, Slurm, Firefox
 set -eu
@@ -87,8 +87,8 @@ long() {
 }
 
 case $tier in
-  quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="ten minutes at first, one later" ;;
-  --full) what="all tests, also under sanitizers and on the other Debian; study, judge and package" time="45 minutes" ;;
+  quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="ten minutes at first, three later" ;;
+  --full) what="all tests, also under sanitizers; study, judge and package" time="45 minutes" ;;
   --long) what="benchmarks, peers, compilers and settings, mutants, kills" time=hours ;;
 esac
 printf '%s: %s; on two processors that takes %s\n' "$0" "$what" "$time"
