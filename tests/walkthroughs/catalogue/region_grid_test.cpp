@@ -8,6 +8,7 @@
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
+using render::Vec2;
 
 namespace {
 
