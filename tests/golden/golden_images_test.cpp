@@ -1,23 +1,18 @@
 // The chosen pictures are what was accepted, pixel by pixel.
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <set>
-#include <span>
 
-#include "render/compare.hpp"
 #include "render/compare_files.hpp"
 #include "render/compare_report.hpp"
 #include "render/file.hpp"
 #include "render/rendered_by.hpp"
-#include "tests/golden/parts.hpp"
 #include "tests/golden/pictures.hpp"
 #include "tests/golden/store.hpp"
 #include "tests/kit/catch.hpp"
 
 using namespace golden;
-using render::CanvasVertex;
 
 namespace {
 
@@ -104,78 +99,4 @@ TEST_CASE("images that are accepted are those that are drawn") {
   std::set<std::string> drawn;
   for (const Kept& kept : all_kept()) CHECK(drawn.insert(kept.name + ".png").second);
   for (const std::string& name : render::pictures_in(folder() / "images")) CHECK(drawn.contains(name));
-}
-
-// -- Does the comparison bite? Each mistake is made in a real frame and must fail ----------------------------------------
-
-namespace {
-
-constexpr std::size_t corners = 6;  // vertices of a quad in the list of triangles
-
-bool same_rgb(const render::Color& x, const render::Color& y) { return x.r == y.r && x.g == y.g && x.b == y.b; }
-
-struct Mistake {
-  std::string name;
-  std::function<void(std::span<CanvasVertex>)> in_vertices = [](auto) {};
-  std::function<void(walkthroughs::Style&)> in_style = [](auto&) {};
-};
-
-/// Whether a vertex lies in the panel of the difference, away from its frame.
-bool in_difference(const CanvasVertex& v) { return 180 < v.x && v.x < 420 && 60 < v.y && v.y < 255; }
-
-void move_longest_line(std::span<CanvasVertex> all) {
-  const auto longest = std::ranges::max_element(all, {}, [](const CanvasVertex& v) {
-    return v.kind == CanvasVertex::Kind::capsule && in_difference(v) ? v.half_length : 0;
-  });
-  REQUIRE(longest->half_length > 1);
-  for (CanvasVertex& v : std::span(longest, corners)) v.x += 1, v.y += 1;
-}
-
-void hide_a_letter(std::span<CanvasVertex> all) {
-  const auto letter = std::ranges::find_if(all, [](const CanvasVertex& v) {
-    return v.kind == CanvasVertex::Kind::glyph && in_difference(v) && same_rgb(v.color, render::palette::ink);
-  });
-  REQUIRE(letter != all.end());
-  for (CanvasVertex& v : std::span(letter, corners)) v.color.a = 0;
-}
-
-void exchange_green(std::span<CanvasVertex> all) {
-  for (CanvasVertex& v : all)
-    if (same_rgb(v.color, render::palette::green)) v.color = render::palette::vermillion.with_alpha(v.color.a);
-}
-
-void zoom_by_a_hundredth(std::span<CanvasVertex> all) {
-  for (CanvasVertex& v : all) {
-    v.x = 320 + (v.x - 320) * 1.01F;
-    v.y = 180 + (v.y - 180) * 1.01F;
-  }
-}
-
-}  // namespace
-
-TEST_CASE("images: a small mistake in a frame is no noise, and fails") {
-  walkthroughs::Studio studio;
-  const auto drawn = [&](const Picture& picture, const Mistake& mistake) {
-    walkthroughs::Look look = look_of(picture);
-    mistake.in_style(look.style);
-    render::Canvas canvas = canvas_of(picture, look, studio);
-    mistake.in_vertices(canvas.vertices());
-    return studio.rasterizer.draw(canvas);
-  };
-  const Picture dropped{"figure-4-left", 10, "report", walkthroughs::Text::around, Letters::drawn, ""};
-  const Picture regions{"regions/2-simplex-on-vertex", 12, "report", walkthroughs::Text::around, Letters::drawn, ""};
-  const auto lighter = [](walkthroughs::Style& style) {
-    style.rejected_fill = style.rejected_fill.with_alpha(static_cast<std::uint8_t>(style.rejected_fill.a - 8));
-  };
-  for (const auto& [picture, mistake] : {
-           std::pair{dropped, Mistake{.name = "a line moved by one pixel", .in_vertices = move_longest_line}},
-           {dropped, {.name = "a letter is missing", .in_vertices = hide_a_letter}},
-           {dropped, {.name = "a colour is another", .in_vertices = exchange_green}},
-           {dropped, {.name = "a zoom of one per cent", .in_vertices = zoom_by_a_hundredth}},
-           {dropped, {.name = "solid where it was dashed", .in_style = [](auto& style) { style.former.dash = {}; }}},
-           {regions, {.name = "a region one step lighter", .in_style = lighter}},
-       }) {
-    INFO(mistake.name);
-    CHECK(render::compare(drawn(picture, {}), drawn(picture, mistake)).verdict == render::Verdict::different);
-  }
 }

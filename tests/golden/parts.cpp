@@ -1,11 +1,10 @@
-#include "tests/golden/parts.hpp"
-
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "render/camera.hpp"
 #include "render/panel.hpp"
+#include "tests/golden/pictures.hpp"
 #include "tests/kit/dice.hpp"
 
 namespace golden {

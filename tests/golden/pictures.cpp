@@ -86,22 +86,16 @@ std::string Picture::name() const {
          (text == none ? "-no-captions" : "");
 }
 
-walkthroughs::Look look_of(const Picture& picture) {
-  return {.style = walkthroughs::Style(walkthroughs::theme_named(picture.theme)), .text = picture.text};
-}
-
-render::Canvas canvas_of(const Picture& picture, const walkthroughs::Look& look, walkthroughs::Studio& studio) {
+render::Image draw(const Picture& picture, walkthroughs::Studio& studio) {
+  const walkthroughs::Look look{.style = walkthroughs::Style(walkthroughs::theme_named(picture.theme)),
+                                .text = picture.text};
   const walkthroughs::StagedStory story(walkthroughs::tell(*walkthroughs::find_walkthrough(picture.walkthrough)));
   render::Canvas canvas(pixels, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
   walkthroughs::draw_frame(canvas, story, picture.frame, look);
   if (picture.letters == left_out)
     for (render::CanvasVertex& vertex : canvas.vertices())
       if (vertex.kind == render::CanvasVertex::Kind::glyph) vertex.color.a = 0;
-  return canvas;
-}
-
-render::Image draw(const Picture& picture, walkthroughs::Studio& studio) {
-  return studio.rasterizer.draw(canvas_of(picture, look_of(picture), studio));
+  return studio.rasterizer.draw(canvas);
 }
 
 }  // namespace golden

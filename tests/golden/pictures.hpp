@@ -29,13 +29,16 @@ struct Picture {
 
 const std::vector<Picture>& pictures();
 
-// From the list to pixels as they come out now, in three steps, so that a control can spoil what is between two of them.
-
-/// Returns: the picture's theme, and whether it has captions.
-walkthroughs::Look look_of(const Picture& picture);
-/// Returns: the triangles to be drawn; letters that are left out are fully transparent.
-render::Canvas canvas_of(const Picture& picture, const walkthroughs::Look& look, walkthroughs::Studio& studio);
-/// Returns: the pixels.
+/// Returns: the picture as it is drawn now; letters that are left out are fully transparent.
 render::Image draw(const Picture& picture, walkthroughs::Studio& studio);
+
+/// Pictures of parts of the renderer on numbers that nobody chose: crowded lattices, on which things coincide, and what lies outside.
+/// Each is a sheet of small cells.
+struct Part {
+  std::string name, reason;
+  render::Image (*draw)(walkthroughs::Studio& studio);
+};
+
+const std::vector<Part>& parts();
 
 }  // namespace golden

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "tests/kit/json.hpp"
 #include "tests/walkthroughs/trace/random_scene_files.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
@@ -18,7 +19,18 @@ std::string name_of(int i) {
   return "random/" + std::string(3 - digits.size(), '0') + digits;
 }
 
-RandomSearch search(const std::string& scene, int i) {
+/// The scene with other panels, of every sixth.
+std::string with_panels(const std::string& scene, int i) {
+  constexpr std::array choices{R"(["hull", "close-up"])", R"(["objects", "decision", "close-up"])", R"([])",
+                               R"(["algorithm"])", R"(["objects", "hull", "algorithm"])"};
+  if (i % 6 != 2) return scene;
+  kit::Json changed = kit::Json::parse(scene);
+  changed["panels"] = kit::Json::parse(choices[static_cast<std::size_t>(i / 6 % 5)]);
+  return changed.dump();
+}
+
+RandomSearch search(const std::string& original, int i) {
+  const std::string scene = with_panels(original, i);
   RandomSearch search{.name = name_of(i),
                       .scene = scene,
                       .options = {},

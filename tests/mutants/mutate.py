@@ -1,18 +1,17 @@
 #!/usr/bin/env python3
-"""Changes one place of the project at a time and tells which test noticed.
+"""Changes one place of the project at a time, in ways that nobody chose (see made.py), and tells which test noticed.
 
-    tests/mutants/mutate.py [WORDS]            the mutants of mutants.txt, or those with one of WORDS: do the goldens notice?
-    tests/mutants/mutate.py --made N [WORDS]   N mutants that nobody chose, of each folder (see made.py): do its tests notice?
+    tests/mutants/mutate.py --made N [WORDS]   N mutants (20) of each folder; of files with one of WORDS alone
         --seed S        other mutants
         --in FOLDER     of this folder only (core, render, walkthroughs); may be named again
-        --tier TIER     which tests are asked: quick, those of tests/run.sh, or full, its browser, study and judge, too (full)
+        --tier TIER     which tests are asked: quick, those of tests/run.sh, or full, its study and judge, too (full)
         --fitting       asks only the tests called after the file, and builds only these: a sample of minutes
-    tests/mutants/mutate.py --check [MUTANTS]  whether each of mutants.txt (or that file) and of equivalent.txt can be made
         --folder F      works in the copy F and keeps it: the next run builds what has changed, not all
+    tests/mutants/mutate.py --check            whether each of equivalent.txt can be made
 
 Works on a copy of the project, in a temporary folder unless told otherwise, built with little optimisation. Exit code 1
-where a mutant of mutants.txt survives or cannot be made, or where fewer than 95 of 100 made ones (by quick: 90) are noticed in a folder;
-those of equivalent.txt, which change nothing that can be seen, count for neither. 2 where nothing could be tried.
+where fewer than 95 of 100 (by quick: 90) are noticed in a folder; those of equivalent.txt, which change nothing that can be
+seen, count for neither. 2 where nothing could be tried.
 """
 import argparse, os, pathlib, re, shutil, signal, subprocess, sys, tempfile, time
 
@@ -35,33 +34,23 @@ def parts_of(line):
     return tuple(part.strip(" ") for part in line.split(" | "))
 
 
-def problem_of(line, objection):
-    """Why this mutant cannot be made; empty where it can. `objection` says what is wrong with its text."""
+def problem_of(line):
+    """Why this mutant cannot be made; empty where it can."""
     parts = parts_of(line)
     if len(parts) != 4:
         return f"has {len(parts)} parts instead of 4, divided by ' | '"
     file, old, new, _ = parts
     if not (root / file).is_file():
         return f"there is no file {file}"
-    return objection(file, old, new)
-
-
-def objection_to_chosen(file, old, new):
-    if not old or old == new:
-        return "changes nothing"
-    times = (root / file).read_text().count(old)
-    return "" if times == 1 else f"'{old}' is {times} times in {file}, and must be there exactly once"
-
-
-def objection_to_equivalent(file, old, new):
     made_there = {(mutant.old_line, mutant.new_line) for mutant in made.mutants_of(file, (root / file).read_text())}
     return "" if (old, new) in made_there else "is not made of the text that stands there"
 
 
-def listed_in(listed, objection):
-    """The parts of all lines of that file. Ends the program where one of them has a problem."""
+def equivalents():
+    """The parts of all lines of equivalent.txt. Ends the program where one of them has a problem."""
+    listed = here / "equivalent.txt"
     lines = [(i, l) for i, l in enumerate(listed.read_text().splitlines(), 1) if l.strip() and not l.startswith("#")]
-    problems = [f"{listed}:{i}: {why}: bring it up to date\n    {l}" for i, l in lines if (why := problem_of(l, objection))]
+    problems = [f"{listed}:{i}: {why}: bring it up to date\n    {l}" for i, l in lines if (why := problem_of(l))]
     if problems:
         sys.exit("\n".join(problems))
     return [parts_of(line) for _, line in lines]
@@ -103,60 +92,13 @@ def copy_to(folder):
     run(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options], folder)
 
 
-# ---- goldens: which of them notices a mutant of mutants.txt
-
-
-def goldens_that_differ(folder, patience):
-    """The traces and the pictures that differ, by name; each test may take so many seconds."""
-    says = {}
-    for kind, test, marks in (("traces", "traces of all*", [": the traces part"]),
-                              ("images", "images of*", ["-report: ", "-dark: ", "-slides: ", "-no-captions: "])):
-        out, code = run(["build/golden-tests", test], folder, patience)
-        names = [l.strip() for l in out.splitlines() if any(m in l for m in marks)]
-        if code and not names:
-            names = ["does not end" if out == "does not end" else "crashes"]
-        says[kind] = [n.split(": ")[0] for n in names]
-    return says
-
-
-def try_chosen(mutant, folder, patience):
-    """Whether a golden noticed that mutant; prints which."""
-    file, old, new, wrong = mutant
-    path = folder / file
-    sound = path.read_text()
-    path.write_text(sound.replace(old, new))
-    verdict = ""
-    if build(folder, "golden-tests"):
-        says = goldens_that_differ(folder, patience)
-        verdict = "; ".join(f"{len(found)} {kind}, first {found[0]}" for kind, found in says.items() if found)
-    else:
-        wrong += " (does not compile)"
-    print(f"{'noticed' if verdict else 'SURVIVED'}  {file}: {wrong}\n    {verdict}", flush=True)
-    path.write_text(sound)
-    return bool(verdict)
-
-
-def try_all_chosen(words, folder):
-    chosen = [mutant for mutant in listed_in(here / "mutants.txt", objection_to_chosen)
-              if not words or any(word in " | ".join(mutant) for word in words)]
-    if not chosen:
-        give_up(f"no mutant has {' or '.join(words)} in its line")
-    start = time.monotonic()
-    if not build(folder, "golden-tests") or any(goldens_that_differ(folder, 1800).values()):
-        give_up("without any change the golden tests do not pass: nothing can be said of mutants")
-    patience = 60 + 10 * (time.monotonic() - start)  # a mutant that ends must not be taken for one that does not
-    survivors = sum(not try_chosen(mutant, folder, patience) for mutant in chosen)
-    print(f"{survivors} survived")
-    return survivors == 0
-
-
 # ---- tests: do they notice a mutant that nobody chose
 
 
 def tests_called(pattern, file):
     """The files of the room's tests so called, without their endings."""
     tests = sorted(test.stem for test in (root / "tests" / pathlib.PurePath(file).parent).glob(pattern))
-    return [test for test in tests if not test.endswith("_in_browser_test") and test != "no_heap_test"]
+    return [test for test in tests if test != "no_heap_test"]
 
 
 def stages(file, only_fitting, tier):
@@ -174,7 +116,7 @@ def stages(file, only_fitting, tier):
     rest = [("golden-tests", []), (program, [])]
     if top == "core":  # whose tests are built sooner than the pictures
         rest.reverse()
-    more = [("browser-tests", []), ("study-tests", [])] if tier == "full" else []
+    more = [("study-tests", [])] if tier == "full" else []
     return [*first, *rest, (transcripts, []), *more]
 
 
@@ -259,7 +201,7 @@ def possible_mutants(top, words, only_fitting, tier):
 
 
 def try_all_made(arguments, folder):
-    equivalent = {parts[:3] for parts in listed_in(here / "equivalent.txt", objection_to_equivalent)}
+    equivalent = {parts[:3] for parts in equivalents()}
     possible = {top: possible_mutants(top, arguments.words, arguments.fitting, arguments.tier)
                 for top in arguments.only or folders}
     samples = {top: made.sample(mutants, arguments.made, arguments.seed) for top, mutants in possible.items()}
@@ -286,7 +228,7 @@ def try_all_made(arguments, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("words", nargs="*")
-    parser.add_argument("--made", type=int)
+    parser.add_argument("--made", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--in", dest="only", choices=folders, action="append")
     parser.add_argument("--tier", choices=aim, default="full")
@@ -295,14 +237,12 @@ def main():
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
     if arguments.check:
-        chosen = listed_in(pathlib.Path(arguments.words[0]) if arguments.words else here / "mutants.txt", objection_to_chosen)
-        listed_in(here / "equivalent.txt", objection_to_equivalent)
-        return print(len(chosen), "mutants can be made")
+        return print(len(equivalents()), "mutants can be made")
     with tempfile.TemporaryDirectory(prefix="gjkstep-mutants-") as temporary:
         folder = (arguments.folder or pathlib.Path(temporary)).resolve()
         folder.mkdir(parents=True, exist_ok=True)
         copy_to(folder)
-        good = try_all_made(arguments, folder) if arguments.made else try_all_chosen(arguments.words, folder)
+        good = try_all_made(arguments, folder)
     sys.exit(0 if good else 1)
 
 

@@ -1,12 +1,20 @@
-#include "tests/quiz/quiz.hpp"
-
+// gjkstep-quiz: pictures of the moment before a decision, without words and numbers, and a key of what is decided then. Whoever can
+// tell from the picture alone what the search will decide has seen the decision.
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iomanip>
+#include <iostream>
 #include <map>
 #include <random>
+#include <sstream>
 
+#include "render/file.hpp"
+#include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/program/exit_code.hpp"
+#include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
-namespace quiz {
 namespace {
 
 using namespace walkthroughs;
@@ -108,6 +116,15 @@ std::string kind_of(const Asked& asked, Dimension dimension) {
   return where + asked.about + ": " + answer;
 }
 
+/// The moment before a decision: which frame of a walkthrough shows it, and what the search decides next.
+struct Question {
+  walkthroughs::Walkthrough walkthrough;
+  std::size_t frame;
+  std::string kind;    ///< "space, triangle: below"
+  std::string text;    ///< what is asked
+  std::string answer;  ///< one of the words that the legend gives for it
+};
+
 constexpr const char* kinds[] = {
     "plane, crossing: past",       "plane, crossing: short",     "plane, segment: left",
     "plane, segment: right",       "plane, triangle: R1",        "plane, triangle: R3",
@@ -117,8 +134,8 @@ constexpr const char* kinds[] = {
     "space, tetrahedron: ADB",     "space, tetrahedron: inside", "space, edges of a face: edge",
     "space, edges of a face: face"};
 
-}  // namespace
-
+/// Returns: at least `count` questions about random scenes, as many of each kind, in an order that tells nothing.
+/// Deterministic. Requires: count >= 1.
 std::vector<Question> questions(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   const std::size_t each = (count + std::size(kinds) - 1) / std::size(kinds);
@@ -145,6 +162,7 @@ std::vector<Question> questions(std::size_t count, std::uint64_t seed) {
   return found;
 }
 
+/// Returns: what readers are told before they look: the letters, the signs, and the words for answers.
 std::string legend() {
   return R"(Each picture shows one moment of a search for the origin O in a convex set, just before a decision.
 Green: the simplex (segment, triangle or tetrahedron) that the search holds. A ring marks its newest vertex, A, or P.
@@ -168,4 +186,61 @@ space | ABC, ACD, ADB, inside | of a face: the edge, such as AD or AB, or the fa
 )";
 }
 
-}  // namespace quiz
+// -- The program ----------------------------------------------------------------------------------------------------------
+
+std::string number_of(std::size_t index) {
+  std::ostringstream name;
+  name << std::setw(3) << std::setfill('0') << index;
+  return name.str();
+}
+
+render::Image picture_of(const Question& question, Studio& studio, const Look& look) {
+  const StagedStory story(tell(question.walkthrough));
+  const render::Size page = page_of_frame(look.text);
+  render::Canvas canvas(page, page, look.style.theme.paper, studio.font);
+  draw_frame(canvas, story, question.frame, look);
+  return studio.rasterizer.draw(canvas);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Draws questions: the moment before a decision, without words and numbers; and a key.");
+  std::size_t count = 60;
+  std::uint64_t seed = 1;
+  std::string out = "quiz";
+  expect_number(app.add_option("--count", count, "at least so many, as many of each kind")->capture_default_str(),
+                std::size_t{1}, std::size_t{999});
+  expect_number(app.add_option("--seed", seed, "which scenes are made")->capture_default_str(), std::uint64_t{0},
+                ~std::uint64_t{0});
+  app.add_option("--out", out, "folder: 000.png, 001.png, …, legend.txt, questions.txt; key.txt is not for readers")
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+    return ok;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(std::string(error.what()) + "; 'gjkstep-quiz --help' shows the options");
+  }
+  render::make_folder(out, "choose another with --out");
+  Studio studio;
+  const Look look{.text = Text::none, .values = false};
+  std::string texts, key;
+  const std::vector<Question> all = questions(count, seed);
+  const std::filesystem::path folder = out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    render::write_png(folder / (number_of(i) + ".png"), picture_of(all[i], studio, look), {});
+    texts += number_of(i) + ": " + all[i].text + "\n";
+    key += number_of(i) + ": " + all[i].answer + " (" + all[i].kind + ")\n";
+  }
+  render::write_file(folder / "legend.txt", legend());
+  render::write_file(folder / "questions.txt", texts);
+  render::write_file(folder / "key.txt", key);
+  std::cout << out << ": " << all.size() << " questions, seed " << seed << '\n';
+  return ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return exit_code_of("gjkstep-quiz", "ask for fewer questions", [&] { return run(argc, argv); });
+}

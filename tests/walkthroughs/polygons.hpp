@@ -13,15 +13,6 @@ using render::Vec2;
 
 inline double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-/// Returns: whether `p` lies on the other side of the line through `from` and `to` than `inside`.
-inline bool beyond(const Vec2& from, const Vec2& to, const Vec2& p, const Vec2& inside) {
-  return cross(to - from, p - from) * cross(to - from, inside - from) < 0;
-}
-
-inline bool triangle_contains(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  return !beyond(a, b, p, c) && !beyond(b, c, p, a) && !beyond(c, a, p, b);
-}
-
 /// Returns: its area, negative where the corners go around clockwise.
 inline double area(const std::vector<Vec2>& polygon) {
   double twice = 0;

@@ -54,33 +54,12 @@ struct Told {
   explicit Told(const Scene& s) : scene(s) {}
   explicit Told(const std::string& name, std::size_t index = 0) : Told(walkthrough(name).scenes.at(index)) {}
 
-  /// Returns: the only event of its kind in that iteration.
-  template <template <class> class E>
-  E<double> at(int iteration) const {
-    std::vector<E<double>> events = all<E>(trace);
-    std::erase_if(events, [=](const auto& e) { return e.iteration != iteration; });
-    if (events.size() != 1) throw std::logic_error(std::to_string(events.size()) + " events of this kind, not one");
-    return events.front();
-  }
-
-  Vec2 corner(char letter) const { return hull.corners.at(static_cast<std::size_t>(letter - 'A')); }
-  /// Returns: the letter found in that iteration.
-  std::string found(int iteration) const { return hull.name(at<gjk::SupportFound>(iteration).vertex.w); }
-  /// Returns: the plane part of the direction searched in that iteration.
-  Vec2 direction(int iteration) const { return at<gjk::SupportFound>(iteration).direction.head<2>(); }
   gjk::Result<double> result() const { return all<gjk::Finished>(trace).at(0).result; }
 
   /// Returns: the letters, oldest first: "AEG".
   std::string names(const Simplex& simplex) const {
     std::string letters;
     for (int i = 0; i < simplex.size(); ++i) letters += hull.name(simplex[i].w);
-    return letters;
-  }
-  /// Returns: the letters of a feature told in roles of `simplex`, sorted: "EG".
-  std::string names(const Simplex& simplex, const std::string& roles) const {
-    std::string letters;
-    for (const char role : roles) letters += hull.name(simplex.point(static_cast<gjk::Role>(role - 'A')));
-    std::ranges::sort(letters);
     return letters;
   }
 };

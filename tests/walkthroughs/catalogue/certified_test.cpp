@@ -37,40 +37,6 @@ TEST_CASE("Every answer of certified/... is the true one, and proven as its name
   }
 }
 
-TEST_CASE("What doubles prove lies beyond the bounds of a number line, which calls the point P as the picture does") {
-  for (const char* const name : {"certified/separation", "certified/tetrahedron"}) {
-    const Story story = tell(walkthrough(name));
-    const std::size_t proof = story.frames.size() - 2;
-    REQUIRE(story.frames[proof].focus == Focus::proof);
-    const auto line = line_of(story, proof);
-    REQUIRE(line);
-    CHECK(line->low == -line->high);
-    for (const NumberLine::Number& each : line->numbers) CHECK((each.value < line->low || each.value > line->high));
-    const std::string equation = line->numbers.at(0).equation();
-    if (story.frames[proof].moments[0].proof->proof == Proof::direction) CHECK(equation == "−P·d = 10.19");
-    CHECK(std::ranges::any_of(story.frames[proof].facts, [&](const Fact& f) { return f.text.starts_with(equation); }));
-  }
-}
-
-TEST_CASE("The five failures, and both circles, are told from their guess on, and end with what is true") {
-  for (const char* const name : {"vanished-product", "overflowed-product", "beyond-an-edge", "coplanar-askew",
-                                 "far-from-the-origin", "cycle-separated", "cycle-intersecting"}) {
-    const Story story = tell(walkthrough(std::string("certified/") + name));
-    INFO(name);
-    CHECK(story.frames.front().focus == Focus::end);
-    CHECK(story.frames.front().moments[0].result->status != result_of(story).status);
-    CHECK(story.frames[1].focus == Focus::proof);
-    CHECK_FALSE(story.frames[1].moments[0].proof->holds);
-    CHECK(story.frames.back().focus == Focus::proven);
-    const auto& facts = story.frames.back().facts;
-    if (result_of(story).status == Status::separated)  // told with the number that decides
-      CHECK(std::ranges::count_if(facts, [](const Fact& fact) {
-              return fact.mark == Fact::Mark::yes && fact.text.starts_with("the largest P·d") &&
-                     fact.text.ends_with(" < 0");
-            }) == 1);
-  }
-}
-
 TEST_CASE("The line of a sign in doubt holds zero between its ends, and the exact value too") {
   int lines = 0;
   for (const Walkthrough* each : find_walkthroughs("certified")) {
@@ -98,15 +64,4 @@ TEST_CASE("Fractions are written out where they are short") {
   CHECK(short_fraction("-1/8" + std::string(99, '0')) == "≈ −1.25e−100");
   CHECK(NumberLine::Number{"exactly", short_fraction("-3/4")}.equation() == "exactly = −3/4");
   CHECK(NumberLine::Number{"exactly", short_fraction("1" + std::string(40, '0'))}.equation() == "exactly ≈ 1e40");
-}
-
-TEST_CASE("After the guess nothing of the first search is drawn but where it has been") {
-  for (const Frame& frame : tell(walkthrough("certified/coplanar-askew")).frames) {
-    const Moment& now = frame.moments[0];
-    CHECK(now.is_second_search == now.guess.has_value());
-    if (!now.is_second_search) continue;
-    CHECK_FALSE(now.result);
-    CHECK(now.regions.empty());
-    CHECK_FALSE(now.crossing);
-  }
 }

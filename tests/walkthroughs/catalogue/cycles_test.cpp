@@ -4,9 +4,6 @@
 #include "tests/kit/places.hpp"
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
-#include "walkthroughs/picture/stage.hpp"
-#include "walkthroughs/story/decision.hpp"
-#include "walkthroughs/story/exact.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -57,14 +54,6 @@ TEST_CASE("The two searches that run in circles do so without the crossing test 
   }
 }
 
-TEST_CASE("Where no search comes back no frame says so") {
-  for (const Story& story : whole_searches()) {
-    const bool returns = first_return(story.tellings[0].trace).has_value();
-    CHECK(returns == (std::ranges::count(cycles, story.walkthrough.name) == 1));
-    CHECK(returns == (std::ranges::count(story.frames, Focus::repetition, &Frame::focus) == 1));
-  }
-}
-
 TEST_CASE(
     "Without the crossing test a search that is back with the same simplex may still end, and is told to its end") {
   Walkthrough w = walkthrough_of({{0, 1, 0}, {2, 4, -3}, {-1, 3, -1}, {1, 2, -4}, {4, 1, 3}, {-1, -3, -2}, {2, 4, 3}},
@@ -84,44 +73,4 @@ TEST_CASE("The last frame tells how often a search goes round, as the study has 
     const std::vector<Fact> facts = tell(walkthrough(name)).frames.back().facts;
     CHECK(kit::has(facts.at(1).text, "Of a million random pairs of triangles 4 go round"));
   }
-}
-
-// -- The complete rules -----------------------------------------------------------------------------------------------
-
-TEST_CASE("By the complete rules the pairs that run in circles are decided, as exact arithmetic does") {
-  for (const auto& [name, truth] :
-       {std::pair("cycle-separated", Status::separated), std::pair("cycle-intersecting", Status::intersecting)}) {
-    const Told told(std::string("complete/") + name);
-    CHECK(told.result().status == truth);
-    CHECK(exact_answer(told.scene) == truth);
-  }
-}
-
-TEST_CASE("Beside the report's rules, which go round, the complete rules end, seen from the same place") {
-  const StagedStory both{tell(walkthrough("complete/beside-the-report"))};
-  const auto result = [&](std::size_t s) {
-    return std::get<gjk::Finished<double>>(both.tellings[s].trace.events.back()).result;
-  };
-  CHECK(result(0).reason == gjk::Reason::cycle);
-  CHECK(result(1).status == Status::separated);
-  CHECK(both.stages[0].lens.camera->toward_viewer() == both.stages[1].lens.camera->toward_viewer());
-}
-
-TEST_CASE("Whether an edge leads toward the origin is shown in the plane of both") {
-  int shown = 0;
-  for (const char* const name : {"complete/cycle-separated", "complete/cycle-intersecting"}) {
-    const Story story = tell(walkthrough(name));
-    for (const Frame& frame : story.frames) {
-      if (frame.focus != Focus::region || !asks_along_edge(frame.moments[0].regions.back())) continue;
-      const gjk::RegionTested<double>& asked = frame.moments[0].regions.back();
-      INFO(name << ": " << frame.caption);
-      const auto views = decision_views(frame.moments[0], frame.focus);
-      REQUIRE(views.size() == 1);
-      CHECK(views[0].kind == DecisionView::Kind::segment);
-      CHECK(views[0].face == asked.feature);
-      CHECK(kit::has(frame.caption, " leads from A toward the origin.") == (std::get<double>(asked.value) > 0));
-      ++shown;
-    }
-  }
-  CHECK(shown == 24);
 }

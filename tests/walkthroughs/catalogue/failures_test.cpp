@@ -89,11 +89,6 @@ TEST_CASE("Each failure comes from another operation, which a frame tells, and t
   }
 }
 
-TEST_CASE("Of the pairs that run in circles one is apart and one is not") {
-  CHECK(truth_about(walkthrough("cycle-separated").scenes[0]) == Status::separated);
-  CHECK(truth_about(walkthrough("cycle-intersecting").scenes[0]) == Status::intersecting);
-}
-
 TEST_CASE("A search that exact arithmetic decides alike has no wrong turn") {
   const Scene& scene = walkthrough("figure-4-left").scenes[0];
   CHECK_THROWS_AS(remarks_on({"cause", "truth"}, scene, run(scene)), std::logic_error);

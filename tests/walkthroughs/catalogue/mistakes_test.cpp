@@ -9,7 +9,6 @@
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/page/questions.hpp"
-#include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/wrong_on_purpose/measured.hpp"
 
@@ -85,19 +84,6 @@ TEST_CASE("There is a walkthrough for each mistake, in the report's order, behin
   }
 }
 
-TEST_CASE("Each mistake is on small whole numbers, of which the report's search tells the truth") {
-  for (const Walkthrough* w : about_mistakes()) {
-    INFO(w->name);
-    for (const Object* object : {&w->scenes[1].a, &w->scenes[1].b}) {
-      const std::size_t count = vertices_of(*object).size();
-      REQUIRE((count == 3 || count == 2));
-      for (const Point& p : vertices_of(*object))
-        for (const double x : p) CHECK((x == std::round(x) && std::abs(x) <= 3));
-    }
-    CHECK(exact_answer(w->scenes[1]) == status_of(tell(*w).tellings[1]));
-  }
-}
-
 TEST_CASE("Each mistake parts from the report's search where it says and ends as it says") {
   for (const Seen& each : seen) {
     INFO(each.name);
@@ -116,39 +102,6 @@ TEST_CASE("Each mistake parts from the report's search where it says and ends as
     const PairsToNotice thrown = pairs_to_notice(mistake, TestPairs::triangles);
     const bool is_told = has(story.frames.back().caption, "it takes " + thrown.text() + " random pairs of triangles");
     CHECK(is_told == !is_none_along_axes(mistake));
-  }
-}
-
-TEST_CASE("Where a mistake parts from the report, both lines are told, and what each search found there") {
-  for (const Walkthrough* w : about_mistakes()) {
-    INFO(w->name);
-    const Story story = tell(*w);
-    const Frame& parting = story.frames.at(story.parting().value());
-    CHECK(parting.facts.front().text.starts_with(w->scenes[0].name + ": "));
-    CHECK(parting.facts.back().mark == Fact::Mark::truth);
-    const std::string lines = without_subscripts(parting.facts.back().text);
-    const auto& known = wrong_on_purpose::description_of(*w->scenes[0].mistake);
-    CHECK(std::ranges::any_of(known.lines, [&](const auto& line) {
-      return has(lines, line.right) && lines.ends_with("; here: " + std::string(line.wrong));
-    }));
-  }
-}
-
-TEST_CASE("A mistaken search is marked as wrong where it parts and where it ends wrongly, and nowhere else") {
-  for (const Walkthrough* w : about_mistakes()) {
-    INFO(w->name);
-    const Story story = tell(*w);
-    const bool is_none = is_none_along_axes(*w->scenes[0].mistake);
-    const bool ends_wrongly = status_of(story.tellings[0]) != status_of(story.tellings[1]);
-    for (const Frame& frame : story.frames) {
-      const bool is_end = frame.events[0].last + 1 == story.tellings[0].trace.events.size();
-      const bool is_wrong = frame.focus == Focus::parting ? !is_none : is_end && ends_wrongly;
-      for (const Fact& fact : frame.facts) {
-        if (fact.text.starts_with(w->scenes[0].name + ": "))
-          CHECK(fact.mark == (is_wrong ? Fact::Mark::no : Fact::Mark::none));
-        if (fact.text.starts_with("the report: ")) CHECK(fact.mark == Fact::Mark::yes);
-      }
-    }
   }
 }
 

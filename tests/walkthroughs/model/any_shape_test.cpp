@@ -2,8 +2,6 @@
 
 #include "walkthroughs/model/any_shape.hpp"
 
-#include <set>
-
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -65,16 +63,6 @@ Cylinder can() { return {{1, -2, 3}, {0, 5, 0}, 0.5, 7}; }
 
 }  // namespace
 
-TEST_CASE("Every shape has a key and a name of its own") {
-  std::set<std::string> keys, kinds;
-  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
-    keys.emplace(ShapeRow<Shape>::key);
-    kinds.emplace(ShapeRow<Shape>::kind);
-  });
-  CHECK(keys == std::set<std::string>{"points", "sphere", "cylinder", "sum"});
-  CHECK(kinds.size() == keys.size());
-}
-
 TEST_CASE("Support of a sum (Eq. 7): the farthest point reaches as far as those of the two together") {
   kit::Dice dice(3);
   for (int i = 0; i < 500; ++i) {
@@ -135,29 +123,9 @@ TEST_CASE("Converting turns each number by what it is") {
   CHECK(cylinder.height == 14);
 }
 
-TEST_CASE("The largest number of a shape is that of all its fields, also within sums") {
-  CHECK(largest_number(AnyShape(Points{{1, -9, 3}, {4, 5, 6}})) == 9);
-  CHECK(largest_number(AnyShape(Ball{{1, 2, 3}, 4})) == 4);
-  CHECK(largest_number(AnyShape(can())) == 7);
-  CHECK(largest_number(AnyShape(Sum{{can(), Ball{{0, -20, 0}, 1}}})) == 20);
-}
-
-TEST_CASE("The middle of a sum is the sum of the middles") {
-  CHECK(middle(AnyShape(Sum{{Points{{0, 0, 0}, {2, 4, 6}}, can()}})) == Point(2, 0, 6));
-}
-
 TEST_CASE("A shape whose points need square roots cannot be asked in fractions, a sum of such neither") {
   const auto ask = [](const AnyShape& shape) { Asked<Exact> asked(converted<Exact>(shape, Cast<Exact>{})); };
   CHECK_NOTHROW(ask(Sum{{Points{{1, 2, 3}}, Points{{4, 5, 6}}}}));
   CHECK_THROWS_AS(ask(can()), CannotBeAsked);
   CHECK_THROWS_AS(ask(Sum{{Points{{1, 2, 3}}, Ball{{0, 0, 0}, 1}}}), CannotBeAsked);
-}
-
-TEST_CASE("A shape says what it is, in the plane and in space") {
-  const AnyShape triangle = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, ball = Ball{{0, 0, 0}, 1};
-  CHECK(kind_of(ball, Dimension::space) == "sphere");
-  CHECK(kind_of(Sum{{triangle, ball}}, Dimension::plane) == "sum of a point set and a disc");
-  CHECK(described(Sum{{triangle, Sum{{ball, can()}}}}, Dimension::space) ==
-        "sum of 3 points and a sum of a sphere and a cylinder");
-  CHECK(described(Points{{0, 0, 0}}, Dimension::space) == "1 point");
 }

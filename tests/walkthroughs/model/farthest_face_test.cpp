@@ -17,14 +17,6 @@ Ball ball() { return {{0, 0, 5}, 1}; }
 
 }  // namespace
 
-TEST_CASE("A frame is right-handed, of length 1, and leads back to the point") {
-  const Frame frame({1e-200, -2e-200, 3e-200});
-  CHECK(frame.d.norm() == Approx(1));
-  CHECK((frame.u.cross(frame.v) - frame.d).norm() < 1e-15);
-  const Point p(4, 5, 6);
-  CHECK((frame.at(p.dot(frame.d), frame.across(p)) - p).norm() < 1e-14);
-}
-
 TEST_CASE("The farthest points of a point set are a face, an edge or a corner") {
   const auto corners = [](const Point& d) { return farthest_face(square(), Frame(d), fine).hull.size(); };
   CHECK(corners({0, 0, 1}) == 4);

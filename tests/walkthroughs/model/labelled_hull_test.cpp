@@ -45,11 +45,6 @@ TEST_CASE("Of two corners equally far along +x the upper is A; points on an edge
   CHECK(hull_of({{1, 2, 0}, {1, 2, 0}, {1, 2, 0}}) == Corners{{1, 2}});
 }
 
-TEST_CASE("The hull is that of a − b, projected on z = 0") {
-  const Walkthrough w = walkthrough_of({{0, 0, 5}, {2, 0, 7}, {0, 2, 0}}, {}, {{10, 20, 3}});
-  CHECK(difference_hull(w.scenes[0]).corners == Corners{{-8, -20}, {-10, -18}, {-10, -20}});
-}
-
 TEST_CASE("No difference of two vertices lies outside the hull, and every corner is one") {
   std::set<Dimension> seen;
   for (const Walkthrough& w : catalogue()) {
@@ -68,15 +63,6 @@ TEST_CASE("No difference of two vertices lies outside the hull, and every corner
     }
   }
   CHECK(seen == std::set{Dimension::plane, Dimension::space});
-}
-
-TEST_CASE("Only a corner has a name") {
-  const LabelledHull hull{{{3, 0}, {0, 2}, {-1, 0}}};
-  CHECK(hull.name({3, 0, 0}) == "A");
-  CHECK(hull.name({0, 2, 0}) == "B");
-  CHECK(hull.name({-1, -0.0, 0}) == "C");
-  CHECK(hull.name({1, 0, 0}).empty());
-  CHECK(hull.name({0, 2.0000001, 0}).empty());
 }
 
 TEST_CASE("More corners than letters have names of their own") {

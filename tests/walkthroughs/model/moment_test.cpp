@@ -61,34 +61,3 @@ TEST_CASE("After each event the moment is as the events state it outright, and o
     CHECK(simplex == points_of(told.result().simplex));
   }
 }
-
-TEST_CASE("Before the first event nothing is known") {
-  const Moment now = replay(Told("figure-4-left").trace, 0);
-  CHECK(now.iteration == 0);
-  CHECK_FALSE(now.direction.has_value());
-  CHECK(now.simplex.size() == 0);
-  CHECK(now.segments.empty());
-}
-
-TEST_CASE("A direction leads away from the simplex that was kept, the first from none") {
-  const Told told("figure-4-left");
-  std::vector<std::string> from;
-  for (std::size_t i = 1; i <= told.trace.events.size(); ++i) {
-    const std::string letters = told.names(replay(told.trace, i).direction->from);
-    if (from.empty() || from.back() != letters) from.push_back(letters);
-  }
-  CHECK(from == std::vector<std::string>{"", "A", "AE", "EG"});
-  CHECK(replay(told.trace, 1).direction->expression.empty());
-}
-
-TEST_CASE("The segments are the edges of all simplices so far, oldest first") {
-  const auto segments = [](const Told& told) {
-    std::string list;
-    for (const auto& [from, to] : replay(told.trace, told.trace.events.size()).segments)
-      list += told.hull.name(from) + told.hull.name(to) + " ";
-    return list;
-  };
-  CHECK(segments(Told("figure-4-left")) == "AE AG EG EF GF ");
-  CHECK(segments(Told("figure-4-right")) == "");
-  CHECK(segments(Told("figure-4-right-no-crossing-test")) == "AE AF EF ");
-}

@@ -2,6 +2,7 @@
 
 #include "render/image.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/text.hpp"
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/animation.hpp"
@@ -63,6 +64,8 @@ TEST_CASE("Views of a scene in space stand beside the frames, in folders of fold
   const fs::path own = folder.path() / "in" / "space";
   render_frames(story, {folder.path(), small, {}, 3}, studio, nobody);
   CHECK(listing(own).size() == 4 * story.frames.size());
+  for (const std::string& words : {space.title + ", step 1 of 6", plain(story.frames[0].caption)})
+    CHECK(kit::has(bytes_of(own / "000.png"), words));  // for readers without the picture
   for (const char* stale : {"006.png", "006-turn-1.png", "007.png", "000-turn-4.png"})
     write_output(own / stale, "stale");
   for (const char* foreign : {"009.png", "000-turn-9.png", "000-turn-x.png", "turn-1.png"})

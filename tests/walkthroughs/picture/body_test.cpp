@@ -51,16 +51,6 @@ Points on_ball(int count, std::uint64_t seed = 1) {
   return points;
 }
 
-/// Every point a corner, few of them farthest in a direction that one would think of, the hull nearly flat.
-Points twisted_cubic(int count) {
-  Points curve;
-  for (int i = 0; i < count; ++i) {
-    const double t = -1 + 2.0 * i / (count - 1);
-    curve.emplace_back(t, t * t, t * t * t);
-  }
-  return curve;
-}
-
 Pose askew() { return {Eigen::AngleAxisd(0.7, Point(1, -2, 3).normalized()).toRotationMatrix(), Point(5, 6, 7)}; }
 
 Lens from_above_the_side() { return {render::Camera(35, 25)}; }
@@ -95,28 +85,6 @@ void check_is_outline(const AnyShape& shape, const Lens& lens, const Pose& pose)
 }
 
 }  // namespace
-
-TEST_CASE("A segment plus a disc is a stadium, a triangle plus a disc a rounded triangle: their areas") {
-  const Lens flat;
-  CHECK(area(outline_of(Sum{{segment(), ball(0.5)}}, flat)) == Approx(3 * 2 * 0.5 + pi * 0.25).epsilon(1e-3));
-  CHECK(area(outline_of(Sum{{triangle(), ball(0.5)}}, flat)) == Approx(6 + 12 * 0.5 + pi * 0.25).epsilon(1e-3));
-  CHECK(area(outline_of(Sum{{triangle(), segment()}}, flat)) == Approx(6 + 3 * 3).epsilon(1e-12));
-}
-
-TEST_CASE("A rounded box seen through a camera: area of the box, its outline times the radius, and a disc") {
-  const Lens lens = from_above_the_side();
-  const std::vector<Vec2> plain = outline_of(box(1, 2, 0.5), lens, askew());
-  double around = 0;
-  for (std::size_t i = 0; i < plain.size(); ++i) around += (plain[(i + 1) % plain.size()] - plain[i]).norm();
-  const double expected = area(plain) + around * 0.25 + pi * 0.0625;
-  CHECK(area(outline_of(Sum{{box(1, 2, 0.5), ball(0.25)}}, lens, askew())) == Approx(expected).epsilon(1e-3));
-}
-
-TEST_CASE("The outline of a sum of segments has the corners of the parallelogram and no others") {
-  const std::vector<Vec2> corners =
-      outline_of(Sum{{Points{{0, 0, 0}, {2, 0, 0}}, Points{{0, 0, 0}, {1, 1, 0}}}}, Lens{});
-  CHECK(corners == std::vector<Vec2>{{0, 0}, {2, 0}, {3, 1}, {1, 1}});
-}
 
 TEST_CASE("Every outline reaches as far as the support function of its object, flat and through a camera") {
   const AnyShape flat_shapes[] = {triangle(), ball(1), Sum{{triangle(), ball(0.5)}}, Sum{{ball(0.2), segment()}},
@@ -206,12 +174,6 @@ TEST_CASE("A body with more corners than a picture can show is drawn as its outl
   CHECK(body_of({"box", inside, {}}, Dimension::space).faces.size() == 6);
 }
 
-TEST_CASE("Very many points along a curve are drawn as their outline, too") {
-  const auto area_of = [](const Points& points) { return area(outline_of(points, from_above_the_side())); };
-  CHECK(area_of(twisted_cubic(50'000)) == Approx(area_of(twisted_cubic(1000))).epsilon(1e-4));
-  CHECK(body_of({"curve", twisted_cubic(50'000), {}}, Dimension::space).only_outline);
-}
-
 TEST_CASE("What sticks out between the directions that are looked along is part of the hull") {
   Points points = box(1, 1, 1);
   for (const Point& p : on_ball(1500)) points.push_back(p / 2);
@@ -219,12 +181,6 @@ TEST_CASE("What sticks out between the directions that are looked along is part 
   const Body body = body_of({"roof", points, {}}, Dimension::space);
   CHECK(body.vertices.size() == 9);
   CHECK(body.faces.size() == 9);
-}
-
-TEST_CASE("A rounded cone of very many corners has its outline, too, and no flat parts") {
-  const AnyShape shape = Sum{{cone(20'000), ball(0.5)}};
-  CHECK(flats_of(shape) == 0);
-  check_is_outline(shape, from_above_the_side(), {});
 }
 
 TEST_CASE("An outline in the plane has no more corners than are seen, and stays where it was") {

@@ -1,11 +1,7 @@
 #include "walkthroughs/picture/inset.hpp"
 
-#include <limits>
-
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -67,30 +63,4 @@ TEST_CASE("An inset stands in a corner of the room, away from what it shows") {
   CHECK(found->frame.min.x() > 300);
   CHECK((found->frame.min.array() >= room.min.array()).all());
   CHECK((found->frame.max.array() <= room.max.array()).all());
-}
-
-TEST_CASE("A scene that asks for close-ups gets them in its pictures of tests") {
-  Walkthrough w = walkthrough("regions/2-simplex-r1-above");
-  const auto triangles = [&](const Walkthrough& shown) {
-    render::Font font{render::Font::default_directory()};
-    const StagedStory story(tell(shown));
-    std::vector<std::size_t> counts;
-    for (std::size_t i = 0; i < story.frames.size(); ++i) {
-      render::Canvas page(frame_page, frame_page, render::palette::white, font);
-      draw_frame(page, story, i);
-      counts.push_back(page.vertices().size());
-    }
-    return counts;
-  };
-  const std::vector<std::size_t> usual = triangles(w);
-  w.panels.close_up = true;
-  const std::vector<std::size_t> close = triangles(w);
-  const Story story = tell(w);
-  for (std::size_t i = 0; i < usual.size(); ++i) {
-    INFO(story.frames[i].caption);
-    const int size = story.frames[i].moments[0].processed.size();
-    if (story.frames[i].focus == Focus::region && (size == 2 || size == 3)) CHECK(close[i] > usual[i]);
-    if (story.frames[i].focus == Focus::support || story.frames[i].focus == Focus::direction)
-      CHECK(close[i] == usual[i]);
-  }
 }

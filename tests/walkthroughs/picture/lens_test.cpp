@@ -39,18 +39,6 @@ TEST_CASE(
   CHECK(faces >= 9);
 }
 
-TEST_CASE("A scene of the plane has no camera and one in space has the same at every telling") {
-  for (const Walkthrough& w : catalogue()) {
-    INFO(w.name);
-    const StagedStory one(tell(w)), other(tell(w));
-    for (std::size_t s = 0; s < w.scenes.size(); ++s) {
-      const auto &camera = one.stages[s].lens.camera, &again = other.stages[s].lens.camera;
-      REQUIRE(camera.has_value() == (w.scenes[s].dimension == Dimension::space));
-      if (camera) CHECK(camera->toward_viewer() == again->toward_viewer());
-    }
-  }
-}
-
 TEST_CASE("No triangle that decides is seen edge-on") {
   int seen = 0;
   for (const Walkthrough& w : catalogue()) {

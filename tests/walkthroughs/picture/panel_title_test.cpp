@@ -73,10 +73,3 @@ TEST_CASE("A name is shortened by whole letters, also of several bytes and of th
   CHECK(key.signs.size() == 2);
   CHECK(key.right <= frame.max.x());
 }
-
-TEST_CASE("A panel whose title leaves no room has no key") {
-  render::Font font(render::Font::default_directory());
-  render::Canvas canvas({16, 16}, {400, 220}, render::palette::white, font);
-  draw_panel_title(canvas, frame, std::string(200, 'W'), Style(render::themes::report));
-  CHECK_FALSE(canvas.vertices().empty());
-}

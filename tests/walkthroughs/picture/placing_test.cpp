@@ -107,20 +107,3 @@ TEST_CASE("An object that vanishes beside the other is drawn with it") {
     for (std::size_t i = 0; i < story.frames.size(); ++i) CHECK_NOTHROW(draw_frame(canvas, story, i));
   }
 }
-
-TEST_CASE("What is said of a scene keeps its own numbers, however it is drawn") {
-  const Walkthrough extreme = boxes(std::ldexp(1, 260), 0);
-  const StagedStory story(tell(extreme));
-  const Story told = tell(extreme);
-  for (std::size_t i = 0; i < told.frames.size(); ++i) {
-    CHECK(story.frames[i].caption == told.frames[i].caption);
-    REQUIRE(story.frames[i].moments.size() == 1);
-    CHECK(story.frames[i].moments[0].found.has_value() == told.frames[i].moments[0].found.has_value());
-    if (told.frames[i].moments[0].found)
-      CHECK(story.frames[i].moments[0].found->w == told.frames[i].moments[0].found->w);
-    const Moment drawn = story.drawn(i, 0);
-    CHECK(drawn.iteration == told.frames[i].moments[0].iteration);
-    CHECK(drawn.simplex.size() == told.frames[i].moments[0].simplex.size());
-    if (drawn.found) CHECK(drawn.found->w.norm() < 100);
-  }
-}

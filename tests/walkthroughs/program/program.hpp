@@ -1,9 +1,7 @@
 /// The program as its users run it.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -48,13 +46,5 @@ struct Untouched {
   std::string option = " --out " + quoted(folder.string());
   ~Untouched() { CHECK_FALSE(std::filesystem::exists(folder)); }
 };
-
-/// A scene file of that name: a square and a triangle in the plane, to be drawn at 48x27.
-inline std::filesystem::path scene_file(const std::filesystem::path& file) {
-  std::filesystem::create_directories(file.parent_path());
-  std::ofstream(file) << R"({"dimension": 2, "size": "48x27",
-    "a": {"points": [[0, 0], [2, 0], [2, 2], [0, 2]]}, "b": {"points": [[1, 1], [3, 1], [3, 3]]}})";
-  return file;
-}
 
 }  // namespace walkthroughs::test

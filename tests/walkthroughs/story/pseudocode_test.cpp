@@ -2,8 +2,6 @@
 
 #include "walkthroughs/story/pseudocode.hpp"
 
-#include <array>
-
 #include "tests/kit/catch.hpp"
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -65,37 +63,7 @@ std::string with_letters(std::string text, const std::string& kept) {
   return text;
 }
 
-/// Whether a line is about those that follow it: a condition or a loop without a statement of its own.
-bool opens(const CodeLine& line) {
-  const auto begins = [&](const char* word) { return line.text.starts_with(word); };
-  return std::ranges::any_of(std::array{"if ", "else", "for each", "repeat", "of a triangle", "and "}, begins) &&
-         !has(line.text, "keep") && !has(line.text, "else the origin");
-}
-
 }  // namespace
-
-TEST_CASE(
-    "A line of an algorithm stands deeper, by one, exactly where the line before it is about it, and each else has its "
-    "if") {
-  for (const auto& rules : gjk::rule_sets) {
-    for (int number = 1; number <= certifying; ++number) {
-      const std::vector<CodeLine>& code = algorithm(number, rules.value);
-      CHECK(code.front().indent == 0);
-      for (std::size_t i = 1; i < code.size(); ++i) {
-        INFO(rules.name << ", algorithm " << number << ": " << code[i].text);
-        if (opens(code[i - 1]))
-          CHECK(code[i].indent == code[i - 1].indent + 1);
-        else
-          CHECK((0 <= code[i].indent && code[i].indent <= code[i - 1].indent));
-        if (!code[i].text.starts_with("else")) continue;
-        std::size_t above = i - 1;
-        while (above > 0 && code[above].indent > code[i].indent) --above;
-        CHECK(code[above].indent == code[i].indent);
-        CHECK(opens(code[above]));
-      }
-    }
-  }
-}
 
 TEST_CASE("Every region test that was made has exactly one line, the current one, and no other line has a value") {
   after_each<gjk::RegionTested>([](const gjk::RegionTested<double>& event, const Moment& now, RuleSet rules) {
@@ -150,20 +118,4 @@ TEST_CASE("Algorithm 1 is at its support function, its crossing test and its end
     CHECK((kind == LineKind::intersecting) == (event.result.status == gjk::Status::intersecting));
     CHECK((kind == LineKind::separated) == (event.result.reason == gjk::Reason::origin_not_crossed));
   });
-}
-
-TEST_CASE("Algorithm 1 says what its rules do with the first point, and after the origin was not crossed") {
-  const auto place = [](RuleSet rules, const std::string& text) {
-    const std::vector<CodeLine>& code = algorithm(1, rules);
-    return std::ranges::find(code, text, &CodeLine::text) - code.begin();
-  };
-  const auto count = [](RuleSet rules) { return static_cast<std::ptrdiff_t>(algorithm(1, rules).size()); };
-  CHECK(place(RuleSet::as_intended, "if not the first and P·d < 0") == 3);
-  CHECK(place(RuleSet::eager, "if P·d < 0") == 3);
-  CHECK(count(RuleSet::eager) == count(RuleSet::as_intended));
-  for (const RuleSet rules : {RuleSet::as_intended, RuleSet::eager}) CHECK(place(rules, "separated") == 4);
-  CHECK(place(RuleSet::as_printed, "missed ← not the first and P·d < 0") == 3);
-  CHECK(place(RuleSet::as_printed, "intersecting") < place(RuleSet::as_printed, "else if missed"));
-  CHECK(place(RuleSet::as_printed, "else if missed") + 1 == place(RuleSet::as_printed, "separated"));
-  CHECK(place(RuleSet::as_printed, "separated") < count(RuleSet::as_printed));
 }

@@ -1,7 +1,6 @@
 #include "walkthroughs/story/words.hpp"
 
 #include <limits>
-#include <map>
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -93,17 +92,6 @@ TEST_CASE("A vector has two components in the plane, three in space") {
 
 // -- Names of corners -------------------------------------------------------------------------------------------------
 
-TEST_CASE("Roles become the letters of the corners, the newest vertex being A") {
-  CHECK(translate("A", "AO") == "AO");
-  CHECK(translate("AE", "AO") == "EO");
-  CHECK(translate("AE", "AB×AO×AB") == "EA×EO×EA");
-  CHECK(translate("AEF", "ABn·AO") == "FE_n·FO");
-  CHECK(translate("AEF", "AC×AO×AC") == "FA×FO×FA");
-  CHECK(translate("AEF", "−ABCn") == "−FEA_n");
-  CHECK(translate("BCDE", "ABCn ADBn BD") == "EDC_n EBD_n DB");
-  CHECK(translate("BCDA", "ABCD") == "ADCB");  // no letter twice
-}
-
 TEST_CASE("Translation leaves words that are no roles alone") {
   CHECK(translate("AEF", "the origin lies beyond this edge; A stays the newest") ==
         "the origin lies beyond this edge; F stays the newest");
@@ -113,61 +101,7 @@ TEST_CASE("Translation leaves words that are no roles alone") {
   CHECK(translate("AEF", "") == "");
 }
 
-TEST_CASE("A feature is named in alphabetical order, whatever the order of its vertices") {
-  CHECK(corners("AEF")().sorted("AB") == "EF");
-  CHECK(corners("AFE")().sorted("AB") == "EF");
-  CHECK(corners("FAE")().sorted("ABC") == "AEF");
-  CHECK(corners("FAE")().sorted("C") == "F");
-}
-
-TEST_CASE("A simplex is listed oldest first, and named with its kind and its letters in alphabetical order") {
-  const Named names = corners("FAE");
-  CHECK(names().list(simplex("FAE")) == "[F, A, E]");
-  CHECK(names().list(Simplex{}) == "[]");
-  CHECK(names().simplex(simplex("FAE")) == "triangle AEF");
-  CHECK(names().simplex(simplex("FE")) == "segment EF");
-  CHECK(names().simplex(simplex("E")) == "E");
-  CHECK(with_kind("ABCD") == "tetrahedron ABCD");
-}
-
-TEST_CASE("Corners keep their letters while the search goes on, found or not") {
-  const Named names{Naming::corners, "AE", 'F'};
-  for (const char letter : std::string("ABCDEF")) {
-    CHECK(names().of(corner(letter).w) == std::string(1, letter));
-    CHECK(names().label(corner(letter).w) == std::string(1, letter));
-  }
-  CHECK(names().of(Point(0, 0, 0)).empty());
-}
-
 // -- Names of roles ---------------------------------------------------------------------------------------------------
-
-TEST_CASE("In roles the newest vertex is A, the one before it B, and what is not in the simplex has no name") {
-  const Named names = roles("CEFB");
-  CHECK(names().of(corner('B').w) == "A");
-  CHECK(names().of(corner('F').w) == "B");
-  CHECK(names().of(corner('E').w) == "C");
-  CHECK(names().of(corner('C').w) == "D");
-  CHECK(names().of(corner('D').w).empty());
-  CHECK(names().label(corner('D').w).empty());
-}
-
-TEST_CASE("In roles the point just found is P until it is added, and the others keep their letters until then") {
-  const Named before = roles("AE", 'F'), after = roles("AEF");
-  CHECK(before().of(corner('F').w) == "P");
-  CHECK(before().of(corner('E').w) == "A");
-  CHECK(before().of(corner('A').w) == "B");
-  CHECK(after().of(corner('F').w) == "A");
-  CHECK(after().of(corner('E').w) == "B");
-  CHECK(after().of(corner('A').w) == "C");
-}
-
-TEST_CASE("In roles the letters stay those of the simplex that was processed when it is reduced") {
-  Named names = roles("AEF");
-  names.now.simplex = simplex("EF");
-  CHECK(names().of(corner('A').w) == "C");
-  CHECK(names().list(names.now.simplex) == "[B, A]");
-  CHECK(names().simplex(names.now.simplex) == "segment AB");
-}
 
 TEST_CASE("In roles a place with several vertices has all their letters on its label and the newest in a sentence") {
   CHECK(roles("AEA")().label(corner('A').w) == "A = C");
@@ -176,21 +110,6 @@ TEST_CASE("In roles a place with several vertices has all their letters on its l
   CHECK(roles("AE", 'E')().label(corner('E').w) == "P = A");
   CHECK(roles("AE", 'E')().of(corner('E').w) == "P");
   CHECK(roles("AE")().label(corner('E').w) == "A");
-}
-
-TEST_CASE("In roles vertices of a simplex that lie at one place are listed under different letters") {
-  CHECK(roles("AA")().list(simplex("AA")) == "[B, A]");
-  CHECK(roles("AEA")().list(simplex("AEA")) == "[C, B, A]");
-  CHECK(roles("AA")().simplex(simplex("AA")) == "segment AB");
-}
-
-TEST_CASE("Translation keeps roles, in the order in which the report writes them, and turns n into a subscript") {
-  const Named names = roles("BCDE");
-  CHECK(names().translate("ABn·AO, ABCn, ADBn, BD") == "AB_n·AO, ABC_n, ADB_n, BD");
-  CHECK(names().translate("the search has just moved away from BCD, toward the origin") ==
-        "the search has just moved away from BCD, toward the origin");
-  CHECK(names().sorted("ADB") == "ADB");
-  CHECK(names().sorted("DB") == "DB");
 }
 
 // -- Markup -----------------------------------------------------------------------------------------------------------
@@ -203,31 +122,6 @@ TEST_CASE("Plain text has no markup and keeps every other character") {
   CHECK(plain("") == "");
 }
 
-TEST_CASE("Letters may be fixed: the first point that is found is A, the second B, and so on, in every role") {
-  Walkthrough w = walkthrough("regions/3-simplex-face-adb-edge-ad");
-  w.naming = Naming::fixed;
-  const Story story = tell(w);
-  std::map<std::string, Point> places;
-  for (std::size_t i = 0; i < story.frames.size(); ++i) {
-    const Moment& now = story.frames[i].moments[0];
-    const Names names = story.names(i, 0);
-    for (std::size_t k = 0; k < now.known.size(); ++k) {
-      const std::string letter(1, static_cast<char>('A' + k));
-      CHECK(names.of(now.known[k]) == letter);
-      CHECK(names.label(now.known[k]) == letter);
-      CHECK(names.before(now.known[k]).empty());
-      CHECK(places.emplace(letter, now.known[k]).first->second == now.known[k]);  // for the whole search
-    }
-    for (int role = 0; role < now.processed.size(); ++role) {
-      const Point& w_of_role = now.processed.point(static_cast<gjk::Role>(role));
-      CHECK(names.of(static_cast<gjk::Role>(role)) == names.of(w_of_role));
-    }
-  }
-  CHECK(places.size() == 5);
-  const std::string expected = "D joins the simplex as its newest vertex.";
-  CHECK(std::ranges::count(story.frames, expected, &Frame::caption) == 1);
-}
-
 TEST_CASE("After Z come A2, B2 and so on") {
   Moment now;
   for (int i = 0; i < 60; ++i) now.known.emplace_back(i, 0, 0);
@@ -237,19 +131,4 @@ TEST_CASE("After Z come A2, B2 and so on") {
   CHECK(names.of(Point(26, 0, 0)) == "A2");
   CHECK(names.of(Point(53, 0, 0)) == "B3");
   CHECK(names.of(Point(60, 0, 0)).empty());
-}
-
-TEST_CASE("Where roles move on, what a vertex was called before is told, but for the newest") {
-  const Story story = tell(walkthrough("regions/3-simplex-face-adb-edge-ad"));
-  int moves = 0;
-  for (std::size_t i = 0; i < story.frames.size(); ++i) {
-    if (story.frames[i].focus != Focus::added) continue;
-    const Simplex& simplex = story.frames[i].moments[0].simplex;
-    std::string before;
-    for (int role = simplex.size(); role-- > 0;)
-      before += story.names(i, 0).before(simplex.point(static_cast<gjk::Role>(role)));
-    CHECK(before == std::string("CBA").substr(static_cast<std::size_t>(4 - simplex.size())));
-    ++moves;
-  }
-  CHECK(moves == 3);
 }

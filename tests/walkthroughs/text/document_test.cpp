@@ -86,13 +86,6 @@ TEST_CASE("A line is read as the other reader reads it where it is odd or wrong"
   check_both_ways(std::string("[1]\0", 4));
 }
 
-TEST_CASE("A line without anything is told as a line, not as a file") {
-  for (const char* text : {"", " ", "\t\r"}) {
-    INFO('"' << text << '"');
-    CHECK(reading([&] { return Document::of_line(text); }).complaint == "1:: the line is empty");
-  }
-}
-
 TEST_CASE("The limits of a document are those of a line") {
   using namespace document_limits;
   for (const std::size_t more : {0u, 1u}) {
@@ -124,21 +117,5 @@ TEST_CASE("Wherever a letter of a line is changed both readers agree") {
         changed[at] = letter;
     }
     check_both_ways(changed);
-  }
-}
-
-TEST_CASE("Halves of letters and escapes that there are not are told as what they are") {
-  for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
-           {R"({"title": "\ud800"})", "one half of a letter (a surrogate); write both halves"},
-           {R"({"title": "\ud800\u0041"})", "one half of a letter (a surrogate); write both halves"},
-           {R"({"title": "\udc00"})", "one half of a letter (a surrogate); write both halves"},
-           {R"({"title": "\u12g4"})", "after \\u come four hexadecimal digits"},
-           {R"({"title": "\q"})", "this is none; write \\\\ for a backslash"}}) {
-    const std::string complaint = reading([&] { return Document(text, Document::Comments::refused); }).complaint;
-    INFO(complaint);
-    CHECK(complaint.find("is not JSON at column ") != std::string::npos);
-    CHECK(complaint.find(words) != std::string::npos);
-    CHECK(complaint.find("check brackets") == std::string::npos);
-    check_both_ways(text);
   }
 }

@@ -1,0 +1,92 @@
+// Where labels and words of a page stand, told without rasterizing it; and the pictures of the README.
+
+#include "walkthroughs/picture/draw.hpp"
+
+#include <array>
+
+#include "render/image.hpp"
+#include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
+#include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/picture/studio.hpp"
+
+using namespace walkthroughs;
+using namespace walkthroughs::test;
+
+namespace {
+
+bool is_in_space(const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0].dimension == Dimension::space; }
+
+}  // namespace
+
+// In the plane one frame is an exception: the origin lies on A there, the region tested is narrow and ends at the panel's border.
+// In space a camera is chosen once for a whole search. In a close-up of a tetrahedron six edges, the borders of the regions in the
+// plane of a face, a normal and the origin then meet in a small part of the picture, and a label may find no free place.
+TEST_CASE(
+    "No label stands over a line or another label or outside its panel, in space at most two in one frame of twenty",
+    "[unsanitized]") {
+  render::Font font{render::Font::default_directory()};
+  std::size_t frames = 0, with_a_crowded_label = 0;
+  for (const Walkthrough& w : catalogue()) {
+    const StagedStory story(tell(w));
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      INFO(w.name << ", frame " << i);
+      render::Canvas page(frame_page, frame_page, render::palette::white, font);
+      const int crowded = draw_frame(page, story, i);
+      const bool is_exception = w.name == "regions/2-simplex-on-vertex" && i == 11;
+      CHECK(crowded <= (is_in_space(w) ? 2 : is_exception ? 1 : 0));
+      frames += is_in_space(w);
+      with_a_crowded_label += is_in_space(w) && crowded > 0;
+    }
+    if (!w.name.starts_with("figure-")) continue;
+    INFO(w.name << ", strip");
+    render::Canvas strip(strip_page(story), strip_page(story), render::palette::white, font);
+    CHECK(draw_strip(strip, story) == 0);
+  }
+  CHECK(with_a_crowded_label * 20 <= frames);
+}
+
+TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded", "[unsanitized]") {
+  render::Font font{render::Font::default_directory()};
+  constexpr std::array scales{0.75, 1.25, 1.5};
+  for (std::size_t which = 0; which < scales.size(); ++which) {
+    render::Theme theme = render::themes::report;
+    theme.text = scales[which];
+    const Look look{.style = Style(theme)};
+    int frames = 0, with_crowded = 0;
+    for (const Walkthrough& w : catalogue()) {
+      if (w.name.starts_with("cycle-")) continue;  // which show the same again and again
+      const StagedStory story(tell(w));
+      for (std::size_t i = which; i < story.frames.size(); i += scales.size()) {  // all are half a minute
+        INFO(w.name << ", frame " << i << ", text " << scales[which]);
+        render::Canvas page(frame_page, frame_page, look.style.theme.paper, font);
+        const int crowded = draw_frame(page, story, i, look);
+        CHECK(crowded <= (is_in_space(w) ? 3 : 1));
+        with_crowded += crowded > 0 ? 1 : 0;
+        ++frames;
+      }
+    }
+    CHECK(with_crowded * 10 <= frames);
+  }
+}
+
+TEST_CASE("The pictures in the README are those that the program draws, and small") {
+  Studio studio;
+  const auto check = [&](const char* name, render::Size size, render::Size page, const auto& draw) {
+    INFO(name);
+    const std::filesystem::path file = kit::source("walkthroughs") / name;
+    CHECK(std::filesystem::file_size(file) < 70 * 1024);
+    render::Canvas canvas(size, page, render::palette::white, studio.font);
+    draw(canvas);
+    const render::Image committed = render::read_png(file), drawn = studio.rasterizer.draw(canvas);
+    REQUIRE(committed.size() == drawn.size());
+    int different = 0;  // a few pixels may differ by a shade from processor to processor
+    for (int y = 0; y < drawn.size().height; ++y)
+      for (int x = 0; x < drawn.size().width; ++x) different += committed.pixel(x, y) != drawn.pixel(x, y) ? 1 : 0;
+    CHECK(different < 50);
+  };
+  const StagedStory plane(tell(walkthrough("figure-4-left"))),
+      space(tell(walkthrough("regions/3-simplex-face-adb-edge-ad")));
+  check("figure-4-left.png", strip_page(plane), strip_page(plane), [&](auto& canvas) { draw_strip(canvas, plane); });
+  check("3-simplex-face-adb-edge-ad.png", {640, 360}, frame_page, [&](auto& canvas) { draw_frame(canvas, space, 22); });
+}
