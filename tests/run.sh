@@ -79,7 +79,8 @@ long() {
     slurm-wlm munge
   timed "compiling" build build/long all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DGJKSTEP_PEERS=ON
   build/long/gjkstep-bench --benchmark_min_time=0.05
-  timed "peers" build/long/gjkstep-peers
+  timed "peers" build/long/gjkstep-peers >build/long/peers.csv
+  python3 tests/bench/peers/report.py build/long/peers.csv
   timed "compilers and settings of drawing" tests/determinism.sh
   timed "compilers and settings of answers" tests/same_answers/same_answers.sh
   timed "mutants" python3 tests/mutants/mutate.py --made 20 --seed 1

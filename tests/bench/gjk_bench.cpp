@@ -7,12 +7,12 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/gjk.hpp"
+#include "tests/kit/dice.hpp"
 
 namespace {
 
@@ -23,40 +23,38 @@ using V = gjk::Vec3<double>;
 constexpr std::uint64_t seed = 7474;
 constexpr int pairs = 1000;
 
-/// Uniform in [-1, 1), the same with every standard library.
-double number(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; }
-V point(std::mt19937_64& generator) {
-  const double x = number(generator), y = number(generator);
-  return {x, y, number(generator)};
+V point(kit::Dice& dice) {
+  const double x = dice.between(-1.0, 1.0), y = dice.between(-1.0, 1.0);
+  return {x, y, dice.between(-1.0, 1.0)};
 }
 
 template <int Count>
 struct Hulls {
   using Shape = PointSet<double>;
-  static Shape make(std::mt19937_64& generator) {
+  static Shape make(kit::Dice& dice) {
     // Larger hulls lie farther apart, so that hits and misses stay mixed.
-    const V offset = point(generator) * (Count <= 4 ? 0.5 : 1.5);
+    const V offset = point(dice) * (Count <= 4 ? 0.5 : 1.5);
     std::vector<V> points;
-    for (int i = 0; i < Count; ++i) points.push_back(point(generator) + offset);
+    for (int i = 0; i < Count; ++i) points.push_back(point(dice) + offset);
     return PointSet<double>(points);
   }
 };
 
 struct Spheres {
   using Shape = Sphere<double>;
-  static Shape make(std::mt19937_64& generator) {
-    const V center = point(generator);
-    return {center, 0.6 + 0.4 * number(generator)};
+  static Shape make(kit::Dice& dice) {
+    const V center = point(dice);
+    return {center, dice.between(0.2, 1.0)};
   }
 };
 
 template <class Kind>
 std::vector<std::pair<typename Kind::Shape, typename Kind::Shape>> make_pairs() {
-  std::mt19937_64 generator(seed);
+  kit::Dice dice(seed);
   std::vector<std::pair<typename Kind::Shape, typename Kind::Shape>> made;
   for (int i = 0; i < pairs; ++i) {
-    auto a = Kind::make(generator);
-    made.emplace_back(std::move(a), Kind::make(generator));
+    auto a = Kind::make(dice);
+    made.emplace_back(std::move(a), Kind::make(dice));
   }
   return made;
 }

@@ -6,10 +6,10 @@
 #include <benchmark/benchmark.h>
 
 #include <cstring>
-#include <random>
 #include <span>
 #include <string>
 
+#include "tests/kit/dice.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/text/scene_values.hpp"
@@ -21,40 +21,33 @@ using namespace walkthroughs;
 constexpr std::uint64_t seed = 7474;
 constexpr int pairs = 1000;
 
-/// Uniform in [-1, 1) with all digits, the same with every standard library.
-std::string number(std::mt19937_64& generator) {
-  return number_text(static_cast<double>(generator() >> 11) * 0x1p-52 - 1);
-}
-
-std::string point(std::mt19937_64& generator) {
-  std::string text = "[" + number(generator);
-  for (int i = 0; i < 2; ++i) text += "," + number(generator);
+std::string point(kit::Dice& dice) {
+  std::string text = "[" + number_text(dice.between(-1.0, 1.0));
+  for (int i = 0; i < 2; ++i) text += "," + number_text(dice.between(-1.0, 1.0));
   return text + "]";
 }
 
 template <int count>
-std::string points(std::mt19937_64& generator) {
-  std::string text = R"({"points":[)" + point(generator);
-  for (int i = 1; i < count; ++i) text += "," + point(generator);
+std::string points(kit::Dice& dice) {
+  std::string text = R"({"points":[)" + point(dice);
+  for (int i = 1; i < count; ++i) text += "," + point(dice);
   return text + "]}";
 }
 
-std::string sphere(std::mt19937_64& generator) {
-  return R"({"sphere":{"center":)" + point(generator) + R"(,"radius":0.5}})";
+std::string sphere(kit::Dice& dice) { return R"({"sphere":{"center":)" + point(dice) + R"(,"radius":0.5}})"; }
+
+std::string cylinder(kit::Dice& dice) {
+  const std::string center = point(dice);
+  return R"({"cylinder":{"center":)" + center + R"(,"axis":)" + point(dice) + R"(,"radius":0.4,"height":0.8}})";
 }
 
-std::string cylinder(std::mt19937_64& generator) {
-  const std::string center = point(generator);
-  return R"({"cylinder":{"center":)" + center + R"(,"axis":)" + point(generator) + R"(,"radius":0.4,"height":0.8}})";
-}
-
-template <std::string (*object)(std::mt19937_64&)>
+template <std::string (*object)(kit::Dice&)>
 void answers(benchmark::State& state) {
-  std::mt19937_64 generator(seed);
+  kit::Dice dice(seed);
   std::string text;
   for (int i = 0; i < pairs; ++i) {
-    const std::string a = object(generator);
-    text += R"({"a":)" + a + R"(,"b":)" + object(generator) + "}\n";
+    const std::string a = object(dice);
+    text += R"({"a":)" + a + R"(,"b":)" + object(dice) + "}\n";
   }
   for (auto _ : state) {
     std::string_view rest = text;

@@ -1,13 +1,12 @@
 /// What does a picture cost? At 1280x720: the start of the OpenGL context, the first frame, then each frame split into
-/// laying out (captions, labels, triangles), drawing, reading back and PNG; and the whole program beside libpng alone for
-/// the same pictures, in time and in memory. Medians; milliseconds.
+/// laying out (captions, labels, triangles), drawing, reading back and PNG. Medians; milliseconds. And the whole program:
 ///
-///     build/gjkstep-render-bench        all of it, about two minutes
+///     build/gjkstep-render-bench
+///     /usr/bin/time -f "%e s, %M kB" build/gjkstep render --all --out pictures
 ///
 /// On two processors (Debian 12, llvmpipe of Mesa 22.3.6): context 8 ms, first frame 14 ms; a frame in the plane
 /// (figure-4-left) 0.6 to lay out, 3.8 to draw, 0.6 to read back, 10.6 as PNG; one in space (regions/2-simplex-r1-above)
-/// 0.7, 3.9, 0.6, 10.8. All 932 pictures 11.1 s, libpng alone 9.8 s: ratio 1.14. Memory 96 MB for 3 pictures, 107 MB for
-/// all.
+/// 0.7, 3.9, 0.6, 10.8. All 932 pictures 11.1 s, of which libpng alone takes 9.8. Memory 96 MB for 3 pictures, 107 MB for all.
 ///
 /// First frame of two sets of 1,250, 10,000 and 100,000 points: on a ball 18, 40, 229 ms; in a ball 98, 78, 405, as few
 /// enough corners have faces; on a circle 14, 26, 127. The growth is that of reading and searching them.
@@ -27,16 +26,10 @@
 ///
 ///    Level 6 without filter makes the smallest small pictures and stays. More memory for zlib changes nothing. There is
 ///    no palette: anti-aliased pictures have 400 to 2200 colours.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -50,18 +43,12 @@
 
 namespace {
 
-namespace fs = std::filesystem;
 using walkthroughs::StagedStory;
 using walkthroughs::Walkthrough;
 using Milliseconds = double;
 
 constexpr render::Size size{1280, 720};
 constexpr int repeats = 3;
-
-[[noreturn]] void stop(const char* why) {
-  std::fprintf(stderr, "gjkstep-render-bench: %s\n", why);
-  std::exit(1);
-}
 
 Milliseconds now() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -71,15 +58,6 @@ double median(std::vector<double> values) {
   std::ranges::sort(values);
   return values[values.size() / 2];
 }
-
-/// A folder that goes with everything in it.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("gjkstep-render-bench-" + std::to_string(getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
 
 // -- One frame --------------------------------------------------------------------------------------------------------
 
@@ -126,27 +104,15 @@ const Walkthrough* in_space() {
 
 // -- The start --------------------------------------------------------------------------------------------------------
 
-/// Prints two numbers: the start of the context, and the first frame. Mesa starts once in a process: so this is one.
+/// Prints what the start of the context takes, and the first frame. Mesa starts once in a process: so this comes first.
 void print_start() {
   const Milliseconds start = now();
   walkthroughs::Studio studio;
   const Milliseconds started = now();
-  const StagedStory story(walkthroughs::tell(*walkthroughs::find_walkthrough("figure-4-left")));
-  const Cost cost = cost_of(story, 0, studio);
-  std::printf("%f %f\n", started - start, cost.layout + cost.draw + cost.read_back);
-}
-
-void print_starts(const std::string& program) {
-  std::vector<double> contexts, frames;
-  for (int i = 0; i < repeats; ++i) {
-    double context = 0, frame = 0;
-    std::FILE* const child = popen(("'" + program + "' --start").c_str(), "r");
-    if (child == nullptr || std::fscanf(child, "%lf %lf", &context, &frame) != 2) stop("cannot run itself");
-    pclose(child);
-    contexts.push_back(context);
-    frames.push_back(frame);
-  }
-  std::printf("context start %.1f ms, first frame %.1f ms\n\n", median(contexts), median(frames));
+  const Cost cost =
+      cost_of(StagedStory(walkthroughs::tell(*walkthroughs::find_walkthrough("figure-4-left"))), 0, studio);
+  std::printf("context start %.1f ms, first frame %.1f ms\n\n", started - start,
+              cost.layout + cost.draw + cost.read_back);
 }
 
 // -- Many points ------------------------------------------------------------------------------------------------------
@@ -197,104 +163,13 @@ void print_curve(walkthroughs::Studio& studio) {
     }
 }
 
-// -- The whole program ------------------------------------------------------------------------------------------------
-
-struct Run {
-  Milliseconds time, processor_time;
-  double megabytes;  ///< the most memory that it had
-};
-
-/// Runs gjkstep with these arguments, its output thrown away.
-Run run(const std::vector<std::string>& arguments) {
-  std::fflush(stdout);  // or the child would print it again
-  const Milliseconds start = now();
-  const pid_t child = fork();
-  if (child == 0) {
-    std::vector<char*> words = {const_cast<char*>(GJKSTEP_PROGRAM)};
-    for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-    words.push_back(nullptr);
-    if (std::freopen("/dev/null", "w", stdout) != nullptr) execv(GJKSTEP_PROGRAM, words.data());
-    _exit(1);
-  }
-  int status = 0;
-  rusage usage{};
-  if (wait4(child, &status, 0, &usage) != child || status != 0) stop("cannot run " GJKSTEP_PROGRAM);
-  const auto milliseconds = [](timeval time) {
-    return 1e3 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e3;
-  };
-  return {now() - start, milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime),
-          static_cast<double>(usage.ru_maxrss) / 1024};
-}
-
-struct Encoded {
-  Milliseconds time = 0;  ///< without reading the pictures
-  std::size_t count = 0;
-};
-
-/// Encodes every picture below `folder` once more, one at a time.
-Encoded libpng_alone(const fs::path& folder) {
-  Encoded total;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    const render::Image image = render::read_png(entry.path());
-    const Milliseconds start = now();
-    render::encode_png(image, {});
-    total.time += now() - start;
-    ++total.count;
-  }
-  return total;
-}
-
-void print_program() {
-  const Folder folder;
-  const std::vector<std::string> all = {"render", "--all", "--out", folder.path.string()};
-  run(all);
-  // One after the other, so that other work on the machine slows both alike.
-  std::vector<double> programs, processor, libpngs, ratios;
-  std::size_t pictures = 0;
-  for (int i = 0; i < repeats; ++i) {
-    const Encoded alone = libpng_alone(folder.path);
-    pictures = alone.count;
-    libpngs.push_back(alone.time);
-    const Run whole = run(all);
-    programs.push_back(whole.time);
-    processor.push_back(whole.processor_time);
-    ratios.push_back(whole.time / libpngs.back());
-  }
-  std::printf(
-      "\nrender --all: %zu pictures, %.0f ms (of two processors together %.0f ms); libpng alone %.0f ms; ratio %.2f\n",
-      pictures, median(programs), median(processor), median(libpngs), median(ratios));
-}
-
-/// Linux counts for a child what its parent had when it was started: so this comes before anything is drawn here.
-void print_memory() {
-  const Folder folder;
-  const auto memory = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--out", folder.path.string()});
-    std::vector<double> values;
-    for (int i = 0; i < repeats; ++i) values.push_back(run(arguments).megabytes);
-    return median(values);
-  };
-  std::printf("peak memory: %.0f MB for 3 pictures, %.0f MB for all\n\n", memory({"render", "figure-5"}),
-              memory({"render", "--all"}));
-}
-
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (argc > 1 && std::string(argv[1]) == "--start") {
-    print_start();
-    return 0;
-  }
-  print_memory();
-  print_starts(argv[0]);
+int main() {
+  print_start();
+  walkthroughs::Studio studio;
   std::printf("%-28s %8s %8s %8s %10s %8s\n", "ms per frame", "frames", "layout", "draw", "read back", "PNG");
-  {
-    walkthroughs::Studio studio;
-    print_frames(*walkthroughs::find_walkthrough("figure-4-left"), studio);
-    if (const Walkthrough* const w = in_space()) print_frames(*w, studio);
-    print_curve(studio);
-  }
-  std::fflush(stdout);
-  print_program();
+  print_frames(*walkthroughs::find_walkthrough("figure-4-left"), studio);
+  if (const Walkthrough* const w = in_space()) print_frames(*w, studio);
+  print_curve(studio);
 }

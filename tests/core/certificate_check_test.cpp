@@ -178,21 +178,6 @@ TEST_CASE("The number after the last is no index, whatever the memory there hold
   REQUIRE_FALSE(holds(CommonSimplex{pairs({{0, 1}})}, origin, a));
 }
 
-TEST_CASE("A certificate of another pair does not hold", "[certificate]") {
-  const PointSet<double> a({V(0, 0, 0), V(2, 0, 0)}), meets_a({V(1, 0, 0)}), above_a({V(1, 0, 1)}),
-      below_a({V(1, 0, -1)});
-  const Certificate together = CommonSimplex{of({0, 1})}, under = SeparatingDirection{V(0, 0, 1)},
-                    under_by_feature = SeparatingFeature{of({0, 1})};
-  REQUIRE(holds(together, a, meets_a));
-  REQUIRE_FALSE(holds(together, a, above_a));
-  REQUIRE(holds(under, a, above_a));
-  REQUIRE_FALSE(holds(under, a, below_a));
-  REQUIRE_FALSE(holds(under, a, meets_a));
-  REQUIRE(holds(under_by_feature, a, above_a));
-  REQUIRE(holds(under_by_feature, a, below_a));  // a feature takes its direction from the sets
-  REQUIRE_FALSE(holds(under_by_feature, a, meets_a));
-}
-
 TEST_CASE("Certificates of floats are multiplied out as those of doubles", "[certificate]") {
   using F = Vec3<float>;
   const PointSet<float> a({F(1, 0, 0), F(-1, 0, 0)}), touching({F(0, 0, 0)}), apart({F(0, 1e-45f, 0)});
@@ -201,12 +186,6 @@ TEST_CASE("Certificates of floats are multiplied out as those of doubles", "[cer
   REQUIRE(holds(SeparatingFeature{of({0, 1})}, a, apart));
   REQUIRE(holds(SeparatingDirection{V(0, 1, 0)}, a, apart));
   REQUIRE_FALSE(holds(SeparatingDirection{V(0, 1, 0)}, a, touching));
-}
-
-TEST_CASE("A certificate claims that the sets are apart, or together", "[certificate]") {
-  REQUIRE(claim_of(SeparatingDirection{V(0, 0, 1)}) == Status::separated);
-  REQUIRE(claim_of(SeparatingFeature{of({0})}) == Status::separated);
-  REQUIRE(claim_of(CommonSimplex{of({0})}) == Status::intersecting);
 }
 
 }  // namespace

@@ -48,11 +48,6 @@ ShapesResult beside_cube(double error, const V& center) {
   return said_of(Blurred{point_set<double>(cube), error}, Blurred{PointSet<double>({center}), 0});
 }
 
-template <class A, class B>
-concept CanBeAsked = requires(const A& a, const B& b) {
-  certified_shapes(a, b);
-};
-
 }  // namespace
 
 // -- C7, C8 -----------------------------------------------------------------------------------------------------------
@@ -261,16 +256,6 @@ TEST_CASE("C9: where rounding makes the surface run through itself the search en
   REQUIRE(result.iterations < 3000);
 }
 
-TEST_CASE("C9: of points at the origin, too, the bound is next to nothing", "[certified]") {
-  const PointSet<double> origin({V(0, 0, 0)}), least({V(0x1p-1074, 0, 0)});
-  for (const PointSet<double>& other : {origin, least}) {
-    const ShapesResult result = said_of(origin, other);
-    REQUIRE(result.status == undecided);
-    REQUIRE(result.gap < 0x1p-1060);
-    REQUIRE(result.iterations < 100);
-  }
-}
-
 TEST_CASE("C8: a surface that passes the origin by less than rounding leaves open goes around nothing", "[certified]") {
   Dice dice(7474);
   const auto det = [](const V& x, const V& y, const V& z) {
@@ -419,48 +404,6 @@ TEST_CASE("C9: where a surface cannot grow to where the shapes end they are no d
       REQUIRE(result.gap >= depth);
     }
   REQUIRE(seen > 100);
-}
-
-TEST_CASE("A can in a posed box's way, a capsule, and a sum of sums are found where they are", "[certified]") {
-  const Pose<double> pose{Eigen::AngleAxisd(0.7, V(1, 1, 1).normalized()).toRotationMatrix(), V(4, 0, 0)};
-  const Posed<double, PointSet<double>> box(point_set<double>(cube), pose);
-  const auto can_at = [](double x) { return Cylinder<double>(V(x, 0, 0), V(0, 1, 0), 1, 2); };
-  REQUIRE(said_of(can_at(0), box).status == apart);
-  REQUIRE(said_of(can_at(2.5), box).status == together);
-  const MinkowskiSum<double, PointSet<double>, Sphere<double>> capsule(PointSet<double>({V(0, 0, -1), V(0, 0, 1)}),
-                                                                       Sphere<double>(V(0, 0, 0), 1));
-  using Capsule = MinkowskiSum<double, PointSet<double>, Sphere<double>>;
-  const MinkowskiSum<double, Capsule, PointSet<double>> longer(capsule, PointSet<double>({V(0, 0, 0), V(0, 5, 0)}));
-  for (const double gap : {1e-3, 1e-9, 1e-12}) {
-    REQUIRE(said_of(capsule, Sphere<double>(V(2 + gap, 0, 0.5), 1)).status == apart);
-    REQUIRE(said_of(capsule, Sphere<double>(V(2 - gap, 0, 0.5), 1)).status == together);
-    REQUIRE(said_of(longer, Sphere<double>(V(2 + gap, 3, 0.5), 1)).status == apart);
-    REQUIRE(said_of(longer, Sphere<double>(V(2 - gap, 3, 0.5), 1)).status == together);
-  }
-}
-
-TEST_CASE("Of both shapes it has to be known how badly their points are", "[certified]") {
-  struct Unknown {
-    V support(const V&) const { return {0, 0, 0}; }
-  };
-  CHECK(CanBeAsked<Blurred, Cylinder<double>>);
-  CHECK_FALSE(CanBeAsked<Blurred, Unknown>);
-  CHECK_FALSE(CanBeAsked<Unknown, Blurred>);
-}
-
-TEST_CASE("Other arithmetic is refused for shapes, too", "[certified]") {
-#if defined(__SSE2__)
-  const unsigned before = _mm_getcsr();
-  _mm_setcsr(before | 1U << 15);
-  bool has_thrown = false;
-  try {
-    said_of(Sphere<double>(V(0, 0, 0), 1), Sphere<double>(V(0, 0, 0), 1));
-  } catch (const std::runtime_error&) {
-    has_thrown = true;
-  }
-  _mm_setcsr(before);
-  REQUIRE(has_thrown);
-#endif
 }
 
 }  // namespace gjk::test

@@ -49,25 +49,6 @@ TEST_CASE("The complete rules end where the report's go round for ever", "[compl
   check(cycling_meeting_a, cycling_meeting_b, Status::intersecting);
 }
 
-/// Regions that have been chosen, by the size of the simplex and their features.
-std::set<std::string> chosen_in(const std::vector<Event<double>>& events) {
-  std::set<std::string> names;
-  for (const auto& region : events_of_kind<RegionTested<double>>(events))
-    if (region.verdict == Verdict::chosen) names.insert(std::to_string(region.simplex_size) + " " + region.feature);
-  return names;
-}
-
-TEST_CASE("The complete rules come to every feature that A belongs to", "[complete]") {
-  Dice dice(72);
-  std::set<std::string> chosen;
-  for (int i = 0; i < 20000; ++i) {
-    const Points a = dice.points(dice.between(1, 5), 6), b = dice.points(dice.between(1, 4), 6);
-    chosen.merge(chosen_in(observed<double, Exactly>(point_set<double>(a), point_set<double>(b)).events));
-  }
-  REQUIRE(chosen == std::set<std::string>{"1 A", "2 A", "2 AB", "3 A", "3 AB", "3 AC", "3 ABC", "4 A", "4 AB", "4 AC",
-                                          "4 AD", "4 ABC", "4 ACD", "4 ADB", "4 ABCD"});
-}
-
 TEST_CASE("A question of the complete rules is told once, with the product that answers it", "[complete]") {
   Dice dice(73);
   int possible = 0;

@@ -1,6 +1,5 @@
-// A file of its own, so that no compiler sees a new and its delete together and warns of malloc and free inside.
-#include "tests/core/counting_new.hpp"
-
+// Counts what the program allocates with new. A file of its own, so that no compiler sees a new and its delete together and warns
+// of malloc and free inside.
 #include <cstdlib>
 #include <new>
 
@@ -22,6 +21,9 @@ void* or_throw(void* memory) {
 
 }  // namespace
 
+namespace gjk::test {
+std::size_t allocations();
+}
 std::size_t gjk::test::allocations() { return count; }
 
 void* operator new(std::size_t size) { return or_throw(counted_malloc(size)); }

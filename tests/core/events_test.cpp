@@ -1,8 +1,6 @@
 /// What a run tells: complete, consistent, and without influence on the run.
 #include "core/events.hpp"
 
-#include <set>
-
 #include "tests/core/replay.hpp"
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
@@ -43,17 +41,6 @@ TEMPLATE_TEST_CASE("An observed run and a plain run give the same result bit for
   }
 }
 
-TEST_CASE("Curved sets are observed without influence too", "[events]") {
-  Dice dice(11);
-  for (int i = 0; i < 500; ++i) {
-    const auto center = [&] { return V(dice.between(-1., 1.), dice.between(-1., 1.), dice.between(-1., 1.)); };
-    const Sphere<double> a(center(), 0.5), b(center(), 0.75);
-    const PointSet<double> segment({V(0, 0, 1), V(1, 0, 0)});
-    require_replayable<double>(a, b);
-    require_replayable<double>(MinkowskiSum<double, Sphere<double>, PointSet<double>>(a, segment), b);
-  }
-}
-
 TEST_CASE("Every exit is told: the trace ends with exactly one Finished, whatever the reason", "[events]") {
   const auto point = point_set<double>({{0, 0, 0}}), apart = point_set<double>({{2, 1, 0}, {2, -1, 0}});
   const auto around = point_set<double>({{-1, -1, -1}, {3, 0, 0}, {-1, 3, 0}, {0, 0, 3}});
@@ -80,39 +67,6 @@ TEST_CASE("Every event of an iteration comes in the order in which it happens", 
   // One region for a vertex, three for a segment, seven for a triangle, twelve for a tetrahedron: nothing is left out.
   REQUIRE(require_replayable<double>(around, point_set<double>({{0, 0, 0}})) ==
           "SVCARDVCARRRDVCARRRRRRRDVCARRRRRRRRRRRRF");
-}
-
-TEST_CASE("Indices in events are the places of the points in their lists", "[events]") {
-  const Points a{{5, 0, 0}, {-4, 1, 1}, {-4, -3, 0}, {1, 1, -5}}, b{{0, 0, 1}, {1, 0, 0}};
-  const auto run = observed<double>(point_set<double>(a), point_set<double>(b));
-  for (const auto& found : events_of_kind<SupportFound<double>>(run.events)) {
-    REQUIRE(found.vertex.a.point == vec<double>(a[static_cast<std::size_t>(found.vertex.a.index.value())]));
-    REQUIRE(found.vertex.b.point == vec<double>(b[static_cast<std::size_t>(found.vertex.b.index.value())]));
-  }
-}
-
-TEST_CASE("The reason for the first direction says whether the caller asked for it", "[events]") {
-  const auto point = point_set<double>({{0, 0, 0}});
-  Options<double> options;
-  const auto why = [&] {
-    return std::get<SearchStarted<double>>(observed<double>(point, point, options).events[0]).why;
-  };
-  const std::string usual = why();
-  options.first_direction = V(0, 1, 0);
-  REQUIRE(why() != usual);
-}
-
-TEST_CASE("Beyond A is skipped for another reason where the crossing test is off", "[events]") {
-  const auto a = point_set<double>({{2, 1, 0}, {-2, 1, 0}, {0, -3, 0}}), point = point_set<double>({{0, 0, 0}});
-  const auto reasons = [&](const Options<double>& options) {
-    std::set<std::string> told;
-    for (const auto& region : events_of_kind<RegionTested<double>>(observed<double>(a, point, options).events))
-      if (region.feature == "A" && region.verdict == Verdict::skipped) told.insert(region.reason);
-    return told;
-  };
-  REQUIRE(reasons({}).size() == 1);
-  REQUIRE(reasons(without_crossing_test<double>()).size() == 1);
-  REQUIRE(reasons({}) != reasons(without_crossing_test<double>()));
 }
 
 TEST_CASE("Anything that takes an event observes, also a function that looks at one kind only", "[events]") {

@@ -127,44 +127,4 @@ Rational allowed_sine() {
   return 0;
 }
 
-// -- Separating axes --------------------------------------------------------------------------------------------------
-
-using Long = std::array<std::int64_t, 3>;
-
-inline Long difference(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-inline Long normal_of(const Long& u, const Long& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-inline std::pair<std::int64_t, std::int64_t> extent(const Points& points, const Long& axis) {
-  std::vector<std::int64_t> reach;
-  for (const Point& p : points) reach.push_back(p[0] * axis[0] + p[1] * axis[1] + p[2] * axis[2]);
-  const auto [least, most] = std::minmax_element(reach.begin(), reach.end());
-  return {*least, *most};
-}
-
-inline bool is_flat(const Points& t) {
-  const Long n = normal_of(difference(t[1], t[0]), difference(t[2], t[0])), w = difference(t[3], t[0]);
-  return n[0] * w[0] + n[1] * w[1] + n[2] * w[2] == 0;
-}
-
-/// Do two closed tetrahedra have a point in common? Apart are they exactly where a face normal of either, or a vector
-/// perpendicular to an edge of each, separates them.
-///
-/// Requires: neither is flat; coordinates below 10^5, so that nothing overflows.
-inline bool tetrahedra_meet(const Points& a, const Points& b) {
-  constexpr std::array<std::array<std::size_t, 2>, 6> edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-  std::vector<Long> axes;
-  for (const Points* t : {&a, &b})
-    for (const auto& e : edges)
-      for (const auto& f : edges)
-        axes.push_back(normal_of(difference((*t)[e[0]], (*t)[e[1]]), difference((*t)[f[0]], (*t)[f[1]])));
-  for (const auto& e : edges)
-    for (const auto& f : edges) axes.push_back(normal_of(difference(a[e[0]], a[e[1]]), difference(b[f[0]], b[f[1]])));
-  return std::none_of(axes.begin(), axes.end(), [&](const Long& axis) {
-    const auto [a_least, a_most] = extent(a, axis);
-    const auto [b_least, b_most] = extent(b, axis);
-    return a_most < b_least || b_most < a_least;
-  });
-}
-
 }  // namespace gjk::test

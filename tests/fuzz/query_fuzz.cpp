@@ -4,8 +4,9 @@
 ///
 ///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
 ///     ninja -C build/fuzz query-fuzz
+///     sh tests/fuzz/words.sh tests/fuzz/queries > build/fuzz/words.dict
 ///     mkdir -p build/fuzz/found-queries
-///     build/fuzz/query-fuzz -dict=tests/fuzz/scene_file.dict -max_len=4096 -timeout=10 -rss_limit_mb=512
+///     build/fuzz/query-fuzz -dict=build/fuzz/words.dict -max_len=4096 -timeout=10 -rss_limit_mb=512
 ///         build/fuzz/found-queries tests/fuzz/queries
 #include <algorithm>
 #include <cstdint>

@@ -4,8 +4,9 @@
 ///
 ///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DGJKSTEP_STUDY=ON -DCMAKE_CXX_COMPILER=clang++
 ///     ninja -C build/fuzz steps-file-fuzz
+///     sh tests/fuzz/words.sh tests/fuzz/steps > build/fuzz/words.dict
 ///     mkdir -p build/fuzz/found-steps
-///     build/fuzz/steps-file-fuzz -dict=tests/fuzz/steps_file.dict -max_len=4096 -timeout=10 -rss_limit_mb=512
+///     build/fuzz/steps-file-fuzz -dict=build/fuzz/words.dict -max_len=4096 -timeout=10 -rss_limit_mb=512
 ///         build/fuzz/found-steps tests/fuzz/steps
 #include <algorithm>
 #include <cstdint>

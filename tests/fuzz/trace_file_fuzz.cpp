@@ -3,8 +3,9 @@
 ///
 ///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
 ///     ninja -C build/fuzz trace-file-fuzz
+///     sh tests/fuzz/words.sh tests/fuzz/traces > build/fuzz/words.dict
 ///     mkdir -p build/fuzz/found-traces
-///     build/fuzz/trace-file-fuzz -dict=tests/fuzz/trace_file.dict -max_len=20480 -timeout=10 -rss_limit_mb=512
+///     build/fuzz/trace-file-fuzz -dict=build/fuzz/words.dict -max_len=20480 -timeout=10 -rss_limit_mb=512
 ///         build/fuzz/found-traces tests/fuzz/traces
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +13,8 @@
 #include <string_view>
 
 #include "render/canvas.hpp"
-#include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
 

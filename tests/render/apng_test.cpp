@@ -108,5 +108,3 @@ TEST_CASE("a picture of another size is refused, and the animation stays as it w
   REQUIRE(std::ranges::equal(made.bytes(), before));
   REQUIRE(made.frames() == 2);
 }
-
-TEST_CASE("an animation without pictures is no file") { REQUIRE(animation(0).bytes().empty()); }

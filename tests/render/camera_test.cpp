@@ -43,43 +43,6 @@ std::size_t count_hidden(const std::vector<Edge>& edges) {
 
 // ---------------------------------------------------------------------------------------------- Camera
 
-TEST_CASE("a camera's axes have length 1, stand at right angles and are right-handed toward the viewer") {
-  for (const Camera& camera : cameras) {
-    REQUIRE(camera.right().norm() == Approx(1));
-    REQUIRE(camera.up().norm() == Approx(1));
-    REQUIRE(camera.right().cross(camera.up()).isApprox(camera.toward_viewer()));
-  }
-}
-
-TEST_CASE("z points up in the picture and the horizon is level") {
-  for (const Camera& camera : cameras) {
-    const Vec2 z = camera({0, 0, 1});
-    REQUIRE(z.x() == 0);
-    REQUIRE(z.y() > 0);
-  }
-}
-
-TEST_CASE("the azimuth says from where a camera looks, the elevation from how high") {
-  REQUIRE(Camera(0, 0).toward_viewer() == Vec3(1, 0, 0));
-  REQUIRE(Camera(90, 0).toward_viewer() == Vec3(0, 1, 0));
-  REQUIRE(Camera(180, 0).toward_viewer() == Vec3(-1, 0, 0));
-  REQUIRE(Camera(-90, 0).toward_viewer() == Vec3(0, -1, 0));
-  REQUIRE(Camera(0, 0)({5, 2, 3}) == Vec2(2, 3));
-  REQUIRE(Camera(0, 60).toward_viewer().z() == Approx(std::sqrt(0.75)));
-  REQUIRE(Camera(0, -60).toward_viewer().z() == Approx(-std::sqrt(0.75)));
-}
-
-TEST_CASE("lengths at right angles to the line of sight are kept, along it they are depth, less toward the viewer") {
-  for (const Camera& camera : cameras) {
-    REQUIRE(camera(3 * camera.right() - 4 * camera.up()).norm() == Approx(5));
-    REQUIRE(camera(7 * camera.toward_viewer()).norm() == Approx(0).margin(1e-12));
-    REQUIRE(camera.depth(camera.toward_viewer()) == Approx(-1));
-    REQUIRE(camera.depth(camera.right()) == Approx(0).margin(1e-12));
-    REQUIRE(camera.sees(camera.toward_viewer()));
-    REQUIRE_FALSE(camera.sees(-camera.toward_viewer()));
-  }
-}
-
 TEST_CASE("a turned camera is the one with the larger azimuth, and keeps its height") {
   const Camera camera(30, 20);
   REQUIRE(camera.turned(50).toward_viewer().isApprox(Camera(80, 20).toward_viewer()));
@@ -93,13 +56,6 @@ TEST_CASE("a quarter turn is exact") {
 }
 
 // ---------------------------------------------------------------------------------------------- Face
-
-TEST_CASE("the outward normal follows the sense of the corners, and is twice the area long") {
-  const Face face{{{0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}}};
-  REQUIRE(face.outward() == Vec3(0, 0, 12));
-  REQUIRE(Face{{face.corners.rbegin(), face.corners.rend()}}.outward() == Vec3(0, 0, -12));
-  REQUIRE(face.middle() == Vec3(1, 1.5, 5));
-}
 
 TEST_CASE("a face without area has no normal") {
   REQUIRE(triangle({0, 0, 0}, {1, 2, 3}, {2, 4, 6}).outward().isZero());
@@ -144,12 +100,6 @@ TEST_CASE("of two bodies one before the other, all of the far one is drawn first
   REQUIRE(place(order, 0) < place(order, 1));
 }
 
-TEST_CASE("faces that may come in any order come farthest first, equals in the order given") {
-  const auto at = [](double x, double y) { return triangle({x, y, 0}, {x, y + 1, 0}, {x, y, 1}); };
-  REQUIRE(back_to_front({at(1, 0), at(0, 5), at(2, 10), at(0, 15)}, Camera(0, 0)) ==
-          std::vector<std::size_t>{1, 3, 0, 2});
-}
-
 TEST_CASE("faces that overlap in a circle are all drawn, once") {
   // Each of three long bars lies over the next one.
   const std::vector<Face> faces = {triangle({1, -5, 0}, {-1, 5, 0}, {0, 0, 1}),
@@ -171,16 +121,6 @@ TEST_CASE("a box has twelve edges, of which three are hidden from where three fa
     const bool at_far_corner = edge.from == Vec3(-1, -2, -3) || edge.to == Vec3(-1, -2, -3);
     REQUIRE(edge.hidden == at_far_corner);
   }
-}
-
-TEST_CASE("edges come in the order in which the faces name them first") {
-  const std::vector<Face> faces = {triangle({0, 0, 0}, {0, 1, 0}, {0, 0, 1}),
-                                   triangle({0, 1, 0}, {0, 0, 0}, {-1, 0, 0})};
-  const auto edges = edges_of(faces, Camera(0, 0));
-  REQUIRE(edges.size() == 5);
-  REQUIRE(edges[0].from == Vec3(0, 0, 0));
-  REQUIRE(edges[0].to == Vec3(0, 1, 0));
-  REQUIRE(edges[3].to == Vec3(-1, 0, 0));
 }
 
 // ---------------------------------------------------------------------------------------------- many faces

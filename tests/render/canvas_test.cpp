@@ -43,47 +43,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_METHOD(Page, "a line becomes one capsule with its ends and half its width") {
-  canvas.line({20, 30}, {80, 30}, {.width = 6});
-  const auto capsules = capsules_of(canvas);
-  REQUIRE(capsules.size() == 1);
-  REQUIRE((capsules[0].from - Vec2(20, 30)).norm() < 1e-4);
-  REQUIRE((capsules[0].to - Vec2(80, 30)).norm() < 1e-4);
-  REQUIRE(canvas.vertices()[0].radius == 3);
-}
-
-TEST_CASE("a page is scaled evenly and centred") {
-  Font font(Font::default_directory());
-  Canvas canvas({400, 100}, {100, 50}, palette::white, font);  // scale 2, 100 pixels left free on both sides
-  canvas.line({0, 0}, {100, 50}, {.width = 3});
-  const auto capsules = capsules_of(canvas);
-  REQUIRE((capsules.at(0).from - Vec2(100, 0)).norm() < 1e-4);
-  REQUIRE((capsules.at(0).to - Vec2(300, 100)).norm() < 1e-4);
-  REQUIRE(canvas.vertices()[0].radius == 3);
-}
-
 TEST_CASE("no line is thinner than a pixel") {
   Font font(Font::default_directory());
   Canvas canvas({20, 20}, {200, 200}, palette::white, font);
   canvas.line({20, 30}, {80, 30}, {.width = 2});
   REQUIRE(canvas.vertices()[0].radius == 0.5f);
-}
-
-TEST_CASE_METHOD(Page, "dashes have the asked length with their caps, and the asked gaps") {
-  canvas.line({20, 30}, {80, 30}, {.width = 2, .dash = {8, 4}});
-  const auto capsules = capsules_of(canvas);
-  REQUIRE(capsules.size() == 5 + 1);  // dashes start every 12 units; the last at 80
-  for (std::size_t i = 0; i < 5; ++i) {
-    REQUIRE(capsules[i].from.x() == Approx(20 + 12 * static_cast<double>(i)));
-    REQUIRE(capsules[i].to.x() == Approx(20 + 12 * static_cast<double>(i) + 6));  // and a cap of 1 at each end
-  }
-}
-
-TEST_CASE_METHOD(Page, "dashes run on around the corners of a polyline") {
-  const std::array corners = {Vec2(20, 20), Vec2(30, 20), Vec2(30, 90)};
-  canvas.polyline(corners, {.width = 2, .dash = {10, 6}});
-  const auto capsules = capsules_of(canvas);
-  REQUIRE(capsules.at(1).from.isApprox(Vec2(30, 26), 1e-5));  // 16 units along the way
 }
 
 TEST_CASE("every dash of a line is drawn once, wherever the line begins and ends") {
@@ -182,32 +146,6 @@ TEST_CASE("what is drawn reaches into the clip box with its width and its fading
   }
 }
 
-TEST_CASE_METHOD(Page, "runs hold the clip rectangles in drawing order") {
-  canvas.disc({10, 10}, 3, palette::ink);
-  canvas.clip({{50, 20}, {150, 80}});
-  canvas.disc({60, 30}, 3, palette::ink);
-  canvas.unclip();
-  canvas.clip({{-50, -20}, {5000, 10}});  // replaces the empty run before it; cut to the image
-  const auto runs = canvas.runs();
-  REQUIRE(runs.size() == 3);
-  REQUIRE(runs[1].first == 6);
-  REQUIRE(std::array{runs[1].left, runs[1].top, runs[1].right, runs[1].bottom} == std::array{50, 20, 150, 80});
-  REQUIRE(runs[2].first == 12);
-  REQUIRE(std::array{runs[2].left, runs[2].top, runs[2].right, runs[2].bottom} == std::array{0, 0, 200, 10});
-}
-
-TEST_CASE_METHOD(Page, "an arrow that is long enough is as wide as its stroke, its head in proportion") {
-  canvas.arrow({20, 50}, {80, 50}, {.width = 4});
-  const auto capsules = capsules_of(canvas);
-  REQUIRE(capsules.size() == 1);
-  REQUIRE(canvas.vertices()[0].radius == 2);
-  REQUIRE(capsules[0].from.x() == Approx(20));
-  REQUIRE(capsules[0].to.x() == Approx(80 - arrow_head::length * 4 + 2));  // inside the head
-  const Box head = kit::box_around(canvas.vertices().subspan(6));
-  REQUIRE(head.height() == Approx(arrow_head::width * 4).margin(1.5));  // with the edge that fades
-  REQUIRE(head.min.x() == Approx(80 - arrow_head::length * 4).margin(1));
-}
-
 TEST_CASE_METHOD(Page, "an arrow without length is nothing, a short one shrinks as a whole") {
   canvas.arrow({10, 10}, {10, 10}, {});
   REQUIRE(canvas.vertices().empty());
@@ -253,24 +191,4 @@ TEST_CASE("letters stand on whole pixels, the nearest to the place that was aske
     REQUIRE(first_corner(40 + off, 50) == there + Vec2(std::copysign(1, off), 0));
     REQUIRE(first_corner(40, 50 + off) == there + Vec2(0, std::copysign(1, off)));
   }
-}
-
-TEST_CASE_METHOD(Page, "all of the halo lies below all of the letters") {
-  canvas.text({20, 50}, "ab", {.size = 24, .color = palette::blue, .halo = palette::white});
-  const auto list = canvas.vertices();
-  REQUIRE(list.size() == 17 * 2 * 6);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    REQUIRE(list[i].color == (i < 16 * 2 * 6 ? palette::white : palette::blue));
-  }
-}
-
-TEST_CASE("text wraps at spaces, a word that is too long stands alone") {
-  Font font{Font::default_directory()};
-  const Canvas canvas({400, 300}, {400, 300}, palette::white, font);
-  const TextStyle style{.size = 20};
-  const double width = canvas.text_box(Vec2::Zero(), "one two", style).width();
-  REQUIRE(wrap(canvas, "one two three", style, width) == std::vector<std::string>{"one two", "three"});
-  REQUIRE(wrap(canvas, "one incomprehensibilities two", style, width) ==
-          std::vector<std::string>{"one", "incomprehensibilities", "two"});
-  REQUIRE(wrap(canvas, "", style, width) == std::vector<std::string>{""});
 }

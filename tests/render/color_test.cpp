@@ -24,31 +24,6 @@ constexpr double any_text = 4.5, large_text_and_lines = 3;
 
 }  // namespace
 
-TEST_CASE("the palette is that of Okabe and Ito, channel by channel") {
-  CHECK(palette::orange == Color{230, 159, 0});
-  CHECK(palette::sky == Color{86, 180, 233});
-  CHECK(palette::green == Color{0, 158, 115});
-  CHECK(palette::blue == Color{0, 114, 178});
-  CHECK(palette::vermillion == Color{213, 94, 0});
-  CHECK(palette::black == Color{0, 0, 0});
-}
-
-// Golden pictures allow a channel to be a little off.
-TEST_CASE("the colours of the themes for slides and on a dark ground, channel by channel") {
-  CHECK(themes::slides.ink == palette::black);
-  CHECK(themes::slides.grey == Color{80, 80, 80});
-  CHECK(themes::slides.faint == Color{205, 205, 205});
-  CHECK(themes::dark.paper == Color{22, 25, 31});
-  CHECK(themes::dark.ink == Color{240, 240, 240});
-  CHECK(themes::dark.grey == Color{170, 175, 182});
-  CHECK(themes::dark.faint == Color{58, 63, 72});
-  CHECK(themes::dark.blue == Color{98, 182, 240});
-  CHECK(themes::dark.vermillion == Color{255, 138, 76});
-  CHECK(themes::dark.green == Color{52, 205, 158});
-  CHECK(themes::dark.orange == Color{240, 180, 60});
-  CHECK(themes::dark.sky == Color{86, 180, 233});
-}
-
 TEST_CASE("what is written and drawn can be seen on the paper of every theme") {
   for (const auto& [theme, of_colors] : {std::pair{themes::report, large_text_and_lines},
                                          {themes::slides, large_text_and_lines},
@@ -61,9 +36,4 @@ TEST_CASE("what is written and drawn can be seen on the paper of every theme") {
   }
   for (const Color color : {themes::dark.orange, themes::dark.sky})  // which need no outline there
     CHECK(contrast(color, themes::dark.paper) >= large_text_and_lines);
-}
-
-TEST_CASE("the theme for slides has stronger lines and larger text than the one for reports") {
-  CHECK(themes::slides.line > themes::report.line);
-  CHECK(themes::slides.text > themes::report.text);
 }

@@ -161,29 +161,6 @@ TEST_CASE("Folders in one another, more than files may be open, are walked") {
   setrlimit(RLIMIT_NOFILE, &before);
 }
 
-TEST_CASE("A folder that is not there is an error that names it") {
-  const Folders folders;
-  CHECK_THROWS_AS(pictures_in(folders.root / "missing"), ReadError);
-  CHECK_THROWS_WITH(pictures_in(folders.root / "missing"), kit::contains("missing"));
-}
-
-TEST_CASE("Folders are compared by name: same or different or another size or missing or extra") {
-  const Folders folders;
-  draw(folders.expected / "1.png", {10, 10, 10});
-  draw(folders.actual / "1.png", {10, 10, 10});
-  draw(folders.expected / "2.png", {10, 10, 10});
-  draw(folders.actual / "2.png", {10, 10, 20});
-  draw(folders.expected / "3.png", {10, 10, 10});
-  draw(folders.actual / "3.png", {10, 10, 10}, {9, 16});
-  draw(folders.expected / "sub/4.png", {10, 10, 10});
-  draw(folders.actual / "sub/5.png", {10, 10, 10});
-  CHECK(verdicts(folders) ==
-        std::vector{Verdict::same, Verdict::different, Verdict::other_size, Verdict::missing, Verdict::extra});
-  const std::vector<FilePair> pairs = file_pairs(folders.expected, folders.actual);
-  CHECK(compare_files(pairs[3]).words == "only the expected side has it");
-  CHECK(compare_files(pairs[4]).words == "only the actual side has it");
-}
-
 TEST_CASE("What cannot be read is told so whatever it is and the other pictures are compared") {
   const Folders folders;
   for (const fs::path& side : {folders.expected, folders.actual}) draw(side / "good.png", {1, 2, 3});

@@ -163,13 +163,6 @@ TEST_CASE("What the system says of a file that cannot be read is told") {
   CHECK(error_of_reading("/proc/self/mem") == "cannot read /proc/self/mem: Input/output error; check the disk");
 }
 
-TEST_CASE("An interruption long ago does not matter") {
-  const Folder folder;
-  write_file(folder / "file", bytes);
-  errno = EINTR;
-  CHECK(read_file(folder / "file") == bytes);
-}
-
 TEST_CASE("What may never end is not read, and nobody is waited for: pipes, devices, folders") {
   const Folder folder;
   REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);

@@ -34,11 +34,6 @@ bool same_bitmap(const PlacedGlyph& a, const PlacedGlyph& b) {
 
 }  // namespace
 
-TEST_CASE("FreeType's version is that of its headers") {
-  CHECK(freetype_version() ==
-        std::to_string(FREETYPE_MAJOR) + "." + std::to_string(FREETYPE_MINOR) + "." + std::to_string(FREETYPE_PATCH));
-}
-
 TEST_CASE_METHOD(Fixture, "subscripts are smaller and lower, one character or several") {
   const TextLine plain = set("xx"), one = set("x_x"), several = set("x_{xx}y");
   REQUIRE(plain.glyphs.size() == 2);
@@ -61,20 +56,6 @@ TEST_CASE_METHOD(Fixture, "markup at its limits: escaped, at the end, not closed
   REQUIRE(set("a_{}").glyphs.size() == 1);
   REQUIRE(set("").glyphs.empty());
   REQUIRE(set("").ascent > 30);
-}
-
-TEST_CASE_METHOD(Fixture, "the font has the signs that the pictures use") {
-  const PlacedGlyph box = set("\U0010FFFF").glyphs.at(0);
-  REQUIRE(box.width > 0);
-  for (const char* sign : {"×", "·", "≥", "≤", "≠", "⊥", "−", "°", "→", "∈", "ä"}) {
-    for (const Weight weight : {Weight::regular, Weight::bold}) {
-      INFO(sign);
-      const PlacedGlyph missing = font.set("\U0010FFFF", 40, weight).glyphs.at(0);
-      const TextLine line = font.set(sign, 40, weight);
-      REQUIRE(line.glyphs.size() == 1);
-      REQUIRE_FALSE(same_bitmap(line.glyphs[0], missing));
-    }
-  }
 }
 
 TEST_CASE_METHOD(Fixture, "a byte that is not UTF-8 becomes U+FFFD and the text goes on") {
@@ -143,12 +124,6 @@ TEST_CASE("a font that finds no memory is not called a wrong one") {
   if (WEXITSTATUS(status) != lack_of_memory && WEXITSTATUS(status) != wrong_font)
     WARN("not tried: sanitizers end a program that has no memory left");
   CHECK(WEXITSTATUS(status) != wrong_font);
-}
-
-TEST_CASE("a missing font is reported with its path and its package") {
-  CHECK_THROWS_WITH(Font("/nowhere/at all"), kit::contains("/nowhere/at all/DejaVuSans.ttf") &&
-                                                 kit::contains("does not exist") &&
-                                                 kit::contains("apt-get install fonts-dejavu-core"));
 }
 
 TEST_CASE("a font whose path no system takes is reported as one that cannot be read") {

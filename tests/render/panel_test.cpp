@@ -46,14 +46,6 @@ bool inside(const Box& outer, const Box& inner) {
 
 }  // namespace
 
-TEST_CASE("a view turns y over, and back") {
-  const View view = View::fit({-2, -1}, {2, 1}, {{100, 100}, {300, 300}}, 1000);
-  REQUIRE(view.scale() == 50);  // the width decides
-  REQUIRE(view.page({0, 0}) == Vec2(200, 200));
-  REQUIRE(view.page({2, 1}) == Vec2(300, 150));
-  for (const Vec2& p : {Vec2(0.3, -0.7), Vec2(-5, 2)}) REQUIRE(view.scene(view.page(p)).isApprox(p));
-}
-
 TEST_CASE("a view's scale: the tighter side decides, up to the limit, also for boxes without size") {
   const Box page{{0, 0}, {100, 200}};
   REQUIRE(View::fit({0, 0}, {10, 100}, page, 1000).scale() == 2);
@@ -62,79 +54,6 @@ TEST_CASE("a view's scale: the tighter side decides, up to the limit, also for b
   REQUIRE(View::fit({3, 3}, {3, 3}, page, 40).scale() == 40);
   REQUIRE(View::fit({3, 3}, {3, 3}, page, 40).page({3, 3}) == page.center());
   REQUIRE(View::fit({3, 0}, {3, 100}, page, 40).scale() == 2);
-}
-
-TEST_CASE("a panel clips to its frame while it lives") {
-  Font font{Font::default_directory()};
-  Canvas canvas{size, size, palette::white, font};
-  Panel(canvas, frame, View::fit({-15, -13}, {15, 13}, frame, 10)).line({-100, 0}, {100, 0}, {});
-  canvas.disc({5, 5}, 2, palette::ink);
-  const auto runs = canvas.runs();
-  REQUIRE(runs.size() == 2);
-  REQUIRE(runs[0].left == 50);
-  REQUIRE(runs[0].bottom == 280);
-  REQUIRE(runs[1].left == 0);
-  REQUIRE(runs[1].bottom == 300);
-}
-
-TEST_CASE_METHOD(Desk, "the corners of a panel are those of its frame") {
-  for (const Vec2& corner : panel.corners()) {
-    const Vec2 page = view.page(corner);
-    REQUIRE((page.x() == Approx(50) || page.x() == Approx(350)));
-    REQUIRE((page.y() == Approx(20) || page.y() == Approx(280)));
-  }
-}
-
-TEST_CASE_METHOD(Desk, "a grid has a line at every multiple of its step, unless they would run together") {
-  panel.grid(5, {.width = 1});
-  REQUIRE(canvas.vertices().size() == 6 * (7 + 5));  // x: -15..15, y: -10..10
-  panel.grid(0.01, {.width = 1});
-  panel.grid(0, {.width = 1});
-  panel.grid(-1, {.width = 1});
-  REQUIRE(canvas.vertices().size() == 6 * (7 + 5));
-}
-
-TEST_CASE_METHOD(Desk, "a grid may go through any point, also one far away") {
-  panel.grid(5, {.width = 1}, {5e6 + 1, -2.5e6});
-  REQUIRE(canvas.vertices().size() == 6 * (6 + 5));  // x: -14..11
-  REQUIRE((canvas.vertices()[0].x + canvas.vertices()[2].x) / 2 == Approx(view.page({-14, 0}).x()));
-}
-
-TEST_CASE_METHOD(Desk, "a label stands where it was asked to, beside its anchor") {
-  panel.disc({0, 0}, 4, palette::ink);
-  const Vec2 anchor = view.page({0, 0});
-  REQUIRE(place({0, 0}, {3, 0}, "abc").min.x() > anchor.x() + 4);
-  REQUIRE(place({0, 0}, {-3, 0}, "abc").max.x() < anchor.x() - 4);
-  REQUIRE(place({0, 0}, {0, 3}, "abc").max.y() < anchor.y() - 4);   // up in the scene
-  REQUIRE(place({0, 0}, {0, -3}, "abc").min.y() > anchor.y() + 4);  // down
-  const Box anywhere = place({0, 0}, {0, 0}, "abc");
-  REQUIRE(anywhere.center().x() > anchor.x());
-  REQUIRE(anywhere.max.y() < anchor.y() - 4);
-}
-
-TEST_CASE_METHOD(Desk, "capitals are centred on the height of their anchor") {
-  for (const char* text : {"H", "H_1"}) {
-    const std::size_t before = canvas.vertices().size();
-    place({0, 0}, {1, 0}, text);
-    const auto list = canvas.vertices().subspan(before, 6);  // the H
-    REQUIRE((list[0].y + list[2].y) / 2 == Approx(view.page({0, 0}).y()).margin(1));
-  }
-}
-
-TEST_CASE_METHOD(Desk, "labels keep off lines, arrows, rings and discs") {
-  // The whole upper right is crossed: a label that wants to go there has to turn.
-  panel.line({0, 0}, {8, 8}, {.width = 3});
-  panel.arrow({0, 0}, {8, 3}, {.width = 3});
-  panel.circle({1, 3}, 8, {.width = 2});
-  panel.disc({-4, 4}, 20, palette::ink);
-  const Box box = place({0, 0}, {1, 1}, "A_1");
-  const auto crossed = [&](const Vec2& from, const Vec2& to, double radius) {
-    return clip_segment(view.page(from), view.page(to), box.grown(radius)).has_value();
-  };
-  REQUIRE_FALSE(crossed({0, 0}, {8, 8}, 1.5));
-  REQUIRE_FALSE(crossed({0, 0}, {8, 3}, 1.5));
-  REQUIRE_FALSE(crossed({1, 3}, {1, 3}, 9));
-  REQUIRE_FALSE(crossed({-4, 4}, {-4, 4}, 20));
 }
 
 std::vector<CanvasVertex> letters(std::span<const CanvasVertex> all) {
@@ -211,38 +130,6 @@ TEST_CASE("a label that finds no place gets the largest letters with which it fi
   CHECK_FALSE((small.min == usual.min && small.max == usual.max));
 }
 
-TEST_CASE_METHOD(Desk, "no label stands where none is to stand") {
-  const Box usual = place({0, 0}, {1, 0}, "name");
-  panel.keep_clear(usual);
-  CHECK_FALSE(place({0, 0}, {1, 0}, "name").overlaps(usual.grown(-2)));
-}
-
-TEST_CASE_METHOD(Desk, "fills, grids and hatching are no obstacles") {
-  const Box alone = place({0, 0}, {1, 1}, "A");
-  const std::array area{Vec2(-9, -9), Vec2(9, -9), Vec2(0, 9)};
-  panel.polygon(area, palette::sky);
-  panel.grid(1, {});
-  panel.hatch(area, 5, {.width = 1});
-  REQUIRE(place({0, 0}, {1, 1}, "A").min == alone.min);
-}
-
-TEST_CASE_METHOD(Desk, "the name of an area stands inside it, clear of lines and of the names of points") {
-  const std::array<Vec2, 3> triangle = {{{-12, -10}, {12, -10}, {0, 10}}};
-  const Vec2 middle(0, -10.0 / 3);
-  panel.line(middle - Vec2(12, 0), middle + Vec2(12, 0), {});
-  const std::size_t before = canvas.vertices().size();
-  panel.name_area(triangle, "R3", style);
-  panel.place_labels();
-  const Box box = drawn_since(canvas, before);
-  for (const Vec2& corner : {box.min, box.max, Vec2(box.min.x(), box.max.y()), Vec2(box.max.x(), box.min.y())}) {
-    const Vec2 p = view.scene(corner);
-    REQUIRE(p.y() > -10);
-    REQUIRE(std::abs(p.x()) < 12 * (10 - p.y()) / 20);
-  }
-  const double line = view.page(middle).y();
-  REQUIRE((box.max.y() < line - 10 || box.min.y() > line + 10));
-}
-
 TEST_CASE_METHOD(Desk, "an area too small for its name is named all the same") {
   const std::array<Vec2, 3> speck = {{{0, 0}, {0.1, 0}, {0, 0.1}}};
   const std::size_t before = canvas.vertices().size();
@@ -291,21 +178,6 @@ std::vector<Drawn> hatched(std::span<const Vec2> corners, double spacing) {
 const std::array square = {Vec2(-5, -5), Vec2(5, -5), Vec2(5, 5), Vec2(-5, 5)};  // page (150,100)..(250,200)
 
 }  // namespace
-
-TEST_CASE("hatching is made of parallel lines at the asked distance, from border to border") {
-  const std::vector<Drawn> lines = hatched(square, 20);
-  REQUIRE(lines.size() == 10);  // x + y is 260, 280, ..., 440, in whatever area: it runs on from one into the next
-  REQUIRE(lines[0].from.sum() == Approx(260).margin(1e-3));
-  for (const Drawn& line : lines) {
-    REQUIRE(line.from.sum() == Approx(line.to.sum()).margin(1e-3));
-    for (const Vec2& end : {line.from, line.to}) {
-      const double aside = (end - Vec2(200, 150)).cwiseAbs().maxCoeff();
-      REQUIRE(aside == Approx(50).margin(1e-3));
-    }
-  }
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    REQUIRE(lines[i].from.sum() - lines[i - 1].from.sum() == Approx(20).margin(1e-3));
-}
 
 TEST_CASE("hatching stays inside the frame however large the area") {
   const std::array huge = {Vec2(-1e6, -1e6), Vec2(1e6, -1e6), Vec2(0, 1e6)};

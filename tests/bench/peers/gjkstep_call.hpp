@@ -1,6 +1,7 @@
 /// This project's calls: no observer, doubles, at most 20 iterations.
 #pragma once
 
+#include "core/certified.hpp"
 #include "core/gjk.hpp"
 #include "tests/bench/peers/contender.hpp"
 #include "tests/bench/peers/shapes.hpp"
@@ -10,12 +11,14 @@ namespace peers {
 using Relative = gjk::Intended<gjk::RelativeZeroTest>;
 
 /// In place of rules: these, asked by gjk::certified_collision(), which is about sets of points only.
+template <class Rules_>
+struct Certified {
+  using Rules = Rules_;
+};
 template <class Rules>
-struct Certified {};
-template <class Rules>
-inline constexpr bool is_certified = false;
-template <class Rules>
-inline constexpr bool is_certified<Certified<Rules>> = true;
+concept AreCertified = requires {
+  typename Rules::Rules;
+};
 
 inline Answer answer_of(gjk::Status status) {
   switch (status) {
@@ -28,24 +31,15 @@ inline Answer answer_of(gjk::Status status) {
 
 template <class Rules, class A, class B>
 Answer asked(const A& a, const B& b, const gjk::Options<double>& options) {
-  return answer_of(gjk::collision<double, Rules>(a, b, options).status);
+  if constexpr (AreCertified<Rules>)
+    return answer_of(gjk::certified_collision<double, typename Rules::Rules>(a, b, options).status);
+  else
+    return answer_of(gjk::collision<double, Rules>(a, b, options).status);
 }
 
 /// Each compiled by itself, as in a program whose shapes are all of one kind: among nine kinds of pairs the compiler would share
 /// the rules between them in place of inlining them.
 template <class Rules>
 Answer asked_of_point_sets(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
-template <>
-Answer asked_of_point_sets<gjk::AsIntended>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
-template <>
-Answer asked_of_point_sets<gjk::Eager<>>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
-template <>
-Answer asked_of_point_sets<Relative>(const PointSet& a, const PointSet& b, const gjk::Options<double>& options);
-template <>
-Answer asked_of_point_sets<Certified<gjk::AsIntended>>(const PointSet& a, const PointSet& b,
-                                                       const gjk::Options<double>& options);
-template <>
-Answer asked_of_point_sets<Certified<gjk::Eager<>>>(const PointSet& a, const PointSet& b,
-                                                    const gjk::Options<double>& options);
 
 }  // namespace peers

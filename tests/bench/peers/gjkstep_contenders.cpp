@@ -7,7 +7,7 @@ template <class Rules, class A, class B>
 Answer answer(const A& a, const B& b, const gjk::Options<double>& options) {
   if constexpr (std::same_as<A, PointSet> && std::same_as<B, PointSet>)
     return asked_of_point_sets<Rules>(a, b, options);
-  else if constexpr (is_certified<Rules>)
+  else if constexpr (AreCertified<Rules>)
     return Answer::not_asked;
   else
     return asked<Rules>(a, b, options);

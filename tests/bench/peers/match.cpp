@@ -124,7 +124,7 @@ Match play(const study::Family& family, const std::vector<Contender>& contenders
   std::vector<study::Truth> truths;
   for (const study::Pair& pair : pairs) truths.push_back(study::truth(pair));
 
-  Match match{.family = family.name, .what = family.what, .pairs = pairs.size()};
+  Match match{.family = family.name, .pairs = pairs.size()};
   match.meet = static_cast<std::size_t>(std::count(truths.begin(), truths.end(), study::Truth::intersecting));
   std::vector<std::unique_ptr<Batch>> batches;
   std::vector<Runner> runners;

@@ -18,12 +18,10 @@ struct Score {
   int not_asked = 0;          ///< after too many of these
   std::string first_failure;  ///< "pair 17: no answer within 1 s"; empty where nothing failed
   double nanoseconds = 0;     ///< per query: the median of the repeats; 0 where some pair had no answer
-
-  int not_right() const { return false_positives + false_negatives + undecided + failed + not_asked; }
 };
 
 struct Match {
-  std::string family, what;
+  std::string family;
   std::size_t pairs = 0, meet = 0;
   std::size_t raced = 0;           ///< pairs that were timed: the first ones
   std::vector<Score> scores = {};  ///< in the order of the contenders
