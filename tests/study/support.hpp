@@ -28,15 +28,7 @@ inline Plan plan_for(const std::vector<const Family*>& families, const std::vect
 }
 
 /// Returns: the counts of the one family and the one method of the plan, at the report's limit.
-inline Counts counts_of(const Plan& plan) { return counts_at(sweep(plan).rows.front().tally, report_limit); }
-
-/// Returns: how many all queries took together.
-inline std::uint64_t iterations_of(const Counts& counts) {
-  std::uint64_t sum = 0;
-  for (const Histogram& histogram : {counts.hit_iterations, counts.miss_iterations})
-    for (std::size_t k = 0; k < histogram.size(); ++k) sum += k * histogram[k];
-  return sum;
-}
+inline Counts counts_of(const Plan& plan) { return counts_at(sweep(plan).front().tally, 20); }
 
 /// The first pair on which GJK cycles for ever (it has no point in common), and the second, which does intersect.
 inline Pair separated_pair_that_cycles() {
@@ -46,10 +38,5 @@ inline Pair intersecting_pair_that_cycles() {
   return {Points{{274, -351, 0}, {95, -20, 0}, {104, 344, 0}, {346, 81, -2}},
           Points{{70, 207, -1}, {-168, -26, 0}, {144, -198, -1}, {112, 1, 0}}};
 }
-
-/// A mistake that the report names: one normal points inward, because its cross product was taken in the wrong order.
-struct OneNormalInward : gjk::AsIntended {
-  static auto ADBn(const auto& AD, const auto& AB) { return AB.cross(AD); }
-};
 
 }  // namespace study::test

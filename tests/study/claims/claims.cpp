@@ -16,30 +16,27 @@ std::string head(const ClaimsOptions& options, std::string columns, const Names&
 
 std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
 
-std::string row(const std::string& keys, const auto& counters) {
-  std::string text = keys;
-  for (const std::int64_t number : counters.numbers) text += ',' + std::to_string(number);
-  return text + '\n';
+std::string row(std::string keys, const auto& counters) {
+  for (const std::int64_t number : counters.numbers) keys += ',' + std::to_string(number);
+  return keys + '\n';
 }
 
 std::string row(const Shape& shape, const std::string& computed, bool is_all, const EffortCounts& counts) {
-  std::string text = csv_line(shape.name, computed, shape.hardness == Hardness::hard ? "hard" : "random",
+  std::string text = csv_line(shape.name, computed, shape.hardness == Hardness::random ? "random" : "hard",
                               is_all ? "yes" : "no", in_quotes(shape.what));
   for (const Histogram& histogram : counts.histograms) text.insert(text.size() - 1, ',' + csv_text(histogram));
   return text;
 }
 
 std::string effort_csv(const ClaimsOptions& options) {
-  std::string text = head(options, "shape,in,kind,all,what", effort_names);
+  std::string text = head(options, "shape,in,kind,all,what", effort_names), in_fractions;
   for (const Shape& shape : claim_shapes()) {
     options.progress("effort: " + shape.name);
     text += row(shape, "double", shape.pairs(options) == shape.size, count_effort(shape, options));
+    if (shape.hardness == Hardness::hard_whole)
+      in_fractions += row(shape, "fractions", false, count_in_fractions(shape, options));
   }
-  for (const std::string& name : whole_number_shapes()) {
-    options.progress("effort, in fractions: " + name);
-    text += row(claim_shape(name), "fractions", false, count_in_fractions(claim_shape(name), options));
-  }
-  return text;
+  return text + in_fractions;
 }
 
 std::string moller_csv(const ClaimsOptions& options) {

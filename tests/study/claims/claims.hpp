@@ -49,8 +49,9 @@ struct Rows : std::array<Row, n> {
 // -- Effort: Sections 3.2 and 3.3 -------------------------------------------------------------------------------------
 
 /// Random shapes are what everyday queries are like; hits and misses are told apart by GJK's answer. Hard families are made so
-/// that rounding or the search itself is tried; there double can be wrong, so that they are told apart by the truth.
-enum class Hardness { random, hard };
+/// that rounding or the search itself is tried; there double can be wrong, so that they are told apart by the truth. Where points are
+/// of whole numbers doubles hold the differences, so that GJK in fractions can be looked at, too.
+enum class Hardness { random, hard, hard_whole };
 
 /// The shapes that effort is counted for, with the words for a family of pairs of them.
 struct Shape {
@@ -63,15 +64,11 @@ struct Shape {
   std::uint64_t pairs(const ClaimsOptions& options) const;
 };
 const std::vector<Shape>& claim_shapes();
-const Shape& claim_shape(const std::string& name);
 
 /// GJK in double, as intended.
 EffortCounts count_effort(const Shape& shape, const ClaimsOptions& options);
 
-/// Those of points of whole numbers: doubles hold the differences, so that GJK in fractions can be looked at, too.
-const std::vector<std::string>& whole_number_shapes();
-
-/// Returns: of GJK in fractions, where the origin lies. Of so few pairs as take seconds: a fiftieth.
+/// Of shapes of whole numbers. Returns: of GJK in fractions, where the origin lies. Of so few pairs as take seconds: a fiftieth.
 EffortCounts count_in_fractions(const Shape& shape, const ClaimsOptions& options);
 
 // -- Möller's test: Section 4 -----------------------------------------------------------------------------------------

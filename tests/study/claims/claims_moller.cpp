@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/gjk.hpp"
 #include "tests/study/claims/claims.hpp"
@@ -17,32 +16,21 @@ namespace {
 
 using moller_1997::Distances;
 using moller_1997::Triangle;
-
+using moller_1997::triangle_of;
 using Exact = walkthroughs::Exact;
 
 template <class S>
 struct Triangles {
   Triangle<S> a, b;
+
+  explicit Triangles(const Pair& pair)
+      : a(triangle_of<S>(std::get<Points>(pair.a))), b(triangle_of<S>(std::get<Points>(pair.b))) {}
 };
-
-template <class S>
-Triangle<S> triangle_of(const Body& body) {
-  const Points& points = std::get<Points>(body);
-  Triangle<S> triangle;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) triangle[i][k] = S(points[i][k]);
-  return triangle;
-}
-
-template <class S>
-Triangles<S> triangles_of(const Pair& pair) {
-  return {triangle_of<S>(pair.a), triangle_of<S>(pair.b)};
-}
 
 /// By way of triangles of floats: GCC 12 drops some of the roundings of x.cast<float>().cast<double>().
 Pair rounded_to_float(Pair pair) {
   for (Body* const body : {&pair.a, &pair.b}) {
-    const Triangle<float> rounded = triangle_of<float>(*body);
+    const auto rounded = triangle_of<float>(std::get<Points>(*body));
     *body = Points{rounded[0].cast<double>(), rounded[1].cast<double>(), rounded[2].cast<double>()};
   }
   return pair;
@@ -73,18 +61,8 @@ bool edges_touch(const moller_1997::Finding<Exact>& finding) {
 }
 
 moller_1997::Finding<Exact> found_exactly(const Pair& pair) {
-  const auto t = triangles_of<Exact>(pair);
+  const Triangles<Exact> t(pair);
   return moller_1997::find(t.a, t.b, Distances::as_computed);
-}
-
-/// Of a pair about which GJK and Möller's test disagree: how the triangles lie, by exact arithmetic.
-enum class Contact { common_vertex, edges, beyond_plane, something_else };
-
-Contact contact_of(const Pair& pair) {
-  if (have_a_common_vertex(triangles_of<double>(pair))) return Contact::common_vertex;
-  const auto finding = found_exactly(pair);
-  if (edges_touch(finding)) return Contact::edges;
-  return finding.how == moller_1997::How::beyond_a_plane ? Contact::beyond_plane : Contact::something_else;
 }
 
 // -- Both tests, in all ways ------------------------------------------------------------------------------------------
@@ -109,57 +87,37 @@ std::array<bool, way_names.size()> ask_moller(const Triangles<double>& t, const 
           moller_1997::meet(f.a, f.b, Distances::small_ones_snapped)};
 }
 
-/// `contact` is found once it is needed: exact arithmetic takes its time.
-void compare(gjk::Status gjk, bool moller, bool meets, const Pair& pair, std::optional<Contact>& contact,
-             Comparison& sum) {
-  using enum Compared;
-  const bool yes = gjk == gjk::Status::intersecting;
-  sum[undecided] += gjk == gjk::Status::undecided;
-  if (yes == moller) {
-    ++sum[yes ? both_yes : both_no];
-    return;
-  }
-  if (!contact) contact = contact_of(pair);
-  ++sum[yes ? only_gjk : only_moller];
-  sum[yes ? only_gjk_right : only_moller_right] += meets;
-  sum[only_gjk_touch_so] += yes && contact == Contact::edges;
-  sum[only_gjk_share_a_vertex] += yes && contact == Contact::common_vertex;
-  sum[only_moller_beyond_plane] += moller && contact == Contact::beyond_plane;
-}
-
 void ask_about(const Pair& pair, Comparisons& sum) {
   using enum Compared;
-  const Triangles<double> t = triangles_of<double>(pair);
-  const Triangles<float> f = triangles_of<float>(pair);
+  const Triangles<double> t(pair);
+  const Triangles<float> f(pair);
   const bool meets = truth(pair) == Truth::intersecting, shares = have_a_common_vertex(t),
              touches_so = nearly_touch(t) && edges_touch(found_exactly(pair));
   const std::array by_gjk{ask_gjk<gjk::AsIntended>(t, f), ask_gjk<gjk::AsPrinted>(t, f)};
   const auto by_moller = ask_moller(t, f);
-  std::optional<Contact> contact;
   for (std::size_t rules = 0; rules < by_gjk.size(); ++rules)
     for (std::size_t way = 0; way < by_moller.size(); ++way) {
+      const bool yes = by_gjk[rules][way] == gjk::Status::intersecting, moller = by_moller[way];
       Comparison& counts = sum[rules][way];
       ++counts[Compared::pairs];
       counts[meet] += meets;
       counts[touch_so] += touches_so;
-      counts[Compared::share_a_vertex] += shares;
-      counts[share_seen_by_moller] += shares && by_moller[way];
-      compare(by_gjk[rules][way], by_moller[way], meets, pair, contact, counts);
+      counts[share_a_vertex] += shares;
+      counts[share_seen_by_moller] += shares && moller;
+      counts[undecided] += by_gjk[rules][way] == gjk::Status::undecided;
+      ++counts[yes ? (moller ? both_yes : only_gjk) : (moller ? only_moller : both_no)];
+      if (yes == moller) continue;
+      counts[yes ? only_gjk_right : only_moller_right] += meets;
+      counts[only_gjk_touch_so] += yes && touches_so;
+      counts[only_gjk_share_a_vertex] += yes && shares;
+      counts[only_moller_beyond_plane] += moller && found_exactly(pair).how == moller_1997::How::beyond_a_plane;
     }
 }
 
 // -- Kinds of triangles -----------------------------------------------------------------------------------------------
 
-/// Returns: 1,000 of 1000.
-std::string grouped(int number) {
-  const std::string digits = std::to_string(number);
-  return digits.size() <= 3 ? digits : digits.substr(0, digits.size() - 3) + ',' + digits.substr(digits.size() - 3);
-}
-
 /// Coordinates k/divisor for k = 0 … levels - 1, all alike.
-TriangleKind coarse(int levels, int divisor = 1) {
-  const std::string most = grouped(levels - 1);
-  std::string name = divisor == 1 ? "whole numbers 0 … " + most : "k/" + grouped(divisor) + " for k = 0 … " + most;
+TriangleKind coarse(std::string name, int levels, int divisor = 1) {
   return {std::move(name), [=](std::uint64_t seed, std::uint64_t index) {
             Dice dice(seed, "coarse-triangles", index);
             return rounded_to_float(coarse_triangles(dice, levels, divisor));
@@ -174,14 +132,14 @@ const std::vector<TriangleKind>& triangle_kinds() {
        [&family = family_named("triangles")](std::uint64_t seed, std::uint64_t index) {
          return rounded_to_float(family.make(seed, index));
        }},
-      coarse(11),
-      coarse(31),
-      coarse(101),
-      coarse(201),
-      coarse(1001),
-      coarse(101, 100),
-      coarse(1001, 1000),
-      coarse(32768, 32767),
+      coarse("whole numbers 0 … 10", 11),
+      coarse("whole numbers 0 … 30", 31),
+      coarse("whole numbers 0 … 100", 101),
+      coarse("whole numbers 0 … 200", 201),
+      coarse("whole numbers 0 … 1,000", 1001),
+      coarse("k/100 for k = 0 … 100", 101, 100),
+      coarse("k/1,000 for k = 0 … 1,000", 1001, 1000),
+      coarse("k/32,767 for k = 0 … 32,767", 32768, 32767),
       {"a common vertex, whole numbers 0 … 100",
        [](std::uint64_t seed, std::uint64_t index) {
          Dice dice(seed, "common-vertex", index);

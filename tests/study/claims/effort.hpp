@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 
 #include "core/events.hpp"
 #include "tests/study/sweep/tally.hpp"
@@ -36,11 +37,6 @@ struct EffortCounts {
   std::array<Histogram, effort_names.size()> histograms;
 
   Histogram& operator[](Effort effort) { return histograms[static_cast<std::size_t>(effort)]; }
-  /// Returns: how many were counted under k.
-  std::uint64_t at(Effort effort, std::size_t k) const {
-    const Histogram& histogram = histograms[static_cast<std::size_t>(effort)];
-    return k < histogram.size() ? histogram[k] : 0;
-  }
   EffortCounts& operator+=(const EffortCounts& more) {
     for (std::size_t i = 0; i < histograms.size(); ++i) add(histograms[i], more.histograms[i]);
     return *this;
@@ -88,6 +84,18 @@ struct CrossProducts {
   int in_this_simplex_ = 0;
 };
 
+/// Returns: the simplex with what vertices are in the difference alone. Errors: std::logic_error where a coordinate is not a double.
+template <class S>
+gjk::Simplex<double> in_doubles(const gjk::Simplex<S>& simplex) {
+  gjk::Simplex<double> converted;
+  for (int i = 0; i < simplex.size(); ++i) {
+    const gjk::Vec3<double> w = simplex[i].w.template cast<double>();
+    if (w.template cast<S>() != simplex[i].w) throw std::logic_error("a vertex is not of doubles");
+    converted.add({{}, {}, w});
+  }
+  return converted;
+}
+
 /// Looks, exactly, where the origin lies when Algorithms 3-5 are called.
 class Shortcuts {
  public:
@@ -97,20 +105,17 @@ class Shortcuts {
   template <class E>
   void operator()(const E&) {}
 
-  void operator()(const gjk::VertexAdded<double>& event) { look_at(event.simplex); }
-
-  void look_at(const gjk::Simplex<double>& simplex) {
+  template <class S>
+  void operator()(const gjk::VertexAdded<S>& event) {
     using enum Effort;
-    simplex_ = simplex;
+    const gjk::Simplex<double>& simplex = simplex_ = in_doubles(event.simplex);
     const int size = simplex.size();
     count(counts_[simplices], size);
     nearest_ = size >= 2 ? nearest_feature(simplex) : feature_of(gjk::Role::A);
     if (size < 2) return;
     const bool is_inside = nearest_ != 0 && lies_on(simplex, nearest_);
-    count(counts_[size == 2   ? nearest_of_2
-                  : size == 3 ? nearest_of_3
-                              : nearest_of_4],
-          static_cast<int>(is_inside ? (1U << size) - 1 : nearest_));
+    const Effort nearest[] = {nearest_of_2, nearest_of_3, nearest_of_4};
+    count(counts_[nearest[size - 2]], static_cast<int>(is_inside ? (1U << size) - 1 : nearest_));
   }
 
   void operator()(const gjk::SimplexReduced<double>& event) {

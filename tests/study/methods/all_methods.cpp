@@ -7,8 +7,10 @@ namespace study {
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> all = [] {
     std::vector<Method> list;
-    for (const auto some : {float_methods, double_methods, long_double_methods, exact_methods, certified_methods})
-      for (Method& method : some()) list.push_back(std::move(method));
+    for (auto some :
+         {methods_of_scalar<float>("float"), methods_of_scalar<double>("double"),
+          methods_of_scalar<long double>("long-double"), methods_of_scalar<Exact>("exact"), certified_methods()})
+      list.insert(list.end(), some.begin(), some.end());
     return list;
   }();
   return all;

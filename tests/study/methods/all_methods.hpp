@@ -13,6 +13,5 @@ const std::vector<Method>& all_methods();
 
 /// The iteration limits of the tables, ascending. Algorithm 1 says 20.
 inline constexpr int limits[] = {5, 8, 10, 20, 50};
-inline constexpr int report_limit = 20;
 
 }  // namespace study

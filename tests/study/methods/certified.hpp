@@ -3,31 +3,13 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/rule_sets.hpp"
-
 namespace study {
 
-/// The name that stands in place of rules, and the rules of the search that begins.
-struct CertifiedRules {
-  std::string_view name;
-  gjk::RuleSet first_search;
-};
-inline constexpr CertifiedRules certified_rules[] = {{"certified", gjk::RuleSet::as_intended},
-                                                     {"certified-eager", gjk::RuleSet::eager}};
-
-/// Returns: the rules of the search that begins; empty for rules that are not certified.
-constexpr std::optional<gjk::RuleSet> first_search_of(std::string_view rules) {
-  for (const CertifiedRules& each : certified_rules)
-    if (each.name == rules) return each.first_search;
-  return std::nullopt;
-}
-
-constexpr bool is_certified(std::string_view rules) { return first_search_of(rules).has_value(); }
+constexpr bool is_certified(std::string_view rules) { return rules.starts_with("certified"); }
 
 inline constexpr int no_limit = std::numeric_limits<int>::max();
 

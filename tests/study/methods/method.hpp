@@ -1,18 +1,20 @@
 /// A way to ask GJK: rules, scalar and zero test. Together with an iteration limit it is a setting of the study.
 #pragma once
 
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "core/gjk.hpp"
 #include "tests/study/methods/question.hpp"
-#include "tests/study/methods/thread_clock.hpp"
 
 namespace study {
 
@@ -25,6 +27,8 @@ struct Outcome {
   Answer answer;
   int iterations;
   int second_iterations = 0;  ///< of the second search of a certified query
+  int returned =
+      0;  ///< at the limit: the iteration that began in a state (simplex and direction) in which an earlier one had begun
 };
 
 /// What a method asks with. It is erased here, so that everything downstream is written once.
@@ -41,8 +45,6 @@ struct Method {
 
   /// Requires of all three: questions that `scalar` has made.
   Outcome (*ask)(const Question& question, int limit);
-  /// Returns: the iteration that began in a state (simplex and direction) in which an earlier one had begun; 0 if none did.
-  int (*first_return)(const Question& question, int limit);
   /// Returns: the thread's time to ask all of them once; reading its clock once is part of it.
   std::chrono::nanoseconds (*time)(std::span<const Question* const> questions, int limit);
 
@@ -83,19 +85,6 @@ gjk::Result<S> result_of(const Question& question, gjk::Options<S>& options) {
 }
 
 template <class S>
-gjk::Options<S> limited_to(int limit) {
-  gjk::Options<S> options;
-  options.iteration_limit = limit;
-  return options;
-}
-
-template <class S, class Rules>
-gjk::Result<S> result_to(const Question& question, int limit) {
-  gjk::Options<S> options = limited_to<S>(limit);
-  return result_of<S, Rules>(question, options);
-}
-
-template <class S>
 Answer answer_of(const gjk::Result<S>& result) {
   if (result.status == gjk::Status::intersecting) return Answer::intersecting;
   if (result.status == gjk::Status::separated) return Answer::separated;
@@ -103,33 +92,49 @@ Answer answer_of(const gjk::Result<S>& result) {
   return is_stopped ? Answer::at_limit : Answer::unusable;
 }
 
+/// How long this thread has computed: stands still while it waits and while the processor serves others. Errors: std::system_error.
+inline std::chrono::nanoseconds thread_time() {
+  std::timespec time{};
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) != 0)
+    throw std::system_error(errno, std::generic_category(), "the clock of the thread cannot be read");
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+/// Returns: the thread's time to ask them all once. `ask`: returns the number of iterations.
+template <class Ask>
+std::chrono::nanoseconds time_of(std::span<const Question* const> questions, const Ask& ask) {
+  int iterations = 0;
+  const std::chrono::nanoseconds start = thread_time();
+  for (const Question* const question : questions) iterations += ask(*question);
+  const std::chrono::nanoseconds end = thread_time();
+  volatile int used = iterations;  // so that no query is left out as useless
+  static_cast<void>(used);
+  return end - start;
+}
+
 /// The functions behind one method.
 template <class S, class Rules>
 struct Asking {
   static Outcome ask(const Question& question, int limit) {
-    const gjk::Result<S> result = result_to<S, Rules>(question, limit);
-    return {answer_of(result), result.cycle_start ? limit : result.iterations};
-  }
-
-  /// Where somebody listens a search ends as soon as it comes back.
-  static int first_return(const Question& question, int limit) {
-    gjk::Options<S> options = limited_to<S>(limit);
-    const auto& q = static_cast<const QuestionOf<S>&>(question);
-    set_first_direction<S, Rules>(options, q);
-    const auto listener = [](const auto&) {};
-    const auto result = gjk::collision<S, Rules>(AnyForm<S>{q.a}, AnyForm<S>{q.b}, options, listener);
-    return result.cycle_start ? result.iterations + 1 : 0;
+    gjk::Options<S> options{.iteration_limit = limit};
+    const gjk::Result<S> result = result_of<S, Rules>(question, options);
+    const Answer answer = answer_of(result);
+    return {answer, result.cycle_start ? limit : result.iterations, 0,
+            answer == Answer::at_limit ? first_return(question, options) : 0};
   }
 
   static std::chrono::nanoseconds time(std::span<const Question* const> questions, int limit) {
-    gjk::Options<S> options = limited_to<S>(limit);
-    int iterations = 0;
-    const std::chrono::nanoseconds start = thread_time();
-    for (const Question* const question : questions) iterations += result_of<S, Rules>(*question, options).iterations;
-    const std::chrono::nanoseconds end = thread_time();
-    volatile int used = iterations;  // so that no query is left out as useless
-    static_cast<void>(used);
-    return end - start;
+    gjk::Options<S> options{.iteration_limit = limit};
+    return time_of(questions, [&](const Question& q) { return result_of<S, Rules>(q, options).iterations; });
+  }
+
+ private:
+  /// Where somebody listens a search ends as soon as it comes back. Returns: 0 where it does not.
+  static int first_return(const Question& question, const gjk::Options<S>& options) {
+    const auto& q = static_cast<const QuestionOf<S>&>(question);
+    const auto listener = [](const auto&) {};
+    const auto result = gjk::collision<S, Rules>(AnyForm<S>{q.a}, AnyForm<S>{q.b}, options, listener);
+    return result.cycle_start ? result.iterations + 1 : 0;
   }
 };
 
@@ -141,7 +146,7 @@ Scalar scalar_called(std::string name) {
 template <class S, class Rules>
 Method method_of(std::string rules, std::string zero_test, const Scalar& scalar) {
   using A = Asking<S, Rules>;
-  return {std::move(rules), std::move(zero_test), scalar, A::ask, A::first_return, A::time};
+  return {std::move(rules), std::move(zero_test), scalar, A::ask, A::time};
 }
 
 }  // namespace study

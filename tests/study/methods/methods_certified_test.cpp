@@ -1,7 +1,10 @@
 /// Certified answers as methods of the study.
+#include "core/certificate_check.hpp"
+#include "core/certified.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
+#include "tests/study/truth/oracle.hpp"
 
 namespace study::test {
 namespace {
@@ -13,157 +16,67 @@ std::vector<const Method*> certified_ones() {
   return some;
 }
 
-bool is_of_points(const Family& family) {
-  const Pair pair = family.make(7, 0);
-  return std::holds_alternative<Points>(pair.a) && std::holds_alternative<Points>(pair.b);
-}
-
-TEST_CASE("Certified answers about all families of points are right and their certificates hold", "[certified]") {
-  for (const Family& family : families()) {
-    if (!is_of_points(family)) continue;
-    for (const Row& row : sweep(plan_for({&family}, certified_ones(), 40, 5)).rows) {
-      INFO(family.name << ", " << row.rules << " " << row.scalar);
-      const Counts counts = counts_at(row.tally, no_limit);
-      CHECK(counts.pairs + row.tally.out_of_range == 40);
-      CHECK(counts.wrong() + counts.undecided == 0);
-      CHECK(row.tally.exceptions == 0);
-      CHECK(row.tally.certificates == (counts.pairs == 0 ? 0 : 5));
-      CHECK(row.tally.false_certificates == 0);
-      CHECK(total(row.tally.second_iterations) == counts.pairs);
-    }
-  }
-}
-
-TEST_CASE("Certified answers about balls and cylinders are right, without a certificate or a second search",
+TEST_CASE("Certified answers about all families are right, and about points they have certificates that hold",
           "[certified]") {
   std::size_t round = 0;
   for (const Family& family : families()) {
-    if (is_of_points(family)) continue;
-    ++round;
-    for (const Row& row : sweep(plan_for({&family}, certified_ones(), 20, 20)).rows) {
+    const Pair first = family.make(7, 0);
+    const bool is_round = !std::holds_alternative<Points>(first.a) || !std::holds_alternative<Points>(first.b);
+    round += is_round;
+    for (const Row& row : sweep(plan_for({&family}, certified_ones(), 40, 5))) {
       INFO(family.name << ", " << row.rules << " " << row.scalar);
       const Counts counts = counts_at(row.tally, no_limit);
-      CHECK(counts.pairs == 20);
-      CHECK(counts.wrong() == 0);
+      CHECK(counts.pairs + row.tally.out_of_range == 40);
+      CHECK(counts.wrong() + row.tally.exceptions + row.tally.false_certificates == 0);
       CHECK(counts.undecided == counts.in_doubt);
-      if (row.scalar == "double") CHECK(counts.undecided == 0);
-      CHECK(row.tally.second_iterations == Histogram{20});
-      CHECK(row.tally.certificates + row.tally.exceptions == 0);
-      CHECK(row.timings.at(no_limit).queries == 20);
+      if (!is_round || row.scalar == "double") CHECK(counts.undecided == 0);
+      CHECK(row.tally.certificates == (is_round || counts.pairs == 0 ? 0 : 5));
+      CHECK(total(row.tally.second_iterations) == counts.pairs);
+      if (is_round) CHECK(row.tally.second_iterations == Histogram{40});
+      CHECK(row.alone.one_search.queries + row.alone.two_searches.queries == counts.pairs);
+      if (counts.pairs > 0) CHECK(row.timings.at(no_limit).queries == counts.pairs);
     }
   }
   CHECK(round > 0);
 }
 
-TEST_CASE("Certified answers depend on no iteration limit and are timed once", "[certified]") {
-  Plan plan = plan_for({&family_named("triangles")}, certified_ones(), 100);
-  const Findings usual = sweep(plan);
-  plan.limits = {1};
-  plan.failure_limit = 1;
-  plan.failures_kept = 100;
-  const Findings few = sweep(plan);
-  for (std::size_t i = 0; i < usual.rows.size(); ++i) {
-    CHECK(usual.rows[i].tally == few.rows[i].tally);
-    CHECK(usual.rows[i].timings.size() == 1);
-    CHECK(usual.rows[i].timings.contains(no_limit));
-  }
-  CHECK(few.failures.empty());  // though most took more than one iteration
-}
-
-TEST_CASE("Second searches are counted where the first proves nothing", "[certified]") {
-  const auto searches = [](const std::string& family) {
-    return sweep(plan_for({&family_named(family)}, {&method_named("certified double exact")}, 400))
-        .rows.front()
-        .tally.second_iterations;
+/// Which is no method of the study.
+TEST_CASE("Starting inside changes no certified answer on any family, and its certificates hold", "[certified]") {
+  const auto mean = [](const Points& points) {
+    return walkthroughs::middle<double>(
+        walkthroughs::converted<double>(walkthroughs::AnyShape(points), walkthroughs::Cast<double>{}));
   };
-  const Histogram touching = searches("touching-face-askew"), apart = searches("triangles");
-  CHECK(total(touching) == 400);
-  CHECK(touching[0] == 0);  // no double proves that sets touch
-  CHECK(total(apart) == 400);
-  CHECK(apart[0] > 200);
+  int by_mean = 0;
+  for (const Family& family : families())
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(family.size.value_or(40), 40); ++i) {
+      const Pair pair = family.make(7, i);
+      const auto *a = std::get_if<Points>(&pair.a), *b = std::get_if<Points>(&pair.b);
+      if (!a || !b) break;
+      INFO(family.name << ", pair " << i);
+      const gjk::PointSet<double> one(*a), other(*b);
+      gjk::Options<double> options{.iteration_limit = 100};
+      options.inside = gjk::PointOfEach<double>{mean(*a), mean(*b)};
+      CHECK((options.inside->a == one.mean() || !one.mean().allFinite()));
+      const gjk::CertifiedResult result = gjk::certified_collision(one, other, options);
+      CHECK((result.status == gjk::Status::intersecting) == (truth(pair) == Truth::intersecting));
+      CHECK(result.status != gjk::Status::undecided);
+      CHECK(gjk::holds(result.certificate, one, other));
+      if (const auto* simplex = std::get_if<gjk::CommonSimplex>(&result.certificate))
+        by_mean += std::ranges::count(simplex->of, gjk::IndexPair{gjk::IndexPair::mean, gjk::IndexPair::mean}) > 0;
+    }
+  CHECK(by_mean > 100);
 }
 
-TEST_CASE("Every certified answer is timed alone, by whether a second search followed, and the slowest pair is named",
+TEST_CASE("Certificates of the first pairs are multiplied out, and answers that are no good are counted",
           "[certified]") {
-  const auto times_of = [](const std::string& family) {
-    return sweep(plan_for({&family_named(family)}, {&method_named("certified double exact")}, 400)).rows.front().alone;
-  };
-  const TimesAlone touching = times_of("touching-face-askew"), apart = times_of("triangles");
-  CHECK(touching.one_search.queries == 0);
-  CHECK(touching.two_searches.queries == 400);
-  CHECK(apart.one_search.queries + apart.two_searches.queries == 400);
-  CHECK(apart.one_search.queries > 200);
-  for (const TimesAlone& times : {touching, apart}) {
-    CHECK(times.slowest > 0);
-    CHECK(times.slowest <= times.one_search.nanoseconds + times.two_searches.nanoseconds);
-    CHECK(times.slowest_pair < 400);
-  }
-  const Findings plain = sweep(plan_for({&family_named("triangles")}, {&method_named("as-intended double exact")}, 10));
-  CHECK(plain.rows.front().alone.one_search.queries == 0);
-}
-
-TEST_CASE("Eager certified queries begin between the centers", "[certified]") {
-  const Pair beside{Points{{0, 0, 0}, {0, 1, 0}}, Points{{-9, 0, 0}, {-9, 0, 1}}};
-  for (const Method* const method : certified_ones()) {
-    INFO(method->name());
-    const Outcome outcome = method->ask(*method->scalar.question(beside), 20);
-    CHECK(outcome.answer == Answer::separated);
-    CHECK((outcome.iterations == 1) == (method->rules == "certified-eager"));
-  }
-}
-
-TEST_CASE("Cylinders that touch but for what rounding takes are in doubt, which is neither wrong nor an error",
-          "[certified]") {
-  const Pair touching{Can{{0, 0, 0}, {0, 0, 1}, 1, 2}, Can{{0.3, 0.2, 2}, {0, 0, -1}, 0.5, 2}};
-  for (const Method* const method : certified_ones()) {
-    INFO(method->name());
-    const auto question = method->scalar.question(touching);
-    CHECK(method->ask(*question, 20).answer == Answer::in_doubt);
-    CHECK(method->certificate_holds(*question) == std::nullopt);
-  }
-}
-
-// -- Answers that are no good -------------------------------------------------------------------------------------------
-
-/// A certified method that lies.
-Method lying() {
-  Method method = method_named("certified double exact");
-  method.ask = [](const Question&, int) { return Outcome{Answer::intersecting, 30, 0}; };
-  return method;
-}
-
-/// One whose answers are right and whose certificates do not hold.
-Method without_proof() {
-  Method method = method_named("certified-eager double exact");
-  method.certificate_holds = [](const Question&) -> std::optional<bool> { return false; };
-  return method;
-}
-
-TEST_CASE("A certified answer that is wrong is found and kept whatever its iterations", "[certified]") {
-  const Method method = lying();
-  Plan plan = plan_for({&family_named("triangles")}, {&method}, 50);
-  plan.failures_kept = 2;
-  const Findings findings = sweep(plan);
-  CHECK(counts_at(findings.rows.front().tally, no_limit).false_positives > 10);
-  REQUIRE(findings.failures.size() == 2);
-  for (const Failure& failure : findings.failures) {
-    CHECK(failure.kind == Kind::false_positive);
-    CHECK(failure.limit == no_limit);
-  }
-}
-
-TEST_CASE("Certificates of the first pairs are multiplied out and those that do not hold are counted and kept",
-          "[certified]") {
-  const Method method = without_proof();
-  Plan plan = plan_for({&family_named("triangles")}, {&method}, 50, 8);
-  plan.failures_kept = 5;
-  const Findings findings = sweep(plan);
-  const Tally& tally = findings.rows.front().tally;
-  CHECK(tally.certificates == 8);
-  CHECK(tally.false_certificates == 8);
-  CHECK(counts_at(tally, no_limit).wrong() == 0);
-  REQUIRE(findings.failures.size() == 5);
-  CHECK(findings.failures.front().kind == Kind::false_certificate);
+  Method without_proof = method_named("certified-eager double exact"), lying = method_named("certified double exact");
+  without_proof.certificate_holds = [](const Question&) -> std::optional<bool> { return false; };
+  lying.ask = [](const Question&, int) { return Outcome{Answer::intersecting, 30}; };
+  const std::vector<Row> rows = sweep(plan_for({&family_named("triangles")}, {&without_proof, &lying}, 50, 8));
+  CHECK(rows[0].tally.certificates == 8);
+  CHECK(rows[0].tally.false_certificates == 8);
+  CHECK(counts_at(rows[0].tally, no_limit).wrong() == 0);
+  CHECK(counts_at(rows[1].tally, no_limit).false_positives > 10);
 }
 
 }  // namespace

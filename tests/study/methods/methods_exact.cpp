@@ -1,7 +1,3 @@
 #include "tests/study/methods/methods_of_scalar.hpp"
 
-namespace study {
-
-std::vector<Method> exact_methods() { return methods_of_scalar<Exact>("exact"); }
-
-}  // namespace study
+template std::vector<study::Method> study::methods_of_scalar<study::Exact>(const std::string& scalar_name);

@@ -1,7 +1,3 @@
 #include "tests/study/methods/methods_of_scalar.hpp"
 
-namespace study {
-
-std::vector<Method> float_methods() { return methods_of_scalar<float>("float"); }
-
-}  // namespace study
+template std::vector<study::Method> study::methods_of_scalar<float>(const std::string& scalar_name);

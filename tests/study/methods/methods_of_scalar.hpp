@@ -30,10 +30,10 @@ std::vector<Method> methods_of_scalar(const std::string& scalar_name) {
   return all;
 }
 
-std::vector<Method> float_methods();
-std::vector<Method> double_methods();
-std::vector<Method> long_double_methods();
-std::vector<Method> exact_methods();
+extern template std::vector<Method> methods_of_scalar<float>(const std::string& scalar_name);
+extern template std::vector<Method> methods_of_scalar<double>(const std::string& scalar_name);
+extern template std::vector<Method> methods_of_scalar<long double>(const std::string& scalar_name);
+extern template std::vector<Method> methods_of_scalar<Exact>(const std::string& scalar_name);
 std::vector<Method> certified_methods();  ///< in float and in double
 
 }  // namespace study

@@ -14,11 +14,21 @@
 #include <utility>
 
 #include "core/shapes.hpp"
+#include "tests/study/pairs/pair.hpp"
 
 namespace study::moller_1997 {
 
 template <class S>
 using Triangle = std::array<gjk::Vec3<S>, 3>;
+
+/// Requires: there are three.
+template <class S>
+Triangle<S> triangle_of(const Points& points) {
+  Triangle<S> t;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) t[i][k] = S(points[i][k]);
+  return t;
+}
 
 /// The paper computes with the distances from the planes as they come out. The implementation that its author published,
 /// which is what is used in the field, takes those below 1e-6 for zero, "for robustness". They are not lengths: N is not

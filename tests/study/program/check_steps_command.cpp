@@ -1,11 +1,12 @@
-#include "tests/study/program/check_steps_command.hpp"
-
 #include <algorithm>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "render/file.hpp"
 #include "tests/study/methods/mistakes.hpp"
+#include "tests/study/program/commands.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/steps/parting.hpp"
 #include "walkthroughs/output/frames.hpp"
@@ -78,15 +79,13 @@ void write(const ToldRun& run, const StepsChecked& checked) {
   for (const std::string& choice : checked.other_choices) std::cout << "  as right: " << choice << '\n';
 }
 
-}  // namespace
+struct CheckStepsCommand {
+  std::string file;
+  std::optional<std::string> draw;  ///< folder
+};
 
-void CheckStepsCommand::add_to(CLI::App& app) {
-  app.add_option("FILE", file, "searches, told step by step; - reads standard input")->required();
-  app.add_option("--draw", draw, "folder for pictures of the first wrong search beside the report's, until they part");
-  app.footer(footer);
-}
-
-void CheckStepsCommand::run() const {
+void run(const CheckStepsCommand& asked) {
+  const auto& [file, draw] = asked;
   if (file.empty()) throw UsageError("check-steps '': name a file that tells searches step by step");
   if (draw) {
     expect_named("--draw", *draw);
@@ -114,6 +113,19 @@ void CheckStepsCommand::run() const {
     throw std::runtime_error(name + ": " + std::to_string(wrong) + " of " + std::to_string(all) +
                              (all == 1 ? " search has a wrong step" : " searches have a wrong step") +
                              (rounded == 0 ? "" : "; of " + std::to_string(rounded) + " rounding may be the reason"));
+}
+
+}  // namespace
+
+void add_check_steps(CLI::App& program) {
+  CLI::App& app = *program.add_subcommand(
+      "check-steps", "which is the first step of a program's search that the report's algorithm would not make?");
+  const auto asked = std::make_shared<CheckStepsCommand>();
+  app.add_option("FILE", asked->file, "searches, told step by step; - reads standard input")->required();
+  app.add_option("--draw", asked->draw,
+                 "folder for pictures of the first wrong search beside the report's, until they part");
+  app.footer(footer);
+  app.callback([asked] { run(*asked); });
 }
 
 }  // namespace study

@@ -1,57 +1,29 @@
-/// The commands of gjkstep-study, as its command line spells them.
+/// The commands of gjkstep-study. Each adds itself to the program, which runs what its command line names. Errors: UsageError, and
+/// what each says.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "tests/study/program/check_steps_command.hpp"
-#include "tests/study/program/claims_command.hpp"
-#include "tests/study/program/judge_command.hpp"
-#include "tests/study/program/pairs_command.hpp"
-#include "tests/study/sweep/plan.hpp"
 
 namespace study {
 
-/// `gjkstep-study run`: sweeps, and writes what was counted and timed.
-struct RunCommand {
-  Request request;
-  bool quick = false, full = false;
-  std::optional<std::string> shard, failures;
-  std::string out = "study";
-  unsigned threads = 0;  ///< 0: as many as the processor has
-  std::uint64_t max_failures = 5;
+/// `run`: sweeps, and writes what was counted and timed. Errors: std::logic_error where that contradicts what is proven.
+void add_run(CLI::App& program);
 
-  void add_to(CLI::App& app);
-  void run() const;
+/// `claims`: what the report claims, counted.
+void add_claims(CLI::App& program);
 
- private:
-  void expect_apart(const Plan& plan) const;
-  void save(const std::vector<Failure>& found) const;
-};
+/// `pairs`: pairs with their exact answers as JSON Lines on the standard output, as `gjkstep query` reads them.
+void add_pairs(CLI::App& program);
 
-/// All of them. A further command is one more entry in Commands::add_to().
-class Commands {
- public:
-  /// `app` keeps references to this object, which must outlive it.
-  void add_to(CLI::App& app);
+/// `judge -- PROGRAM ARG...`: is a program right? Markdown, or JSON, on the standard output. Errors: std::runtime_error where
+/// something is wrong with the program, after everything is written.
+void add_judge(CLI::App& program);
 
-  /// Runs the command that was parsed. Errors: UsageError where there was none, and those of the command.
-  void run() const;
+/// `check-steps FILE`: which is the first step of a search that the report's algorithm would not make? Errors: std::runtime_error
+/// where one is wrong, after everything is written; walkthroughs::InputError.
+void add_check_steps(CLI::App& program);
 
- private:
-  template <class Command>
-  void add(CLI::App& app, Command& command, const char* name, const char* what);
-
-  RunCommand run_;
-  ClaimsCommand claims_;
-  PairsCommand pairs_;
-  JudgeCommand judge_;
-  CheckStepsCommand check_steps_;
-  std::vector<std::pair<const CLI::App*, std::function<void()>>> all_;
-};
+/// `list`: families and settings.
+void add_listing(CLI::App& program);
 
 }  // namespace study

@@ -1,15 +1,17 @@
-#include "tests/study/program/judge_command.hpp"
-
 #include <cmath>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "render/file.hpp"
 #include "tests/study/judge/judge_program.hpp"
 #include "tests/study/judge/judged_page.hpp"
 #include "tests/study/judge/judged_scenes.hpp"
+#include "tests/study/judge/judged_text.hpp"
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/pairs/families.hpp"
+#include "tests/study/program/commands.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"
 #include "tests/study/steps/judged_steps.hpp"
@@ -19,9 +21,6 @@
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
-
-using walkthroughs::expect_number;
-
 namespace {
 
 constexpr std::size_t most_steps = 10;       // failures that are followed
@@ -52,44 +51,31 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
-}  // namespace
+constexpr double usual_time_limit = 2;
 
-void JudgeCommand::add_to(CLI::App& app) {
-  add_list(app, "--families", families, "pairs of these, such as triangles,boxes");
-  expect_number(app.add_option("--count", count, "so many of each family")->capture_default_str(), std::uint64_t{1},
-                most_pairs);
-  add_seed(app, seed);
-  CLI::Option* const file =
-      app.add_option("--pairs", pairs, "the pairs of this file, as 'gjkstep-study pairs' writes them");
-  for (const char* const option : {"--families", "--count", "--seed"}) file->excludes(app.get_option(option));
-  expect_number(app.add_option("--time-limit", time_limit, "seconds until the next answer")->capture_default_str(),
-                0.01, 3600.0);
-  CLI::Option* const saves = app.add_option("--save-failures", failures, "folder for scene files of what went wrong");
-  expect_number(
-      app.add_option("--max-failures", max_failures, "of each family and kind")->capture_default_str()->needs(saves),
-      std::uint64_t{0}, most_pairs);
-  app.add_option("--html", html, "one page, too: the verdict, families, the first failures drawn");
-  app.add_flag("--json", json, "JSON in place of Markdown, with every pair that is not right");
-  app.add_flag("--steps", steps, "name the first wrong step of failures, too, if the program writes its steps");
-  app.add_option("PROGRAM", program, "what to judge, and its arguments, after --")->required();
-  app.footer(footer);
-  app.parse_complete_callback([this, &app] { with_count_ = app.count("--count") > 0 || app.count("--seed") > 0; });
-}
+struct JudgeCommand {
+  std::vector<std::string> program, families;
+  std::optional<std::string> pairs, failures, html;
+  std::uint64_t count = 100, seed = 1, max_failures = 5;
+  double time_limit = usual_time_limit;
+  bool json = false, steps = false, makes_pairs = false;
+
+  void run() const;
+
+ private:
+  std::vector<NamedPair> chosen_pairs() const;
+  JudgedHead head() const;
+  void save(const ProgramJudged& judged) const;
+};
 
 std::vector<NamedPair> JudgeCommand::chosen_pairs() const {
   if (pairs) return read_pairs(walkthroughs::read_text(*pairs, {"file of pairs", largest_file}), *pairs);
   std::vector<NamedPair> all;
-  if (!makes_pairs()) {
-    all = kept_pairs();
-    std::erase_if(all, [](const NamedPair& named) { return !is_of_points(named); });
-    return all;
-  }
-  for (const Family* const family : families_called(families))
-    for (std::uint64_t i = 0; i < std::min(count, family->size.value_or(count)); ++i) {
-      NamedPair named{family->name + "-" + std::to_string(i), family->name, family->make(seed, i)};
-      if (families.empty() && !is_of_points(named)) break;
-      all.push_back(std::move(named));
-    }
+  if (!makes_pairs) all = kept_pairs();
+  for (const Family* const family : makes_pairs ? families_called(families) : std::vector<const Family*>())
+    for (std::uint64_t i = 0; i < std::min(count, family->size.value_or(count)); ++i)
+      all.push_back({family->name + "-" + std::to_string(i), family->name, family->make(seed, i)});
+  if (families.empty()) std::erase_if(all, [](const NamedPair& named) { return !is_of_points(named); });
   return all;
 }
 
@@ -98,11 +84,11 @@ JudgedHead JudgeCommand::head() const {
   std::string command = "gjkstep-study judge", asked;
   for (const std::string& word : program) asked += " " + walkthroughs::shell_quoted(word);
   if (!families.empty()) command += " --families " + joined(families, ",");
-  if (makes_pairs()) command += " --count " + std::to_string(count) + " --seed " + std::to_string(seed);
+  if (makes_pairs) command += " --count " + std::to_string(count) + " --seed " + std::to_string(seed);
   if (pairs) command += " --pairs " + walkthroughs::shell_word(*pairs);
   if (time_limit != usual_time_limit) command += " --time-limit " + walkthroughs::number_text(time_limit);
   if (steps) command += " --steps";
-  return {name, command + " --" + asked, makes_pairs()};
+  return {name, command + " --" + asked, makes_pairs};
 }
 
 void JudgeCommand::run() const {
@@ -112,7 +98,7 @@ void JudgeCommand::run() const {
   walkthroughs::Places places;
   if (html) places.write(*html, "what --html gets");
   if (pairs) places.read(*pairs, "the pairs " + *pairs);
-  if (failures) places.write_into(*failures, {"*.json"}, scenes_of_failures);
+  if (failures) places.write_into(*failures, {"*.json"}, "the scenes of --save-failures");
   places.write_standard_output();
   places.expect_apart();
   const std::vector<NamedPair> chosen = chosen_pairs();
@@ -136,6 +122,38 @@ void JudgeCommand::save(const ProgramJudged& judged) const {
   for (const JudgedScene& scene : scenes) render::write_file(std::filesystem::path(*failures) / scene.name, scene.text);
   std::cerr << "gjkstep-study: " << *failures << ": " << scenes.size()
             << (scenes.size() == 1 ? " scene file" : " scene files") << "; gjkstep render draws them\n";
+}
+
+}  // namespace
+
+void add_judge(CLI::App& program) {
+  CLI::App& app =
+      *program.add_subcommand("judge", "is a program right? Asks it about pairs, and tells which mistake it may have");
+  const auto asked = std::make_shared<JudgeCommand>();
+  add_list(app, "--families", asked->families, "pairs of these, such as triangles,boxes");
+  add_pair_count(app, "--count", asked->count, "so many of each family");
+  add_seed(app, asked->seed);
+  CLI::Option* const file =
+      app.add_option("--pairs", asked->pairs, "the pairs of this file, as 'gjkstep-study pairs' writes them");
+  for (const char* const option : {"--families", "--count", "--seed"}) file->excludes(app.get_option(option));
+  walkthroughs::expect_number(
+      app.add_option("--time-limit", asked->time_limit, "seconds until the next answer")->capture_default_str(), 0.01,
+      3600.0);
+  CLI::Option* const saves =
+      app.add_option("--save-failures", asked->failures, "folder for scene files of what went wrong");
+  walkthroughs::expect_number(app.add_option("--max-failures", asked->max_failures, "of each family and kind")
+                                  ->capture_default_str()
+                                  ->needs(saves),
+                              std::uint64_t{0}, most_pairs);
+  app.add_option("--html", asked->html, "one page, too: the verdict, families, the first failures drawn");
+  app.add_flag("--json", asked->json, "JSON in place of Markdown, with every pair that is not right");
+  app.add_flag("--steps", asked->steps, "name the first wrong step of failures, too, if the program writes its steps");
+  app.add_option("PROGRAM", asked->program, "what to judge, and its arguments, after --")->required();
+  app.footer(footer);
+  app.callback([asked, &app] {
+    asked->makes_pairs = app.count("--families") + app.count("--count") + app.count("--seed") > 0;
+    asked->run();
+  });
 }
 
 }  // namespace study

@@ -16,18 +16,20 @@ int run(int argc, char** argv) {
   CLI::App app("Measures how often GJK is wrong or undecided, and how long it takes, against an exact oracle.");
   app.footer(footer);
   app.require_subcommand(0, 1);
-  study::Commands commands;
-  commands.add_to(app);
+  using namespace study;
+  for (const auto add : {add_run, add_claims, add_pairs, add_judge, add_check_steps, add_listing}) add(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
     return walkthroughs::ok;
   } catch (const CLI::ParseError& error) {
-    throw study::UsageError(std::string(error.what()) + "; 'gjkstep-study --help' and 'gjkstep-study COMMAND --help' " +
-                            "show what there is");
+    throw walkthroughs::UsageError(std::string(error.what()) +
+                                   "; 'gjkstep-study --help' and 'gjkstep-study COMMAND --help' " +
+                                   "show what there is");
   }
-  commands.run();
+  if (app.get_subcommands().empty())
+    throw walkthroughs::UsageError("what to do? 'gjkstep-study --help' shows the commands");
   return walkthroughs::ok;
 }
 

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
 #include <string>
 #include <thread>
@@ -11,58 +10,51 @@
 
 #include "tests/study/sweep/plan.hpp"
 #include "walkthroughs/program/number_option.hpp"
-#include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace study {
 
-/// What stands in that folder, in messages.
-inline constexpr const char* scenes_of_failures = "the scenes of --save-failures";
+/// Errors: UsageError, always.
+[[noreturn]] inline void refuse_list(const std::string& option, const std::string& text, const std::string& expected) {
+  throw UsageError(option + " " + walkthroughs::in_quotes(text) + ": expected " + expected +
+                   "; 'gjkstep-study list' shows them");
+}
 
-/// An option that takes "a,b", and that may be repeated.
-template <class T>
-void add_list(CLI::App& command, const std::string& name, std::vector<T>& values, const std::string& what) {
-  const auto fail = [name](const std::string& text) {
-    throw UsageError(name + " " + walkthroughs::in_quotes(text) + ": expected " +
-                     (std::same_as<T, int> ? limits_in_words : "names, divided by single commas") +
-                     "; 'gjkstep-study list' shows them");
-  };
-  const auto add = [&values, fail](const std::string& text) {
+/// An option that takes "a,b", and that may be repeated. `expected`: what its values are, in words.
+inline void add_list(CLI::App& command, const std::string& name, std::vector<std::string>& values,
+                     const std::string& what, const std::string& expected = "names, divided by single commas") {
+  const auto add = [=, &values](const std::string& text) {
     for (std::size_t at = 0, comma = 0; comma != std::string::npos; at = comma + 1) {
       comma = text.find(',', at);
       const std::string value = text.substr(at, comma == std::string::npos ? comma : comma - at);
-      if (value.empty() || value.starts_with('-')) fail(text);
-      if constexpr (std::same_as<T, int>) {
-        const auto number = walkthroughs::decimal<unsigned short>(value);
-        if (!number) fail(text);
-        values.push_back(*number);
-      } else {
-        values.push_back(value);
-      }
+      if (value.empty() || value.starts_with('-')) refuse_list(name, text, expected);
+      values.push_back(value);
     }
   };
-  command
-      .add_option_function<std::vector<std::string>>(
-          name,
-          [add](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) add(text);
-          },
-          what)
+  const auto add_all = [add](const std::vector<std::string>& texts) { std::ranges::for_each(texts, add); };
+  command.add_option_function<std::vector<std::string>>(name, add_all, what)
       ->expected(1)
       ->allow_extra_args(false)  // what follows is not one of them, nor is a "--"
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name(std::same_as<T, int> ? "INT,..." : "TEXT,...");
+      ->type_name("TEXT,...");
 }
 
 inline void add_seed(CLI::App& command, std::uint64_t& seed) {
   walkthroughs::expect_number(command.add_option("--seed", seed, "which pairs are made")->capture_default_str(),
-                              std::uint64_t{0}, most_seed);
+                              std::uint64_t{0}, ~std::uint64_t{0});
+}
+
+/// `pairs`: a number, or an optional one.
+template <class Number>
+CLI::Option* add_pair_count(CLI::App& command, const std::string& name, Number& pairs, const std::string& what) {
+  CLI::Option* const option = command.add_option(name, pairs, what)->capture_default_str();
+  walkthroughs::expect_number(option, std::uint64_t{1}, most_pairs);
+  return option;
 }
 
 inline void add_threads(CLI::App& command, unsigned& threads) {
   walkthroughs::expect_number(
-      command.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u,
-      most_threads);
+      command.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u, 1024u);
 }
 
 /// Returns: how many threads that option means.

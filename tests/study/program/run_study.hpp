@@ -12,7 +12,7 @@
 
 namespace study::test {
 
-using kit::bytes_of, kit::Folder, kit::has, kit::lines, kit::listing, kit::Outcome, kit::quoted;
+using kit::bytes_of, kit::Folder, kit::has, kit::lines, kit::listing, kit::Outcome, kit::quoted, kit::write;
 
 inline std::string in(const Folder& folder, const std::string& name) { return quoted((folder / name).string()); }
 

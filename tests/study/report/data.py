@@ -43,23 +43,18 @@ def add(total, more):
 
 def expect_shards(files, heads):
     """That these are all shards of one run, each once."""
-    def refuse(one, other, why):
-        raise Refused(f"{one} and {other} do not go together: {why}")
-    seen = {}
-    count = heads[0].get("shard", "0 of 1").split(" of ")[-1]
-    for file, head in zip(files, heads):
+    shards = [head.get("shard", "0 of 1") for head in heads]
+    count = shards[0].split(" of ")[1]
+    missing = [f"{i} of {count}" for i in range(int(count))]
+    for file, head, shard in zip(files, heads, shards):
         for name, value in heads[0].items():
             if name not in ("shard", "processor") and head.get(name) != value:
-                refuse(files[0], file, f"{name} is '{value}' and '{head.get(name)}'")
-        shard = head.get("shard", "0 of 1")
-        if not shard.endswith(f" of {count}"):
-            refuse(files[0], file, f"shard {heads[0]['shard']} and shard {shard}")
-        if shard in seen:
-            refuse(seen[shard], file, f"both are shard {shard}")
-        seen[shard] = file
-    for index in range(int(count)):
-        if f"{index} of {count}" not in seen:
-            raise Refused(f"shard {index} of {count} is missing; make it with: {heads[0]['command']} --shard {index}/{count}")
+                raise Refused(f"{files[0]} and {file} do not go together: {name} is '{value}' and '{head.get(name)}'")
+        if shard not in missing:
+            raise Refused(f"{files[0]} and {file} do not go together: shard {shards[0]} and shard {shard}, which is there twice or of another number")
+        missing.remove(shard)
+    if missing:
+        raise Refused(f"shard {missing[0]} is missing; make it with: {heads[0]['command']} --shard {missing[0].replace(' of ', '/')}")
 
 
 def read_all(folders, name):
@@ -114,6 +109,11 @@ def in_words(rate):
     if rate.census:
         return f"{in_short(rate.share)} of all"
     return f"{in_short(rate.share)} ({low} – {high})" if rate.count else f"0 (< {high})"
+
+
+def row(*cells):
+    """Of a table in Markdown."""
+    return "".join(f"| {cell} " for cell in cells) + "|\n"
 
 
 # -- Histograms -------------------------------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 """Tables of a study in Markdown; each varies one thing."""
 import collections
-from data import add, all_but_scalar, in_short, in_words, is_certified, mean, percentile_99
+from data import add, all_but_scalar, in_short, in_words, is_certified, mean, percentile_99, row
 
 of_round_shapes = ("Certified answers about sets of points, and about balls, are never undecided; about cylinders, whose points are computed, they "
                    "are where these are known too badly. Balls and cylinders take no second search and have no certificate. ")
@@ -18,17 +18,13 @@ def how_to_read(study):
             "Every combination is in counts.csv, which the command writes.\n\n")
 
 
-def line(cells):
-    return "".join(f"| {cell} " for cell in cells) + "|\n"
-
-
 def heading(columns):
-    return line(["family", *columns]) + line(["---"] * (len(columns) + 1))
+    return row("family", *columns) + row(*["---"] * (len(columns) + 1))
 
 
 def table(study, columns):
     """`columns`: by heading, what says the cell of a family; empty where there is nothing to say."""
-    return heading(columns) + "".join(line([family, *(cell(family) or "" for cell in columns.values())]) for family in study.families)
+    return heading(columns) + "".join(row(family, *(cell(family) or "" for cell in columns.values())) for family in study.families)
 
 
 def rate_table(study, columns):
@@ -39,7 +35,7 @@ def rate_table(study, columns):
         if all(cell in ("", "no pairs") or cell.startswith("0 ") for cell in cells):
             nothing.append(family)
         else:
-            seen += line([family, *cells])
+            seen += row(family, *cells)
     below = f"Nothing was seen in: {', '.join(nothing)}.\n" if nothing else ""
     return heading(columns) + seen + ("\n" + below if below else "") if seen else below
 

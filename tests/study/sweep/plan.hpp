@@ -11,21 +11,13 @@
 
 namespace study {
 
-inline constexpr int largest_limit = 1000;  ///< of iterations
-inline constexpr const char* limits_in_words = "whole numbers from 1 to 1000, such as 5,20";
-
 using walkthroughs::UsageError;
-
-inline constexpr std::uint64_t most_seed = ~std::uint64_t{0};
-inline constexpr unsigned most_threads = 1024;  ///< that a command line may ask for
-
-enum class Scope { quick, full };
 
 /// What belongs to the study itself, whoever runs it and in how many shards. Empty lists: all that there are.
 struct Request {
-  Scope scope = Scope::quick;
+  bool is_full = false;
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> pairs = {};  ///< of each family; else as the scope says
+  std::optional<std::uint64_t> pairs = {};  ///< of each family; else of a full or a quick run
   std::vector<std::string> families = {}, rules = {}, scalars = {}, zero_tests = {};
   std::vector<int> limits = {};
 };

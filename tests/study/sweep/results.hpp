@@ -15,12 +15,11 @@ namespace study {
 /// how they were made.
 std::vector<Csv> csv_of(const Request& request, const Plan& plan, const std::vector<Row>& rows);
 
-/// Returns: the files that write_csv() writes: in `folder`, or of a shard in a folder of its own below, "shard-7-of-64".
-std::vector<std::filesystem::path> csv_files(const std::filesystem::path& folder, const Shard& shard);
+/// Returns: where they belong: in `folder`, or of a shard in a folder of its own below, "shard-7-of-64".
+std::filesystem::path folder_of(const std::filesystem::path& folder, const Shard& shard);
 
-/// Writes them, counts.csv last, and lists them on standard output: a folder with it is whole. Errors: render::FileError.
-void write_csv(const std::filesystem::path& folder, const Request& request, const Plan& plan,
-               const std::vector<Row>& rows);
+/// Writes files in their order, and lists them on standard output: a folder with counts.csv is whole. Errors: render::FileError.
+void write_csv(const std::filesystem::path& folder, const std::vector<Csv>& files);
 
 /// Returns: the processor's name, as Linux has it.
 std::string processor();

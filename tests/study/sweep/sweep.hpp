@@ -39,44 +39,20 @@ struct Plan {
   Shard shard = {};
   unsigned threads = 1;
   std::uint64_t timed_pairs = 2048;  ///< of each family, besides being asked once
-  std::uint64_t failures_kept = 0;   ///< of each family, method and kind
-  int failure_limit = 20;            ///< the iteration limit at which they failed; not above the last of `limits`
-};
-
-/// How a query went wrong.
-enum class Kind { false_positive, false_negative, undecided, false_certificate };
-inline constexpr std::size_t kinds = 4;
-
-/// A pair that got no answer or a wrong one, or a certificate that does not hold.
-struct Failure {
-  std::string family;
-  std::uint64_t index;
-  const Method* method;
-  Kind kind;
-  int limit;  ///< no_limit of a certified answer
-  Truth truth;
-  Pair pair;  ///< as it was asked: rounded to the scalar
 };
 
 /// What one method made of one family.
-struct Row {
+struct Row : Cell {
   std::string family, rules, scalar, zero_test;
-  Tally tally;
-  Timings timings;
-  TimesAlone alone = {};  ///< where answers are certified
-};
-
-struct Findings {
-  std::vector<Row> rows;          ///< families in the order of the plan, and within each the methods
-  std::vector<Failure> failures;  ///< by family, method, kind and index
 };
 
 /// Called now and then, from any thread but never from two at once.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-/// The tallies depend on seed, parts, methods and limits alone, the failures as well; not on the number of threads.
+/// Returns: families in the order of the plan, and within each the methods. The tallies depend on seed, parts, methods and limits
+/// alone; not on the number of threads.
 ///
 /// Errors: what the oracle throws, with family and index.
-Findings sweep(const Plan& plan, const Progress& progress = {});
+std::vector<Row> sweep(const Plan& plan, const Progress& progress = {});
 
 }  // namespace study

@@ -15,7 +15,7 @@ namespace study {
 /// [k] is how many queries took k iterations.
 using Histogram = std::vector<std::uint64_t>;
 
-void count(Histogram& histogram, int iterations);
+void count(Histogram& histogram, int iterations, std::uint64_t queries = 1);
 void add(Histogram& sum, const Histogram& more);
 std::uint64_t total(const Histogram& histogram);
 
@@ -49,13 +49,13 @@ struct Counts {
   std::uint64_t cycles = 0;  ///< undecided ones that came back to a state within the limit: they go in circles for ever
   Histogram hit_iterations, miss_iterations;  ///< by truth; undecided queries count with the iterations they took
 
-  std::uint64_t misses() const { return pairs - hits; }
   std::uint64_t wrong() const { return false_positives + false_negatives; }
+  bool operator==(const Counts&) const = default;
 };
 
 Counts counts_at(const Tally& tally, int limit);
 
-/// Kept apart from the counts, because no two runs agree. Times of batches, see turns.hpp, are added.
+/// Times of batches, see turns.hpp. Kept apart from the counts, because no two runs agree.
 struct Timing {
   std::uint64_t queries = 0, nanoseconds = 0;
 
@@ -71,6 +71,15 @@ struct TimesAlone {
   std::uint64_t slowest = 0;                  ///< its nanoseconds, the least of five askings; 0 where nothing was asked
 
   TimesAlone& operator+=(const TimesAlone& more);
+};
+
+/// All of it.
+struct Cell {
+  Tally tally;
+  Timings timings;
+  TimesAlone alone;  ///< where answers are certified
+
+  Cell& operator+=(const Cell& more);
 };
 
 }  // namespace study

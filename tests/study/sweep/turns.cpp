@@ -24,9 +24,8 @@ void take_turn(const Batch& batch, std::vector<int> limits, int turn, Times& tim
 }
 
 std::uint64_t median_of(std::vector<std::chrono::nanoseconds> times) {
-  const auto median = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), median, times.end());
-  return static_cast<std::uint64_t>(median->count());
+  std::ranges::sort(times);
+  return static_cast<std::uint64_t>(times[times.size() / 2].count());
 }
 
 }  // namespace
