@@ -163,12 +163,12 @@ void add_found_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
   if (pairs.size() == 0) pairs.add({});
 }
 
-/// certified_collision(), to its end.
-template <class S, class Rules, class Obs>
-CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options, Obs& observer) {
+/// What certified_collision() does after its first search, whose rules it does not ask for: compiled once for all of them.
+template <class S, class Obs>
+CertifiedResult prove(const Result<S>& guess, const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options,
+                      Obs& observer) {
   Teller<Obs> tell(observer, options.crossing_test);
   CertifiedResult result;
-  const Result<S> guess = collision<S, Rules>(a, b, options, observer);
   result.iterations = guess.iterations;
   tell.enter_iteration(guess.iterations);
   if (guess.separation) {
@@ -199,6 +199,11 @@ CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Option
   add_found_vertices(found, simplex);
   search_again(a, b, found, tell, result);
   return result;
+}
+
+template <class S, class Rules, class Obs>
+CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options, Obs& observer) {
+  return prove(collision<S, Rules>(a, b, options, observer), a, b, options, observer);
 }
 
 }  // namespace detail

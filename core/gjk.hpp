@@ -97,9 +97,9 @@ class Search {
   using Reach = decltype(reach<ZeroTest>(std::declval<Vertex<S>>(), std::declval<Vec3<S>>()));
 
   /// The plain call's: everything inlined, the shapes, too. In the pieces in which GCC 12 leaves it otherwise, queries of
-  /// triangles take a tenth longer and more, as tests/bench/peers measures them. Not under sanitizers: their checks of all that
-  /// is inlined take minutes to compile.
-#ifdef __SANITIZE_ADDRESS__
+  /// triangles take a tenth longer and more, as tests/bench/peers measures them. It takes a third longer to compile: not where
+  /// GJKSTEP_COMPILED_SOONER is defined, and not under sanitizers, whose checks of all that is inlined take minutes.
+#if defined(GJKSTEP_COMPILED_SOONER) || defined(__SANITIZE_ADDRESS__)
   void search_in_one_piece() { search(); }
 #else
   [[gnu::flatten]] void search_in_one_piece() { search(); }

@@ -75,7 +75,7 @@ def make(folder, release, packages=()):
 
 def shell(root, commands, folder="/", variables={}):
     """Runs commands in `folder` of that root, and stops at what fails. Returns: exit code, what was said, seconds."""
-    enter = f'mount -t proc proc "$1/proc" && exec chroot "$1" /usr/bin/env -i -C "{folder}" "${{@:2}}"'
+    enter = f'mount -t proc proc "$1/proc" && mount -t devpts devpts "$1/dev/pts" && exec chroot "$1" /usr/bin/env -i -C "{folder}" "${{@:2}}"'
     words = [f"{key}={value}" for key, value in
              {**variables, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root"}.items()]
     return run("unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter, "bash", root, *words,
