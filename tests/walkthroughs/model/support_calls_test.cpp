@@ -54,7 +54,7 @@ TEST_CASE("The search asks each object once for each point it finds") {
 }
 
 TEST_CASE("Telling and drawing ask support functions for an outline of the difference of round objects only",
-          "[unsanitized]") {
+          "[unsanitized][full]") {
   for (const Walkthrough& original : catalogue()) {
     if (original.layout != Layout::search) continue;
     INFO(original.name);

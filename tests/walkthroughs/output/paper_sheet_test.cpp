@@ -41,7 +41,7 @@ std::string option_out(const Folder& folder) { return " --out " + quoted(folder.
 }  // namespace
 
 TEST_CASE("Letters on paper have 7 points or more, and every frame stands on one page, in order",
-          "[paper-sheet][unsanitized]") {
+          "[paper-sheet][unsanitized][full]") {
   for (const char* name : {"figure-8", "figure-5", "as-printed-spheres", "regions/2-simplex-r3"})
     for (const char* paper : papers) {
       INFO(name << " on " << paper);
@@ -98,7 +98,7 @@ TEST_CASE("Papers have their sizes, upright or across", "[paper-sheet]") {
 }
 
 TEST_CASE("gjkstep render --sheet=a4 writes pages that compare reads, one PDF of them, and removes older pages",
-          "[paper-sheet]") {
+          "[paper-sheet][full]") {
   const Folder folder, again;
   const fs::path own = folder.path() / "figure-4-right";
   fs::create_directories(own);
@@ -120,7 +120,7 @@ TEST_CASE("gjkstep render --sheet=a4 writes pages that compare reads, one PDF of
 }
 
 TEST_CASE("A reader of PDF files finds the pages of a sheet, their size and their very pixels, and no date",
-          "[paper-sheet]") {
+          "[paper-sheet][full]") {
   if (said_by("pdfinfo -v 2>&1").find("pdfinfo version") == std::string::npos) {
     kit::skip("there is no pdfinfo");
     return;
@@ -141,7 +141,7 @@ TEST_CASE("A reader of PDF files finds the pages of a sheet, their size and thei
           render::read_png(folder.path() / "figure-4-right" / ("sheet-" + std::to_string(page + 1) + ".png")));
 }
 
-TEST_CASE("The picture of a sheet fills the page of its PDF to the last column and row", "[paper-sheet]") {
+TEST_CASE("The picture of a sheet fills the page of its PDF to the last column and row", "[paper-sheet][full]") {
   if (said_by("pdftoppm -v 2>&1").find("pdftoppm version") == std::string::npos) {
     kit::skip("there is no pdftoppm");
     return;
@@ -157,7 +157,7 @@ TEST_CASE("The picture of a sheet fills the page of its PDF to the last column a
     for (const int y : {0, 3299}) CHECK(page.pixel(x, y).r < 128);
 }
 
-TEST_CASE("At the foot of each page stands its number, of one digit on each of two", "[paper-sheet]") {
+TEST_CASE("At the foot of each page stands its number, of one digit on each of two", "[paper-sheet][full]") {
   const Folder folder;
   CHECK(run("render figure-4-right --size 320x180 --sheet=a4" + option_out(folder)).exit_code == 0);
   constexpr int inch = 300, paper_width = 2480;

@@ -24,7 +24,7 @@ bool is_in_space(const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0]
 // plane of a face, a normal and the origin then meet in a small part of the picture, and a label may find no free place.
 TEST_CASE(
     "No label stands over a line or another label or outside its panel, in space at most two in one frame of twenty",
-    "[unsanitized]") {
+    "[unsanitized][full]") {
   render::Font font{render::Font::default_directory()};
   std::size_t frames = 0, with_a_crowded_label = 0;
   for (const Walkthrough& w : catalogue()) {
@@ -46,7 +46,7 @@ TEST_CASE(
   CHECK(with_a_crowded_label * 20 <= frames);
 }
 
-TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded", "[unsanitized]") {
+TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded", "[unsanitized][full]") {
   render::Font font{render::Font::default_directory()};
   constexpr std::array scales{0.75, 1.25, 1.5};
   for (std::size_t which = 0; which < scales.size(); ++which) {

@@ -228,11 +228,11 @@ std::vector<OrderedJson> other_values(const OrderedJson& value, const std::set<s
 // -- What is read -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("A trace read back redraws the identical frames, for every walkthrough that has a search",
-          "[trace-file][unsanitized]") {
+          "[trace-file][unsanitized][full]") {
   for (const Walkthrough* w : searches()) check_redraws(*w);
 }
 
-TEST_CASE("A trace of an own scene redraws the identical frames, whatever its numbers", "[trace-file]") {
+TEST_CASE("A trace of an own scene redraws the identical frames, whatever its numbers", "[trace-file][full]") {
   RandomScenes scenes(7474);
   for (const int power : {-155, -100, -3, 0, 0, 0, 3, 76, 110, 149}) check_redraws(scenes.next(power));
 }
@@ -246,7 +246,7 @@ TEST_CASE("Reading a trace and telling it asks no support function", "[trace-fil
   }
 }
 
-TEST_CASE("Scenes and events of random objects read back as the identical numbers", "[trace-file]") {
+TEST_CASE("Scenes and events of random objects read back as the identical numbers", "[trace-file][full]") {
   RandomScenes scenes(1);
   for (int i = 0; i < 1000; ++i) check_reads_back(scenes.next(i % 3 == 0 ? i % 305 - 155 : i % 9 - 4));
 }
@@ -266,7 +266,7 @@ TEST_CASE("A trace that ends anywhere but at its end is refused", "[trace-file]"
   }
 }
 
-TEST_CASE("No value of a trace can be changed without contradicting the others", "[trace-file][unsanitized]") {
+TEST_CASE("No value of a trace can be changed without contradicting the others", "[trace-file][unsanitized][full]") {
   const Vocabulary words = vocabulary();
   int refused = 0;
   for (const std::string& text : texts_to_change()) {
