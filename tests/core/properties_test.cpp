@@ -92,7 +92,7 @@ TEST_CASE("P1. The support function is never given the zero vector", "[propertie
 TEST_CASE(
     "P2. Every vertex of the simplex lies on the hull of the Minkowski difference: no point of the difference lies "
     "farther in the direction in which it was found",
-    "[properties][unsanitized]") {
+    "[properties][unsanitized][full]") {
   for (const ExactRun& run : exact_runs()) {
     std::vector<Vec3<Rational>> found;
     for (const auto& event : run.run.events) {

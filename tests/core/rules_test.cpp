@@ -286,7 +286,7 @@ void agree_everywhere(const Points& tetrahedron, int low, int high, const Frame<
 }
 
 TEST_CASE("Algorithm 5 agrees with linear equations in every region, whatever order keeps A in the direction of BC×BD",
-          "[rules][unsanitized]") {
+          "[rules][unsanitized][full]") {
   std::map<std::string, int> reached;
   for (const auto& frame : frames<Rational>()) {
     agree_everywhere(DCBA, -9, 9, frame, reached);
