@@ -1,6 +1,8 @@
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <array>
+#include <string>
 #include <type_traits>
 
 #include "render/context_backend.hpp"
@@ -8,14 +10,43 @@
 namespace render {
 namespace {
 
+const std::string install = "; the library comes with: apt-get install libosmesa6";
+
+/// OSMesa's functions. It is loaded when something is drawn, and not when the program starts: with its LLVM that would take
+/// seven times as long as all else. It stays until the end, since LLVM cannot be unloaded.
+struct Osmesa {
+  decltype(&OSMesaCreateContextAttribs) create_context;
+  decltype(&OSMesaDestroyContext) destroy_context;
+  decltype(&OSMesaMakeCurrent) make_current;
+  decltype(&OSMesaGetProcAddress) address_of;
+
+  Osmesa() {
+    void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr)
+      throw ContextError(std::string("OSMesa cannot be loaded: ") + dlerror() + suspects() + install);
+    const auto find = [&]<class Function>(Function*& to, const char* name) {
+      to = reinterpret_cast<Function*>(dlsym(library, name));
+      if (to == nullptr) throw ContextError(std::string("OSMesa has no ") + name + install);
+    };
+    find(create_context, "OSMesaCreateContextAttribs");
+    find(destroy_context, "OSMesaDestroyContext");
+    find(make_current, "OSMesaMakeCurrent");
+    find(address_of, "OSMesaGetProcAddress");
+  }
+  static const Osmesa& get() {
+    static const Osmesa loaded;
+    return loaded;
+  }
+};
+
 class OsmesaContext final : public CurrentContext {
  public:
   OsmesaContext();
-  GlFunction function(const char* name) const override { return OSMesaGetProcAddress(name); }
+  GlFunction function(const char* name) const override { return Osmesa::get().address_of(name); }
 
  private:
   struct Deleter {
-    void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
+    void operator()(OSMesaContext context) const { Osmesa::get().destroy_context(context); }
   };
 
   // OSMesa wants a buffer of its own, though everything is drawn into a framebuffer object.
@@ -35,12 +66,11 @@ OsmesaContext::OsmesaContext() {
                                      OSMESA_DEPTH_BITS,
                                      0,
                                      0};
-  context_.reset(OSMesaCreateContextAttribs(attributes.data(), nullptr));
+  context_.reset(Osmesa::get().create_context(attributes.data(), nullptr));
   if (context_ == nullptr) {
-    throw ContextError("OSMesa gives no OpenGL 3.3 core context" + suspects() +
-                       "; the library comes with: apt-get install libosmesa6");
+    throw ContextError("OSMesa gives no OpenGL 3.3 core context" + suspects() + install);
   }
-  if (!OSMesaMakeCurrent(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
+  if (!Osmesa::get().make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
     throw ContextError("OSMesa cannot make its OpenGL context current" + suspects());
   }
 }

@@ -26,10 +26,8 @@ namespace {
 
 class Checksum {
  public:
-  void add(const std::string& text) {
-    value_ = crc32_z(value_, reinterpret_cast<const Bytef*>(text.data()), text.size());
-  }
-  void add(long number) { add(std::to_string(number) + " "); }
+  void add(const std::string& text) { bytes_ += text; }
+  void add(long number) { bytes_.append(reinterpret_cast<const char*>(&number), sizeof number); }
   /// Lengths in pixels, rounded far below what can be seen: the last bits of a sine do not matter. The step is one that no number
   /// of a drawing is a multiple of, so that none lies on the border of two.
   void add(double number) {
@@ -52,12 +50,13 @@ class Checksum {
   }
   std::string text() const {
     char digits[9];
-    std::snprintf(digits, sizeof digits, "%08lx", value_);
+    std::snprintf(digits, sizeof digits, "%08lx",
+                  crc32_z(0, reinterpret_cast<const Bytef*>(bytes_.data()), bytes_.size()));
     return digits;
   }
 
  private:
-  uLong value_ = crc32(0, nullptr, 0);
+  std::string bytes_;
 };
 
 /// Returns: how many labels found no place.
