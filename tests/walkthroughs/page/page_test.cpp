@@ -297,7 +297,7 @@ TEST_CASE("A picture is named by all sentences about it, each of which stands in
 }
 
 TEST_CASE("All that a page loads but its pictures is below 60 kB, and 1.6 more for each step beyond the 50th",
-          "[unsanitized]") {
+          "[unsanitized][full]") {
   const PageSurroundings around{
       .command = "gjkstep render", .trace_command = {}, .sources = {}, .ways = {}, .has_files = true};
   for (const Walkthrough& w : catalogue()) {

@@ -176,7 +176,7 @@ TEST_CASE(
   CHECK(asked > 300);
 }
 
-TEST_CASE("Every question about 1,000 scenes at random has one right choice, which is what the trace did") {
+TEST_CASE("Every question about 1,000 scenes at random has one right choice, which is what the trace did", "[full]") {
   RandomSceneFiles files(16);
   int asked = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -286,7 +286,8 @@ TEST_CASE("What the rules do not look at is told as that, not as true of the sea
   CHECK(skipped > 0);
 }
 
-TEST_CASE("Every wrong choice has a reason, and a hint unless all that is known of it would tell the right one") {
+TEST_CASE("Every wrong choice has a reason, and a hint unless all that is known of it would tell the right one",
+          "[full]") {
   int hints = 0, untold = 0;
   for (const Walkthrough& w : catalogue())
     for (const Question& question : questions_of(tell(w))) {
@@ -308,7 +309,7 @@ TEST_CASE("Every wrong choice has a reason, and a hint unless all that is known 
   CHECK(untold < 90);
 }
 
-TEST_CASE("No hint contains the right choice or its label, nor what speaks for it") {
+TEST_CASE("No hint contains the right choice or its label, nor what speaks for it", "[full]") {
   int hints = 0;
   for (const Walkthrough& w : catalogue())
     for (const Question& question : questions_of(tell(w))) {
@@ -326,7 +327,8 @@ TEST_CASE("No hint contains the right choice or its label, nor what speaks for i
   CHECK(hints > 300);
 }
 
-TEST_CASE("Who is asked for the wrong line is told what both searches find of the same thing, which no picture shows") {
+TEST_CASE("Who is asked for the wrong line is told what both searches find of the same thing, which no picture shows",
+          "[full]") {
   std::vector<std::string> by_words;
   for (const Walkthrough& w : catalogue()) {
     const Story story = tell(w);

@@ -65,7 +65,7 @@ RandomSceneFile scaled(double scale) {
 
 }  // namespace
 
-TEST_CASE("The trace of any own scene is taken, and says the same scene and the same search", "[trace-file]") {
+TEST_CASE("The trace of any own scene is taken, and says the same scene and the same search", "[trace-file][full]") {
   RandomSceneFiles files(seed);
   for (int i = 0; i < 1000; ++i) check_takes_what_it_writes(files.next());
 }

@@ -76,7 +76,7 @@ TEST_CASE("A trace with a mistake is not taken for the report's algorithm, nor f
 }
 
 TEST_CASE("What any search with a mistake tells is taken, and where it differs from the report's not without its name",
-          "[trace-file]") {
+          "[trace-file][full]") {
   std::mt19937 random(17);
   for (const auto& known : wrong_on_purpose::all()) {
     int parted = 0, refused = 0;
