@@ -90,8 +90,8 @@ long() {
 }
 
 case $tier in
-  quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="ten minutes at first, three later" ;;
-  --full) what="all tests, also under sanitizers; study, judge and package" time="45 minutes" ;;
+  quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="seven minutes at first, one later" ;;
+  --full) what="all tests, also under sanitizers and on the other Debian; study, judge and package" time="45 minutes" ;;
   --long) what="benchmarks, peers, compilers and settings, mutants, kills" time=hours ;;
 esac
 printf '%s: %s; on two processors that takes %s\n' "$0" "$what" "$time"

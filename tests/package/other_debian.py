@@ -1,6 +1,6 @@
 """All of it compiles on the other Debian, and unit tests and transcripts pass there: 13 where this is 12, 12 where this is 13.
 
-    GJKSTEP_OTHER_DEBIAN=1 python3 other_debian.py        # twenty minutes and the network
+    GJKSTEP_OTHER_DEBIAN=1 python3 other_debian.py        # a quarter of an hour and the network
 
 Says "skipped: " and why where that cannot be.
 """
@@ -33,7 +33,7 @@ def copy_project(folder):
 
 def why_not():
     if os.environ.get("GJKSTEP_OTHER_DEBIAN", "0") != "1":
-        return "takes twenty minutes and the network; GJKSTEP_OTHER_DEBIAN=1 asks for it"
+        return "takes a quarter of an hour and the network; GJKSTEP_OTHER_DEBIAN=1 asks for it"
     return roots.why_not()
 
 

@@ -11,7 +11,7 @@
 #include "render/image.hpp"
 #include "tests/study/corpus/answered_pair.hpp"
 #include "tests/study/judge/asking.hpp"
-#include "tests/study/sweep/rate.hpp"
+#include "tests/study/judge/rate.hpp"
 
 namespace study {
 

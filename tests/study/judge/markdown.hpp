@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/sweep/rate.hpp"
+#include "tests/study/judge/rate.hpp"
 
 namespace study {
 

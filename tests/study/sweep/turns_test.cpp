@@ -1,7 +1,5 @@
 #include "tests/study/sweep/turns.hpp"
 
-#include <thread>
-
 #include "tests/kit/catch.hpp"
 #include "tests/study/support.hpp"
 
@@ -48,16 +46,6 @@ TEST_CASE("Of the turns of a method the median counts", "[turns]") {
   const std::vector<Timings> times = times_in_turn({{&method, {question, question}}}, {20});
   CHECK(times.at(0).at(20).queries == 2);
   CHECK(times.at(0).at(20).nanoseconds == 500);
-}
-
-TEST_CASE("The clock of a thread stands still while the thread waits for another that computes", "[turns]") {
-  constexpr nanoseconds much = std::chrono::milliseconds(20);
-  const nanoseconds before = thread_time();
-  std::thread([&] {
-    while (thread_time() < much) {
-    }
-  }).join();
-  CHECK(thread_time() - before < much / 2);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tests/study/sweep/rate.hpp"
+#include "tests/study/judge/rate.hpp"
 
 #include "tests/kit/catch.hpp"
 
