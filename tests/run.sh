@@ -25,7 +25,8 @@ timed() {
   words=$1 start=$(date +%s)
   shift
   "$@"
-  printf '%6d s  %s\n' $(($(date +%s) - start)) "$words" >>"$notes/phases"
+  printf '%6d s  %s\n' $(($(date +%s) - start)) "$words" 2>/dev/null >>"$notes/phases" ||
+    stop "cannot write into $notes: make room there, and run this again"
 }
 
 # test_in FOLDER OPTIONS...: runs the tests that were built there; notes which took longest, and which were left out.

@@ -51,6 +51,8 @@ build() {
   mkdir -p "$folder" || stop "cannot make the folder $folder; check that the project's folder may be written to"
   if { cmake -S . -B "$folder" -G Ninja "$@" && cmake --build "$folder" --target "$target"; } >"$log" 2>&1; then
     grep -q 'ninja: no work to do' "$log" || printf 'built %s\n' "$folder"
+  elif grep -q 'No space left on device' "$log" || ! echo 2>/dev/null >>"$log"; then
+    stop "the disk is full: make room where $PWD/$folder is, and run this again"
   else
     tail -n 50 "$log" >&2
     stop "the build failed, see $log; a folder $folder that was copied here or made by other tools must be removed first: rm -r $folder"
