@@ -1,7 +1,5 @@
 #include "render/apng.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -13,40 +11,18 @@
 namespace render {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
 using View = std::span<const std::uint8_t>;
 
 constexpr std::size_t end_size = around_png_chunk;
 
-void put(Bytes& bytes, View more) { bytes.insert(bytes.end(), more.begin(), more.end()); }
-void put(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
-
-/// PNG keeps the most significant byte first.
-void put_32(Bytes& bytes, std::uint32_t value) {
-  for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
-}
 void put_16(Bytes& bytes, std::uint32_t value) {
   for (const int shift : {8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-/// Returns: a chunk: length, type, data, and the checksum of type and data.
 Bytes chunk(std::string_view type, View data) {
   Bytes bytes;
-  bytes.reserve(data.size() + around_png_chunk);
-  put_32(bytes, static_cast<std::uint32_t>(data.size()));
-  put(bytes, type);
-  put(bytes, data);
-  put_32(bytes, static_cast<std::uint32_t>(crc32_z(0, bytes.data() + 4, bytes.size() - 4)));
+  put_png_chunk(bytes, type, data);
   return bytes;
-}
-
-/// International text says its own language: none. Not compressed, no translated keyword.
-Bytes text_chunk(std::string_view keyword, std::string_view text) {
-  Bytes data;
-  put(data, keyword);
-  data.insert(data.end(), 5, 0);
-  put(data, text);
-  return chunk("iTXt", data);
 }
 
 /// How many frames, and how often: 0 is for ever.
@@ -77,8 +53,8 @@ Bytes control_chunk(std::uint32_t sequence, View size, double seconds) {
 void Animation::begin(View header) {
   put(bytes_, png_signature);
   put(bytes_, chunk("IHDR", header));
-  if (!text_.title.empty()) put(bytes_, text_chunk("Title", text_.title));
-  if (!text_.description.empty()) put(bytes_, text_chunk("Description", text_.description));
+  put_png_text(bytes_, "Title", text_.title);
+  put_png_text(bytes_, "Description", text_.description);
   counts_at_ = bytes_.size();
   put(bytes_, counts_chunk(0));
   put(bytes_, chunk("IEND", {}));

@@ -1,10 +1,11 @@
 #include "render/image.hpp"
 
+#include <libdeflate.h>
 #include <png.h>
 
 #include <algorithm>
 #include <array>
-#include <csetjmp>
+#include <memory>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -28,66 +29,27 @@ std::string too_large(std::uint32_t width, std::uint32_t height) {
 
 // ---------------------------------------------------------------------------------------------- encoding
 
-/// Everything that the C callbacks of libpng share with encode_png().
-struct Encoder {
-  std::vector<std::uint8_t> bytes;
-  std::string message;
-};
-
-void append_bytes(png_structp png, png_bytep data, std::size_t size) {
-  auto& encoder = *static_cast<Encoder*>(png_get_io_ptr(png));
-  try {
-    encoder.bytes.insert(encoder.bytes.end(), data, data + size);
-  } catch (const std::bad_alloc&) {  // must not fly through libpng
-    png_error(png, "out of memory");
+/// The pixels as PNG compresses them: rows, each behind a 0, which says that it is not filtered. Flat colours compress best and
+/// fastest so.
+Bytes unfiltered_rows(const Image& image) {
+  const std::size_t length = channels * static_cast<std::size_t>(image.size().width);
+  Bytes rows;
+  rows.reserve((length + 1) * static_cast<std::size_t>(image.size().height));
+  for (int y = 0; y < image.size().height; ++y) {
+    rows.push_back(0);
+    put(rows, {image.row(y), length});
   }
+  return rows;
 }
 
-void fail(png_structp png, png_const_charp message) {
-  static_cast<Encoder*>(png_get_error_ptr(png))->message = message;
-  png_longjmp(png, 1);
-}
-
-void ignore_warning(png_structp, png_const_charp) {}
-
-struct PngWriter {
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-
-  explicit PngWriter(Encoder& encoder)
-      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, fail, ignore_warning)),
-        info(png != nullptr ? png_create_info_struct(png) : nullptr) {}
-  ~PngWriter() { png_destroy_write_struct(&png, &info); }
-  PngWriter(const PngWriter&) = delete;
-  PngWriter& operator=(const PngWriter&) = delete;
-};
-
-/// ASCII goes into tEXt, which every reader shows; anything else needs iTXt, which is UTF-8.
-png_text text_chunk(const char* keyword, const std::string& text) {
-  const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-  png_text chunk{};
-  chunk.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-  chunk.key = const_cast<char*>(keyword);  // libpng copies both
-  chunk.text = const_cast<char*>(text.c_str());
-  return chunk;
-}
-
-/// Returns whether libpng wrote everything. It reports errors by longjmp, which skips destructors: no object here has
-/// one, nothing is changed after setjmp, and the caller owns everything.
-bool run_libpng(const PngWriter& writer, const Image& image, const std::vector<png_text>& texts) {
-  const png_structp png = writer.png;
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.size().width),
-               static_cast<png_uint_32>(image.size().height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_compression_level(png, 6);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE,
-                 PNG_FILTER_NONE);  // flat colours compress best and fastest unfiltered
-  if (!texts.empty()) png_set_text(png, writer.info, texts.data(), static_cast<int>(texts.size()));
-  png_write_info(png, writer.info);
-  for (int y = 0; y < image.size().height; ++y) png_write_row(png, image.row(y));
-  png_write_end(png, nullptr);
-  return true;
+/// libdeflate takes less than half the time of zlib for the same size.
+Bytes compressed(const Bytes& bytes) {
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(6), libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  Bytes packed(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
+  packed.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(), packed.size()));
+  return packed;
 }
 
 // ---------------------------------------------------------------------------------------------- decoding
@@ -261,19 +223,19 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
              height = static_cast<std::uint32_t>(image.size().height);
   if (is_too_large(width, height))
     throw FileError("cannot encode a picture: " + too_large(width, height) + "; draw a smaller one");
-  std::vector<png_text> texts;
-  if (!text.title.empty()) texts.push_back(text_chunk("Title", text.title));
-  if (!text.description.empty()) texts.push_back(text_chunk("Description", text.description));
+  Bytes header;
+  put_32(header, width);
+  put_32(header, height);
+  put(header, std::array<std::uint8_t, 5>{
+                  8, 2, 0, 0, 0});  // bits a sample; RGB; the only compression, kind of filters and order that we need
 
-  Encoder encoder;
-  const PngWriter writer(encoder);
-  if (writer.info == nullptr) throw std::bad_alloc();
-  png_set_write_fn(writer.png, &encoder, append_bytes, nullptr);
-  if (!run_libpng(writer, image, texts)) {
-    if (encoder.message.find("memory") != std::string::npos) throw std::bad_alloc();
-    throw FileError("cannot encode a picture: libpng says: " + encoder.message);
-  }
-  return std::move(encoder.bytes);
+  Bytes png(png_signature.begin(), png_signature.end());
+  put_png_chunk(png, "IHDR", header);
+  put_png_text(png, "Title", text.title);
+  put_png_text(png, "Description", text.description);
+  put_png_chunk(png, "IDAT", compressed(unfiltered_rows(image)));
+  put_png_chunk(png, "IEND", {});
+  return png;
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {

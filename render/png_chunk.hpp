@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace render {
 
@@ -26,5 +27,17 @@ struct PngChunk {
 /// Takes the first chunk off the front of `png`, a file after its signature.
 /// Returns: nothing where `png` ends before the chunk does.
 std::optional<PngChunk> take_png_chunk(std::span<const std::uint8_t>& png);
+
+using Bytes = std::vector<std::uint8_t>;
+
+void put(Bytes& bytes, std::span<const std::uint8_t> more);
+void put(Bytes& bytes, std::string_view text);
+void put_32(Bytes& bytes, std::uint32_t value);
+
+/// Appends a chunk: length, type, data, and the checksum of type and data.
+void put_png_chunk(Bytes& png, std::string_view type, std::span<const std::uint8_t> data);
+
+/// Appends a text: ASCII as tEXt, which every reader shows; anything else as iTXt, which is UTF-8. Nothing where it is empty.
+void put_png_text(Bytes& png, std::string_view keyword, std::string_view text);
 
 }  // namespace render

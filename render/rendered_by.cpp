@@ -1,5 +1,6 @@
 #include "render/rendered_by.hpp"
 
+#include <libdeflate.h>
 #include <png.h>
 #include <zlib.h>
 
@@ -84,7 +85,7 @@ RenderedBy rendered_by(const OffscreenContext& context, const fs::path& fonts) {
   return {
       {"drawn by", context.description()},
       {"libpng", png_get_libpng_ver(nullptr)},
-      {"zlib", zlibVersion()},
+      {"libdeflate", LIBDEFLATE_VERSION_STRING},
       {"FreeType", freetype_version()},
       {"Eigen", eigen_version()},
       {"processor", processor()},
