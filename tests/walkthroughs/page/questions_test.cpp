@@ -176,7 +176,8 @@ TEST_CASE(
   CHECK(asked > 300);
 }
 
-TEST_CASE("Every question about 1,000 scenes at random has one right choice, which is what the trace did", "[full]") {
+TEST_CASE("Every question about 1,000 scenes at random has one right choice, which is what the trace did",
+          "[unsanitized][full]") {
   RandomSceneFiles files(16);
   int asked = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -287,7 +288,7 @@ TEST_CASE("What the rules do not look at is told as that, not as true of the sea
 }
 
 TEST_CASE("Every wrong choice has a reason, and a hint unless all that is known of it would tell the right one",
-          "[full]") {
+          "[unsanitized][full]") {
   int hints = 0, untold = 0;
   for (const Walkthrough& w : catalogue())
     for (const Question& question : questions_of(tell(w))) {

@@ -232,7 +232,8 @@ TEST_CASE("A trace read back redraws the identical frames, for every walkthrough
   for (const Walkthrough* w : searches()) check_redraws(*w);
 }
 
-TEST_CASE("A trace of an own scene redraws the identical frames, whatever its numbers", "[trace-file][full]") {
+TEST_CASE("A trace of an own scene redraws the identical frames, whatever its numbers",
+          "[trace-file][unsanitized][full]") {
   RandomScenes scenes(7474);
   for (const int power : {-155, -100, -3, 0, 0, 0, 3, 76, 110, 149}) check_redraws(scenes.next(power));
 }
@@ -246,7 +247,7 @@ TEST_CASE("Reading a trace and telling it asks no support function", "[trace-fil
   }
 }
 
-TEST_CASE("Scenes and events of random objects read back as the identical numbers", "[trace-file][full]") {
+TEST_CASE("Scenes and events of random objects read back as the identical numbers", "[trace-file][unsanitized][full]") {
   RandomScenes scenes(1);
   for (int i = 0; i < 1000; ++i) check_reads_back(scenes.next(i % 3 == 0 ? i % 305 - 155 : i % 9 - 4));
 }
