@@ -4,7 +4,7 @@
 #     tests/run.sh           unit tests, golden traces and pictures, the command line, a page in a browser
 #     tests/run.sh --full    all of these with warnings as errors, under sanitizers, and on the other Debian; study and judge,
 #                            the Debian package on a bare system, disturbed runs
-#     tests/run.sh --long    what takes hours: benchmarks and peers, compilers and settings, mutants, fuzzers, kills, Slurm, Firefox
+#     tests/run.sh --long    what takes hours: benchmarks and peers, compilers and settings, mutants, kills, Slurm, Firefox
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
@@ -18,7 +18,16 @@ esac
 
 notes=$(mktemp -d) || stop "cannot make a temporary folder; check that there is space left"
 trap 'rm -r "$notes"' EXIT
+: >"$notes/phases"
+: >"$notes/tests"
+failed=
 export CTEST_OUTPUT_ON_FAILURE=1
+
+# attempt COMMAND...: runs it; where it fails, what comes after it runs all the same, and the end tells.
+attempt() {
+  "$@" || failed="$failed
+  $*"
+}
 
 # timed WORDS COMMAND...: runs it and notes how long it took.
 timed() {
@@ -34,7 +43,7 @@ test_in() {
   folder=$1
   shift
   # Three at once on two processors: browsers wait more than they work.
-  ctest --test-dir "$folder" --parallel 3 --output-junit "$PWD/$folder/results.xml" "$@" || stop "tests failed in $folder"
+  attempt ctest --test-dir "$folder" --parallel 3 --output-junit "$PWD/$folder/results.xml" "$@"
   python3 tests/longest.py "$folder/results.xml" >>"$notes/tests"
 }
 
@@ -86,15 +95,17 @@ long() {
   python3 tests/bench/peers/report.py build/long/peers.csv
   timed "compilers and settings of drawing" tests/determinism.sh
   timed "compilers and settings of answers" tests/same_answers/same_answers.sh
-  timed "mutants" python3 tests/mutants/mutate.py --made 20 --seed 1
-  timed "kills" python3 tests/disturbed/kill_test.py --program build/long/gjkstep --study build/long/gjkstep-study --kills 1000
+  timed "running" test_in build/long --label-regex long
+  timed "mutants" attempt python3 tests/mutants/mutate.py --made 20 --seed 1
+  timed "kills" attempt python3 tests/disturbed/kill_test.py --program build/long/gjkstep --study build/long/gjkstep-study --kills 1000
 }
 
 case $tier in
   quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="seven minutes at first, one later" ;;
   --full) what="all tests, also under sanitizers and on the other Debian; study, judge and package" time="45 minutes" ;;
-  --long) what="benchmarks, peers, compilers and settings, mutants, kills" time=hours ;;
+  --long) what="benchmarks, peers, compilers and settings, mutants, kills, Slurm, Firefox" time=hours ;;
 esac
 printf '%s: %s; on two processors that takes %s\n' "$0" "$what" "$time"
 "${tier#--}"
 tell_times
+[ -z "$failed" ] || stop "failed:$failed"
