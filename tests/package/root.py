@@ -5,6 +5,7 @@ Packages come from where those of this machine come from. All of it needs root a
 import os
 import pathlib
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -61,15 +62,21 @@ def done(what, *words):
 
 
 def make(folder, release, packages=()):
-    """A new root in `folder`. Where `release` is another, its packages come from the same servers."""
+    """A new root in `folder`. Where `release` is another, its packages come from the same servers. Says "skipped: " and ends the
+    program where there is no network."""
     lists = folder / "sources"
     lists.mkdir(parents=True)
     for file in sources():
         (lists / file.name).write_text(file.read_text().replace(this_release(), release))
     root = folder / "root"
     include = [f"--include={','.join(packages)}"] if packages else []
-    done(f"made a root of {release}", "mmdebstrap", "--mode=root", "--variant=apt", *include, release, root,
-         *sorted(lists.iterdir()))
+    code, said, seconds = run("mmdebstrap", "--mode=root", "--variant=apt", *include, release, root, *sorted(lists.iterdir()))
+    if code != 0 and re.search("Temporary failure resolving|Could not (resolve|connect)|Network is unreachable", said):
+        print("skipped: the servers of Debian's packages cannot be reached")
+        sys.exit()
+    print(f"made a root of {release}: {seconds:.0f} s", flush=True)
+    if code != 0:
+        sys.exit(f"mmdebstrap ended with {code}:\n{said}")
     return root
 
 
