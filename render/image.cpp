@@ -226,8 +226,8 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   Bytes header;
   put_32(header, width);
   put_32(header, height);
-  put(header, std::array<std::uint8_t, 5>{
-                  8, 2, 0, 0, 0});  // bits a sample; RGB; the only compression, kind of filters and order that we need
+  // Bits a sample; RGB; the only compression and kind of filters that there is; row after row.
+  put(header, std::array<std::uint8_t, 5>{8, 2, 0, 0, 0});
 
   Bytes png(png_signature.begin(), png_signature.end());
   put_png_chunk(png, "IHDR", header);

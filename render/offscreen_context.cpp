@@ -34,24 +34,21 @@ const BuiltIn& find(Backend backend) {
 /// software renderer, softpipe, is among them: in 932 frames it is up to 8 of 255 off, up to 25 pixels of one by more
 /// than 2 (22.3). Asked to draw with zink where there is no Vulkan, it never ends (25.0).
 void refuse_wrong_settings() {
-  const auto refuse = [](const std::string& name, std::string_view value, const std::string& advice) {
-    throw ContextError(name + "=" + std::string(value) +
-                       " is set, with which Mesa crashes, hangs or draws other pixels; " + advice);
-  };
-  const auto require = [&](const char* name, std::initializer_list<std::string_view> allowed) {
+  const auto require = [](const char* name, std::initializer_list<std::string_view> allowed) {
     const char* value = std::getenv(name);
     if (value == nullptr || std::ranges::count(allowed, std::string_view(value)) > 0) return;
     std::string advice = "unset it";
     for (const std::string_view each : allowed) advice.append(" or choose ").append(each);
-    refuse(name, value, advice);
+    throw ContextError(std::string(name) + "=" + value +
+                       " is set, with which Mesa crashes, hangs or draws other pixels; " + advice);
   };
   require("GALLIUM_DRIVER", {"llvmpipe"});
   require("LP_NATIVE_VECTOR_WIDTH", {"128", "256"});
   for (const char* name : {"DRAW_USE_LLVM", "LP_PERF", "MESA_GLSL_VERSION_OVERRIDE", "MESA_EXTENSION_OVERRIDE"})
     require(name, {});
-  const char* loaded = "MESA_LOADER_DRIVER_OVERRIDE";
+  const char* const loaded = "MESA_LOADER_DRIVER_OVERRIDE";  // others than zink do no harm
   if (const char* value = std::getenv(loaded); value != nullptr && std::string_view(value) == "zink")
-    refuse(loaded, value, "unset it");
+    require(loaded, {});
 }
 
 /// OpenGL calls go to the one current context of their thread, whichever backend has made it. The backends cannot be
