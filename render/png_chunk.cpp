@@ -1,6 +1,6 @@
 #include "render/png_chunk.hpp"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ std::optional<PngChunk> take_png_chunk(std::span<const std::uint8_t>& png) {
   const std::uint32_t checksum = get_32(png.subspan(8 + size));
   const PngChunk first{{reinterpret_cast<const char*>(png.data()) + 4, 4},
                        png.subspan(8, size),
-                       crc32_z(0, png.data() + 4, size + 4) == checksum};
+                       libdeflate_crc32(0, png.data() + 4, size + 4) == checksum};
   png = png.subspan(size + around_png_chunk);
   return first;
 }
@@ -32,7 +32,7 @@ void put_png_chunk(Bytes& png, std::string_view type, std::span<const std::uint8
   const std::size_t begin = png.size();
   put(png, type);
   put(png, data);
-  put_32(png, static_cast<std::uint32_t>(crc32_z(0, png.data() + begin, png.size() - begin)));
+  put_32(png, libdeflate_crc32(0, png.data() + begin, png.size() - begin));
 }
 
 void put_png_text(Bytes& png, std::string_view keyword, std::string_view text) {

@@ -2,7 +2,6 @@
 
 #include <libdeflate.h>
 #include <png.h>
-#include <zlib.h>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -21,7 +20,7 @@ constexpr std::uintmax_t most_bytes = 1 << 16;  // notes, not data
 
 std::string crc32_of(const std::vector<std::uint8_t>& bytes) {
   char text[16];
-  std::snprintf(text, sizeof text, "%08lx", ::crc32(0, bytes.data(), static_cast<uInt>(bytes.size())));
+  std::snprintf(text, sizeof text, "%08x", libdeflate_crc32(0, bytes.data(), bytes.size()));
   return text;
 }
 

@@ -1,9 +1,9 @@
 #include "walkthroughs/output/manifest.hpp"
 
 #include <fcntl.h>
+#include <libdeflate.h>
 #include <sys/file.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -70,7 +70,7 @@ bool bears_our_mark(Bytes bytes, const std::string& title) {
 
 std::string line_of(std::string name, Bytes bytes) {
   char mark[40];
-  std::snprintf(mark, sizeof mark, "%08lx %zu ", ::crc32_z(0, bytes.data(), bytes.size()), bytes.size());
+  std::snprintf(mark, sizeof mark, "%08x %zu ", libdeflate_crc32(0, bytes.data(), bytes.size()), bytes.size());
   std::ranges::replace(name, '\n', '/');  // which no name has
   return mark + name;
 }
