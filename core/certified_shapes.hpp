@@ -44,6 +44,12 @@ namespace detail {
 
 using Place = Vec3<double>;
 
+/// Not inlined: where GCC 12 vectorizes, as from -O2 on, it takes the way of two numbers to float and back for no way at all.
+template <class S>
+[[gnu::noinline]] Vec3<S> rounded(const Place& direction) {
+  return direction.cast<S>();
+}
+
 /// The difference of two shapes, grown by a ball, asked about points; keeps what directions prove. Lengths are in units of a
 /// power of two near the shapes' size: so no product of three is beyond all doubles, or lost below them, however large or small
 /// the shapes are. What a coordinate loses below the least double there is nothing beside ε.
@@ -79,7 +85,7 @@ class DoubtfulDifference {
 
   /// Requires: a vector with a largest component near 1. Returns: a point far along it of the difference grown by `radius`.
   Place far_along(const Place& direction, double radius) {
-    const Vec3<S> d = direction.cast<S>();
+    const Vec3<S> d = rounded<S>(direction);
     const Place along = d.template cast<double>();
     const double length = along.norm();
     const Place w = in_units(near_support(a_, d)) - in_units(near_support(b_, Vec3<S>(-d)));

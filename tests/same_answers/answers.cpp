@@ -66,8 +66,13 @@ void ask_about_points(int pair, Dice& dice, Answers& answers) {
     require(holds(result.certificate, a, b), "the certificate does not hold", pair);
     require(holds(again.certificate, b, a), "the certificate of the search from inside does not hold", pair);
   }
-  const Status rounded = certified_shapes<S>(a, b).status;
-  require(rounded == Status::undecided || rounded == result.status, "the points taken as rounded have another", pair);
+  const ShapesResult rounded = certified_shapes<S>(a, b);
+  require(rounded.status == Status::undecided || rounded.status == result.status,
+          "the points taken as rounded have another", pair);
+  for (double x : rounded.direction) {
+    volatile S in_scalar = static_cast<S>(x);  // volatile: GCC 12 has left the rounding out
+    require(in_scalar == x, "the direction is not the one that the support functions were asked along", pair);
+  }
   const Sphere<S> ball(b.points()[0], static_cast<S>(dice.between(1, 20)) / S(7));
   answers.add(certified_status(a, ball));
   answers.add(certified_status(Sphere<S>(a.points()[0], S(1)), ball));
