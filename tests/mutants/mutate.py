@@ -4,8 +4,7 @@
     tests/mutants/mutate.py --made N [WORDS]   N mutants (20) of each folder; of files with one of WORDS alone
         --seed S        other mutants
         --in FOLDER     of this folder only (core, render, walkthroughs); may be named again
-        --tier TIER     which tests are asked: quick, those of tests/run.sh, or full, its study and judge, too (full)
-        --fitting       asks only the tests called after the file, and builds only these: a sample of minutes
+        --tier TIER     which tests are asked: quick, those of tests/run.sh, or full, the others, study and judge, too (full)
         --folder F      works in the copy F and keeps it: the next run builds what has changed, not all
     tests/mutants/mutate.py --check            whether each of equivalent.txt can be made
 
@@ -21,6 +20,7 @@ here = pathlib.Path(__file__).resolve().parent
 root = here.parents[1]
 folders = {"core": "core-tests", "render": "render-tests", "walkthroughs": "walkthroughs-tests"}
 transcripts = "gjkstep"  # the program whose answers they hold
+quick, every = "~[full]", ""  # which tests
 aim = {"quick": 90, "full": 95}  # of 100
 
 
@@ -92,34 +92,26 @@ def copy_to(folder):
     run(["cmake", "-S", ".", "-B", "build", "-G", "Ninja", *options], folder)
 
 
-# ---- tests: do they notice a mutant that nobody chose
-
-
 def tests_called(pattern, file):
     """The files of the room's tests so called, without their endings."""
     tests = sorted(test.stem for test in (root / "tests" / pathlib.PurePath(file).parent).glob(pattern))
     return [test for test in tests if test != "no_heap_test"]
 
 
-def stages(file, only_fitting, tier):
-    """Programs and which of their tests, those first that most likely notice. Each is built when its turn comes."""
+def stages(file, tier):
+    """Programs, which of their tests, and the tier these are of: those first that most likely notice, and those of the quick tier
+    before what --full runs besides. Each is built when its turn comes."""
     top, stem = file.split("/")[0], pathlib.PurePath(file).stem
-    wanted = "~[full]" if tier == "quick" else ""
-    every = [wanted] if wanted else []
     own = sorted(tests_called(f"{stem}*_test.cpp", file), key=len)  # the one that is called as the file is comes first
     program = folders[top]
-    if top == "core":  # all of which is compiled into each test
-        first = [(test, every) for test in own]
+    if top == "core":  # all of which is compiled into each test, and whose tests are built sooner than the pictures
+        first, rest = [(test, quick) for test in own], [program, "golden-tests", transcripts]
     else:
         fitting = own or tests_called("*_test.cpp", file)
-        first = [(program, [",".join(f"[#{test}]{wanted}" for test in fitting)]) if fitting else (transcripts, every)]
-    if only_fitting:
-        return first if own else []
-    rest = [("golden-tests", every), (program, every)]
-    if top == "core":  # whose tests are built sooner than the pictures
-        rest.reverse()
-    more = [("study-tests", [])] if tier == "full" else []
-    return [*first, *rest, (transcripts, every), *more]
+        first = [(program, ",".join(f"[#{test}]{quick}" for test in fitting))] if fitting else []
+        rest = ["golden-tests", program, transcripts]
+    turns = [(name, tests, "quick") for name, tests in [*first, *((name, quick) for name in rest)]]
+    return turns + [(name, every, "full") for name in [*rest, "study-tests"]] if tier == "full" else turns
 
 
 def first_failure(out):
@@ -132,23 +124,23 @@ def command_of(program, tests):
     if program == transcripts:
         leave_out = "| grep -v /others" if tests else ""  # which tests/CMakeLists.txt calls full, as cases tagged so
         return ["sh", "-c", f"python3 tests/console/run.py build/gjkstep $(ls tests/console/*.txt {leave_out})"]
-    return [f"build/{program}", "--filenames-as-tags", "--abort", *tests]
+    return [f"build/{program}", "--filenames-as-tags", "--abort", *filter(None, [tests])]
 
 
 def patience_for(tests, seconds):
     """How long to wait for tests that take so many seconds together, unmutated. A few of them take far less than that."""
-    return 60 + (2 if tests else 4) * seconds
+    return 60 + (2 if tests not in (quick, every) else 4) * seconds
 
 
 def who_notices(turns, folder, seconds):
-    """The first test that fails; empty where none does. None: this does not compile. `seconds`: of each program."""
-    for program, tests in turns:
+    """The first test that fails, and its tier; ("", "") where none does. None: this does not compile. `seconds`: of each program."""
+    for program, tests, tier in turns:
         if not build(folder, program):
             return None
         out, code = run(command_of(program, tests), folder, patience_for(tests, seconds[program]))
         if code:
-            return f"{program}: {'a transcript' if program == transcripts else first_failure(out)}"
-    return ""
+            return f"{program}: {'a transcript' if program == transcripts else first_failure(out)}", tier
+    return "", ""
 
 
 def keep_sound(folder):
@@ -168,7 +160,7 @@ def bring_back_sound(folder):
 
 
 def try_made(mutant, turns, folder, seconds):
-    """Returns: 'noticed', 'SURVIVED' or 'no mutant', which the compiler refuses; prints it."""
+    """Returns: the tier that notices, 'SURVIVED' or 'no mutant', which the compiler refuses; prints it."""
     path, start = folder / mutant.file, time.monotonic()
     sound, times = path.read_text(), path.stat()
     path.write_text(sound[:mutant.start] + mutant.new + sound[mutant.end:])
@@ -178,7 +170,8 @@ def try_made(mutant, turns, folder, seconds):
         path.write_text(sound)
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
         bring_back_sound(folder)
-    verdict = "no mutant" if by is None else "noticed" if by else "SURVIVED"
+    by, tier = by if by else ("", "no mutant")
+    verdict = tier or "SURVIVED"
     print(f"{verdict:9} {mutant.file}:{mutant.line}: {mutant.kind} ({time.monotonic() - start:.0f} s)"
           f"\n    {mutant.old_line}\n    {mutant.new_line}" + (f"\n    {by}" if by else ""), flush=True)
     return verdict
@@ -191,39 +184,41 @@ def seconds_of(folder, programs):
     seconds = {}
     for program in programs:
         start = time.monotonic()
-        if run(command_of(program, []), folder)[1]:
+        if run(command_of(program, every), folder)[1]:
             give_up(f"without any change {program} does not pass: nothing can be said of mutants")
         seconds[program] = time.monotonic() - start
     return seconds
 
 
-def possible_mutants(top, words, only_fitting, tier):
+def possible_mutants(top, words):
     files = sorted(str(f.relative_to(root)) for f in (root / top).rglob("*.[ch]pp"))
-    mutants = [m for file in files if stages(file, only_fitting, tier) for m in made.mutants_of(file, (root / file).read_text())]
+    mutants = [m for file in files for m in made.mutants_of(file, (root / file).read_text())]
     return [m for m in mutants if not words or any(word in f"{m.file}:{m.line}" for word in words)]
 
 
 def try_all_made(arguments, folder):
     equivalent = {parts[:3] for parts in equivalents()}
-    possible = {top: possible_mutants(top, arguments.words, arguments.fitting, arguments.tier)
-                for top in arguments.only or folders}
+    possible = {top: possible_mutants(top, arguments.words) for top in arguments.only or folders}
     samples = {top: made.sample(mutants, arguments.made, arguments.seed) for top, mutants in possible.items()}
-    turns = {m.file: stages(m.file, arguments.fitting, arguments.tier) for sample in samples.values() for m in sample}
-    seconds = seconds_of(folder, sorted({program for turn in turns.values() for program, _ in turn}))
+    turns = {m.file: stages(m.file, arguments.tier) for sample in samples.values() for m in sample}
+    seconds = seconds_of(folder, sorted({program for turn in turns.values() for program, *_ in turn}))
     keep_sound(folder)
     table, good = [], True
     for top, sample in samples.items():
         start = time.monotonic()
-        counts = dict.fromkeys(("noticed", "SURVIVED", "no mutant", "equivalent"), 0)
+        counts = dict.fromkeys((*aim, "SURVIVED", "no mutant", "equivalent"), 0)
         for mutant in sample:
             known = (mutant.file, mutant.old_line, mutant.new_line) in equivalent
             counts["equivalent" if known else try_made(mutant, turns[mutant.file], folder, seconds)] += 1
-        judged = counts["noticed"] + counts["SURVIVED"]
-        good &= 100 * counts["noticed"] >= aim[arguments.tier] * judged
-        score = f"{100 * counts['noticed'] / judged:.0f} %" if judged else "none"
-        table.append(f"{top:13} {len(possible[top]):8} {counts['noticed']:8} {counts['SURVIVED']:9} {score:>6} "
+        judged = counts["quick"] + counts["full"] + counts["SURVIVED"]
+        shares = {"quick": counts["quick"], "full": counts["quick"] + counts["full"]}
+        if arguments.tier == "quick":
+            del shares["full"]  # was not asked
+        good &= all(100 * noticed >= aim[tier] * judged for tier, noticed in shares.items())
+        scores = [f"{100 * shares[tier] / judged:.0f} %" if judged and tier in shares else "-" for tier in aim]
+        table.append(f"{top:13} {len(possible[top]):8} {judged:6} {scores[0]:>8} {scores[1]:>8} {counts['SURVIVED']:9} "
                      f"{counts['equivalent']:11} {counts['no mutant']:14} {(time.monotonic() - start) / 60:8.1f}")
-    print(f"\nseed {arguments.seed}\n{'folder':13} {'possible':>8} {'noticed':>8} {'survived':>9} {'score':>6} "
+    print(f"\nseed {arguments.seed}\n{'folder':13} {'possible':>8} {'judged':>6} {'by quick':>8} {'by full':>8} {'survived':>9} "
           f"{'equivalent':>11} {'not compiled':>14} {'minutes':>8}", *table, sep="\n")
     return good
 
@@ -235,7 +230,6 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--in", dest="only", choices=folders, action="append")
     parser.add_argument("--tier", choices=aim, default="full")
-    parser.add_argument("--fitting", action="store_true")
     parser.add_argument("--folder", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
