@@ -4,7 +4,8 @@
 #     tests/run.sh           unit tests, golden traces and pictures, the command line, a page in a browser
 #     tests/run.sh --full    all of these with warnings as errors, under sanitizers, and on the other Debian; study and judge,
 #                            the Debian package on a bare system, disturbed runs
-#     tests/run.sh --long    what takes hours: benchmarks and peers, compilers and settings, mutants, kills, Slurm, Firefox
+#     tests/run.sh --long    what takes hours: benchmarks and peers, compilers and settings, mutants, fuzzers, kills, Slurm,
+#                            Firefox
 set -eu
 cd "$(dirname "$(readlink -f "$0")")/.."
 . walkthroughs/setup.sh
@@ -43,7 +44,8 @@ test_in() {
   folder=$1
   shift
   # Three at once on two processors: browsers wait more than they work.
-  attempt ctest --test-dir "$folder" --parallel 3 --output-junit "$PWD/$folder/results.xml" "$@"
+  # However slow the machine is, what ends is in time.
+  attempt ctest --test-dir "$folder" --parallel 3 --timeout 10000 --output-junit "$PWD/$folder/results.xml" "$@"
   python3 tests/longest.py "$folder/results.xml" >>"$notes/tests"
 }
 
@@ -96,6 +98,8 @@ long() {
   timed "compilers and settings of drawing" tests/determinism.sh
   timed "compilers and settings of answers" tests/same_answers/same_answers.sh
   timed "running" test_in build/long --label-regex long
+  timed "compiling fuzzers" build build/fuzz fuzzers -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
+  timed "fuzzers" test_in build/fuzz --tests-regex "^fuzz"
   timed "mutants" attempt python3 tests/mutants/mutate.py --made 20 --seed 1
   timed "kills" attempt python3 tests/disturbed/kill_test.py --program build/long/gjkstep --study build/long/gjkstep-study --kills 1000
 }
@@ -103,7 +107,7 @@ long() {
 case $tier in
   quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="seven minutes at first, one later" ;;
   --full) what="all tests, also under sanitizers and on the other Debian; study, judge and package" time="45 minutes" ;;
-  --long) what="benchmarks, peers, compilers and settings, mutants, kills, Slurm, Firefox" time=hours ;;
+  --long) what="benchmarks, peers, compilers and settings, mutants, fuzzers, kills, Slurm, Firefox" time=hours ;;
 esac
 printf '%s: %s; on two processors that takes %s\n' "$0" "$what" "$time"
 "${tier#--}"

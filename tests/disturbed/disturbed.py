@@ -31,7 +31,7 @@ class Case:
     def run(self, before=(), **options):
         """Its exit code, and what it said on standard error."""
         process = self.start(before, **options)
-        said = process.communicate(timeout=300)[1].decode(errors="replace")
+        said = process.communicate(timeout=3000)[1].decode(errors="replace")
         return process.returncode, said
 
     def clear(self):

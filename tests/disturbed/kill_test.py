@@ -26,13 +26,13 @@ signals = [signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP]
 
 def wait_for_group(group):
     """Waits until the children have ended, too: a plotting program may go on a little."""
-    for _ in range(2000):
+    for _ in range(120000):
         try:
             os.killpg(group, 0)
         except ProcessLookupError:
             return
         time.sleep(0.005)
-    disturbed.fail("a child of what was killed goes on for 10 seconds")
+    disturbed.fail("a child of what was killed goes on for ten minutes")
 
 
 def kill(case, dice, shortest):

@@ -31,7 +31,7 @@ def run(words, out, limit=None, kind=resource.RLIMIT_AS, user=None):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         if limit is not None:
             resource.setrlimit(kind, (limit, limit))
-    ended = subprocess.run([arguments.program.resolve(), *words], cwd=out, input=pair, capture_output=True, timeout=120,
+    ended = subprocess.run([arguments.program.resolve(), *words], cwd=out, input=pair, capture_output=True, timeout=1200,
                            check=False, preexec_fn=lower, user=user)
     return ended, files(out)
 

@@ -5,8 +5,11 @@
 
 #include <cstdlib>
 #include <string>
+#include <vector>
 
+#include "tests/kit/catch.hpp"
 #include "tests/kit/folder.hpp"
+#include "tests/kit/text.hpp"
 
 namespace kit {
 
@@ -30,6 +33,15 @@ inline Outcome shell(const std::string& script) {
                               quoted(folder / "err") + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(folder / "out"), bytes_of(folder / "err")};
+}
+
+/// Checks that it failed with that code, said each of `expected` on standard error, and nothing on standard output.
+inline void check_failed(const Outcome& outcome, int exit_code, const std::vector<std::string>& expected) {
+  INFO(outcome.err);
+  CHECK(outcome.exit_code == exit_code);
+  CHECK(outcome.out.empty());
+  for (const std::string& part : expected) CHECK(has(outcome.err, part));
+  CHECK(lines(outcome.err).size() <= 2);
 }
 
 }  // namespace kit

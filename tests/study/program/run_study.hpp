@@ -24,12 +24,7 @@ inline Outcome run(const std::string& arguments, const std::string& out = "") {
 /// Checks that the command fails with that code, says each of `expected` on standard error and nothing on standard output.
 inline void check_failure(const std::string& arguments, int exit_code, const std::vector<std::string>& expected) {
   INFO("gjkstep-study " << arguments);
-  const Outcome outcome = run(arguments);
-  INFO(outcome.err);
-  CHECK(outcome.exit_code == exit_code);
-  CHECK(outcome.out.empty());
-  for (const std::string& part : expected) CHECK(has(outcome.err, part));
-  CHECK(lines(outcome.err).size() <= 2);
+  kit::check_failed(run(arguments), exit_code, expected);
 }
 
 }  // namespace study::test

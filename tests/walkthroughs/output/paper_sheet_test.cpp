@@ -1,9 +1,6 @@
 // Sheets of paper: what stands on which page and how large, the files, and what a reader of PDF files finds in them.
 #include "walkthroughs/output/paper_sheet.hpp"
 
-#include <array>
-#include <cstdio>
-#include <memory>
 #include <set>
 
 #include "render/image.hpp"
@@ -25,15 +22,6 @@ PaperLayout layout_of(const std::string& name, const std::string& paper, Look lo
   const StagedStory story(tell(walkthrough(name)));
   return paper_layout(story, {.folder = {}, .size = frame_page, .look = look}, paper_named(paper).value(), larger_text,
                       font);
-}
-
-/// What a command says on standard output.
-std::string said_by(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string said;
-  for (std::array<char, 4096> part; const std::size_t bytes = std::fread(part.data(), 1, part.size(), pipe.get());)
-    said.append(part.data(), bytes);
-  return said;
 }
 
 std::string option_out(const Folder& folder) { return " --out " + quoted(folder.path().string()); }
@@ -121,35 +109,35 @@ TEST_CASE("gjkstep render --sheet=a4 writes pages that compare reads, one PDF of
 
 TEST_CASE("A reader of PDF files finds the pages of a sheet, their size and their very pixels, and no date",
           "[paper-sheet][full]") {
-  if (said_by("pdfinfo -v 2>&1").find("pdfinfo version") == std::string::npos) {
+  if (!has(shell("pdfinfo -v").err, "pdfinfo version")) {
     kit::skip("there is no pdfinfo");
     return;
   }
   const Folder folder;
   CHECK(run("render figure-4-right --size 320x180 --sheet=letter" + option_out(folder)).exit_code == 0);
   const std::string file = quoted((folder.path() / "figure-4-right" / "sheet.pdf").string());
-  const std::string info = said_by("pdfinfo " + file + " 2>&1");
+  const std::string info = shell("pdfinfo " + file).out;
   INFO(info);
   CHECK(has(info, "Pages:           2\n"));
   CHECK(has(info, "612 x 792 pts (letter)"));
   CHECK(has(info, walkthrough("figure-4-right").title));
   CHECK_FALSE(has(info, "Date"));
   const std::string drawn = (folder.path() / "drawn").string();
-  said_by("pdfimages -png " + file + " " + quoted(drawn));
+  shell("pdfimages -png " + file + " " + quoted(drawn));
   for (int page = 0; page < 2; ++page)
     CHECK(render::read_png(drawn + "-00" + std::to_string(page) + ".png") ==
           render::read_png(folder.path() / "figure-4-right" / ("sheet-" + std::to_string(page + 1) + ".png")));
 }
 
 TEST_CASE("The picture of a sheet fills the page of its PDF to the last column and row", "[paper-sheet][full]") {
-  if (said_by("pdftoppm -v 2>&1").find("pdftoppm version") == std::string::npos) {
+  if (!has(shell("pdftoppm -v").err, "pdftoppm version")) {
     kit::skip("there is no pdftoppm");
     return;
   }
   const Folder folder;  // on dark paper, beside which the PDF's own is seen
   CHECK(run("render figure-4-right --size 320x180 --theme dark --sheet=letter" + option_out(folder)).exit_code == 0);
   const std::string drawn = (folder.path() / "drawn").string();
-  said_by("pdftoppm -png -r 300 -l 1 " + quoted((folder.path() / "figure-4-right" / "sheet.pdf").string()) + " " +
+  shell("pdftoppm -png -r 300 -l 1 " + quoted((folder.path() / "figure-4-right" / "sheet.pdf").string()) + " " +
           quoted(drawn));
   const render::Image page = render::read_png(drawn + "-1.png");
   REQUIRE(page.size() == render::Size{2550, 3300});

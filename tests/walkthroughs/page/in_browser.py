@@ -106,7 +106,7 @@ class PageInBrowser(unittest.TestCase):
         return self.js("return location.hash")
 
     def wait(self, condition):
-        WebDriverWait(self.browser, 30, poll_frequency=0.05).until(lambda _: condition())
+        WebDriverWait(self.browser, 300, poll_frequency=0.05).until(lambda _: condition())
 
     def assert_fits(self):
         self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), self.js("return innerWidth"))

@@ -1,9 +1,9 @@
 #include "walkthroughs/picture/movie.hpp"
 
-#include <cstdio>
 #include <string>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/program.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 using namespace walkthroughs;
@@ -12,13 +12,9 @@ namespace {
 
 /// Returns: the words that a program called ffmpeg would get, a line each.
 std::string words_of(const std::string& line) {
-  const std::string script = "ffmpeg() { printf '%s\\n' \"$@\"; }\n" + line;
-  std::FILE* const pipe = popen(script.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string words;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) words += static_cast<char>(c);
-  CHECK(pclose(pipe) == 0);
-  return words;
+  const kit::Outcome outcome = kit::shell("ffmpeg() { printf '%s\\n' \"$@\"; }\n" + line);
+  CHECK(outcome.exit_code == 0);
+  return outcome.out;
 }
 
 }  // namespace
