@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """The README names every room, and includes run one way: no folder knows one above it, no unit (foo.hpp with foo.cpp) includes itself in a circle.
 
-    python3 tests/rooms_test.py        # looks at this project, and first at small made-up ones with one mistake each
+    python3 tests/rooms_test.py
 """
-import pathlib, re, sys, tempfile, unittest
+import pathlib, re, sys
 
 # The floors, lowest first. A file may include what stands on its own line or above it in this list; folders on one line
 # do not know each other. Whatever is in a folder named here belongs to its line.
@@ -99,10 +99,8 @@ def circle(edges):
 
 def missing_in_map(root):
     """Folders of the project that the README's map does not name."""
-    readme = (root / "README.md").read_text() if (root / "README.md").is_file() else None
+    readme = (root / "README.md").read_text()
     rooms = [folder.relative_to(root).as_posix() for folder in sorted((root / "walkthroughs").glob("*/"))]
-    if readme is None:
-        return []
     return [f"README.md: the map does not name {room}" for room in ["core", "render", *rooms, "tests", "tests/study"]
             if not re.search(rf"^\| (\[{room}\]|`{room}`)", readme, re.MULTILINE)]
 
@@ -135,61 +133,7 @@ def problems(root):
     return found
 
 
-class OneMistakeEach(unittest.TestCase):
-    def told(self, files):
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for name, text in files.items():
-                (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text(text)
-            return problems(root)
-
-    def test_down_is_fine(self):
-        self.assertEqual(self.told({"core/a.hpp": "", "walkthroughs/text/b.cpp": '#include "core/a.hpp"\n',
-                                    "core/c.hpp": '#include "a.hpp"\n'}), [])
-
-    def test_up(self):
-        said = self.told({"walkthroughs/model/a.cpp": '#include "walkthroughs/text/b.hpp"\n',
-                          "walkthroughs/text/b.hpp": ""})
-        self.assertEqual(said, ["walkthroughs/model/a.cpp includes walkthroughs/text/b.hpp, which lies above it"])
-
-    def test_every_spelling(self):
-        for line in ('#include <walkthroughs/text/b.hpp>', '# include "walkthroughs/text/b.hpp"'):
-            said = self.told({"core/a.hpp": "#include <vector>\n" + line + "\n", "walkthroughs/text/b.hpp": ""})
-            self.assertEqual(said, ["core/a.hpp includes walkthroughs/text/b.hpp, which lies above it"])
-
-    def test_boost_in_the_core(self):
-        certified = {"core/certified.hpp": "#include <boost/multiprecision/cpp_int.hpp>\n"}
-        self.assertEqual(self.told(certified), [])
-        for line in ("#include <boost/rational.hpp>", '#include "certified.hpp"'):
-            said = self.told({**certified, "core/gjk.hpp": f"#pragma once\n{line}\n"})
-            self.assertEqual(len(said), 1)
-            self.assertIn("Boost is for core/certified.hpp and", said[0])
-
-    def test_core_and_render(self):
-        for one, other in (("core", "render"), ("render", "core")):
-            said = self.told({f"{one}/a.hpp": f'#include "{other}/b.hpp"\n', f"{other}/b.hpp": ""})
-            self.assertEqual(said, [f"{one}/a.hpp includes {other}/b.hpp, and {one} must not know {other}"])
-
-    def test_circle(self):
-        said = self.told({"core/a.hpp": "", "core/a.cpp": '#include "b.hpp"\n', "core/b.hpp": "",
-                          "core/b.cpp": '#include "c.hpp"\n', "core/c.hpp": '#include "a.hpp"\n'})
-        self.assertEqual(said, ["a circle: core/a.cpp includes core/b.hpp, core/b.cpp includes core/c.hpp, "
-                                "core/c.hpp includes core/a.hpp"])
-
-    def test_room_that_the_map_lacks(self):
-        said = self.told({"README.md": "| `core` | x |\n| `render` | x |\n| [tests](t) | x |\n| [tests/study](t) | x |\n",
-                          "walkthroughs/model/a.hpp": ""})
-        self.assertEqual(said, ["README.md: the map does not name walkthroughs/model"])
-
-    def test_missing_and_unknown(self):
-        self.assertIn("which is not there", self.told({"core/a.hpp": '#include "core/b.hpp"\n'})[0])
-        said = self.told({"walkthroughs/new/a.hpp": '#include "core/b.hpp"\n', "core/b.hpp": ""})
-        self.assertIn("name the folder of both", said[0])
-
-
 if __name__ == "__main__":
-    outcome = unittest.main(exit=False, verbosity=0)
     found = problems(pathlib.Path(__file__).resolve().parents[1])
     print("\n".join(found) if found else "includes run one way")
-    sys.exit(bool(found) or not outcome.result.wasSuccessful())
+    sys.exit(bool(found))

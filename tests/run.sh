@@ -105,7 +105,7 @@ long() {
 }
 
 case $tier in
-  quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="seven minutes at first, one later" ;;
+  quick) what="unit tests, golden traces and pictures, the command line, a page in a browser" time="five minutes at first, one later" ;;
   --full) what="all tests, also under sanitizers and on the other Debian; study, judge and package" time="45 minutes" ;;
   --long) what="benchmarks, peers, compilers and settings, mutants, fuzzers, kills, Slurm, Firefox" time=hours ;;
 esac

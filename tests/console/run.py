@@ -130,7 +130,7 @@ class Runner:
         self.folder = folder
         for name in ('bin', 'home'):
             (folder / name).mkdir()
-        for name, target in (('gjkstep', program), ('run.py', HERE / 'run.py'), ('python3', sys.executable)):
+        for name, target in (('gjkstep', program), ('python3', sys.executable)):
             (folder / 'bin' / name).symlink_to(target)
         kept = {name: value for name, value in os.environ.items() if name.endswith('SAN_OPTIONS')}
         self.environment = kept | {'PATH': f'{folder}/bin:{HERE}/bin:/usr/bin:/bin', 'HOME': f'{folder}/home',
