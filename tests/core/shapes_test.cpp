@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <random>
 
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
 
 namespace gjk::test {
 namespace {
@@ -17,9 +17,9 @@ using V = Vec3<double>;
 TEMPLATE_TEST_CASE("Eq. 5: of many points the first of the farthest is the answer", "[shapes]", float, double,
                    long double, Rational) {
   using S = TestType;
-  std::mt19937 random(7474);
-  std::uniform_int_distribution<int> coordinate(-4, 4);
-  const auto any_vector = [&] { return Vec3<S>(S(coordinate(random)), S(coordinate(random)), S(coordinate(random))); };
+  kit::Dice dice(7474);
+  const auto coordinate = [&] { return S(dice.between(-4, 4)); };
+  const auto any_vector = [&] { return Vec3<S>(coordinate(), coordinate(), coordinate()); };
   for (int count = 1; count <= 280; ++count) {
     std::vector<Vec3<S>> list(static_cast<std::size_t>(count / 4 + 1));
     std::generate(list.begin(), list.end(), any_vector);
@@ -34,9 +34,9 @@ TEMPLATE_TEST_CASE("Eq. 5: of many points the first of the farthest is the answe
 
 TEMPLATE_TEST_CASE("Eq. 5: many points are added up as few are, to the last bit", "[shapes]", float, double) {
   using S = TestType;
-  std::mt19937 random(7474);
-  std::uniform_real_distribution<S> coordinate(-1, 1);
-  const auto any_vector = [&] { return Vec3<S>(coordinate(random), coordinate(random), coordinate(random)); };
+  kit::Dice dice(7474);
+  const auto coordinate = [&] { return static_cast<S>(dice.between(-1.0, 1.0)); };
+  const auto any_vector = [&] { return Vec3<S>(coordinate(), coordinate(), coordinate()); };
   for (int i = 0; i < 1000; ++i) {
     const Vec3<S> d = any_vector(), p = any_vector();
     // Points in the plane p·d: which of them comes first is decided by rounding alone.

@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/walkthroughs/query/certificates.hpp"
+#include "tests/kit/certificates.hpp"
 #include "tests/walkthroughs/text/same_tree.hpp"
 #include "walkthroughs/query/query.hpp"
 
@@ -52,9 +52,9 @@ void require_same_tree(std::string_view line) {
 void require_proven(std::string_view line, const nlohmann::json& said, const QueryOptions& options) {
   const auto pair = nlohmann::json::parse(line);
   if (options.scalar == QueryScalar::binary32)
-    require(test::is_proven(said, test::set_in<float>(pair["a"]), test::set_in<float>(pair["b"])));
+    require(kit::is_proven(said, kit::set_in<float>(pair["a"]), kit::set_in<float>(pair["b"])));
   else
-    require(test::is_proven(said, test::set_in<double>(pair["a"]), test::set_in<double>(pair["b"])));
+    require(kit::is_proven(said, kit::set_in<double>(pair["a"]), kit::set_in<double>(pair["b"])));
 }
 
 /// Returns: the first line, which is taken away with its line feed.

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
 
 using namespace render;
 
@@ -72,11 +72,10 @@ TEST_CASE("coverage of a large polygon: whole inside, half on the edge, none out
 }
 
 TEST_CASE("the integral of the coverage is the area: random triangles") {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> place(0, 40);
+  kit::Dice dice(7);
+  const auto any_point = [&] { return Vec2(dice.between(0.0, 40.0), dice.between(0.0, 40.0)); };
   for (int i = 0; i < 500; ++i) {
-    const std::array triangle = {Vec2(place(random), place(random)), Vec2(place(random), place(random)),
-                                 Vec2(place(random), place(random))};
+    const std::array triangle = {any_point(), any_point(), any_point()};
     double perimeter = 0;
     for (std::size_t k = 0; k < 3; ++k) perimeter += (triangle[k] - triangle[(k + 1) % 3]).norm();
     INFO("triangle " << i << " of seed 7");
@@ -97,10 +96,9 @@ TEST_CASE("needles and strips thinner than a pixel fade in proportion to their w
 TEST_CASE("the cells tile the polygon: no cracks and no overlaps") {
   std::vector<Vec2> polygon;
   for (int i = 0; i < 11; ++i) polygon.push_back(Vec2(20, 20) + 14 * Vec2(std::cos(i * 0.571), std::sin(i * 0.571)));
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> angle(0, 6.283), radius(0, 13);
+  kit::Dice dice(11);
   for (int i = 0; i < 2000; ++i) {
-    const double a = angle(random), r = radius(random);
+    const double a = dice.between(0.0, 6.283), r = dice.between(0.0, 13.0);
     REQUIRE(probe(polygon, Vec2(20, 20) + r * Vec2(std::cos(a), std::sin(a))).triangles == 1);
   }
 }

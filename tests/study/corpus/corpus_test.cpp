@@ -13,7 +13,7 @@
 #include "tests/study/pairs/families.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "tests/study/truth/proofs.hpp"
-#include "tests/walkthroughs/query/certificates.hpp"
+#include "tests/kit/certificates.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 namespace study {
@@ -81,8 +81,7 @@ TEST_CASE("Corpus: the oracle says of every pair what the file says, and each an
     else
       REQUIRE(separates(rational_in(certificate["direction"]), pair));
     if (is_of_points(pair))
-      REQUIRE(walkthroughs::test::is_proven(answer, walkthroughs::test::set_in<double>(line["a"]),
-                                            walkthroughs::test::set_in<double>(line["b"])));
+      REQUIRE(kit::is_proven(answer, kit::set_in<double>(line["a"]), kit::set_in<double>(line["b"])));
   }
   REQUIRE(names.size() > 440);
 }

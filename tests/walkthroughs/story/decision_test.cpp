@@ -1,8 +1,8 @@
 #include "walkthroughs/story/decision.hpp"
 
-#include <random>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 using namespace walkthroughs;
@@ -16,8 +16,8 @@ std::vector<Walkthrough> in_space() {
   std::vector<Walkthrough> list;
   for (const Walkthrough& w : catalogue())
     if (w.layout == Layout::search && w.scenes[0].dimension == Dimension::space) list.push_back(w);
-  std::mt19937 random(5);
-  const auto coordinate = [&] { return static_cast<double>(static_cast<int>(random() % 41) - 20) / 4; };
+  kit::Dice dice(5);
+  const auto coordinate = [&] { return dice.between(-20, 20) / 4.0; };
   for (int i = 0; i < 30; ++i) {
     std::vector<Point> points;
     for (int k = 0; k < 7; ++k) points.emplace_back(coordinate(), coordinate(), coordinate());

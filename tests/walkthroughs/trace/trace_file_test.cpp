@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <map>
-#include <random>
 #include <set>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
 #include "tests/kit/places.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/picture/draw.hpp"
@@ -62,7 +62,7 @@ void check_redraws(const Walkthrough& w) {
 /// Random objects of every kind, turned and moved, of the size of a power of ten.
 class RandomScenes {
  public:
-  explicit RandomScenes(unsigned seed) : random_(seed) {}
+  explicit RandomScenes(unsigned seed) : dice_(seed) {}
 
   Walkthrough next(int power) {
     size_ = std::pow(10, power);
@@ -80,8 +80,8 @@ class RandomScenes {
   }
 
  private:
-  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
-  double number() { return std::uniform_real_distribution<double>(-1, 1)(random_) * size_; }
+  int pick(int count) { return dice_.between(0, count - 1); }
+  double number() { return dice_.between(-1.0, 1.0) * size_; }
   Point point() { return {number(), number(), pick(5) == 0 ? -0.0 : number()}; }
 
   AnyShape form(int sums = 2) {
@@ -100,13 +100,13 @@ class RandomScenes {
   Object object(const std::string& name) {
     Object o{name, form()};
     if (pick(2) == 0) return o;
-    const double angle = std::uniform_real_distribution<double>(-4, 4)(random_);
+    const double angle = dice_.between(-4.0, 4.0);
     o.pose.rotation = Eigen::AngleAxisd(angle, Point(point() / size_).normalized()).toRotationMatrix();
     o.pose.translation = point();
     return o;
   }
 
-  std::mt19937 random_;
+  kit::Dice dice_;
   double size_ = 1;
 };
 

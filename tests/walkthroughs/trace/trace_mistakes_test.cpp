@@ -1,9 +1,9 @@
 // A trace that names its mistake is checked as one that has none; one with a mistake that it does not name is refused.
 #include "walkthroughs/trace/trace_mistakes.hpp"
 
-#include <random>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/catalogue/mistakes.hpp"
 #include "walkthroughs/model/run.hpp"
@@ -31,10 +31,10 @@ std::string renamed(const Walkthrough& w, std::optional<Mistake> other) {
 }
 
 /// Triangles of whole numbers from -n to n: many touch.
-Scene random_scene(std::mt19937& random) {
-  const int n = 1 + static_cast<int>(random() % 4);
-  const bool is_plane = random() % 3 == 0;
-  const auto number = [&] { return static_cast<double>(static_cast<int>(random() % (2U * n + 1U)) - n); };
+Scene random_scene(kit::Dice& dice) {
+  const int n = dice.between(1, 4);
+  const bool is_plane = dice.between(0, 2) == 0;
+  const auto number = [&] { return static_cast<double>(dice.between(-n, n)); };
   const auto triangle = [&] {
     std::vector<Point> vertices;
     for (int i = 0; i < 3; ++i) {
@@ -77,11 +77,11 @@ TEST_CASE("A trace with a mistake is not taken for the report's algorithm, nor f
 
 TEST_CASE("What any search with a mistake tells is taken, and where it differs from the report's not without its name",
           "[trace-file][full]") {
-  std::mt19937 random(17);
+  kit::Dice dice(17);
   for (const auto& known : wrong_on_purpose::all()) {
     int parted = 0, refused = 0;
     for (int i = 0; i < 3000 && parted < 12; ++i) {
-      const Walkthrough w = beside_the_report(known.value, random_scene(random));
+      const Walkthrough w = beside_the_report(known.value, random_scene(dice));
       if (run(w.scenes[0]).events == run(w.scenes[1]).events) continue;
       ++parted;
       INFO(w.name << ", pair " << i << ": " << json_lines(trace_text(w))[0]["scenes"][0].dump());

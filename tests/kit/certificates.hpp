@@ -8,7 +8,7 @@
 
 #include "core/certificate_check.hpp"
 
-namespace walkthroughs::test {
+namespace kit {
 
 /// Requires: an object of points, as a line gives it.
 template <class S>
@@ -80,4 +80,4 @@ bool is_proven(const nlohmann::json& said, const gjk::PointSet<S>& a, const gjk:
   return is_in_fractions ? exact_numbers_hold(written, a, b) : gjk::holds(certificate_in(written), a, b);
 }
 
-}  // namespace walkthroughs::test
+}  // namespace kit
