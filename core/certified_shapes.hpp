@@ -44,7 +44,7 @@ namespace detail {
 
 using Place = Vec3<double>;
 
-/// Not inlined: where GCC 12 vectorizes, as from -O2 on, it takes the way of two numbers to float and back for no way at all.
+/// Not inlined: GCC 12 vectorizes from -O2 on, and leaves the rounding out where two numbers are turned to float and back.
 template <class S>
 [[gnu::noinline]] Vec3<S> rounded(const Place& direction) {
   return direction.cast<S>();

@@ -110,7 +110,7 @@ def stages(file, tier):
         fitting = own or tests_called("*_test.cpp", file)
         first = [(program, ",".join(f"[#{test}]{quick}" for test in fitting))] if fitting else []
         rest = ["golden-tests", program, transcripts]
-    turns = [(name, tests, "quick") for name, tests in [*first, *((name, quick) for name in rest)]]
+    turns = [(name, tests, "quick") for name, tests in first] + [(name, quick, "quick") for name in rest]
     return turns + [(name, every, "full") for name in [*rest, "study-tests"]] if tier == "full" else turns
 
 

@@ -21,7 +21,7 @@ class QueryObject {
   QueryObject(Asked<S> form, const std::optional<gjk::Pose<S>>& pose)
       : shape_(pose ? Shape(gjk::Posed<S, Asked<S>>(std::move(form), *pose)) : Shape(std::move(form))) {}
 
-  /// Not inlined: in each of the 21 searches that collision() is here, it would double the time to compile, for nothing.
+  /// Not inlined into each of the 21 searches that collision() is here: it takes longer to compile, for nothing.
   [[gnu::noinline]] gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
     return std::visit([&](const auto& shape) { return shape.support(d); }, shape_);
   }
