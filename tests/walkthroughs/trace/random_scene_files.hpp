@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
 
-#include "tests/kit/dice.hpp"
 #include "walkthroughs/model/words_of.hpp"
 
 namespace walkthroughs::test {
@@ -18,7 +18,7 @@ struct RandomSceneFile {
 
 class RandomSceneFiles {
  public:
-  explicit RandomSceneFiles(unsigned seed) : dice_(seed) {}
+  explicit RandomSceneFiles(unsigned seed) : random_(seed) {}
 
   RandomSceneFile next() {
     is_plane_ = one_in(3);
@@ -52,12 +52,13 @@ class RandomSceneFiles {
 
   // -- Numbers --------------------------------------------------------------------------------------------------------
 
-  int pick(int count) { return dice_.between(0, count - 1); }
+  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
   bool one_in(int count) { return pick(count) == 0; }
-  double share() { return dice_.between(-1.0, 1.0); }
+  double share() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
   /// Many searches are made at everyday scales, where most decisions are taken; the others at all scales alike.
   double power_of_ten(int low, int high) {
-    const int power = one_in(2) ? dice_.between(low, high) : dice_.between(-3, 0);
+    const int power = one_in(2) ? std::uniform_int_distribution<int>(low, high)(random_)
+                                : std::uniform_int_distribution<int>(-3, 0)(random_);
     return std::strtod(("1e" + std::to_string(power)).c_str(), nullptr);  // the same to the last bit on any machine
   }
   double number() {
@@ -153,7 +154,7 @@ class RandomSceneFiles {
     return stem + (one_in(4) ? ".JSON" : ".json");
   }
 
-  kit::Dice dice_;
+  std::mt19937 random_;
   double size_ = 1;
   bool is_plane_ = false, is_float_ = false;
 };
