@@ -328,8 +328,7 @@ TEST_CASE("No hint contains the right choice or its label, nor what speaks for i
   CHECK(hints > 300);
 }
 
-TEST_CASE("Who is asked for the wrong line is told what both searches find of the same thing, which no picture shows",
-          "[full]") {
+TEST_CASE("Who is asked for the wrong line is told what both searches find of the same thing, which no picture shows") {
   std::vector<std::string> by_words;
   for (const Walkthrough& w : catalogue()) {
     const Story story = tell(w);
