@@ -1,6 +1,6 @@
 /// What each event holds, listed once: the keys that its fields have in a trace, in their order, and where they are.
-/// Writer, reader and widening visit these lists, and the check where it compares. A field or an event that is added is added to
-/// its struct, here, and to trace_schema.json; and to trace_check.cpp, where it can contradict another.
+/// Writer, reader and widening visit these lists. A field or an event that is added is added to
+/// its struct, here, and to trace_schema.json.
 ///
 /// Every event also has its `iteration`, which no list names.
 #pragma once

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "walkthroughs/text/printable.hpp"
-#include "walkthroughs/trace/trace_check.hpp"
+#include "walkthroughs/trace/replay.hpp"
 #include "walkthroughs/trace/trace_event.hpp"
 #include "walkthroughs/trace/trace_header.hpp"
 #include "walkthroughs/trace/trace_values.hpp"
@@ -15,53 +15,64 @@ namespace {
 
 using namespace reading;
 
-/// Takes the lines of a trace one by one. Errors of its functions: DocumentError, Contradiction.
+/// Takes the lines of a trace one by one, counted from 1.
 class TraceReader {
  public:
+  /// Errors: DocumentError. Requires: no complaint so far.
   void read(const Value& line) {
     if (!file_.has_value()) {
       file_.emplace().walkthrough = read_header(line);
-      begin_scene();
+      file_->traces.emplace_back();
     } else {
       read_next_event(line);
     }
+    ++lines_;
   }
 
-  /// Returns: what is still to come, in words; empty where the trace is complete.
-  std::string missing() const {
-    if (!file_) return "its first line";
-    if (check_) return check_->expected() + " of the scene " + in_quotes(scene().name);
-    return "";
+  /// Returns: what is wrong with the lines so far, which end there where `is_cut_off`; empty where nothing is.
+  std::string complaint(bool is_cut_off) const {
+    if (!file_) return is_cut_off ? cut_off("its first line") : "";
+    if (is_complete()) return "";
+    const auto parting = parting_from_search(scene(), events());
+    if (!parting) return "";
+    if (parting->event < events().size())
+      return std::to_string(lines_ - events().size() + parting->event + 1) + ": " + parting->what +
+             "; the trace contradicts itself: " + trace_advice;
+    return is_cut_off ? cut_off(parting->what + " of the scene " + in_quotes(scene().name)) : "";
   }
 
-  /// Requires: nothing is missing.
+  /// Returns: whether a scene has come to its end with the last line.
+  bool is_at_end_of_scene() const {
+    return file_ && !is_complete() && !events().empty() && is_last(events().back(), scene());
+  }
+  /// Requires: the last one is what its search says.
+  void begin_next_scene() { file_->traces.emplace_back(); }
+
+  /// Requires: nothing is wrong. Errors: DocumentError.
   TraceFile result() {
+    file_->traces.pop_back();
     require_close_up();
     return std::move(*file_);
   }
 
  private:
+  bool is_complete() const { return file_->traces.size() > file_->walkthrough.scenes.size(); }
   const Scene& scene() const { return file_->walkthrough.scenes[file_->traces.size() - 1]; }
+  const std::vector<gjk::Event<double>>& events() const { return file_->traces.back().events; }
 
-  void begin_scene() {
-    check_.reset();
-    if (file_->traces.size() == file_->walkthrough.scenes.size()) return;
-    file_->traces.emplace_back();
-    check_.emplace(scene());
+  std::string cut_off(const std::string& missing) const {
+    return std::to_string(lines_ + 1) + ": the trace is cut off: " + missing + " is missing; " + trace_advice;
   }
 
   void read_next_event(const Value& line) {
     expect(line, Kind::object, "an object that holds one event");
-    if (!check_) line.fail("nothing may follow: all searches have finished");
+    if (is_complete()) line.fail("nothing may follow: all searches have finished");
     const Value name = member(line, "scene");
     expect(name, Kind::string, "a string");
     if (name.text() != scene().name)
       name.fail("is " + in_quotes(name.text()) + ", but the search of the scene " + in_quotes(scene().name) +
                 " has not finished");
-    gjk::Event<double> event = read_event(line);
-    (*check_)(event);
-    file_->traces.back()(std::move(event));
-    if (check_->is_finished()) begin_scene();
+    file_->traces.back()(read_event(line));
   }
 
   /// The move that close-ups show must be in both searches, and the crossing test applied to it.
@@ -77,46 +88,55 @@ class TraceReader {
                             "there is no crossing test in iteration " + std::to_string(shown) + " of every scene");
   }
 
-  std::optional<TraceFile> file_;
-  std::optional<TraceCheck> check_;  ///< of the last scene; empty where all have finished
+  std::optional<TraceFile> file_;  ///< with a trace more than there are scenes once all have finished
+  std::size_t lines_ = 0;
 };
 
-/// A line without line break behind it may be all that is left of one.
-std::string read_line(std::string_view text, bool is_ended, TraceReader& reader, int number) {
-  const std::string place = std::to_string(number) + ": ";
+/// Returns: what is wrong with that line; empty where nothing is. A line without line break behind it may be all that is left of one.
+std::string read_line(std::string_view text, bool is_ended, TraceReader& reader) {
   if (text.find_first_not_of(" \t\r") == std::string_view::npos)
-    return place + "is empty; a trace has an event on each line: " + trace_advice;
+    return "is empty; a trace has an event on each line: " + trace_advice;
+  const auto said = [](const DocumentError& error) {
+    return error.key + (error.key.empty() ? "" : ": ") + error.what();
+  };
   std::optional<Document> document;
   try {
     document.emplace(text, Document::Comments::refused);
   } catch (const DocumentError& error) {
-    if (!is_ended) return place + "the line ends in the middle, so the trace is cut off; " + trace_advice;
-    return place + error.key + (error.key.empty() ? "" : ": ") + error.what();
+    return is_ended ? said(error) : "the line ends in the middle, so the trace is cut off; " + trace_advice;
   }
   try {
     reader.read(document->root());
   } catch (const DocumentError& error) {
-    return place + error.key + (error.key.empty() ? "" : ": ") + error.what();
-  } catch (const Contradiction& error) {
-    return place + error.what() + "; the trace contradicts itself: " + trace_advice;
+    return said(error);
   }
   return "";
+}
+
+/// Returns: what is wrong with the first line that is; empty where none is.
+std::string read_lines(std::string_view text, TraceReader& reader) {
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = text.find('\n');
+    if (const std::string objection = read_line(text.substr(0, end), end != std::string_view::npos, reader);
+        !objection.empty()) {
+      const std::string earlier = reader.complaint(false);
+      return earlier.empty() ? std::to_string(number) + ": " + objection : earlier;
+    }
+    if (reader.is_at_end_of_scene()) {
+      if (const std::string complaint = reader.complaint(true); !complaint.empty()) return complaint;
+      reader.begin_next_scene();
+    }
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return reader.complaint(true);
 }
 
 }  // namespace
 
 TraceFile parse_trace(std::string_view text, const std::string& file_name) {
   TraceReader reader;
-  int number = 0;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    const std::string complaint = read_line(text.substr(0, end), end != std::string_view::npos, reader, ++number);
-    if (!complaint.empty()) throw TraceError(file_name + ":" + complaint);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  }
-  if (const std::string missing = reader.missing(); !missing.empty())
-    throw TraceError(file_name + ":" + std::to_string(number + 1) + ": the trace is cut off: " + missing +
-                     " is missing; " + trace_advice);
+  if (const std::string complaint = read_lines(text, reader); !complaint.empty())
+    throw TraceError(file_name + ":" + complaint);
   try {
     return reader.result();
   } catch (const DocumentError& error) {

@@ -1,0 +1,29 @@
+/// Is a trace what its search says? The search is run again, with the rules, the scalar and the options of its scene, on shapes
+/// that answer with the points that the trace has found: so everything that follows from these must be the same, to the bit.
+///
+/// The points themselves are held to the shapes of the scene (farthest.hpp). A certified search, whose proofs are about the points
+/// of both sets, is run on these.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "walkthroughs/model/scene.hpp"
+
+namespace walkthroughs {
+
+/// Where a trace and its search part.
+struct Parting {
+  std::size_t event;  ///< the first that is not the search's; where there is none the trace has ended before the search
+  std::string what;   ///< "'verdict' is "crossed", but the search says "not-crossed"", or the event that is missing
+};
+
+/// Returns: nothing where these events are those of the search.
+std::optional<Parting> parting_from_search(const Scene& scene, const std::vector<gjk::Event<double>>& events);
+
+/// Returns: whether no event follows this one in the search of `scene`.
+bool is_last(const gjk::Event<double>& event, const Scene& scene);
+
+}  // namespace walkthroughs
