@@ -156,7 +156,7 @@ class ExactSimplex {
     if constexpr (tells) tell_.name_anew();
   }
   /// Requires: A is kept, and last.
-  void keep(const Order& order) {
+  void keep(const Roles& order) {
     IndexPairs kept;
     for (const Role role : order) kept.add(vertices_[size() - 1 - static_cast<int>(role)]);
     vertices_ = kept;
@@ -191,7 +191,7 @@ class ExactSimplex {
   // -- As nearest_with_A() asks
 
   bool is_toward(Role X) const {
-    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2, [&] { return SignWords{tell_.edge(X) + "·AO"}; }) >
+    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2, [&] { return SignWords{{Expression::Form::dot, tell_.edge(X), AO}}; }) >
            0;
   }
   bool is_beyond(Role X, Role Y) const {
@@ -199,42 +199,43 @@ class ExactSimplex {
       return dot(A[X], A.AO) * dot(A[X], A[Y]) - dot(A[Y], A.AO) * dot(A[X], A[X]);
     };
     return sign(AXn_AO, 4, [&] {
-             const std::string AX = tell_.edge(X), AY = tell_.edge(Y);
-             return SignWords{AX + "n·AO",
-                              "(" + AX + "·AO)(" + AX + "·" + AY + ") − (" + AY + "·AO)(" + AX + "·" + AX + ")"};
+             return SignWords{{Expression::Form::dot, tell_.normal(X), AO}, tell_.face(X, Y)};
            }) >= 0;
   }
   bool is_above(Role X, Role Y, Role Z) const {
     const int of_origin = side_of_origin(X, Y);
     const int of_fourth = sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); }, 3,
-                               [&] { return SignWords{tell_.normal(X, Y) + "·" + tell_.edge(Z)}; });
+                               [&] { return SignWords{{Expression::Form::dot, tell_.normal(X, Y), tell_.edge(Z)}}; });
     return of_origin * of_fourth < 0;
   }
 
   /// Returns: the sign of AXYn·AO.
   int side_of_origin(Role X, Role Y) const {
     return sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); }, 3,
-                [&] { return SignWords{tell_.normal(X, Y) + "·AO"}; });
+                [&] { return SignWords{{Expression::Form::dot, tell_.normal(X, Y), AO}}; });
   }
 
   /// Requires: the point nearest to the origin in the interior of the simplex. Returns: whether that is the origin.
   bool contains_origin() const {
     switch (size()) {
-      case 1: return is_zero([](const auto& A) { return A.AO; }, 1, [] { return std::string("AO"); });
+      case 1: return is_zero([](const auto& A) { return A.AO; }, 1,
+                       [](int axis) { return Expression(Expression::Form::component, AO, {}, axis); });
       case 2:
         return is_zero([](const auto& A) { return cross(A[Role::B], A.AO); }, 2,
-                       [&] { return "(" + tell_.edge(Role::B) + "×AO)"; });
+                       [&](int axis) {
+                         return Expression(Expression::Form::component_of_product, tell_.edge(Role::B), AO, axis);
+                       });
       case 3: return side_of_origin(Role::B, Role::C) == 0;
       default: return true;
     }
   }
 
   /// Returns: of toward_origin(), in the letters of before the others were dropped.
-  std::string words_of_direction() const {
-    const std::string AB = tell_.edge(Role::B);
-    if (size() == 1) return "AO";
-    if (size() == 2) return AB + "×AO×" + AB;
-    return (side_of_origin(Role::B, Role::C) > 0 ? "" : "−") + tell_.normal(Role::B, Role::C);
+  Expression words_of_direction() const {
+    if (size() == 1) return AO;
+    if (size() == 2) return {Expression::Form::triple, tell_.edge(Role::B), AO};
+    const NamedVector ABCn = tell_.normal(Role::B, Role::C);
+    return {side_of_origin(Role::B, Role::C) > 0 ? Expression::Form::vector : Expression::Form::negative, ABCn};
   }
   /// Returns: of the polynomials that its components are.
   int degree_of_direction() const { return size() == 2 ? 3 : size() == 3 ? 2 : 1; }
@@ -251,11 +252,12 @@ class ExactSimplex {
  private:
   static constexpr bool tells = SecondTeller<S, Obs>::somebody_listens;
 
-  template <class VectorOf, class Name>
-  bool is_zero(const VectorOf& vector_of, int degree, const Name& name) const {
-    return sign([&](const auto& A) { return vector_of(A).x; }, degree, [&] { return SignWords{name() + ".x"}; }) == 0 &&
-           sign([&](const auto& A) { return vector_of(A).y; }, degree, [&] { return SignWords{name() + ".y"}; }) == 0 &&
-           sign([&](const auto& A) { return vector_of(A).z; }, degree, [&] { return SignWords{name() + ".z"}; }) == 0;
+  /// `component`: what the component of an axis is called.
+  template <class VectorOf, class Component>
+  bool is_zero(const VectorOf& vector_of, int degree, const Component& component) const {
+    return sign([&](const auto& A) { return vector_of(A).x; }, degree, [&] { return SignWords{component(0)}; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).y; }, degree, [&] { return SignWords{component(1)}; }) == 0 &&
+           sign([&](const auto& A) { return vector_of(A).z; }, degree, [&] { return SignWords{component(2)}; }) == 0;
   }
 
   const FromA<Whole>& whole() const {
@@ -273,7 +275,7 @@ class ExactSimplex {
     return vectors;
   }
   template <class N>
-  static FromA<N> only(const FromA<N>& all, const Order& order, int size) {
+  static FromA<N> only(const FromA<N>& all, const Roles& order, int size) {
     FromA<N> kept;
     kept.AO = all.AO;
     int i = size;
@@ -368,9 +370,9 @@ class AlongDirection {
     return sign_along([&]<class N>() { return difference_.template w<N>(vertex) - difference_.template w<N>(A); }) > 0;
   }
 
-  void tell(IndexPair vertex, const char* name, const Bounded& w_d, const Whole* exact = nullptr) const {
+  void tell(IndexPair vertex, const Expression& what, const Bounded& w_d, const Whole* exact = nullptr) const {
     if constexpr (SecondTeller<S, Obs>::somebody_listens)
-      from_.tell().sign([&] { return SignWords{name}; },
+      from_.tell().sign([&] { return SignWords{what}; },
                         {power_ + difference_.exponent(), difference_.powers(from_.degree_of_direction() + 1).whole},
                         w_d, exact, difference_.vertex(vertex));
   }
@@ -486,7 +488,7 @@ template <class S, class Obs>
     simplex.add(next);
     tell([&] { return VertexAdded<S>{.simplex = difference.simplex(simplex.vertices())}; });
     const IndexPairs before = simplex.vertices();
-    const Order order = nearest_with_A(simplex, simplex.size());
+    const Roles order = nearest_with_A(simplex, simplex.size());
     simplex.keep(order);
     const bool contains_origin = simplex.contains_origin();
     tell([&] { return kept<S>(difference.simplex(before), order, contains_origin); });

@@ -20,9 +20,11 @@ namespace gjk::detail {
 /// Whole numbers of any length; those of ordinary coordinates fit 512 bits and need no heap.
 using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
 
-/// A polynomial as it is called.
+/// A polynomial as it is called, and in the plane of which face its normal lies.
 struct SignWords {
-  std::string expression, formula = {};
+  Expression expression;
+  Roles face = {};
+  bool operator==(const SignWords&) const = default;
 };
 
 /// Of which power of two times themselves numbers were computed.
@@ -42,13 +44,8 @@ inline std::string fraction_text(Whole x, int power) {
 }
 
 template <class S>
-FeatureKept<S> kept(const Simplex<S>& before, const Order& order, bool contains_origin) {
-  const std::string kept = letters_of(order);
-  return {.before = before,
-          .after = before.only(order),
-          .kept = kept,
-          .dropped = letters_beside(kept, before.size()),
-          .contains_origin = contains_origin};
+FeatureKept<S> kept(const Simplex<S>& before, const Roles& roles, bool contains_origin) {
+  return {.before = before, .after = before.only(roles), .kept = roles, .contains_origin = contains_origin};
 }
 
 /// Hands events on. The searches know one by one what they have found; a vertex of the second is new only where none of the first
@@ -91,19 +88,25 @@ class SecondTeller {
 
   /// Makes the letters those of a new simplex.
   void name_anew() {
-    letters_ = {'A', 'B', 'C', 'D'};
+    letters_ = in_order;
     told_.clear();
   }
   /// Roles change with what is kept, letters do not until the next vertex comes.
-  void keep(const Order& order) {
-    const std::array<char, 4> before = letters_;
-    std::size_t i = static_cast<std::size_t>(order.end() - order.begin());
-    for (const Role role : order) letters_[--i] = before[static_cast<std::size_t>(role)];
+  void keep(const Roles& roles) {
+    const std::array<Role, 4> before = letters_;
+    int i = roles.size();
+    for (const Role role : roles) letters_[static_cast<std::size_t>(--i)] = before[static_cast<std::size_t>(role)];
   }
   /// "AX".
-  std::string edge(Role X) const { return {letter_of(Role::A), letter_of(X)}; }
+  NamedVector edge(Role X) const { return NamedVector::edge(called(Role::A), called(X)); }
+  /// "AXn".
+  NamedVector normal(Role X) const { return NamedVector::normal({called(Role::A), called(X)}); }
   /// "AXYn".
-  std::string normal(Role X, Role Y) const { return edge(X) + letter_of(Y) + 'n'; }
+  NamedVector normal(Role X, Role Y) const { return NamedVector::normal({called(Role::A), called(X), called(Y)}); }
+  /// AXY in the order of the alphabet.
+  Roles face(Role X, Role Y) const {
+    return {called(Role::A), std::min(called(X), called(Y)), std::max(called(X), called(Y))};
+  }
 
   /// `exact`: where the sign was in doubt.
   template <class Words>
@@ -111,11 +114,10 @@ class SecondTeller {
             const std::optional<Vertex<S>>& vertex = {}) const {
     if constexpr (somebody_listens) {
       const SignWords told = words();
-      const std::string name = told.expression + told.formula;
-      if (!vertex && std::find(told_.begin(), told_.end(), name) != told_.end()) return;
-      told_.push_back(name);
+      if (!vertex && std::find(told_.begin(), told_.end(), told) != told_.end()) return;
+      told_.push_back(told);
       (*tell_)([&] {
-        SignTaken<S> event{.expression = told.expression, .formula = told.formula, .vertex = vertex};
+        SignTaken<S> event{.expression = told.expression, .face = told.face, .vertex = vertex};
         write(value, powers.bounded, event);
         if (exact) event.exact = fraction_text(*exact, -powers.whole);
         event.sign = exact ? exact->sign() : sign_of(value);
@@ -125,7 +127,10 @@ class SecondTeller {
   }
 
  private:
-  char letter_of(Role role) const { return letters_[static_cast<std::size_t>(role)]; }
+  static constexpr std::array<Role, 4> in_order{Role::A, Role::B, Role::C, Role::D};
+
+  /// By the letter that the role had when the newest vertex came.
+  Role called(Role role) const { return letters_[static_cast<std::size_t>(role)]; }
 
   /// Divides by the power of two, unless that would lose digits.
   static void write(const Bounded& x, int power, SignTaken<S>& event) {
@@ -138,8 +143,8 @@ class SecondTeller {
   }
 
   Teller<Obs>* tell_ = nullptr;
-  std::array<char, 4> letters_{'A', 'B', 'C', 'D'};  // by role
-  mutable std::vector<std::string> told_;
+  std::array<Role, 4> letters_ = in_order;  // by role
+  mutable std::vector<SignWords> told_;
 };
 
 }  // namespace gjk::detail

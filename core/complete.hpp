@@ -13,9 +13,8 @@ namespace detail {
 
 /// AP×AQ of the face APQ.
 auto normal_of(const auto& step, Face face) {
-  constexpr const char* names[] = {"ABCn", "ACDn", "ADBn"};
   const FaceRoles roles = roles_of(face);
-  return step.edge(roles.P).cross(step.edge(roles.Q)).named(names[static_cast<int>(face)]);
+  return step.edge(roles.P).cross(step.edge(roles.Q)).named(NamedVector::normal(roles.face()));
 }
 
 constexpr Face face_with(Role X, Role Y) {
@@ -38,9 +37,8 @@ class Nearness {
     const auto AX_AO = AX.dot(step_.AO());
     const bool toward = AX_AO.is_positive();
     toward_[index(X)] = toward;
-    step_.tell_question({.feature = name_of_edge(X)}, AX_AO, Relation::positive, toward, false,
-                        toward ? "along this edge it is nearer to the origin than at A"
-                               : "along this edge it is no nearer to the origin than at A");
+    step_.tell_question({.feature = {Role::A, X}}, AX_AO, Relation::positive, toward, false,
+                        toward ? RegionReason::nearer_along_edge : RegionReason::no_nearer_along_edge);
     return toward;
   }
 
@@ -60,8 +58,8 @@ class Nearness {
     const auto APQn_AO = normal_of(step_, face).dot(step_.AO());
     const bool above = APQn_AO.is_positive();
     step_.tell_question(
-        {.feature = roles_of(face).name}, APQn_AO, Relation::positive, above, true,
-        above ? "the origin lies above this face and within its edges" : "the origin does not lie above this face");
+        {.feature = roles_of(face).face()}, APQn_AO, Relation::positive, above, true,
+        above ? RegionReason::above_face_within_edges : RegionReason::not_above_face);
     return above;
   }
 
@@ -71,14 +69,10 @@ class Nearness {
   bool tell_beyond(Role X, Role Y, const auto& AXn) const {
     const auto AXn_AO = AXn.dot(step_.AO());
     const bool beyond = !AXn_AO.is_negative();
-    const bool in_space = step_.size() == 4;
-    const std::string_view label = in_space ? "" : X == Role::B ? "R3" : "R7";
-    step_.tell_question(
-        {.feature = name_of_edge(X),
-         .label = label,
-         .face = in_space ? roles_of(face_with(X, Y)).name : std::string_view()},
-        AXn_AO, Relation::not_negative, beyond, is_settled(X, Y),
-        beyond ? "in this plane the origin lies beyond the edge" : "in this plane the origin lies within the edge");
+    const Roles face = step_.size() == 4 ? roles_of(face_with(X, Y)).face() : Roles();
+    step_.tell_question({.feature = {Role::A, X}, .face = face}, AXn_AO, Relation::not_negative, beyond,
+                        is_settled(X, Y),
+                        beyond ? RegionReason::beyond_edge_in_plane : RegionReason::within_edge_in_plane);
     return beyond;
   }
 
@@ -103,53 +97,52 @@ template <class ZeroTest = ExactZeroTest>
 struct Complete : Intended<ZeroTest> {
   template <class Rules, class S, class Obs>
   static Next<S> process_1simplex(detail::Step<Rules, S, Obs> step) {
-    step.skip({.feature = "B", .label = "R1"}, nearer_with_A);
+    step.skip({.feature = "B"}, RegionReason::nearer_with_A);
     return keep_nearest(step);
   }
 
   template <class Rules, class S, class Obs>
   static Next<S> process_2simplex(detail::Step<Rules, S, Obs> step) {
-    step.skip({.feature = "B", .label = "R4"}, nearer_with_A);
-    step.skip({.feature = "BC", .label = "R5"}, nearer_with_A);
-    step.skip({.feature = "C", .label = "R6"}, nearer_with_A);
+    step.skip({.feature = "B"}, RegionReason::nearer_with_A);
+    step.skip({.feature = "BC"}, RegionReason::nearer_with_A);
+    step.skip({.feature = "C"}, RegionReason::nearer_with_A);
     return keep_nearest(step);
   }
 
   template <class Rules, class S, class Obs>
   static Next<S> process_3simplex(detail::Step<Rules, S, Obs> step) {
-    for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB", "BCD"})
-      step.skip({.feature = feature}, nearer_with_A);
+    for (const Roles& feature :
+         {Roles("B"), Roles("C"), Roles("D"), Roles("BC"), Roles("CD"), Roles("DB"), Roles("BCD")})
+      step.skip({.feature = feature}, RegionReason::nearer_with_A);
     return keep_nearest(step);
   }
 
  private:
-  static constexpr std::string_view nearer_with_A = "the move to A brought the simplex nearer to the origin";
-
   template <class Rules, class S, class Obs>
   static Next<S> keep_nearest(const detail::Step<Rules, S, Obs>& step) {
-    const Order kept = detail::nearest_with_A(detail::Nearness(step), step.size());
-    const auto roles = static_cast<int>(kept.end() - kept.begin());
-    if (roles == 1) return keep_A(step);
-    if (roles == 2) return keep_edge(step, *kept.begin());
-    if (roles == 4) return step.lies_inside(), step.contains_origin();
-    return step.size() == 3 ? keep_triangle(step) : keep_face(step, *kept.begin(), *(kept.begin() + 1));
+    const Roles kept = detail::nearest_with_A(detail::Nearness(step), step.size());
+    switch (kept.size()) {
+      case 1: return keep_A(step);
+      case 2: return keep_edge(step, kept[0]);
+      case 3: return step.size() == 3 ? keep_triangle(step) : keep_face(step, kept[0], kept[1]);
+      default: return step.lies_inside(), step.contains_origin();
+    }
   }
 
   static auto keep_A(const auto& step) {
     const auto AO = step.AO();
-    if (step.is_zero({.feature = "A", .label = step.size() == 4 ? "" : "R2"}, AO)) return step.contains_origin();
-    return step.keep({{Role::A}, "the point nearest to the origin is A"}, AO);
+    if (step.is_zero({.feature = "A"}, AO)) return step.contains_origin();
+    return step.keep({"A", ReductionReason::nearest_is_A}, AO);
   }
 
   static auto keep_edge(const auto& step, Role X) {
     const auto AX = step.edge(X);
     const auto direction = detail::triple(AX, step.AO());
     const bool is_segment = step.size() == 2;
-    if (is_segment ? step.is_on_segment(direction) : step.is_zero({.feature = detail::name_of_edge(X)}, direction))
+    if (is_segment ? step.is_on_segment(direction) : step.is_zero({.feature = {Role::A, X}}, direction))
       return step.contains_origin();
     if (is_segment) return step.keep_all(direction);
-    return step.keep({{X, Role::A}, "the point nearest to the origin lies on this edge; A stays the newest"},
-                     direction);
+    return step.keep({{X, Role::A}, ReductionReason::nearest_on_edge}, direction);
   }
 
   static auto keep_triangle(const auto& step) {

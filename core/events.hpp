@@ -1,7 +1,7 @@
 /// Everything that GJK tells while it runs. A complete list of events replays, draws and checks a run without the shapes.
 ///
-/// Text in events uses the report's letters for the simplex that is being processed, the one of the last VertexAdded:
-/// A is its newest vertex, O the origin, X×Y×Z is (X×Y)×Z, and ABn, ABCn are the normals of Eqs. 10, 11 and 14.
+/// Events are values. What follows from others is a function here; what they are called is in event_words.hpp. Roles and
+/// expressions use the report's letters for the simplex that is being processed, the one of the last VertexAdded.
 #pragma once
 
 #include <concepts>
@@ -12,14 +12,17 @@
 #include <vector>
 
 #include "certificate.hpp"
+#include "expression.hpp"
 
 namespace gjk {
+
+enum class FirstDirection { usual, asked_for, from_inside, as_told };
 
 template <class S>
 struct SearchStarted {
   int iteration = 0;
   Vec3<S> direction;
-  std::string why;
+  FirstDirection why = FirstDirection::usual;
   friend bool operator==(const SearchStarted&, const SearchStarted&) = default;
 };
 
@@ -56,6 +59,49 @@ enum class Relation { positive, negative, zero, not_zero, not_negative };
 
 enum class Verdict { chosen, rejected, skipped, possible };
 
+/// Why a region need not be asked about, or what the verdict means.
+enum class RegionReason {
+  // Skipped:
+  left_behind,            ///< the search has just moved away from it, toward the origin
+  ruled_out_before,       ///< when the search kept what is left beside A
+  crossed_on_the_way,     ///< by the crossing test
+  only_by_crossing_test,  ///< with which this run does without
+  nearer_with_A,          ///< the move to A brought the simplex nearer to the origin
+  // A compared with the origin:
+  A_is_origin,
+  origin_elsewhere,
+  no_edge_leads_to_origin,
+  // An edge:
+  on_segment,
+  on_line,  ///< without the crossing test the ends are not ruled out
+  beside_segment,
+  on_edge,
+  nearest_on_edge,
+  nearer_along_edge,
+  no_nearer_along_edge,
+  beyond_edge_in_plane,
+  within_edge_in_plane,
+  // A triangle:
+  in_triangle,
+  in_plane,  ///< without the crossing test
+  above_triangle,
+  below_triangle,
+  above_face_within_edges,
+  not_above_face,
+  // A normal:
+  normal_toward_origin,
+  normal_not_toward_origin,
+  // A tetrahedron:
+  no_face_sees_origin,
+};
+
+/// What the numbers say, and where a variant goes on otherwise, as if they said what.
+struct Finding {
+  RegionReason is = RegionReason::ruled_out_before;
+  std::optional<RegionReason> goes_on_as_if = {};
+  friend bool operator==(const Finding&, const Finding&) = default;
+};
+
 /// One region of Algorithms 2-5. `chosen` means that the value stands in `relation` to zero, `rejected` that it does not;
 /// `possible` that it does and that this alone does not decide: only the complete rules (complete.hpp) say so.
 /// Regions that the algorithm does not reach, because it has chosen one before, are not told.
@@ -63,33 +109,70 @@ template <class S>
 struct RegionTested {
   int iteration = 0;
   int simplex_size = 0;
-  std::string feature;                 ///< "A", "AB", "ABC", "ABCD", ...
-  std::string label = {};              ///< the report's "R1" ... "R7", "R3 or R4"; empty where the report gives none
-  std::string face = {};               ///< the face whose edge is tested (Algorithm 5); else empty
-  std::string expression = {};         ///< "ABn·AO"; empty where nothing had to be computed
-  std::string formula = {};            ///< how the normal in `expression` was made: "AB×ABCn"; else empty
+  Roles feature;                       ///< A, AB, ABC, ABCD, ...
+  Roles face = {};                     ///< the face whose edge is tested (Algorithm 5); else empty
+  Expression expression = {};          ///< "ABn·AO"; empty where nothing had to be computed
+  Expression formula = {};             ///< how the normal in `expression` was made: "AB×ABCn"; else empty
   std::optional<Vec3<S>> normal = {};  ///< the value of `formula`
   std::variant<std::monostate, S, Vec3<S>> value = {};  ///< the value of `expression`
   Relation relation = Relation::positive;
   Verdict verdict = Verdict::skipped;
-  std::string reason;  ///< skipped: why it need not be asked; else what the verdict means
+  Finding reason = {};
   friend bool operator==(const RegionTested&, const RegionTested&) = default;
+};
+
+/// The report's names of regions (Figs. 6 and 7).
+enum class RegionLabel { none, R1, R2, R3, R4, R5, R6, R7, R3_or_R4 };
+
+/// Returns: the name of the region that a test decides about; of a segment found to hold the origin, of faces of a tetrahedron and
+/// of what else the complete rules ask the report has none.
+template <class S>
+RegionLabel label_of(const RegionTested<S>& test) {
+  using enum RegionLabel;
+  const Roles& feature = test.feature;
+  const bool is_tested = test.verdict != Verdict::skipped;
+  if (test.simplex_size == 2) {
+    if (feature.size() == 1) return feature == "A" ? R2 : R1;
+    const bool is_height = test.expression.form == Expression::Form::dot;
+    const bool is_on_it = (test.relation == Relation::zero) != test.reason.goes_on_as_if.has_value();
+    return is_height || is_on_it ? none : R3_or_R4;
+  }
+  if (test.simplex_size != 3) return none;
+  if (feature == "A") return R2;
+  if (feature == "ABC") return R1;
+  if (!is_tested) return feature == "B" ? R4 : feature == "BC" ? R5 : R6;
+  const bool is_across = test.expression.X.kind == NamedVector::Kind::normal;
+  return !is_across ? none : feature == "AB" ? R3 : R7;
+}
+
+/// Why vertices are kept, in their order.
+enum class ReductionReason {
+  beyond_edge,
+  turned_below_triangle,  ///< A and B change places
+  face_keeps_normal,
+  nearest_on_edge,
+  nearest_is_A,
+  not_turned_below_triangle,  ///< wrong
+  face_in_its_order,          ///< wrong
+  as_told,                    ///< by another program, which gives no reason
 };
 
 template <class S>
 struct SimplexReduced {
   int iteration = 0;
   Simplex<S> before, after;
-  std::string kept;     ///< roles in `before`, oldest first: "CA"
-  std::string dropped;  ///< roles in `before`; empty where only the order changed
-  std::string why;      ///< why these vertices, and why in this order
+  Roles kept;  ///< in `before`, oldest first: "CA"
+  ReductionReason why = ReductionReason::as_told;
+
+  /// Of `before`, oldest first; none where only the order changed.
+  Roles dropped() const { return beside(kept, before.size()); }
   friend bool operator==(const SimplexReduced&, const SimplexReduced&) = default;
 };
 
 template <class S>
 struct DirectionChosen {
   int iteration = 0;
-  std::string expression;  ///< "AO", "AB×AO×AB", "ABCn", "−ABCn"
+  Expression expression;  ///< "AO", "AB×AO×AB", "ABCn", "−ABCn"
   Vec3<S> direction;
   friend bool operator==(const DirectionChosen&, const DirectionChosen&) = default;
 };
@@ -108,7 +191,7 @@ struct Finished {
 
 /// A number that a proof rests on.
 struct ProofNumber {
-  std::string expression;  ///< "−w·d", "(C×B)·A"
+  Expression expression;  ///< "−w·d", "C·(B×A)"
   double value = 0;
   friend bool operator==(const ProofNumber&, const ProofNumber&) = default;
 };
@@ -129,8 +212,8 @@ struct ProofTried {
 template <class S>
 struct SignTaken {
   int iteration = 0;
-  std::string expression;                ///< "AB·AO", "ABn·AO", "ABCn·AO", "(AB×AO).x"; "w·d", "max w·d"
-  std::string formula = {};              ///< "(AB·AO)(AB·AC) − (AC·AO)(AB·AB)", of ABn·AO; else empty
+  Expression expression;                 ///< "AB·AO", "ABn·AO", "ABCn·AO", "(AB×AO).x"; "w·d", "max w·d"
+  Roles face = {};                       ///< in whose plane ABn lies, in order of the alphabet; else empty
   std::optional<Vertex<S>> vertex = {};  ///< w of w·d; of max w·d the one that reaches farthest, as far as is known
   double value = 0, error = 0;           ///< the polynomial lies within `error` of `value`, ...
   std::optional<int> power = {};  ///< ... both times two to this power, where they would be no doubles without it
@@ -144,9 +227,11 @@ template <class S>
 struct FeatureKept {
   int iteration = 0;
   Simplex<S> before, after;
-  std::string kept;     ///< roles in `before`, oldest first: "CA"
-  std::string dropped;  ///< roles in `before`
+  Roles kept;  ///< in `before`, oldest first: "CA"
   bool contains_origin = false;
+
+  /// Of `before`, oldest first.
+  Roles dropped() const { return beside(kept, before.size()); }
   friend bool operator==(const FeatureKept&, const FeatureKept&) = default;
 };
 

@@ -70,7 +70,7 @@ Next<S> process(Simplex<S>& simplex, Teller<Obs>& tell) {
 /// w·d of Eq. 9, for the vertex found along d.
 template <class ZeroTest, class S>
 auto reach(const Vertex<S>& vertex, const Vec3<S>& d) {
-  return vector(vertex.w, ZeroTest::size(vertex), NoWords("w")).dot(vector(d, ZeroTest::size(d), NoWords("d")));
+  return vector(vertex.w, ZeroTest::size(vertex), NoWords(NamedVector())).dot(vector(d, ZeroTest::size(d), NoWords(NamedVector())));
 }
 
 /// One run of Algorithm 1. Its result is written where the caller will have it: a copy of the evidence costs as much as an
@@ -248,10 +248,9 @@ class Search {
     return false;
   }
 
-  const char* why_first_direction() const {
-    if (options_.inside) return "from a point inside A to one inside B; their difference is the first vertex";
-    return direction_ == Options<S>{}.first_direction ? "any first direction will do; +x is the usual one"
-                                                      : "the caller asked for this first direction";
+  FirstDirection why_first_direction() const {
+    if (options_.inside) return FirstDirection::from_inside;
+    return direction_ == Options<S>{}.first_direction ? FirstDirection::usual : FirstDirection::asked_for;
   }
 
   const decltype(Rules::template difference<S>(std::declval<const A&>(), std::declval<const B&>())) difference_;

@@ -22,7 +22,7 @@ namespace gjk::detail {
 ///     sides.is_beyond(X, Y)       (AX·AO)(AX·AY) − (AY·AO)(AX·AX) >= 0, which is ABn·AO where X, Y are B, C
 ///     sides.is_above(X, Y, Z)     (AX×AY)·AO and (AX×AY)·AZ have opposite signs
 template <class Sides>
-Order nearest_with_A(const Sides& sides, int size) {
+Roles nearest_with_A(const Sides& sides, int size) {
   using enum Role;
   constexpr struct { Role X, Y, Z; } around[] = {{B, C, D}, {C, D, B}, {D, B, C}};
   const auto is_there = [size](Role X) { return static_cast<int>(X) < size; };

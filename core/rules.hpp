@@ -48,8 +48,8 @@ struct Intended {
   static Next<S> process_1simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
     const auto AB = step.AB();
-    step.skip({.feature = "B", .label = "R1"}, "the search has just moved away from B, toward the origin");
-    step.skip_beyond_A("R2");
+    step.skip({.feature = "B"}, RegionReason::left_behind);  // R1
+    step.skip_beyond_A();                                     // R2
     const auto direction = Rules::from_segment(AB, AO);
     if (step.is_on_segment(direction)) return step.contains_origin();
     return step.keep_all(direction);
@@ -72,17 +72,16 @@ struct Intended {
   static Next<S> process_2simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
     const auto AB = step.AB(), AC = step.AC();
-    const auto ABCn = Rules::ABCn_of_triangle(AB, AC).named("ABCn");  // Eq. 10
-    const auto ABn = Rules::ABn_of_triangle(AB, ABCn).named("ABn");   // Eq. 11
-    const auto ACn = Rules::ACn_of_triangle(AC, ABCn).named("ACn");
-    constexpr const char* ruled_out_before = "ruled out when the search kept BC";
-    step.skip({.feature = "B", .label = "R4"}, ruled_out_before);
-    step.skip({.feature = "BC", .label = "R5"}, "the search has just moved away from BC, toward the origin");
-    step.skip({.feature = "C", .label = "R6"}, ruled_out_before);
-    step.skip_beyond_A("R2");
-    if (step.is_beyond_edge({.feature = "AB", .label = "R3"}, ABn.dot(AO)))
+    const auto ABCn = Rules::ABCn_of_triangle(AB, AC).named(NamedVector::normal("ABC"));  // Eq. 10
+    const auto ABn = Rules::ABn_of_triangle(AB, ABCn).named(NamedVector::normal("AB"));   // Eq. 11
+    const auto ACn = Rules::ACn_of_triangle(AC, ABCn).named(NamedVector::normal("AC"));
+    step.skip({.feature = "B"}, RegionReason::ruled_out_before);    // R4
+    step.skip({.feature = "BC"}, RegionReason::left_behind);        // R5
+    step.skip({.feature = "C"}, RegionReason::ruled_out_before);    // R6
+    step.skip_beyond_A();                                           // R2
+    if (step.is_beyond_edge({.feature = "AB"}, ABn.dot(AO)))        // R3
       return Rules::keep_edge(step, Role::B, AB, ABn);
-    if (step.is_beyond_edge({.feature = "AC", .label = "R7"}, ACn.dot(AO)))
+    if (step.is_beyond_edge({.feature = "AC"}, ACn.dot(AO)))        // R7
       return Rules::keep_edge(step, Role::C, AC, ACn);
     switch (step.side_of_triangle(ABCn.dot(AO))) {
       case Side::in_plane: return step.contains_origin();
@@ -109,17 +108,17 @@ struct Intended {
   static Next<S> process_3simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
     const auto AB = step.AB(), AC = step.AC(), AD = step.AD();
-    for (const std::string_view feature : {"B", "C", "D", "BC", "CD", "DB"})
-      step.skip({.feature = feature}, "ruled out when the search kept BCD");
-    step.skip({.feature = "BCD"}, "the search has just moved away from BCD, toward the origin");
+    for (const Roles& feature : {Roles("B"), Roles("C"), Roles("D"), Roles("BC"), Roles("CD"), Roles("DB")})
+      step.skip({.feature = feature}, RegionReason::ruled_out_before);
+    step.skip({.feature = "BCD"}, RegionReason::left_behind);
     step.skip_beyond_A();
-    const auto ABCn = Rules::ABCn(AB, AC).named("ABCn");  // Eq. 14, as are ACDn and ADBn
+    const auto ABCn = Rules::ABCn(AB, AC).named(NamedVector::normal("ABC"));  // Eq. 14, as are ACDn and ADBn
     if (step.is_above_face({.feature = "ABC"}, ABCn.dot(AO)))
       return Rules::process_face(step, Face::ABC, ABCn, AB, AC, ABCn, ABCn);
-    const auto ACDn = Rules::ACDn(AC, AD).named("ACDn");
+    const auto ACDn = Rules::ACDn(AC, AD).named(NamedVector::normal("ACD"));
     if (step.is_above_face({.feature = "ACD"}, ACDn.dot(AO)))
       return Rules::process_face(step, Face::ACD, ACDn, AC, AD, ABCn, ABCn);
-    const auto ADBn = Rules::ADBn(AD, AB).named("ADBn");
+    const auto ADBn = Rules::ADBn(AD, AB).named(NamedVector::normal("ADB"));
     if (step.is_above_face({.feature = "ADB"}, ADBn.dot(AO)))
       return Rules::process_face(step, Face::ADB, ADBn, AD, AB, ABCn, ACDn);
     step.lies_inside();
@@ -179,17 +178,12 @@ struct Intended {
   static auto from_edge(const auto& AX, const auto& AO, const auto& /*AXn*/) { return detail::triple(AX, AO); }
 
   static constexpr Kept kept_below_triangle() {
-    return {{Role::C, Role::A, Role::B},
-            "in the list A and B change places: the normal, read from it, turns to the origin, and the next faces "
-            "get theirs outward"};
+    return {"CAB", ReductionReason::turned_below_triangle};
   }
   /// [Q, P, A]: in the next simplex Q, P, A have become D, C, B, and BC×BD is APQn again.
   static constexpr Kept kept_above(Face face) {
     const detail::FaceRoles roles = detail::roles_of(face);
-    return {
-        {roles.Q, roles.P, Role::A},
-        "read from the list in this order, the face keeps its normal, toward the origin, and the next faces get theirs "
-        "outward"};
+    return {{roles.Q, roles.P, Role::A}, ReductionReason::face_keeps_normal};
   }
 
   // -- Parts of Algorithms 4 and 5 --------------------------------------------------------------------------------------
@@ -197,8 +191,7 @@ struct Intended {
   /// The origin lies beyond the edge from A to X: Simplex([X, A]), searched along AX×AO×AX.
   template <class Rules, class S, class Obs>
   static Next<S> keep_edge(detail::Step<Rules, S, Obs> step, Role X, const auto& AX, const auto& AXn) {
-    return step.keep({{X, Role::A}, "the origin lies beyond this edge; A stays the newest"},
-                     Rules::from_edge(AX, step.AO(), AXn));
+    return step.keep({{X, Role::A}, ReductionReason::beyond_edge}, Rules::from_edge(AX, step.AO(), AXn));
   }
 
   /// The origin lies above the face APQ, whose outward normal is APQn = AP×AQ. The vertex off the face is dropped. Normals of
@@ -213,9 +206,9 @@ struct Intended {
     const detail::FaceRoles roles = detail::roles_of(face);
     const auto AQn = Rules::AQn(face, AQ, APQn, earlier_with_AQ).as_normal_of(AQ);
     const auto APn = Rules::APn(face, AP, APQn, earlier_with_AP).as_normal_of(AP);
-    if (step.is_beyond_edge({.feature = AQ.told.name, .face = roles.name}, AQn.dot(AO)))
+    if (step.is_beyond_edge({.feature = {Role::A, roles.Q}, .face = roles.face()}, AQn.dot(AO)))
       return Rules::keep_edge(step, roles.Q, AQ, AQn);
-    if (step.is_beyond_edge({.feature = AP.told.name, .face = roles.name}, APn.dot(AO)))
+    if (step.is_beyond_edge({.feature = {Role::A, roles.P}, .face = roles.face()}, APn.dot(AO)))
       return Rules::keep_edge(step, roles.P, AP, APn);
     return step.keep(Rules::kept_above(face), APQn);
   }

@@ -6,6 +6,9 @@
 #include <cassert>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "shapes.hpp"
 
@@ -16,19 +19,63 @@ enum class Role { A, B, C, D };
 
 constexpr char letter(Role role) { return "ABCD"[static_cast<int>(role)]; }
 
-/// Roles of one to four vertices, oldest first: {C, A, B}.
-class Order {
+constexpr std::optional<Role> role_named(char letter) {
+  return letter < 'A' || letter > 'D' ? std::nullopt : std::optional(static_cast<Role>(letter - 'A'));
+}
+
+/// Roles of up to four vertices, each once: a feature as the report writes it, "ADB", or what is kept of a simplex, oldest
+/// first, "CA". Written as that in code, too: event.feature == "ADB".
+class Roles {
  public:
-  constexpr Order(std::initializer_list<Role> oldest_first) : size_(oldest_first.size()) {
-    std::copy(oldest_first.begin(), oldest_first.end(), roles_.begin());
+  constexpr Roles() = default;
+  constexpr Roles(std::initializer_list<Role> roles) {
+    for (const Role role : roles) add(role);
   }
+  /// What names no roles does not compile.
+  template <std::size_t length>
+  consteval Roles(const char (&letters)[length]) : Roles(named(std::string_view(letters, length - 1)).value()) {}
+
+  /// Returns: nothing where these are no roles.
+  static constexpr std::optional<Roles> named(std::string_view letters) {
+    Roles roles;
+    for (const char each : letters) {
+      const std::optional<Role> role = role_named(each);
+      if (!role || roles.has(*role)) return std::nullopt;
+      roles.add(*role);
+    }
+    return roles;
+  }
+
   constexpr const Role* begin() const { return roles_.data(); }
   constexpr const Role* end() const { return begin() + size_; }
+  constexpr int size() const { return size_; }
+  constexpr bool empty() const { return size_ == 0; }
+  /// Requires: 0 <= i < size().
+  constexpr Role operator[](int i) const { return roles_[static_cast<std::size_t>(i)]; }
+  constexpr bool has(Role role) const { return std::find(begin(), end(), role) != end(); }
+  /// Requires: not has(role).
+  constexpr void add(Role role) { roles_[static_cast<std::size_t>(size_++)] = role; }
+  constexpr bool operator==(const Roles& other) const { return std::equal(begin(), end(), other.begin(), other.end()); }
 
  private:
   std::array<Role, 4> roles_{};
-  std::size_t size_;
+  int size_ = 0;
 };
+
+/// Returns: "ADB".
+inline std::string to_string(const Roles& roles) {
+  std::string letters;
+  for (const Role role : roles) letters += letter(role);
+  return letters;
+}
+
+/// Returns: the roles of a simplex of that size that are not among `kept`, oldest first.
+constexpr Roles beside(const Roles& kept, int size) {
+  Roles others;
+  for (int i = size; i-- > 0;)
+    if (const Role role = static_cast<Role>(i); !kept.has(role)) others.add(role);
+  return others;
+}
 
 /// Vertices in the report's order, oldest first: Simplex([C, B, A]) of the report is {C, B, A} here, A being newest.
 ///
@@ -59,9 +106,9 @@ class Simplex {
   const Vec3<S>& point(Role role) const { return (*this)[role].w; }
 
   /// Returns: the vertices of these roles, in this order.
-  Simplex only(const Order& order) const {
+  Simplex only(const Roles& roles) const {
     Simplex kept;
-    for (const Role role : order) kept.add((*this)[role]);
+    for (const Role role : roles) kept.add((*this)[role]);
     return kept;
   }
 

@@ -1,10 +1,8 @@
-/// What Algorithms 2-5 tell, in which words, and the step that carries out what they decide. Nothing here decides where the
+/// What Algorithms 2-5 tell, and the step that carries out what they decide. Nothing here decides where the
 /// origin is: the rules do.
 #pragma once
 
 #include <concepts>
-#include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -19,8 +17,8 @@ enum class Face { ABC, ACD, ADB };
 
 /// Which vertices are kept, and why these, in this order.
 struct Kept {
-  Order order;
-  std::string_view why;
+  Roles order;
+  ReductionReason why;
 };
 
 namespace detail {
@@ -53,37 +51,17 @@ class Teller {
 };
 
 struct FaceRoles {
-  std::string_view name;
   Role P, Q;
+  constexpr Roles face() const { return {Role::A, P, Q}; }
 };
 constexpr FaceRoles roles_of(Face face) {
-  constexpr FaceRoles all[] = {{"ABC", Role::B, Role::C}, {"ACD", Role::C, Role::D}, {"ADB", Role::D, Role::B}};
+  constexpr FaceRoles all[] = {{Role::B, Role::C}, {Role::C, Role::D}, {Role::D, Role::B}};
   return all[static_cast<int>(face)];
 }
 
-/// "AB", "AC", "AD".
-constexpr std::string_view name_of_edge(Role X) {
-  constexpr std::string_view names[] = {"", "AB", "AC", "AD"};
-  return names[static_cast<int>(X)];
-}
-
-/// Returns: the letters of these roles, in that order.
-inline std::string letters_of(const Order& order) {
-  std::string letters;
-  for (const Role role : order) letters += letter(role);
-  return letters;
-}
-/// Returns: the letters of a simplex of that size that are not among `kept`, oldest first.
-inline std::string letters_beside(std::string_view kept, int size) {
-  std::string letters;
-  for (int i = size; i-- > 0;)
-    if (const char name = letter(static_cast<Role>(i)); kept.find(name) == std::string_view::npos) letters += name;
-  return letters;
-}
-
-/// One region: the report's "R1" ... "R7", and in Algorithm 5 the face whose edge is looked at.
+/// What a test is about, and in Algorithm 5 the face whose edge is looked at.
 struct Region {
-  std::string_view feature, label = {}, face = {};
+  Roles feature, face = {};
 };
 
 /// One call of Algorithms 2-5: the simplex as its vectors, and the telling of what the rules find out about it. The rules
@@ -100,7 +78,7 @@ class Step {
   // -- Vectors --------------------------------------------------------------------------------------------------------
 
   auto AO() const {
-    return to_origin_from(simplex_.point(Role::A), Rules::ZeroTest::size(simplex_[Role::A]), Told("AO"));
+    return to_origin_from(simplex_.point(Role::A), Rules::ZeroTest::size(simplex_[Role::A]), Told(gjk::AO));
   }
   auto AB() const { return edge(Role::B); }
   auto AC() const { return edge(Role::C); }
@@ -111,7 +89,7 @@ class Step {
     const Vec3<S>&P = simplex_.point(X), &A = simplex_.point(Role::A);
     Vec3<S> AX = P - A;
     const auto size = Rules::ZeroTest::size(AX);
-    return Vector<S, std::remove_const_t<decltype(size)>, Told>{std::move(AX), size, Told(name_of_edge(X))};
+    return Vector<S, std::remove_const_t<decltype(size)>, Told>{std::move(AX), size, Told(NamedVector::edge(Role::A, X))};
   }
 
   int size() const { return simplex_.size(); }
@@ -119,19 +97,17 @@ class Step {
   // -- Regions --------------------------------------------------------------------------------------------------------
 
   /// A region that needs no test.
-  void skip(const Region& region, std::string_view reason) const {
+  void skip(const Region& region, RegionReason reason) const {
     tell_([&] {
       auto event = tested(region);
       event.verdict = Verdict::skipped;
-      event.reason = reason;
+      event.reason = {reason};
       return event;
     });
   }
   /// The region beyond A, which the report skips because of the crossing test, and only because of it.
-  void skip_beyond_A(std::string_view label = {}) const {
-    skip({.feature = "A", .label = label},
-         by_crossing_test("were the origin beyond A, the move to A would not have reached it",
-                          "only the crossing test rules this out, and this run does without it"));
+  void skip_beyond_A() const {
+    skip({.feature = "A"}, by_crossing_test(RegionReason::crossed_on_the_way, RegionReason::only_by_crossing_test));
   }
 
   // Each asks the rules, tells what they say, and returns it.
@@ -149,7 +125,7 @@ class Step {
   bool is_at_origin(const Vector& AO) const {
     const bool found = Rules::is_at_origin(AO);
     tell_([&] {
-      return compared_with_zero({.feature = "A"}, AO, found, "A is the origin", "the origin lies elsewhere");
+      return compared_with_zero({.feature = "A"}, AO, found, RegionReason::A_is_origin, RegionReason::origin_elsewhere);
     });
     return found;
   }
@@ -158,14 +134,9 @@ class Step {
   bool is_on_segment(const Vector& direction) const {
     const bool found = Rules::is_on_segment(direction);
     tell_([&] {
-      auto event = compared_with_zero({.feature = "AB", .label = found ? "" : "R3 or R4"}, direction, found,
-                                      by_crossing_test("the origin lies on AB", "the origin lies on the line AB"),
-                                      "the origin lies to one side of AB");
-      // Only AB×AO×AB is zero exactly there; a variant that looks at another vector concludes more than that says.
-      if (event.expression != "AB×AO×AB")
-        event.reason = event.expression + (direction.is_zero() ? " is zero" : " is not zero") +
-                       ", from which these rules conclude: " + event.reason;
-      return event;
+      return compared_with_zero({.feature = "AB"}, direction, found,
+                                by_crossing_test(RegionReason::on_segment, RegionReason::on_line),
+                                RegionReason::beside_segment);
     });
     return found;
   }
@@ -174,10 +145,9 @@ class Step {
   Side side_of_triangle(const Height& ABCn_AO) const {
     const Side side = Rules::side_of_triangle(ABCn_AO);
     tell_([&] {
-      auto event = tested({.feature = "ABC", .label = "R1"}, ABCn_AO);
+      auto event = tested({.feature = "ABC"}, ABCn_AO);
       event.relation = relation_of(ABCn_AO.side());
-      event.reason = words_for(ABCn_AO.side());
-      if (side != ABCn_AO.side()) event.reason += as_if(words_for(side));
+      event.reason = finding(reason_for(ABCn_AO.side()), reason_for(side));
       return event;
     });
     return side;
@@ -187,9 +157,9 @@ class Step {
   template <class Vector>
   bool is_zero(const Region& region, const Vector& v) const {
     const bool found = v.is_zero();
-    const std::string_view on = region.feature.size() == 1 ? "A is the origin" : "the origin lies on this edge";
-    const std::string_view off = region.feature.size() == 1 ? "no edge leads from A toward the origin"
-                                                            : "the point nearest to the origin lies on this edge";
+    const bool is_vertex = region.feature.size() == 1;
+    const RegionReason on = is_vertex ? RegionReason::A_is_origin : RegionReason::on_edge,
+                       off = is_vertex ? RegionReason::no_edge_leads_to_origin : RegionReason::nearest_on_edge;
     tell_([&] { return compared_with_zero(region, v, found, on, off); });
     return found;
   }
@@ -197,12 +167,12 @@ class Step {
   /// A question of the complete rules, the answer to which the caller knows. `decides`: whether a yes settles it.
   template <class Height>
   void tell_question(const Region& region, const Height& X_AO, Relation asked, bool holds, bool decides,
-                     std::string_view reason) const {
+                     RegionReason reason) const {
     tell_([&] {
       auto event = tested(region, X_AO);
       event.verdict = !holds ? Verdict::rejected : decides ? Verdict::chosen : Verdict::possible;
       event.relation = asked;
-      event.reason = reason;
+      event.reason = {reason};
       return event;
     });
   }
@@ -211,7 +181,7 @@ class Step {
   void lies_inside() const {
     tell_([&] {
       auto event = tested({.feature = "ABCD"});
-      event.reason = "no face sees the origin: it lies in the tetrahedron";
+      event.reason = {RegionReason::no_face_sees_origin};
       return event;
     });
   }
@@ -231,13 +201,8 @@ class Step {
   template <class Direction>
   Next<S> keep(const Kept& kept, const Direction& direction) const {
     tell_([&] {
-      SimplexReduced<S> event{.before = simplex_,
-                              .after = simplex_.only(kept.order),
-                              .kept = letters_of(kept.order),
-                              .dropped = {},
-                              .why = std::string(kept.why)};
-      event.dropped = letters_beside(event.kept, simplex_.size());
-      return event;
+      return SimplexReduced<S>{
+          .before = simplex_, .after = simplex_.only(kept.order), .kept = kept.order, .why = kept.why};
     });
     tell_direction(direction);
     simplex_ = simplex_.only(kept.order);
@@ -247,35 +212,33 @@ class Step {
  private:
   template <class Direction>
   void tell_direction(const Direction& d) const {
-    tell_([&] { return DirectionChosen<S>{.expression = std::string(d.told.name), .direction = d.value}; });
+    tell_([&] { return DirectionChosen<S>{.expression = d.told.called, .direction = d.value}; });
   }
 
   RegionTested<S> tested(const Region& region) const {
     return {.simplex_size = simplex_.size(),
-            .feature = std::string(region.feature),
-            .label = std::string(region.label),
-            .face = std::string(region.face),
-            .verdict = Verdict::chosen,
-            .reason = {}};
+            .feature = region.feature,
+            .face = region.face,
+            .verdict = Verdict::chosen};
   }
   template <class Height>
   RegionTested<S> tested(const Region& region, const Height& n_AO) const {
     auto event = tested(region);
-    event.expression = std::string(n_AO.X.told.name) + "·AO";
-    event.formula = n_AO.X.told.formula.empty() ? n_AO.X.told.name : n_AO.X.told.formula;
+    const Expression &n = n_AO.X.told.called, &formula = n_AO.X.told.formula;
+    event.expression = {Expression::Form::dot, n.X, gjk::AO};
+    event.formula = formula.empty() ? n : formula;
     event.normal = n_AO.X.value;
     event.value = n_AO.value;
     return event;
   }
   template <class Vector>
-  RegionTested<S> compared_with_zero(const Region& region, const Vector& v, bool found, std::string_view if_zero,
-                                     std::string_view if_not) const {
+  RegionTested<S> compared_with_zero(const Region& region, const Vector& v, bool found, RegionReason if_zero,
+                                     RegionReason if_not) const {
     auto event = tested(region);
-    event.expression = v.told.name;
+    event.expression = v.told.called;
     event.value = v.value;
     event.relation = v.is_zero() ? Relation::zero : Relation::not_zero;
-    event.reason = v.is_zero() ? if_zero : if_not;
-    if (found != v.is_zero()) event.reason += as_if(found ? if_zero : if_not);
+    event.reason = finding(v.is_zero() ? if_zero : if_not, found ? if_zero : if_not);
     return event;
   }
 
@@ -284,20 +247,22 @@ class Step {
   bool tell_sight(const Region& region, const Height& n_AO, bool chosen) const {
     tell_([&] {
       const bool points_there = n_AO.is_positive();
-      const std::string n(n_AO.X.told.name);
-      const std::string if_so = n + " points toward the origin", if_not = n + " does not point toward the origin";
+      const auto reason = [](bool is_so) {
+        return is_so ? RegionReason::normal_toward_origin : RegionReason::normal_not_toward_origin;
+      };
       auto event = tested(region, n_AO);
       event.verdict = chosen ? Verdict::chosen : Verdict::rejected;
       event.relation = chosen ? relation_of(n_AO.side()) : points_there ? Relation::negative : Relation::positive;
-      event.reason = points_there ? if_so : if_not;
-      if (chosen != points_there) event.reason += as_if(chosen ? if_so : if_not);
+      event.reason = finding(reason(points_there), reason(chosen));
       return event;
     });
     return chosen;
   }
 
-  /// For a variant that decides otherwise than its numbers say.
-  static std::string as_if(std::string_view what) { return ", but these rules go on as if " + std::string(what); }
+  /// A variant may decide otherwise than its numbers say.
+  static Finding finding(RegionReason is, RegionReason goes_on_as) {
+    return is == goes_on_as ? Finding{is} : Finding{is, goes_on_as};
+  }
 
   static Relation relation_of(Side side) {
     switch (side) {
@@ -308,17 +273,17 @@ class Step {
     return Relation::negative;
   }
 
-  std::string_view words_for(Side side) const {
+  RegionReason reason_for(Side side) const {
     switch (side) {
-      case Side::in_plane: return by_crossing_test("the origin lies in the triangle", "the origin lies in its plane");
-      case Side::above: return "the origin lies above the triangle, on the side of ABCn";
-      case Side::below: return "the origin lies below the triangle, on the side of −ABCn";
+      case Side::in_plane: return by_crossing_test(RegionReason::in_triangle, RegionReason::in_plane);
+      case Side::above: return RegionReason::above_triangle;
+      case Side::below: break;
     }
-    return "";
+    return RegionReason::below_triangle;
   }
 
   /// Returns: what can be said with the crossing test (Eq. 9) on, or what is left of it when it is off.
-  std::string_view by_crossing_test(std::string_view on, std::string_view off) const {
+  RegionReason by_crossing_test(RegionReason on, RegionReason off) const {
     return tell_.crossing_test() == CrossingTest::on ? on : off;
   }
 

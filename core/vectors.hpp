@@ -5,10 +5,9 @@
 
 #include <concepts>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <type_traits>
 
+#include "expression.hpp"
 #include "zero_test.hpp"
 
 namespace gjk {
@@ -27,34 +26,46 @@ namespace detail {
 
 /// "ABn", made as "AB×ABCn". A product without a name of its own is called by its formula.
 struct Words {
-  std::string name, formula = {};
+  Expression called, formula = {};
 
-  explicit Words(std::string_view called, std::string_view made_as = {}) : name(called), formula(made_as) {}
+  explicit constexpr Words(const NamedVector& vector) : called(vector) {}
   Words cross(const Words& Y) const {
-    const std::string product = name + "×" + Y.name;
-    return Words(product, product);
+    Words product(*this);
+    product.called = product.formula = {Expression::Form::product, called.X, Y.called.X};
+    return product;
   }
-  Words triple(const Words& Y) const { return Words(name + "×" + Y.name + "×" + name); }
-  Words minus() const { return Words("−" + name); }
-  Words named(std::string_view called) const { return Words(called, formula); }
-  Words as_normal_of(const Words& AX) const { return named(AX.name + "n"); }
+  Words triple(const Words& Y) const { return without_formula({Expression::Form::triple, called.X, Y.called.X}); }
+  Words minus() const { return without_formula({Expression::Form::negative, called.X}); }
+  Words named(const NamedVector& vector) const {
+    Words words(vector);
+    words.formula = formula;
+    return words;
+  }
+  Words as_normal_of(const Words& AX) const { return named(NamedVector::normal(AX.called.X.of)); }
+
+ private:
+  static Words without_formula(const Expression& expression) {
+    Words words(expression.X);
+    words.called = expression;
+    return words;
+  }
 };
 
 /// What is told where nobody listens.
 struct NoWords {
-  static constexpr std::string_view name = {}, formula = {};
+  static constexpr Expression called = {}, formula = {};
 
-  constexpr explicit NoWords(std::string_view) {}
+  constexpr explicit NoWords(const NamedVector&) {}
   constexpr NoWords cross(NoWords) const { return *this; }
   constexpr NoWords triple(NoWords) const { return *this; }
   constexpr NoWords minus() const { return *this; }
-  constexpr NoWords named(std::string_view) const { return *this; }
+  constexpr NoWords named(const NamedVector&) const { return *this; }
   constexpr NoWords as_normal_of(NoWords) const { return *this; }
 };
 
 /// A vector that nobody wants to hear of.
 struct NoVector {
-  static constexpr NoWords told{""};
+  static constexpr NoWords told{NamedVector()};
   static constexpr std::nullopt_t value = std::nullopt;
 };
 
@@ -92,7 +103,7 @@ struct Vector {
   /// Returns: whether it counts as the zero vector; no where it is not a number.
   bool is_zero() const { return gjk::is_zero(size.snap(value)); }
 
-  Vector named(std::string_view name) const { return {value, size, told.named(name)}; }
+  Vector named(const NamedVector& name) const { return {value, size, told.named(name)}; }
   /// "ABn" where AX is AB.
   template <class SizeAX>
   Vector as_normal_of(const Vector<S, SizeAX, Told>& AX) const {

@@ -59,8 +59,9 @@ TEST_CASE("A question of the complete rules is told once, with the product that 
       if (std::holds_alternative<VertexAdded<double>>(event)) told.clear();
       const auto* const region = std::get_if<RegionTested<double>>(&event);
       if (!region || region->verdict == Verdict::skipped || region->expression.empty()) continue;
-      INFO("pair " << i << ", seed 73, " << region->face << " " << region->expression);
-      REQUIRE(told.insert(region->face + " " + region->expression).second);
+      const std::string asked = to_string(region->face) + " " + to_string(region->expression);
+      INFO("pair " << i << ", seed 73, " << asked);
+      REQUIRE(told.insert(asked).second);
       const double* const value = std::get_if<double>(&region->value);
       if (!value || region->feature == "ABC") continue;
       const bool holds = region->relation == Relation::not_negative ? *value >= 0 : *value > 0;

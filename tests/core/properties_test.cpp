@@ -121,8 +121,9 @@ TEST_CASE(
       if (const auto* added = std::get_if<VertexAdded<Rational>>(&event))
         REQUIRE((added->simplex[Role::A] == last->vertex));
       if (const auto* reduced = std::get_if<SimplexReduced<Rational>>(&event)) {
-        const bool oldest_first = std::is_sorted(reduced->kept.rbegin(), reduced->kept.rend());
-        (oldest_first ? in_order : reordered).insert(std::to_string(reduced->before.size()) + ":" + reduced->kept);
+        const std::string kept = to_string(reduced->kept);
+        const bool oldest_first = std::is_sorted(kept.rbegin(), kept.rend());
+        (oldest_first ? in_order : reordered).insert(std::to_string(reduced->before.size()) + ":" + kept);
       }
     }
   }
@@ -141,9 +142,9 @@ TEST_CASE("P4. Normals point away from the simplex: no vertex of the triangle or
       if (!region || !region->normal) continue;
       ++normals;
       // An edge normal of Algorithm 5 belongs to its face; the fourth vertex may lie on either side.
-      const std::string vertices = !region->face.empty() ? region->face : simplex.size() == 4 ? "ABCD" : "ABC";
-      for (const char c : vertices) {
-        const ExactVec AX = simplex.point(static_cast<Role>(c - 'A')) - simplex.point(Role::A);
+      const Roles vertices = !region->face.empty() ? region->face : beside({}, simplex.size());
+      for (const Role role : vertices) {
+        const ExactVec AX = simplex.point(role) - simplex.point(Role::A);
         REQUIRE(region->normal->dot(AX) <= 0);
       }
     }

@@ -88,11 +88,11 @@ TEST_CASE("A detail that a variant hides is asked of the variant, wherever it is
 
 TEST_CASE("Tolerances are multiplied up from the factors of the formula, in the order of the formula", "[rule-sets]") {
   const auto sized = [](const Vec3<double>& v) {
-    return detail::vector(v, RelativeZeroTest::size(v), detail::NoWords(""));
+    return detail::vector(v, RelativeZeroTest::size(v), detail::NoWords(NamedVector()));
   };
   const auto AB = sized({0.1, 0.2, 0.4}), AC = sized({0.7, -0.3, 0.1});
   const Vertex<double> A{{Vec3<double>(0.3, 0.1, 0)}, {Vec3<double>(0.1, 0, 0.9)}, {0.2, 0.1, -0.9}};
-  const auto AO = detail::to_origin_from(A.w, RelativeZeroTest::size(A), detail::NoWords(""));
+  const auto AO = detail::to_origin_from(A.w, RelativeZeroTest::size(A), detail::NoWords(NamedVector()));
   const auto lengths = [](const auto& v) { return std::vector<double>(v.size.lengths.begin(), v.size.lengths.end()); };
   const double b = lengths(AB).at(0), c = lengths(AC).at(0);
   REQUIRE(b != c);

@@ -1,5 +1,6 @@
 #include "tests/core/rules_support.hpp"
 
+#include "core/event_words.hpp"
 #include "tests/core/oracle.hpp"
 #include "tests/kit/catch.hpp"
 
@@ -25,13 +26,14 @@ Told<S> ask_rules(const std::vector<Vec3<S>>& oldest_first) {
   if (next) told.next = roles(kept, simplex.size());
   told.regions = events_of_kind<RegionTested<S>>(events);
   for (const auto& r : told.regions) {
-    const std::string name =
-        r.feature + (r.label.empty() ? "" : " " + r.label) + (r.face.empty() ? "" : " of " + r.face);
+    const std::string_view label = to_string(label_of(r));
+    const std::string name = to_string(r.feature) + (label.empty() ? "" : " " + std::string(label)) +
+                             (r.face.empty() ? "" : " of " + to_string(r.face));
     if (r.verdict == Verdict::skipped) append(told.skipped, name);
     if (r.verdict == Verdict::chosen) append(told.decided, name + ": yes");
     if (r.verdict == Verdict::rejected) append(told.decided, name + ": no");
   }
-  for (const auto& d : events_of_kind<DirectionChosen<S>>(events)) told.expression = d.expression;
+  for (const auto& d : events_of_kind<DirectionChosen<S>>(events)) told.expression = to_string(d.expression);
   return told;
 }
 

@@ -22,7 +22,7 @@ struct Told {
 
   const RegionTested<S>& region(const std::string& feature, const std::string& face = "") const {
     for (const auto& r : regions)
-      if (r.feature == feature && r.face == face) return r;
+      if (to_string(r.feature) == feature && to_string(r.face) == face) return r;
     throw std::logic_error("no word of " + feature);
   }
 };

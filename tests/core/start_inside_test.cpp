@@ -35,14 +35,13 @@ TEST_CASE(
   const auto a = point_set<double>(corner), b = point_set<double>(moved(corner, {1, 2, 3}));
   const auto run = observed<double>(a, b, inside<double>({1, 1, 1}, {2, 3, 4}));
   REQUIRE(std::get<SearchStarted<double>>(run.events[0]).direction == V(1, 2, 3));
-  REQUIRE(std::get<SearchStarted<double>>(run.events[0]).why ==
-          "from a point inside A to one inside B; their difference is the first vertex");
+  REQUIRE(std::get<SearchStarted<double>>(run.events[0]).why == FirstDirection::from_inside);
   const auto& added = std::get<VertexAdded<double>>(run.events[1]);
   REQUIRE(added.iteration == 0);
   REQUIRE(added.simplex.size() == 1);
   REQUIRE(added.simplex[0] == Vertex<double>{V(1, 1, 1), V(2, 3, 4), V(-1, -2, -3)});
   REQUIRE_FALSE(added.simplex[0].a.index);
-  REQUIRE(std::get<RegionTested<double>>(run.events[2]).feature == "A");
+  REQUIRE(to_string(std::get<RegionTested<double>>(run.events[2]).feature) == "A");
   REQUIRE(std::get<DirectionChosen<double>>(run.events[3]).direction == V(1, 2, 3));
   const auto& found = std::get<SupportFound<double>>(run.events[4]);
   REQUIRE((found.iteration == 1 && found.direction == V(1, 2, 3)));

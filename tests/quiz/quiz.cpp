@@ -50,7 +50,7 @@ Walkthrough some_walkthrough(Random& random, Dimension dimension) {
 }
 
 /// The test of Algorithms 3 to 5 that ends the questions about this simplex or face; nothing where there is none.
-const gjk::RegionTested<double>* chosen_after(const Trace& trace, std::size_t event, const std::string& face) {
+const gjk::RegionTested<double>* chosen_after(const Trace& trace, std::size_t event, const gjk::Roles& face) {
   for (std::size_t i = event + 1; i < trace.events.size(); ++i) {
     if (std::holds_alternative<gjk::VertexAdded<double>>(trace.events[i])) return nullptr;
     const auto* tested = std::get_if<gjk::RegionTested<double>>(&trace.events[i]);
@@ -65,7 +65,7 @@ struct Asked {
 
 Asked about_triangle(const gjk::RegionTested<double>& chosen, Dimension dimension) {
   const double* const value = std::get_if<double>(&chosen.value);
-  std::string answer = chosen.label;
+  std::string answer(to_string(label_of(chosen)));
   if (chosen.feature == "ABC" && dimension == Dimension::space && value)
     answer += *value > 0 ? " above" : *value < 0 ? " below" : " in";
   return {"triangle", "In which region of the triangle does the origin lie?", answer};
@@ -81,7 +81,7 @@ std::optional<Asked> asked_of(const Story& story, const Frame& frame) {
     return Asked{"crossing", "Does P lie past the origin along d, or short of it?",
                  *now.crossing->value > 0 ? "past" : "short"};
   if (frame.focus == Focus::added) {
-    const gjk::RegionTested<double>* const chosen = chosen_after(trace, event, "");
+    const gjk::RegionTested<double>* const chosen = chosen_after(trace, event, {});
     if (!chosen) return std::nullopt;
     if (now.simplex.size() == 2 && dimension == Dimension::plane)
       return Asked{"segment", "On which side of the segment, going from B to A, does the origin lie?",
@@ -93,16 +93,16 @@ std::optional<Asked> asked_of(const Story& story, const Frame& frame) {
     if (now.simplex.size() == 3) return about_triangle(*chosen, dimension);
     if (now.simplex.size() == 4)
       return Asked{"tetrahedron", "Which face, the first of ABC, ACD, ADB, sees the origin? Or is it inside?",
-                   chosen->feature == "ABCD" ? "inside" : chosen->feature};
+                   chosen->feature == "ABCD" ? "inside" : to_string(chosen->feature)};
   }
   if (frame.focus == Focus::region && now.simplex.size() == 4 && now.regions.back().face.empty() &&
       now.regions.back().verdict == gjk::Verdict::chosen && now.regions.back().feature.size() == 3) {
-    const std::string face = now.regions.back().feature;
+    const gjk::Roles& face = now.regions.back().feature;
     const gjk::RegionTested<double>* const chosen = chosen_after(trace, event, face);
     return Asked{"edges of a face",
-                 "Does the origin's foot lie beyond A" + face.substr(1, 1) + ", beyond A" + face.substr(2, 1) +
-                     ", or above the face " + face + "?",
-                 chosen ? chosen->feature : face};
+                 "Does the origin's foot lie beyond " + to_string(gjk::Roles{gjk::Role::A, face[1]}) + ", beyond " +
+                     to_string(gjk::Roles{gjk::Role::A, face[2]}) + ", or above the face " + to_string(face) + "?",
+                 to_string(chosen ? chosen->feature : face)};
   }
   return std::nullopt;
 }

@@ -67,7 +67,7 @@ int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::
 
 std::vector<Diagram> figure_6_diagrams() {
   const Sketch sketch;
-  std::vector<std::string> facts = reasons_for_skipping(ask(sketch.simplex, Point(0, 1, 0)).regions, std::identity());
+  std::vector<std::string> facts = reasons_for_skipping(ask(sketch.simplex, Point(0, 1, 0)).regions, [](const gjk::Roles& each) { return to_string(each); });
   facts.push_back("faint, below the hatching: what it would answer there; it relies on its history");
   const std::string where =
       "The segment from B, lower left, to A, upper right, and the lines at right angles to it through both ends. R1 "

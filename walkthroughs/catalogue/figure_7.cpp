@@ -62,7 +62,7 @@ struct Sketch {
     for (const gjk::RegionTested<double>& test : inside.regions) {
       if (test.feature != "AB" && test.feature != "AC") continue;
       const Role other = test.feature == "AB" ? Role::B : Role::C;
-      found.push_back({test.feature + "_n", (at(Role::A) + at(other)) / 2, test.normal->head<2>().normalized()});
+      found.push_back({to_string(test.feature) + "_n", (at(Role::A) + at(other)) / 2, test.normal->head<2>().normalized()});
     }
     return found;
   }
@@ -111,7 +111,7 @@ int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::
 
 std::vector<Diagram> figure_7_diagrams() {
   const Sketch sketch;
-  std::vector<std::string> facts = reasons_for_skipping(sketch.inside.regions, std::identity());
+  std::vector<std::string> facts = reasons_for_skipping(sketch.inside.regions, [](const gjk::Roles& each) { return to_string(each); });
   facts.push_back("faint, below the hatching: what it would answer there; it relies on its history");
   const std::string where =
       "A triangle, A on top, B lower left, C lower right, and the lines at right angles to its sides through their "

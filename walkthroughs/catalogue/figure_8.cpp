@@ -58,7 +58,7 @@ struct Sketch {
   std::vector<Normal> normals() const {
     std::vector<Normal> found;
     for (const auto& test : ask(simplex, middle()).regions)
-      if (test.normal) found.push_back({test.feature, test.formula, test.normal->normalized()});
+      if (test.normal) found.push_back({to_string(test.feature), to_string(test.formula), test.normal->normalized()});
     return found;
   }
   std::vector<Vec2> project(const std::vector<Point>& points) const {

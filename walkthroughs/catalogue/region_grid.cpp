@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/event_words.hpp"
 #include "core/gjk.hpp"
 
 namespace walkthroughs {
@@ -108,13 +109,14 @@ Answer ask(const Simplex& simplex, const Point& origin) {
 
 std::string name_of(const Answer& answer, const Simplex& simplex) {
   const gjk::RegionTested<double>& chosen = answer.chosen();
-  if (chosen.label == "R3 or R4") {
+  const gjk::RegionLabel label = label_of(chosen);
+  if (label == gjk::RegionLabel::R3_or_R4) {
     const Point BA = simplex.point(Role::A) - simplex.point(Role::B);
     return BA.cross(answer.direction).z() > 0 ? "R3" : "R4";
   }
-  if (!chosen.label.empty()) return chosen.label;
+  if (label != gjk::RegionLabel::none) return std::string(to_string(label));
   if (chosen.feature == "ABCD") return "inside";
-  return chosen.face.empty() ? chosen.feature : chosen.feature + " of " + chosen.face;
+  return to_string(chosen.feature) + (chosen.face.empty() ? "" : " of " + to_string(chosen.face));
 }
 
 std::vector<HalfSpace> tested_half_spaces(const Answer& answer, const Simplex& simplex) {

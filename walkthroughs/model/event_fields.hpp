@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <variant>
 
-#include "core/events.hpp"
+#include "core/event_words.hpp"
 
 namespace walkthroughs {
 
@@ -46,6 +47,37 @@ struct Field {
     field.beside = other;
     return field;
   }
+};
+
+/// A field that is told in words: those that `say` makes of its member and of the fields before it.
+template <class R, class T>
+struct Spoken {
+  constexpr Spoken(std::string_view key, T R::*member, std::string (*say)(const R&))
+      : key(key), member(member), say(say) {}
+
+  std::string_view key;
+  T R::*member;
+  std::string (*say)(const R&);
+  bool is_left_out_where_empty = false;
+  static constexpr std::string_view beside = {};
+
+  constexpr bool may_be_missing() const { return is_left_out_where_empty; }
+  constexpr Spoken where_not_empty() const {
+    Spoken field = *this;
+    field.is_left_out_where_empty = true;
+    return field;
+  }
+};
+
+/// What is told, too, though it follows from the other fields.
+template <class R>
+struct Derived {
+  std::string_view key;
+  std::string (*say)(const R&);
+  bool is_left_out_where_empty = false;
+  static constexpr std::string_view beside = {};
+
+  constexpr bool may_be_missing() const { return is_left_out_where_empty; }
 };
 
 /// A record whose fields stand among those of R, without a key of its own.
@@ -101,7 +133,9 @@ template <class S>
 struct FieldsOf<gjk::SearchStarted<S>> {
   using R = gjk::SearchStarted<S>;
   static constexpr std::string_view event = "search-started";
-  static constexpr std::tuple list{Field("direction", &R::direction), Field("why", &R::why, Meaning::sentence)};
+  static constexpr std::tuple list{
+      Field("direction", &R::direction),
+      Spoken("why", &R::why, +[](const R& e) { return std::string(gjk::to_string(e.why)); })};
 };
 
 template <class S>
@@ -131,7 +165,7 @@ struct FieldsOf<gjk::RegionTested<S>> {
   static constexpr std::string_view event = "region-tested";
   static constexpr std::tuple list{Field("simplex_size", &R::simplex_size, Meaning::simplex_size),
                                    Field("feature", &R::feature),
-                                   Field("region", &R::label).where_not_empty(),
+                                   Derived<R>{"region", [](const R& e) { return std::string(to_string(label_of(e))); }, true},
                                    Field("face", &R::face).where_not_empty(),
                                    Field("expression", &R::expression).where_not_empty(),
                                    Field("formula", &R::formula).where_not_empty(),
@@ -139,15 +173,17 @@ struct FieldsOf<gjk::RegionTested<S>> {
                                    Field("value", &R::value).where_not_empty(),
                                    Field("relation", &R::relation).only_beside("value"),
                                    Field("verdict", &R::verdict),
-                                   Field("reason", &R::reason, Meaning::sentence)};
+                                   Spoken("reason", &R::reason, +[](const R& e) { return reason_in_words(e); })};
 };
 
 template <class S>
 struct FieldsOf<gjk::SimplexReduced<S>> {
   using R = gjk::SimplexReduced<S>;
   static constexpr std::string_view event = "simplex-reduced";
-  static constexpr std::tuple list{Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
-                                   Field("dropped", &R::dropped), Field("why", &R::why, Meaning::sentence)};
+  static constexpr std::tuple list{
+      Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
+      Derived<R>{"dropped", [](const R& e) { return to_string(e.dropped()); }},
+      Spoken("why", &R::why, +[](const R& e) { return std::string(gjk::to_string(e.why)); })};
 };
 
 template <class S>
@@ -183,7 +219,7 @@ struct FieldsOf<gjk::SignTaken<S>> {
   using R = gjk::SignTaken<S>;
   static constexpr std::string_view event = "sign-taken";
   static constexpr std::tuple list{Field("expression", &R::expression),
-                                   Field("formula", &R::formula).where_not_empty(),
+                                   Spoken("formula", &R::face, +[](const R& e) { return formula_of(e); }).where_not_empty(),
                                    Field("vertex", &R::vertex).where_not_empty(),
                                    Field("value", &R::value),
                                    Field("error", &R::error),
@@ -197,7 +233,8 @@ struct FieldsOf<gjk::FeatureKept<S>> {
   using R = gjk::FeatureKept<S>;
   static constexpr std::string_view event = "feature-kept";
   static constexpr std::tuple list{Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
-                                   Field("dropped", &R::dropped), Field("contains_origin", &R::contains_origin)};
+                                   Derived<R>{"dropped", [](const R& e) { return to_string(e.dropped()); }},
+                                   Field("contains_origin", &R::contains_origin)};
 };
 
 template <>
@@ -217,12 +254,17 @@ struct FieldsOf<gjk::Certified<S>> {
 
 // -- Visiting them ----------------------------------------------------------------------------------------------------
 
-/// Calls visit(field, value) for each field of `record`, in order; for those of an inlined record in its place.
+/// Calls visit(field, value) for each field of `record`, in order; for those of an inlined record in its place. Of what is told in
+/// words these are the value, or of a record that can be changed the record itself.
 template <class R, class Visit>
 requires Record<std::remove_const_t<R>>
 void for_each_field(R& record, const Visit& visit) {
   const auto visit_one = [&](const auto& field) {
-    if constexpr (requires { field.key; })
+    if constexpr (requires { field.say; } && std::is_const_v<R>)
+      visit(field, field.say(record));
+    else if constexpr (requires { field.say; })
+      visit(field, record);
+    else if constexpr (requires { field.key; })
       visit(field, record.*field.member);
     else
       for_each_field(record.*field.member, visit);

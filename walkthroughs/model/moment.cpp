@@ -12,7 +12,7 @@ class Replay {
   explicit Replay(Moment& now) : now(now) {}
 
   void operator()(const gjk::SearchStarted<double>& event) {
-    now.direction = {.expression = "", .value = event.direction, .from = {}};
+    now.direction = {.expression = {}, .value = event.direction, .from = {}};
   }
   void operator()(const gjk::SupportFound<double>& event) {
     now.iteration = event.iteration;

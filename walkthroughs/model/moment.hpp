@@ -15,7 +15,7 @@ using Vertex = gjk::Vertex<double>;
 using Simplex = gjk::Simplex<double>;
 
 struct Direction {
-  std::string expression;  ///< empty for the first direction, which comes from no feature
+  gjk::Expression expression;  ///< empty for the first direction, which comes from no feature
   Point value;
   Simplex from;  ///< the simplex that it leads away from; empty for the first direction
 };

@@ -32,8 +32,7 @@ struct Widening {
   operator()(const R<S>& record) const {
     R<double> wide{};
     const auto widen_fields = [&](const auto&... to) {
-      std::apply([&](const auto&... from) { ((wide.*to.member = (*this)(record.*from.member)), ...); },
-                 FieldsOf<R<S>>::list);
+      std::apply([&](const auto&... from) { (widen_field(record, from, wide, to), ...); }, FieldsOf<R<S>>::list);
     };
     std::apply(widen_fields, FieldsOf<R<double>>::list);
     return wide;
@@ -42,6 +41,11 @@ struct Widening {
   template <class T>
   T operator()(const T& other) const {  // words, counts, enumerators
     return other;
+  }
+
+ private:
+  void widen_field(const auto& record, const auto& from, auto& wide, const auto& to) const {
+    if constexpr (requires { to.member; }) wide.*to.member = (*this)(record.*from.member);
   }
 };
 

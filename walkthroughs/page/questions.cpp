@@ -67,7 +67,7 @@ std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t 
 }
 
 /// "R3: beyond edge AB". `relation`: where the algorithm has a line for each outcome of one test.
-std::string region_in_words(int size, const std::string& feature, const std::string& name,
+std::string region_in_words(int size, const gjk::Roles& feature, const std::string& name,
                             std::optional<Relation> relation) {
   const bool is_zero = relation == Relation::zero;
   if (size == 1) return name + (is_zero ? " is the origin" : " is not the origin");
@@ -83,13 +83,18 @@ std::string region_in_words(int size, const std::string& feature, const std::str
 }
 
 std::string skipped_in_words(const Region& region, const std::string& name) {
-  const std::string label = region.label.empty() ? "" : region.label + ": ";
+  const gjk::RegionLabel known = label_of(region);
+  const std::string label = known == gjk::RegionLabel::none ? "" : std::string(to_string(known)) + ": ";
   if (region.feature.size() == 1) return label + "beyond " + name;
   return label + (region.feature.size() == 2 ? "beyond edge " : "above face ") + name;
 }
 
 /// What the newest vertex belongs to, of simplices of any size.
-constexpr const char* features_of_newest[] = {"A", "AB", "AC", "AD", "ABC", "ACD", "ADB", "ABCD"};
+constexpr gjk::Roles features_of_newest[] = {"A", "AB", "AC", "AD", "ABC", "ACD", "ADB", "ABCD"};
+
+bool is_of_simplex(const gjk::Roles& feature, int size) {
+  return std::ranges::all_of(feature, [size](gjk::Role role) { return static_cast<int>(role) < size; });
+}
 
 // -- One iteration ----------------------------------------------------------------------------------------------------
 
@@ -141,7 +146,7 @@ class Iteration {
   Decision decision(Kind kind) const {
     const Region& region = *last_chosen();
     return {kind, size_,
-            (region.face.empty() ? "" : region.face + " ") + region.feature + " " +
+            (region.face.empty() ? "" : to_string(region.face) + " ") + to_string(region.feature) + " " +
                 std::string(words_of::of(region.relation))};
   }
 
@@ -153,7 +158,7 @@ class Iteration {
     return caption(events_[at], story_, telling_, replay(telling_.trace, at + 1))->facts[0].text;
   }
 
-  const Region* made(const std::string& face, const std::string& feature) const {
+  const Region* made(const gjk::Roles& face, const gjk::Roles& feature) const {
     const auto found = std::ranges::find_if(now_.regions, [&](const Region& region) {
       return region.verdict != Verdict::skipped && region.face == face && region.feature == feature;
     });
@@ -167,8 +172,9 @@ class Iteration {
 
   /// Its own test; else that of the face in which it asks about an edge; else the one that was right before it.
   Why why_of(const CodeLine& line) const {
-    const Region* face = line.face.empty() ? nullptr : made("", line.face);
-    const Region* own = made(line.face, line.feature);
+    const auto& [feature, in_face, relation, any, in_any, size] = line.tests;
+    const Region* face = in_face.empty() ? nullptr : made({}, in_face);
+    const Region* own = made(in_face, feature);
     if (!own && face && face->verdict != Verdict::chosen) own = face;
     if (own) return {value_of(*own), value_of(*own)};
     const std::string decided = "an earlier test has decided";
@@ -177,21 +183,21 @@ class Iteration {
   }
 
   bool is_of(const CodeLine& line, const Region& region) const {
-    return line.kind == LineKind::test && line.face == region.face && line.feature == region.feature &&
-           (!line.relation || *line.relation == region.relation);
+    return line.kind == LineKind::test && line.tests.face == region.face && line.tests.feature == region.feature &&
+           (!line.tests.relation || *line.tests.relation == region.relation);
   }
 
   /// The rules suppose so, whether or not it is true of this search.
   std::string skipped_because(const Region& region) const {
-    return "the search does not look there: " + names_.translate(region.reason);
+    return "the search does not look there: " + names_.translate(reason_in_words(region));
   }
 
   std::optional<Question> of_region() const {
     std::vector<Choice> choices;
     std::string right;
     for (const CodeLine& line : code_) {
-      if (line.kind != LineKind::test || !line.face.empty()) continue;
-      const std::string text = region_in_words(size_, line.feature, names_.sorted(line.feature), line.relation);
+      if (line.kind != LineKind::test || !line.tests.face.empty()) continue;
+      const std::string text = region_in_words(size_, line.tests.feature, names_.sorted(line.tests.feature), line.tests.relation);
       if (is_of(line, *chosen_without_face())) right = text;
       const Why why = why_of(line);
       add_once(choices, {text, why.reason, why.hint});
@@ -207,7 +213,7 @@ class Iteration {
   }
 
   /// The last test of the complete rules of that feature, which ask several things of it, with that verdict.
-  const Region* asked_of(const std::string& feature, Verdict verdict) const {
+  const Region* asked_of(const gjk::Roles& feature, Verdict verdict) const {
     const auto found = std::find_if(now_.regions.rbegin(), now_.regions.rend(), [&](const Region& region) {
       return region.verdict == verdict && region.feature == feature && !region.expression.empty();
     });
@@ -215,7 +221,7 @@ class Iteration {
   }
 
   /// What has decided for a feature, or ruled it out; what only left it possible speaks for it.
-  std::string reason_of(const std::string& feature) const {
+  std::string reason_of(const gjk::Roles& feature) const {
     for (const Verdict verdict : {Verdict::chosen, Verdict::rejected})
       if (const Region* region = asked_of(feature, verdict)) return value_of(*region);
     return "what was asked of other features has decided";
@@ -223,10 +229,10 @@ class Iteration {
 
   /// Of the complete rules, which decide for one feature among all that A belongs to.
   std::optional<Question> of_nearest() const {
-    const auto words = [&](const std::string& feature) { return with_kind(names_.sorted(feature)); };
+    const auto words = [&](const gjk::Roles& feature) { return with_kind(names_.sorted(feature)); };
     std::vector<Choice> choices;
-    for (const std::string feature : features_of_newest)
-      if (std::ranges::all_of(feature, [&](char letter) { return letter - 'A' < size_; }))
+    for (const gjk::Roles& feature : features_of_newest)
+      if (is_of_simplex(feature, size_))
         choices.push_back({words(feature), reason_of(feature), reason_of(feature)});
     return asked(decision(Kind::region), scene_, first_, "On which feature does the point nearest to the origin lie?",
                  std::move(choices), words(last_chosen()->feature));
@@ -241,8 +247,8 @@ class Iteration {
     std::string right = neither, values;
     std::size_t event = end_;
     for (const CodeLine& line : code_) {
-      if (line.kind != LineKind::test || line.face != face.feature) continue;
-      const std::string text = "beyond edge " + names_.sorted(line.feature);
+      if (line.kind != LineKind::test || line.tests.face != face.feature) continue;
+      const std::string text = "beyond edge " + names_.sorted(line.tests.feature);
       if (is_of(line, *last_chosen())) right = text;
       const Why why = why_of(line);
       values += (values.empty() ? "" : "; ") + why.reason;
@@ -266,9 +272,9 @@ class Iteration {
     return std::get_if<gjk::DirectionChosen<double>>(&events_[direction_at()]);
   }
 
-  std::string in_list(const std::string& roles) const {
+  std::string in_list(const gjk::Roles& roles) const {
     std::string list;
-    for (const char role : roles) list += (list.empty() ? "" : ", ") + names_.of(static_cast<gjk::Role>(role - 'A'));
+    for (const gjk::Role role : roles) list += (list.empty() ? "" : ", ") + names_.of(role);
     return "[" + list + "]";
   }
 
@@ -284,9 +290,8 @@ class Iteration {
     const CodeLine* test = nullptr;
     for (const CodeLine& line : code_) {
       if (line.kind == LineKind::test) test = &line;
-      const std::optional<Way> way = way_of(line);
-      if (!way || !test) continue;
-      const std::string text = words(*way);
+      if (!line.way || !test) continue;
+      const std::string text = words(*line.way);
       const Why of_test = text == right ? Why{why, ""} : why_of(*test);
       const auto known = std::ranges::find(choices, text, &Choice::text);
       if (known == choices.end()) {
@@ -302,8 +307,8 @@ class Iteration {
   std::optional<Question> of_vertices() const {
     if (size_ < 3 || (!reduction() && !direction())) return std::nullopt;
     const std::string right = in_list(reduction() ? reduction()->kept : "CBA");
-    const std::string why = names_.translate(
-        reduction() ? reduction()->why : "the origin lies above the triangle, on the side of its normal");
+    const std::string why = names_.translate(reduction() ? gjk::to_string(reduction()->why)
+                                                         : "the origin lies above the triangle, on the side of its normal");
     return asked(decision(Kind::vertices), scene_, end_, "Which vertices stay, and in which order?",
                  ways(right, why, [&](const Way& way) { return in_list(way.kept); }), right);
   }
@@ -345,36 +350,32 @@ std::optional<Question> of_crossing(const Story& story, std::size_t scene, std::
 
 // -- The second search ------------------------------------------------------------------------------------------------
 
-std::string alphabetical(std::string letters) {
-  std::ranges::sort(letters);
-  return letters;
+/// Requires: roles of `simplex`.
+Simplex part_of(const Simplex& simplex, const gjk::Roles& roles) {
+  Simplex part;
+  for (int i = 0; i < simplex.size(); ++i)  // oldest first
+    if (roles.has(static_cast<gjk::Role>(simplex.size() - 1 - i))) part.add(simplex[i]);
+  return part;
 }
 
-/// Requires: roles of `simplex`.
-Simplex part_of(const Simplex& simplex, const std::string& roles) {
-  Simplex part;
-  for (const char role : {'D', 'C', 'B', 'A'})  // oldest first
-    if (roles.find(role) != std::string::npos) part.add(simplex[static_cast<gjk::Role>(role - 'A')]);
-  return part;
+bool is_same_feature(const gjk::Roles& one, const gjk::Roles& other) {
+  return one.size() == other.size() && std::ranges::all_of(one, [&](gjk::Role role) { return other.has(role); });
 }
 
 /// Whether the sign is of what is asked about a feature: A by where the others lie, an edge by AB·AO, AB_n·AO and AB×AO, a face by the
 /// normals of its edges and its own, a tetrahedron by those of its faces.
-bool is_of_feature(const gjk::SignTaken<double>& sign, const std::string& feature) {
-  const std::string& text = sign.expression;
-  const std::size_t from = text.find_first_of("ABCD"), to = text.find_first_not_of("ABCD", from);
-  if (from == std::string::npos || to == std::string::npos) return false;
-  const std::string own = text.substr(from, to - from);
-  const bool is_normal = text[to] == 'n';
-  if (feature.size() == 1) return own.size() == 2 && text.ends_with("·AO") && !is_normal;
-  if (feature.size() == 4) return own.size() == 3;
-  const bool is_of_its_edge = feature.size() == 3 && is_normal && own.size() == 2 && !sign.formula.empty() &&
-                              alphabetical(face_of(sign)) == alphabetical(feature);
-  return alphabetical(own) == alphabetical(feature) || is_of_its_edge;
+bool is_of_feature(const gjk::SignTaken<double>& sign, const gjk::Roles& feature) {
+  const gjk::NamedVector& asked = sign.expression.X;
+  const bool is_normal = asked.kind == gjk::NamedVector::Kind::normal;
+  if (feature.size() == 1)
+    return sign.expression.form == gjk::Expression::Form::dot && asked.kind == gjk::NamedVector::Kind::edge;
+  if (feature.size() == 4) return asked.of.size() == 3;
+  const bool is_of_its_edge = feature.size() == 3 && is_normal && is_same_feature(sign.face, feature);
+  return is_same_feature(asked.of, feature) || is_of_its_edge;
 }
 
 /// Returns: what was found of that feature; empty where nothing was.
-std::string signs_about(const std::string& feature, const Moment& now, const Names& names, Dimension dimension) {
+std::string signs_about(const gjk::Roles& feature, const Moment& now, const Names& names, Dimension dimension) {
   std::string text;
   for (const gjk::SignTaken<double>& sign : now.signs)
     if (is_of_feature(sign, feature) && !(dimension == Dimension::plane && is_out_of_plane(sign)))
@@ -388,15 +389,14 @@ std::optional<Question> of_kept(const Story& story, std::size_t scene, std::size
   const auto& event = std::get<gjk::FeatureKept<double>>(telling.trace.events[at]);
   const Moment now = replay(telling.trace, at);
   const Names names(story.walkthrough.naming, telling.hull, now);
-  const auto is_kept = [&](char role) { return event.kept.find(role) != std::string::npos; };
   std::vector<Choice> choices;
   std::string found, right;
-  for (const std::string feature : features_of_newest) {
-    if (!std::ranges::all_of(feature, [&](char role) { return role - 'A' < event.before.size(); })) continue;
+  for (const gjk::Roles& feature : features_of_newest) {
+    if (!is_of_simplex(feature, event.before.size())) continue;
     const std::string text = names.simplex(part_of(event.before, feature));
     add_once(choices, {text, signs_about(feature, now, names, telling.scene.dimension), ""});
-    if (feature.size() != event.kept.size() || !std::ranges::all_of(feature, is_kept)) continue;
-    found = feature;
+    if (!is_same_feature(feature, event.kept)) continue;
+    found = to_string(feature);
     right = text;
   }
   for (Choice& choice : choices) {

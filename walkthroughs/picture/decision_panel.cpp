@@ -14,6 +14,7 @@ namespace walkthroughs {
 namespace {
 
 using gjk::Role;
+using gjk::Roles;
 using Kind = DecisionView::Kind;
 using Region = gjk::RegionTested<double>;
 using render::Box;
@@ -32,13 +33,13 @@ constexpr double share_of_base = 0.34;             // of what is left behind, be
 constexpr double dropped_arm = 9;                  // of the cross through a vertex that leaves the simplex
 constexpr double deepest = 0.9;                    // of the fourth vertex that is shown, in widths of the face
 
-Point vertex(const Shown& shown, char role) { return shown.now.processed.point(static_cast<Role>(role - 'A')); }
+Point vertex(const Shown& shown, Role role) { return shown.now.processed.point(role); }
 
 /// Returns: the role of the vertex of a tetrahedron that is not on that face.
-char fourth(const std::string& face) {
-  for (const char role : {'B', 'C', 'D'})
-    if (face.find(role) == std::string::npos) return role;
-  return 'A';
+Role fourth(const Roles& face) {
+  for (const Role role : {Role::B, Role::C, Role::D})
+    if (!face.has(role)) return role;
+  return Role::A;
 }
 
 /// One view, ready to be drawn.
@@ -133,15 +134,15 @@ class DecisionPicture {
   }
 
   /// Returns: where a vertex stands. Seen edge-on a triangle's own corners lie on its line, whatever rounding says.
-  Vec2 at(char role) const {
+  Vec2 at(Role role) const {
     const Vec2 place = lens_(vertex(shown_, role));
-    const bool is_on_line = view_.kind == Kind::edge_on && view_.face.find(role) != std::string::npos;
+    const bool is_on_line = view_.kind == Kind::edge_on && view_.face.has(role);
     return is_on_line ? Vec2(place.x(), 0) : place;
   }
 
   std::vector<Vec2> corners() const {
     std::vector<Vec2> points;
-    for (const char role : view_.face) points.push_back(at(role));
+    for (const Role role : view_.face) points.push_back(at(role));
     if (view_.kind == Kind::crossing) points.push_back(at_found());
     return points;
   }
@@ -152,7 +153,7 @@ class DecisionPicture {
   std::optional<Inset> inset_in(const View& view) const {
     if (view_.kind != Kind::true_shape && view_.kind != Kind::segment) return std::nullopt;
     std::vector<Segment> edges;
-    for (std::size_t i = 0; i < view_.face.size(); ++i)
+    for (int i = 0; i < view_.face.size(); ++i)
       edges.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
     return inset_of(at_origin(), edges, edges, below_title(frame_, style_), view, shown_.telling.panels.close_up);
   }
@@ -196,7 +197,7 @@ class DecisionPicture {
       case Kind::crossing:
         return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", d ↔", lens_.plane.stretch.x());
       case Kind::segment: return "plane of " + face + " and O";
-      case Kind::true_shape: return face + ", true shape, down " + shown_.names.translate(view_.face + "n");
+      case Kind::true_shape: return face + ", true shape, down " + shown_.names.translate(gjk::NamedVector::normal(view_.face));
       case Kind::edge_on:
         if (view_.is_left_behind())
           return face + " edge-on: left behind" + stretched(", heights ↕", lens_.plane.stretch.y());
@@ -221,34 +222,36 @@ class DecisionPicture {
   void vertices(Pencil& pencil) {
     render::Panel& panel = pencil.panel();
     const Vec2 middle = middle_of(corners());
-    for (const char role : has_fourth() ? view_.face + fourth(view_.face) : view_.face) {
+    Roles vertices = view_.face;
+    if (has_fourth()) vertices.add(fourth(view_.face));
+    for (const Role role : vertices) {
       if (!panel.holds(at(role), style_.point_radius + 7)) continue;  // stretched too far
       panel.disc(at(role), style_.point_radius + 2, style_.theme.paper);
       if (is_dropped(role))
         pencil.cross(at(role), dropped_arm);
       else
         panel.disc(at(role), style_.point_radius, style_.theme.green);
-      if (role == 'A') panel.circle(at(role), style_.point_radius + 5, {style_.theme.ink, 2.5});
+      if (role == Role::A) panel.circle(at(role), style_.point_radius + 5, {style_.theme.ink, 2.5});
       const bool is_on_line = view_.kind == Kind::edge_on && at(role).y() == 0;
       panel.label(at(role), is_on_line ? Vec2(0, view_.height < 0 ? 1 : -1) : Vec2(at(role) - middle),
-                  shown_.names.of(static_cast<Role>(role - 'A')),
+                  shown_.names.of(role),
                   is_dropped(role) ? label(style_.theme.grey) : label(style_.theme.ink, render::Weight::bold));
     }
   }
 
-  bool is_dropped(char role) const {
-    return shown_.focus == Focus::reduction && shown_.now.reduction->dropped.find(role) != std::string::npos;
+  bool is_dropped(Role role) const {
+    return shown_.focus == Focus::reduction && shown_.now.reduction->dropped().has(role);
   }
   /// Whether the triangle stays and only its order changes, so that its normal turns over.
   bool is_turned_over() const {
     return shown_.focus == Focus::reduction && shown_.now.processed.size() == 3 &&
-           shown_.now.reduction->dropped.empty();
+           shown_.now.reduction->dropped().empty();
   }
 
   void edges(render::Panel& panel) {
     const Stroke stroke{style_.simplex.color, style_.simplex.width};
-    for (std::size_t i = 0; i < view_.face.size(); ++i) {
-      const char from = view_.face[i], to = view_.face[(i + 1) % view_.face.size()];
+    for (int i = 0; i < view_.face.size(); ++i) {
+      const Role from = view_.face[i], to = view_.face[(i + 1) % view_.face.size()];
       panel.line(at(from), at(to), is_dropped(from) || is_dropped(to) ? style_.former : stroke);
     }
   }
@@ -263,7 +266,7 @@ class DecisionPicture {
   void segment(Pencil& pencil) {
     regions(pencil);
     edges(pencil.panel());
-    const Vec2 origin = at_origin(), foot(origin.x(), at('A').y());
+    const Vec2 origin = at_origin(), foot(origin.x(), at(Role::A).y());
     if (is_of_larger()) pencil.panel().line(origin, foot, style_.foot);
     vertices(pencil);
     name_origin(pencil.panel(), {0, 1});
@@ -291,7 +294,7 @@ class DecisionPicture {
     const std::vector<Vec2> page = panel.corners();
     panel.line({page[0].x(), 0}, {page[2].x(), 0}, style_.thin);
     if (has_fourth()) {
-      for (const char role : view_.face)
+      for (const Role role : view_.face)
         panel.line(
             at(role), at(fourth(view_.face)),
             shown_.focus == Focus::reduction ? style_.former : Stroke{style_.simplex.color, 1.6 * style_.theme.line});
@@ -343,13 +346,14 @@ class DecisionPicture {
     const double x = left.x() + near * (right.x() - left.x());
     const Vec2 tail(x, 0),
         up(0, pencil.length((is_alone_ && frame_.width() >= narrow ? 1 : 0.6) * style_.arrow_length));
-    const auto arrow = [&](const Vec2& along, const std::string& name, const Stroke& stroke) {
+    const auto arrow = [&](const Vec2& along, const gjk::Expression& name, const Stroke& stroke) {
       pencil.panel().arrow(tail, tail + along, stroke);
       pencil.panel().label(tail + along * 0.8, {-1, 0}, shown_.names.translate(name),
                            label(stroke.color, render::Weight::bold));
     };
-    if (is_turned_over()) arrow(-up, "−" + view_.face + "n", style_.normal);
-    arrow(up, view_.face + "n", is_turned_over() ? Stroke{style_.theme.grey, style_.normal.width} : style_.normal);
+    const gjk::NamedVector normal = gjk::NamedVector::normal(view_.face);
+    if (is_turned_over()) arrow(-up, {gjk::Expression::Form::negative, normal}, style_.normal);
+    arrow(up, normal, is_turned_over() ? Stroke{style_.theme.grey, style_.normal.width} : style_.normal);
   }
 
   /// "P·d = 148 > 0, past O".

@@ -99,7 +99,7 @@ class DifferencePicture {
   }
 
   void origin() {
-    const std::string face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : "";
+    const gjk::Roles face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : gjk::Roles();
     if (face.empty())
       panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
     else
@@ -157,14 +157,13 @@ class DifferencePicture {
   }
 
   void dropped() {
-    if (now_.reduction) dropped(now_.reduction->dropped, now_.reduction->before);
-    if (now_.kept) dropped(now_.kept->dropped, now_.kept->before);
+    if (now_.reduction) dropped(now_.reduction->dropped(), now_.reduction->before);
+    if (now_.kept) dropped(now_.kept->dropped(), now_.kept->before);
   }
 
-  /// `letters`: of roles in `before`.
-  void dropped(const std::string& letters, const Simplex& before) {
-    for (const char letter : letters) {
-      const auto role = static_cast<gjk::Role>(letter - 'A');
+  /// `roles`: in `before`.
+  void dropped(const gjk::Roles& roles, const Simplex& before) {
+    for (const gjk::Role role : roles) {
       const Vec2 at = pencil_.at(before.point(role));
       pencil_.cross(at, 11);
       if (shown_.telling.hull.corners.empty())
@@ -192,9 +191,9 @@ class DifferencePicture {
 
  private:
   /// The origin above or below the plane of a triangle: its way there, hidden where the plane is in front of it.
-  void drop(const std::string& face) {
+  void drop(const gjk::Roles& face) {
     Point corners[3];
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = now_.processed.point(static_cast<gjk::Role>(face[i] - 'A'));
+    for (int i = 0; i < 3; ++i) corners[i] = now_.processed.point(face[i]);
     const Point up = (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
     const double height = height_of_origin(now_, face);
     const Point foot = -up * height, middle = (corners[0] + corners[1] + corners[2]) / 3;

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "walkthroughs/story/decision.hpp"
+
 namespace walkthroughs {
 namespace {
 
@@ -43,7 +45,7 @@ std::vector<Decision> decisions_of(const Trace& trace) {
     }
     const auto* tested = std::get_if<gjk::RegionTested<double>>(&event);
     if (!tested || tested->verdict == gjk::Verdict::skipped || tested->simplex_size < 2) continue;
-    if (tested->normal && tested->face.empty() && tested->formula != tested->feature) face_normal = *tested->normal;
+    if (tested->normal && tested->face.empty() && !asks_along_edge(*tested)) face_normal = *tested->normal;
     const double* value = std::get_if<double>(&tested->value);
     const bool in_plane_of_face = tested->simplex_size == 4 && value && *value == 0;  // to be seen, though rejected
     if ((tested->verdict == gjk::Verdict::chosen || in_plane_of_face) && tested->face.empty())

@@ -8,6 +8,8 @@ namespace walkthroughs {
 namespace {
 
 using gjk::Role;
+using gjk::Roles;
+using Label = gjk::RegionLabel;
 using gjk::Verdict;
 using render::Vec2;
 using Region = gjk::RegionTested<double>;
@@ -48,19 +50,19 @@ class RegionPicture {
     if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, toward_origin(A, B));
     const std::vector<Vec2> clip = drawn_part({A, B, Point::Zero()});
     const auto areas = regions_of_segment(plane_(A), plane_(B), clip);
-    const Region* sides = find("", "R3 or R4");
+    const Region* sides = find(Label::R3_or_R4);
     const bool scene_in_space = shown_.telling.scene.dimension == Dimension::space;
     const Vec2 origin = plane_(Point::Zero());
     const bool left = areas[2].empty() || turn(plane_(B), plane_(A), origin) > 0;
-    draw({"R1", areas[0], find("", "R1")});
-    draw({"R2", areas[1], find("", "R2")});
+    draw({"R1", areas[0], find(Label::R1)});
+    draw({"R2", areas[1], find(Label::R2)});
     draw({scene_in_space ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], scene_in_space ? sides : nullptr});
     draw({scene_in_space ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides});
   }
 
   /// On one side of the plane through A across the edge the edge leads toward the origin, on the other it does not.
-  void sides_along(const std::string& edge) {
-    const Point A = vertex('A'), X = vertex(edge[1]);
+  void sides_along(const Roles& edge) {
+    const Point A = vertex(Role::A), X = vertex(edge[1]);
     if (A == X) return;
     if (pencil_.in_space()) plane_ = Plane::spanned(A, X - A, toward_origin(A, X));
     const std::vector<Vec2> clip = drawn_part({A, X, Point::Zero()});
@@ -69,7 +71,7 @@ class RegionPicture {
     for (const Region& region : shown_.now.regions)
       if (region.feature == edge && asks_along_edge(region)) asked = &region;
     draw({"", half(clip, plane_(A), -along), nullptr});
-    draw({"toward " + shown_.names.sorted(edge.substr(1)), half(clip, plane_(A), along), asked});
+    draw({"toward " + shown_.names.of(edge[1]), half(clip, plane_(A), along), asked});
   }
 
   void triangle() {
@@ -77,10 +79,8 @@ class RegionPicture {
     if (!spans(A, B, C)) return;
     if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, C - A);
     const auto areas = regions_of_triangle(plane_(A), plane_(B), plane_(C), drawn_part({A, B, C, Point::Zero()}));
-    for (const int number : {4, 5, 6, 2, 3, 7, 1}) {
-      const std::string label = "R" + std::to_string(number);
-      draw({label, areas[static_cast<std::size_t>(number - 1)], find("", label)});
-    }
+    for (const Label label : {Label::R4, Label::R5, Label::R6, Label::R2, Label::R3, Label::R7, Label::R1})
+      draw({std::string(to_string(label)), areas[static_cast<std::size_t>(label) - 1], find(label)});
     foot_of_origin();
   }
 
@@ -96,7 +96,7 @@ class RegionPicture {
 
   /// Without the regions, which are shown elsewhere: what is asked about, its normal, and what was rejected.
   void in_question() {
-    const std::string face = face_in_question(shown_.now, shown_.focus);
+    const Roles face = face_in_question(shown_.now, shown_.focus);
     if (shown_.now.simplex.size() == 4) {
       faces();
       edges_looking_back();
@@ -106,28 +106,26 @@ class RegionPicture {
   }
 
   /// The regions beside a face APQ in its plane: beyond AQ, beyond AP, and above the face itself.
-  void edges_of_face(const std::string& face) {
-    const char P = face[1], Q = face[2];
-    const Point A = vertex('A');
+  void edges_of_face(const Roles& face) {
+    const Role P = face[1], Q = face[2];
+    const Point A = vertex(Role::A);
     if (!spans(A, vertex(P), vertex(Q))) return;
     if (pencil_.in_space()) plane_ = Plane::spanned(A, vertex(P) - A, vertex(Q) - A);
     const auto areas = regions_of_triangle(plane_(A), plane_(vertex(P)), plane_(vertex(Q)),
                                            drawn_part({A, vertex(P), vertex(Q), Point::Zero()}));
-    const auto beyond = [&](char other) {
-      return std::string("beyond ") + shown_.names.sorted(std::string("A") + other);
-    };
+    const auto beyond = [&](Role other) { return "beyond " + shown_.names.sorted({Role::A, other}); };
     if (!pencil_.in_space()) {  // what the search has left behind, as far as it lies in this plane
-      draw({"", areas[1], find("", "A")});
-      draw({"", areas[3], find("", face.substr(1, 1))});
-      draw({"", areas[4], find("", face.substr(1))});
-      draw({"", areas[5], find("", face.substr(2))});
+      draw({"", areas[1], find({}, "A")});
+      draw({"", areas[3], find({}, {P})});
+      draw({"", areas[4], find({}, {P, Q})});
+      draw({"", areas[5], find({}, {Q})});
     }
     const Region* const now = last();
-    const bool neither = now && now->verdict == Verdict::rejected && now->feature == std::string("A") + P;
-    draw({beyond(Q), areas[6], find(face, std::string("A") + Q)});
-    draw({beyond(P), areas[2], find(face, std::string("A") + P)});
+    const bool neither = now && now->verdict == Verdict::rejected && now->feature == Roles{Role::A, P};
+    draw({beyond(Q), areas[6], find(face, {Role::A, Q})});
+    draw({beyond(P), areas[2], find(face, {Role::A, P})});
     const std::string above = shown_.now.is_second_search ? "" : "above ";  // which may lie below
-    draw({above + shown_.names.sorted(face), areas[0], neither ? find("", face) : nullptr});
+    draw({above + shown_.names.sorted(face), areas[0], neither ? find({}, face) : nullptr});
     foot_of_origin();
   }
 
@@ -135,8 +133,8 @@ class RegionPicture {
     if (edges_shown()) return;
     render::TextStyle text = style_.small_label();
     text.size *= 0.85;
-    for (const char* face : {"ABC", "ACD", "ADB"}) {
-      const Region* region = find("", face);
+    for (const Roles& face : {Roles("ABC"), Roles("ACD"), Roles("ADB")}) {
+      const Region* region = find({}, face);
       if (state_of(region) != RegionState::rejected) continue;      // the one just tested is named by its normal
       if (!pencil_.lens().sees(face_of(face).outward())) continue;  // seen through others it has its name already
       const Point middle = (vertex(face[0]) + vertex(face[1]) + vertex(face[2])) / 3;
@@ -146,7 +144,6 @@ class RegionPicture {
 
  private:
   Point vertex(Role role) const { return shown_.now.processed.point(role); }
-  Point vertex(char letter) const { return vertex(static_cast<Role>(letter - 'A')); }
 
   static double turn(const Vec2& from, const Vec2& to, const Vec2& p) {
     return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
@@ -166,12 +163,18 @@ class RegionPicture {
     return around(in_plane);
   }
 
-  /// Returns: what has been said of a region, by its label or by its feature.
-  const Region* find(const std::string& face, const std::string& name) const {
-    for (const Region& region : shown_.now.regions)
-      if (region.face == face && !asks_along_edge(region) && (region.label == name || region.feature == name))
-        return &region;
-    return nullptr;
+  /// Returns: what has been said of a region, by its feature.
+  const Region* find(const Roles& face, const Roles& feature) const {
+    return find_if([&](const Region& region) {
+      return region.face == face && region.feature == feature && !asks_along_edge(region);
+    });
+  }
+  const Region* find(Label label) const {
+    return find_if([&](const Region& region) { return label_of(region) == label; });
+  }
+  const Region* find_if(const auto& is_it) const {
+    const auto found = std::ranges::find_if(shown_.now.regions, is_it);
+    return found == shown_.now.regions.end() ? nullptr : &*found;
   }
 
   /// Returns: what was said last; nothing before the first test.
@@ -237,9 +240,11 @@ class RegionPicture {
     const bool out_of_page = !pencil_.in_space() && region.feature.size() == 3;
     if (!vector || vector->isZero(0) || out_of_page || asks_along_edge(region)) return;
     std::vector<Point> corners;
-    for (const char letter : region.feature) corners.push_back(vertex(letter));
-    const std::string name = region.expression.substr(0, region.expression.find("·"));
-    pencil_.direction(middle_of(corners), *vector, style_.normal, shown_.names.translate(name));
+    for (const Role role : region.feature) corners.push_back(vertex(role));
+    const gjk::Expression& asked = region.expression;
+    const bool is_height = asked.form == gjk::Expression::Form::dot;
+    pencil_.direction(middle_of(corners), *vector, style_.normal,
+                      shown_.names.translate(is_height ? gjk::Expression(asked.X) : asked));
   }
 
   /// Where the origin lies in the plane of the triangle, above or below which it is.
@@ -255,22 +260,22 @@ class RegionPicture {
   /// Whether the last test was of an edge in the plane of a face, so that the regions beside that face are drawn.
   bool edges_shown() const { return !shown_.now.regions.back().face.empty(); }
 
-  render::Face face_of(const std::string& name) const { return {{vertex(name[0]), vertex(name[1]), vertex(name[2])}}; }
+  render::Face face_of(const Roles& name) const { return {{vertex(name[0]), vertex(name[1]), vertex(name[2])}}; }
 
   /// The faces from back to front. Of the three that meet A each may have been tested; BCD is behind the search.
   void faces() {
-    const std::string names[] = {"ABC", "ACD", "ADB", "BCD"};
+    const Roles names[] = {"ABC", "ACD", "ADB", "BCD"};
     std::vector<render::Face> list;
-    for (const std::string& name : names) list.push_back(face_of(name));
+    for (const Roles& name : names) list.push_back(face_of(name));
     for (const std::size_t i : pencil_.lens().back_to_front(list)) face(names[i], list[i]);
-    if (const Region* inside = find("", "ABCD"); inside != nullptr)
+    if (const Region* inside = find({}, "ABCD"); inside != nullptr)
       for (const render::Face& face : list) pencil_.panel().polygon(pencil_.at(face.corners), style_.chosen_fill);
     outline_tested(names, list);
   }
 
-  void face(const std::string& feature, const render::Face& face) {
+  void face(const Roles& feature, const render::Face& face) {
     const std::vector<Vec2> corners = pencil_.at(face.corners);
-    const RegionState state = state_of(find("", feature));
+    const RegionState state = state_of(find({}, feature));
     const bool rejected = state == RegionState::rejected || state == RegionState::just_rejected;
     render::Panel& panel = pencil_.panel();
     switch (state) {
@@ -296,11 +301,11 @@ class RegionPicture {
   /// Whether the viewer looks at the inside of BCD, through the other faces. Its outward normal is BD×BC: A lies in the
   /// direction BC×BD (Section 3.2.4).
   bool bcd_is_behind() const {
-    const Point B = vertex('B');
-    return !pencil_.lens().sees((vertex('D') - B).cross(vertex('C') - B));
+    const Point B = vertex(Role::B);
+    return !pencil_.lens().sees((vertex(Role::D) - B).cross(vertex(Role::C) - B));
   }
 
-  void outline_tested(std::span<const std::string> names, const std::vector<render::Face>& list) {
+  void outline_tested(std::span<const Roles> names, const std::vector<render::Face>& list) {
     const Region& now = shown_.now.regions.back();
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (now.feature != names[i] || now.verdict == Verdict::skipped) continue;
@@ -312,7 +317,8 @@ class RegionPicture {
 
   /// B, C, D and the edges between them: the search has just moved away from there.
   void edges_looking_back() {
-    for (const char* edge : {"BC", "CD", "DB"}) pencil_.line(vertex(edge[0]), vertex(edge[1]), style_.thin);
+    for (const Roles& edge : {Roles("BC"), Roles("CD"), Roles("DB")})
+      pencil_.line(vertex(edge[0]), vertex(edge[1]), style_.thin);
   }
 
   Pencil& pencil_;
@@ -393,11 +399,11 @@ void draw_regions_of_segment(Pencil& pencil, const Shown& shown) { RegionPicture
 
 void draw_regions_of_triangle(Pencil& pencil, const Shown& shown) { RegionPicture(pencil, shown).triangle(); }
 
-void draw_sides_along(Pencil& pencil, const Shown& shown, const std::string& edge) {
+void draw_sides_along(Pencil& pencil, const Shown& shown, const Roles& edge) {
   RegionPicture(pencil, shown).sides_along(edge);
 }
 
-void draw_regions_of_face(Pencil& pencil, const Shown& shown, const std::string& face) {
+void draw_regions_of_face(Pencil& pencil, const Shown& shown, const Roles& face) {
   RegionPicture(pencil, shown).edges_of_face(face);
 }
 

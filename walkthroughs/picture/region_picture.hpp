@@ -27,8 +27,8 @@ void draw_regions(Pencil& pencil, const Shown& shown);
 /// which side of A an edge AX leads.
 void draw_regions_of_segment(Pencil& pencil, const Shown& shown);
 void draw_regions_of_triangle(Pencil& pencil, const Shown& shown);
-void draw_regions_of_face(Pencil& pencil, const Shown& shown, const std::string& face);
-void draw_sides_along(Pencil& pencil, const Shown& shown, const std::string& edge);
+void draw_regions_of_face(Pencil& pencil, const Shown& shown, const gjk::Roles& face);
+void draw_sides_along(Pencil& pencil, const Shown& shown, const gjk::Roles& edge);
 
 /// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are
 /// shown. To be asked for after the vertices have their names, which are more important.

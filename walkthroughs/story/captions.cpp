@@ -20,9 +20,9 @@ using gjk::Verdict;
 // -- Remarks ----------------------------------------------------------------------------------------------------------
 
 bool is_about(const Remark& remark, const gjk::RegionTested<double>& region) {
-  const std::string& wanted = remark.only_for;
-  return wanted.empty() || wanted == region.label || wanted == region.feature ||
-         wanted == region.face + " " + region.feature;
+  const std::string &wanted = remark.only_for, feature = to_string(region.feature);
+  return wanted.empty() || wanted == to_string(label_of(region)) || wanted == feature ||
+         wanted == to_string(region.face) + " " + feature;
 }
 
 bool is_about(const Remark& remark, const gjk::Event<double>& event) {
@@ -125,13 +125,13 @@ class Captions {
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == Verdict::skipped) return std::nullopt;
     Frame frame = frame_about(Focus::region, region_caption(event) + gone_on_as_if(event), {decision(event)});
-    if (event.normal && event.formula.size() > 2)  // not an edge itself
-      frame.facts.push_back({Mark::none, names_.translate(event.expression.substr(0, event.expression.find("·")) +
-                                                          " = " + event.formula) +
-                                             " = " + vector(*event.normal, Dimension::space)});
+    if (event.formula.form == gjk::Expression::Form::product)  // not an edge itself
+      frame.facts.push_back({Mark::none, names_.translate(event.expression.X) + " = " +
+                                             names_.translate(event.formula) + " = " +
+                                             vector(*event.normal, Dimension::space)});
     if (event.simplex_size == 1 && walkthrough_.naming == Naming::roles)
       frame.facts.push_back({Mark::none, "P is the first vertex of the simplex, and called A there"});
-    if (event.label == "R3 or R4")
+    if (label_of(event) == gjk::RegionLabel::R3_or_R4)
       frame.facts.push_back({Mark::none, names_.translate(event.expression) +
                                              " points toward the origin in both, so they need not be told apart"});
     if (event.feature.size() == 4 && !is_complete())
@@ -142,15 +142,16 @@ class Captions {
   }
 
   std::optional<Frame> operator()(const gjk::SimplexReduced<double>& event) const {
-    const bool stays = event.dropped.empty(), is_same = event.kept == (event.kept.size() == 3 ? "CBA" : "DCBA");
-    Frame frame = frame_about(Focus::reduction, !stays    ? dropped_caption(event.dropped)
+    const gjk::Roles dropped = event.dropped();
+    const bool is_same = event.kept == gjk::beside({}, event.before.size());
+    Frame frame = frame_about(Focus::reduction, !dropped.empty() ? dropped_caption(dropped)
                                                 : is_same ? "The simplex stays, and so does its order"
                                                           : "The simplex stays, but its order changes");
     frame.facts = {{Mark::none,
                     names_.list(event.before) + " becomes " + names_.list(event.after) +
                         (is_by_age(event) ? ", oldest first"
                                           : ", no longer by age: " + names_.of(gjk::Role::A) + " is still the newest")},
-                   {Mark::none, names_.translate(event.why)}};
+                   {Mark::none, names_.translate(gjk::to_string(event.why))}};
     append_not_asked(frame.facts);
     return frame;
   }
@@ -226,8 +227,8 @@ class Captions {
 
   /// Where a mistake decides otherwise than its numbers say.
   std::string gone_on_as_if(const gjk::RegionTested<double>& event) const {
-    const std::size_t at = event.reason.find(", but these rules go on as if ");
-    return scene_.mistake && at != std::string::npos ? names_.translate(event.reason.substr(at)) : "";
+    if (!scene_.mistake || !event.reason.goes_on_as_if) return "";
+    return names_.translate(", but these rules go on as if " + gjk::in_words(*event.reason.goes_on_as_if, event));
   }
 
   /// No move led to the first point, so none is told.
@@ -266,17 +267,17 @@ class Captions {
       if (!names.empty()) facts.push_back({Mark::none, "not asked: " + names + ": " + why});
     };
     const std::string one_edge = "one edge beyond which the origin lies is enough";
-    if (now_.processed.size() == 3) return append(!is_edge ? "" : last.label == "R3" ? "R7, R1" : "R1", one_edge);
-    const std::string deciding = last.face.empty() ? last.feature : last.face;
+    if (now_.processed.size() == 3) return append(!is_edge ? "" : label_of(last) == gjk::RegionLabel::R3 ? "R7, R1" : "R1", one_edge);
+    const gjk::Roles& deciding = last.face.empty() ? last.feature : last.face;
     std::string own, behind, to_come;  // edges of the face that decides, of faces below which the origin lies, the rest
     const auto add = [](std::string& names, const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
-    for (const std::string face : {"ACD", "ADB"})
+    for (const gjk::Roles& face : {gjk::Roles("ACD"), gjk::Roles("ADB")})
       if (!test_of(now_, face))
         add(to_come,
             names_.sorted(face) + (height_of_origin(now_, face) > 0 ? " (above which the origin lies, too)" : ""));
-    using Faces = std::array<std::string, 2>;
+    using Faces = std::array<gjk::Roles, 2>;
     for (const auto& [edge, faces] :
-         {std::pair<std::string, Faces>{"AB", {"ABC", "ADB"}}, {"AC", {"ABC", "ACD"}}, {"AD", {"ACD", "ADB"}}}) {
+         {std::pair<gjk::Roles, Faces>{"AB", {"ABC", "ADB"}}, {"AC", {"ABC", "ACD"}}, {"AD", {"ACD", "ADB"}}}) {
       if (std::ranges::count(now_.regions, edge, &gjk::RegionTested<double>::feature) > 0) continue;
       const bool is_behind = test_of(now_, faces[0]) && test_of(now_, faces[1]);
       add(std::ranges::count(faces, deciding) > 0 ? own : is_behind ? behind : to_come, names_.sorted(edge));
@@ -358,10 +359,10 @@ class Captions {
                           : text(event.vertex.w) + ", then " + text(*std::ranges::max_element(others, {}, reach));
   }
 
-  std::string dropped_caption(const std::string& dropped) const {
+  std::string dropped_caption(const gjk::Roles& dropped) const {
     std::string names;
-    for (std::size_t i = 0; i < dropped.size(); ++i)
-      names += (i == 0 ? "" : i + 1 == dropped.size() ? " and " : ", ") + names_.sorted(dropped.substr(i, 1));
+    for (int i = 0; i < dropped.size(); ++i)
+      names += (i == 0 ? "" : i + 1 == dropped.size() ? " and " : ", ") + names_.of(dropped[i]);
     return names + (dropped.size() == 1 ? " is no longer needed and leaves the simplex"
                                         : " are no longer needed and leave the simplex");
   }
@@ -442,7 +443,7 @@ class Captions {
   }
 
   std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) const {
-    if (event.label != "R1") return beyond_edge(event, feature);
+    if (label_of(event) != gjk::RegionLabel::R1) return beyond_edge(event, feature);
     const char* const where = event.relation == Relation::zero       ? "in"
                               : event.relation == Relation::positive ? "above"
                                                                      : "below";
@@ -461,7 +462,8 @@ class Captions {
   Fact decision(const gjk::RegionTested<double>& event) const {
     const bool chosen = event.verdict != Verdict::rejected;
     if (event.expression.empty()) return {Mark::yes, "no normal points toward the origin"};
-    std::string text = event.label.empty() ? "" : event.label + ": ";
+    const gjk::RegionLabel label = label_of(event);
+    std::string text = label == gjk::RegionLabel::none ? "" : std::string(to_string(label)) + ": ";
     if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";
     text += names_.translate(event.expression);
     if (const double* value = std::get_if<double>(&event.value))
@@ -475,7 +477,7 @@ class Captions {
   /// One line for each reason: "skipped R4, R5, R6: …".
   void append_skipped(std::vector<Fact>& facts) const {
     for (const std::string& line :
-         reasons_for_skipping(now_.regions, [&](const std::string& roles) { return names_.sorted(roles); }))
+         reasons_for_skipping(now_.regions, [&](const gjk::Roles& roles) { return names_.sorted(roles); }))
       facts.push_back({Mark::skipped, names_.translate(line)});
   }
 

@@ -110,7 +110,7 @@ std::string exactly(const gjk::SignTaken<double>& sign) {
 
 /// Returns: the sign which shows that no point reaches across the origin; none where the search has not ended so.
 const gjk::SignTaken<double>* of_the_farthest(const Moment& now) {
-  const bool is_told = !now.signs.empty() && now.signs.back().expression == "max w·d" && now.signs.back().sign < 0;
+  const bool is_told = !now.signs.empty() && now.signs.back().expression.form == gjk::Expression::Form::largest_reach && now.signs.back().sign < 0;
   return is_told ? &now.signs.back() : nullptr;
 }
 
@@ -138,15 +138,16 @@ std::optional<Frame> caption_of(const gjk::ProofTried<double>& event, const Name
 }
 
 bool is_out_of_plane(const gjk::SignTaken<double>& sign) {
-  const std::string& text = sign.expression;
-  return text.starts_with('(') ? text.ends_with(".x") || text.ends_with(".y")
-                               : sign.formula.empty() && text.ends_with("n·AO");
+  const gjk::Expression& asked = sign.expression;
+  if (asked.form == gjk::Expression::Form::component_of_product) return asked.axis != 2;
+  const bool is_height = asked.form == gjk::Expression::Form::dot && asked.Y == gjk::AO;
+  return is_height && asked.X.kind == gjk::NamedVector::Kind::normal && sign.face.empty();
 }
 
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, Dimension dimension) {
   if (event.exact.empty() || (dimension == Dimension::plane && is_out_of_plane(event))) return std::nullopt;
   const std::string name = name_of(event, names);
-  const bool is_largest = event.expression != "w·d" && event.vertex;
+  const bool is_largest = event.expression.form != gjk::Expression::Form::reach && event.vertex;
   Frame frame = frame_about(
       Focus::sign,
       is_largest
@@ -155,13 +156,14 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
       {{Mark::none, name + " = " + with_error(event) + ": of either sign, or 0"},
        {Mark::answer, exactly(event)},
        {Mark::none, "all coordinates times one power of two are whole numbers, and with these nothing is rounded"}});
-  if (!event.formula.empty()) frame.facts.push_back({Mark::none, "computed as " + names.translate(event.formula)});
+  if (!event.face.empty()) frame.facts.push_back({Mark::none, "computed as " + names.translate(formula_of(event))});
   return frame;
 }
 
 std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now) {
   const std::string kept = names.simplex(event.after);
-  const bool is_vertex = event.after.size() == 1, is_all = event.dropped.empty();
+  const gjk::Roles gone = event.dropped();
+  const bool is_vertex = event.after.size() == 1;
   std::string caption;
   if (event.contains_origin)
     caption = is_vertex ? kept + " is the origin"
@@ -171,8 +173,8 @@ std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Nam
         is_vertex ? kept + " is the point nearest to the origin" : "The point nearest to the origin lies on " + kept;
   Frame frame = frame_about(Focus::kept, caption, signs_without_doubt(now, names));
   std::string dropped;
-  for (const char role : event.dropped) dropped += (dropped.empty() ? "" : ", ") + names.sorted(std::string(1, role));
-  if (!is_all)
+  for (const gjk::Role role : gone) dropped += (dropped.empty() ? "" : ", ") + names.of(role);
+  if (!gone.empty())
     frame.facts.insert(frame.facts.begin(),
                        {Mark::none, names.list(event.before) + " becomes " + names.list(event.after) + ": without " +
                                         dropped + " the simplex is as near"});

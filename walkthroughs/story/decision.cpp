@@ -19,7 +19,7 @@ Point across(const Point& v, const Point& along) {
   return part.stableNorm() > 1e-12 * v.stableNorm() ? part : Point(along.unitOrthogonal());
 }
 
-Point vertex(const Moment& now, char role) { return now.processed.point(static_cast<Role>(role - 'A')); }
+Point vertex(const Moment& now, Role role) { return now.processed.point(role); }
 
 std::vector<DecisionView> view_of_crossing(const Moment& now) {
   const Point &d = now.direction->value, &P = now.found->w;
@@ -27,11 +27,11 @@ std::vector<DecisionView> view_of_crossing(const Moment& now) {
   const bool is_tested = verdict == gjk::Crossing::crossed || verdict == gjk::Crossing::not_crossed;
   if (!is_tested || !std::isfinite(*now.crossing->value) || !is_direction(d) || !is_direction(P)) return {};
   const Point along = d.stableNormalized();
-  return {{Kind::crossing, "", Plane::spanned(Point::Zero(), along, across(P, along)),
+  return {{Kind::crossing, {}, Plane::spanned(Point::Zero(), along, across(P, along)),
            *now.crossing->value / d.stableNorm() * now.scale}};
 }
 
-std::vector<DecisionView> view_of_segment(const Moment& now, const std::string& edge) {
+std::vector<DecisionView> view_of_segment(const Moment& now, const gjk::Roles& edge) {
   const Point A = vertex(now, edge[0]), X = vertex(now, edge[1]);
   if (!is_direction(A - X)) return {};
   return {{Kind::segment, edge, Plane::spanned(X, A - X, across(-X, (A - X).stableNormalized()))}};
@@ -45,7 +45,7 @@ bool is_about_edge(const Region& region) {
 
 /// A triangle APQ of the simplex and its normal AP×AQ.
 struct Triangle {
-  Triangle(const Moment& now, const std::string& face)
+  Triangle(const Moment& now, const gjk::Roles& face)
       : corners{vertex(now, face[0]), vertex(now, face[1]), vertex(now, face[2])},
         normal((corners[1] - corners[0]).cross(corners[2] - corners[0])) {}
 
@@ -64,11 +64,11 @@ struct Triangle {
   Plane edge_on() const { return Plane::spanned(corners[0], true_shape().right, normal); }
 };
 
-DecisionView edge_on(const Moment& now, const std::string& face, bool decides = true) {
+DecisionView edge_on(const Moment& now, const gjk::Roles& face, bool decides = true) {
   return {Kind::edge_on, face, Triangle(now, face).edge_on(), height_of_origin(now, face), decides};
 }
 
-DecisionView true_shape(const Moment& now, const std::string& face, bool decides = true) {
+DecisionView true_shape(const Moment& now, const gjk::Roles& face, bool decides = true) {
   return {Kind::true_shape, face, Triangle(now, face).true_shape(), height_of_origin(now, face), decides};
 }
 
@@ -77,7 +77,7 @@ bool is_about_processed(Focus focus) {
   return focus == Focus::added || focus == Focus::region || focus == Focus::reduction;
 }
 
-bool is_flat(const Moment& now, const std::string& face) { return !is_direction(Triangle(now, face).normal); }
+bool is_flat(const Moment& now, const gjk::Roles& face) { return !is_direction(Triangle(now, face).normal); }
 
 std::vector<DecisionView> views_of_triangle(const Moment& now) {
   if (is_flat(now, "ABC")) return {};
@@ -98,7 +98,7 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
     if (edges_are_next || is_in_plane) return {face, true_shape(now, last->feature, false)};
   }
   std::vector<DecisionView> views;
-  for (const char* const face : {"ABC", "ACD", "ADB"})
+  for (const gjk::Roles& face : {gjk::Roles("ABC"), gjk::Roles("ACD"), gjk::Roles("ADB")})
     if (!is_flat(now, face) && (!last || last->feature.size() != 3 || last->feature == face))
       views.push_back(edge_on(now, face));
   if (!last && views.size() == 3 && !is_flat(now, "BCD")) views.push_back(edge_on(now, "BCD", false));
@@ -107,15 +107,18 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
 
 }  // namespace
 
-bool asks_along_edge(const Region& region) { return region.feature.size() == 2 && region.formula == region.feature; }
+bool asks_along_edge(const Region& region) {
+  return region.expression.form == gjk::Expression::Form::dot &&
+         region.expression.X.kind == gjk::NamedVector::Kind::edge;
+}
 
-const Region* test_of(const Moment& now, const std::string& face) {
+const Region* test_of(const Moment& now, const gjk::Roles& face) {
   const auto found =
       std::ranges::find_if(now.regions, [&](const Region& r) { return r.face.empty() && r.feature == face; });
   return found == now.regions.end() ? nullptr : &*found;
 }
 
-double height_of_origin(const Moment& now, const std::string& face) {
+double height_of_origin(const Moment& now, const gjk::Roles& face) {
   const Region* const region = test_of(now, face);
   const double* const value = region ? std::get_if<double>(&region->value) : nullptr;
   if (value && std::isfinite(*value) && region->normal && is_direction(*region->normal))
@@ -126,7 +129,7 @@ double height_of_origin(const Moment& now, const std::string& face) {
 
 std::string in_words(const DecisionView& view, const Moment& now, const Names& names) {
   const std::string feature = with_kind(names.sorted(view.face));
-  const auto at = [&](char role) { return view.plane(vertex(now, role)); };
+  const auto at = [&](Role role) { return view.plane(vertex(now, role)); };
   const render::Vec2 O = view.plane(Point::Zero());
   switch (view.kind) {
     case Kind::crossing: {
@@ -137,10 +140,10 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
                                 : " lies beside the origin, no farther along d.");
     }
     case Kind::segment:
-      for (const char end : {view.face[1], view.face[0]})
-        if (end == 'A' ? O.x() >= at(end).x() : O.x() <= at(end).x())
+      for (const Role end : {view.face[1], view.face[0]})
+        if (end == Role::A ? O.x() >= at(end).x() : O.x() <= at(end).x())
           return "In the plane of " + feature + " and the origin, the origin lies beyond " +
-                 names.sorted(std::string(1, end)) + ".";
+                 names.of(end) + ".";
       return "In the plane of " + feature + " and the origin, the origin lies " +
              (O.y() > 0 ? "to one side of it." : "on it.");
     case Kind::edge_on:
@@ -152,11 +155,11 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
              feature + ".";
     case Kind::true_shape: {
       std::string beyond;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const char from = view.face[i], to = view.face[(i + 1) % 3];
+      for (int i = 0; i < 3; ++i) {
+        const Role from = view.face[i], to = view.face[(i + 1) % 3];
         const render::Vec2 along = at(to) - at(from), way = O - at(from);
         if (along.x() * way.y() - along.y() * way.x() < 0)
-          beyond += (beyond.empty() ? " beyond " : " and beyond ") + names.sorted(std::string{from, to});
+          beyond += (beyond.empty() ? " beyond " : " and beyond ") + names.sorted({from, to});
       }
       return "Seen down its normal, the foot of the origin lies" + (beyond.empty() ? " within " : beyond + " of ") +
              feature + ".";
@@ -165,22 +168,23 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
   return "";
 }
 
-std::string face_in_question(const Moment& now, Focus focus) {
-  if (!is_about_processed(focus)) return "";
+gjk::Roles face_in_question(const Moment& now, Focus focus) {
+  if (!is_about_processed(focus)) return {};
   const Region* const last = now.regions.empty() ? nullptr : &now.regions.back();
-  std::string face;
+  gjk::Roles face;
   if (now.processed.size() == 3) face = "ABC";
   if (now.processed.size() == 4 && last)
     face = last->face.empty() && last->feature.size() == 3 ? last->feature : last->face;
-  return face.empty() || is_flat(now, face) ? "" : face;
+  return face.empty() || is_flat(now, face) ? gjk::Roles() : face;
 }
 
 namespace {
 
 /// Of what the second search keeps.
 std::vector<DecisionView> views_of_kept(const Moment& now) {
-  const std::string& kept = now.kept->kept;
-  const std::string feature(kept.rbegin(), kept.rend());  // A first
+  const gjk::Roles& kept = now.kept->kept;
+  gjk::Roles feature;  // A first
+  for (int i = kept.size(); i-- > 0;) feature.add(kept[i]);
   if (now.kept->contains_origin || (kept.size() != 2 && kept.size() != 3)) return {};
   if (kept.size() == 2) return view_of_segment(now, feature);
   if (is_flat(now, feature)) return {};

@@ -18,7 +18,7 @@ struct DecisionView {
     edge_on,     ///< a triangle as a line, its normal up the page: the origin above or below
   };
   Kind kind;
-  std::string face;     ///< the triangle's roles, "ABC"; those of the others: "AB", ""
+  gjk::Roles face;      ///< the triangle's roles, "ABC"; those of the others: "AB", ""
   Plane plane;          ///< that is the page
   double height = 0;    ///< of the origin above the triangle's plane, as the trace has it where it has; of P along d
   bool decides = true;  ///< whether this is the picture of what is asked now; others only help
@@ -43,13 +43,13 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
 bool asks_along_edge(const gjk::RegionTested<double>& region);
 
 /// Returns: the roles of the triangle whose plane is asked about, "ABC", "ADB"; empty where none is.
-std::string face_in_question(const Moment& now, Focus focus);
+gjk::Roles face_in_question(const Moment& now, Focus focus);
 
 /// Returns: what was said of the face itself, above which the origin lies or not; nothing before it is tested.
-const gjk::RegionTested<double>* test_of(const Moment& now, const std::string& face);
+const gjk::RegionTested<double>* test_of(const Moment& now, const gjk::Roles& face);
 
 /// Returns: the height of the origin above the plane of a triangle APQ, by the product that decides where it is known: what
 /// the search has computed is shown, not what it should have found. Requires: a triangle that is not flat.
-double height_of_origin(const Moment& now, const std::string& face);
+double height_of_origin(const Moment& now, const gjk::Roles& face);
 
 }  // namespace walkthroughs

@@ -54,12 +54,12 @@ struct DecisionOf {
   }
   template <class S>
   std::string operator()(const gjk::RegionTested<S>& e) const {
-    return e.face + " " + e.feature + " " + std::string(words_of::of(e.relation)) + " " +
+    return to_string(e.face) + " " + to_string(e.feature) + " " + std::string(words_of::of(e.relation)) + " " +
            std::string(words_of::of(e.verdict));
   }
   template <class S>
   std::string operator()(const gjk::DirectionChosen<S>& e) const {
-    return e.expression + (gjk::is_usable_direction(e.direction) ? "" : ", of no use");
+    return to_string(e.expression) + (gjk::is_usable_direction(e.direction) ? "" : ", of no use");
   }
   template <class S>
   std::string operator()(const gjk::Finished<S>& e) const {
@@ -158,15 +158,15 @@ class ExactFinding {
     return {.at = Remark::At::region_tested,
             .iteration = e.iteration,
             .text = {},
-            .only_for = e.face.empty() ? e.feature : e.face + " " + e.feature,
-            .fact = exactly + e.expression + " = " +
+            .only_for = (e.face.empty() ? "" : to_string(e.face) + " ") + to_string(e.feature),
+            .fact = exactly + to_string(e.expression) + " = " +
                     (value ? written(*value) : written(std::get<Vec>(e.value), dimension_))};
   }
   Remark operator()(const gjk::DirectionChosen<Exact>& e) const {
     return {.at = Remark::At::direction_chosen,
             .iteration = e.iteration,
             .text = {},
-            .fact = exactly + e.expression + " = " + written(e.direction, dimension_)};
+            .fact = exactly + to_string(e.expression) + " = " + written(e.direction, dimension_)};
   }
   template <class E>
   Remark operator()(const E&) const {

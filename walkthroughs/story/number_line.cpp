@@ -90,22 +90,16 @@ std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Name
   return line && is_drawable(*line) ? line : std::nullopt;
 }
 
-std::string face_of(const gjk::SignTaken<double>& sign) {
-  std::string roles = "ABCD";
-  std::erase_if(roles, [&](char role) { return sign.formula.find(role) == std::string::npos; });
-  return roles;
-}
-
 std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
-  if (sign.expression == "max w·d") return "the largest P·d";
+  if (sign.expression.form == gjk::Expression::Form::largest_reach) return "the largest P·d";
   const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
-  if (sign.expression == "w·d") return (w.empty() ? "P" : w) + "·d";
+  if (sign.expression.form == gjk::Expression::Form::reach) return (w.empty() ? "P" : w) + "·d";
   const std::string name = names.translate(sign.expression);
-  return sign.formula.empty() ? name : name + " (" + names.sorted(face_of(sign)) + ")";
+  return sign.face.empty() ? name : name + " (" + names.sorted(sign.face) + ")";
 }
 
 std::string name_of(const gjk::ProofNumber& number, const Names& names) {
-  return number.expression == "−w·d" ? "−P·d" : names.translate(number.expression);
+  return number.expression.form == gjk::Expression::Form::gap ? "−P·d" : names.translate(number.expression);
 }
 
 std::string in_words(const NumberLine& line) {

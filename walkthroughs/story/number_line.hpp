@@ -30,9 +30,6 @@ std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Name
 /// Returns: "−P·d", by the names of pictures, in which the point w that was found along d is P.
 std::string name_of(const gjk::ProofNumber& number, const Names& names);
 
-/// Returns: "ABC", where the formula is (AB·AO)(AB·AC) − … and so in the plane of that face. Requires: a formula.
-std::string face_of(const gjk::SignTaken<double>& sign);
-
 /// The same of a sign: "E·d" where the point has that name, "the largest P·d", of ABn·AO also the face in whose plane ABn is.
 std::string name_of(const gjk::SignTaken<double>& sign, const Names& names);
 

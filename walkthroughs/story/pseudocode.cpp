@@ -32,85 +32,99 @@ std::vector<CodeLine> algorithm_1(RuleSet rules) {
   return code;
 }
 
+CodeLine test(int indent, const std::string& text, const TestsOf& tests) { return {indent, text, Kind::test, tests}; }
+
+/// "else keep [B, A],  d ← AB×AO×AB".
+CodeLine keep(int indent, const gjk::Roles& kept, const gjk::Expression& direction, const std::string& before = "") {
+  std::string list;
+  for (const gjk::Role role : kept) list.append(list.empty() ? "" : ", ") += letter(role);
+  return {indent, before + "keep [" + list + "],  d ← " + to_string(direction), Kind::action, {}, Way{kept, direction}};
+}
+
+/// "keep [B, A],  d ← AB×AO×AB".
+CodeLine keep_edge(int indent, gjk::Role X) {
+  return keep(indent, {X, gjk::Role::A},
+              {gjk::Expression::Form::triple, gjk::NamedVector::edge(gjk::Role::A, X), gjk::AO});
+}
+
 std::vector<CodeLine> algorithm_2() {
-  return {{0, "if AO = 0", Kind::test, "", "A", Relation::zero},
+  return {test(0, "if AO = 0", {.feature = "A", .relation = Relation::zero}),
           {1, "the origin is A", Kind::action},
-          {0, "else", Kind::test, "", "A", Relation::not_zero},
-          {1, "keep [A],  d ← AO", Kind::action}};
+          test(0, "else", {.feature = "A", .relation = Relation::not_zero}),
+          keep(1, "A", "AO")};
 }
 
 std::vector<CodeLine> algorithm_3() {
   return {{0, "v ← AB×AO×AB"},
-          {0, "if v = 0", Kind::test, "", "AB", Relation::zero},
+          test(0, "if v = 0", {.feature = "AB", .relation = Relation::zero}),
           {1, "the origin is on AB", Kind::action},
-          {0, "else (R3 or R4)", Kind::test, "", "AB", Relation::not_zero},
+          test(0, "else (R3 or R4)", {.feature = "AB", .relation = Relation::not_zero}),
           {1, "keep [B, A],  d ← v", Kind::action}};
 }
 
 std::vector<CodeLine> algorithm_4() {
   return {{0, "ABCn ← AB×AC"},
           {0, "ABn ← AB×ABCn,  ACn ← ABCn×AC"},
-          {0, "if ABn·AO > 0 (R3)", Kind::test, "", "AB"},
-          {1, "keep [B, A],  d ← AB×AO×AB", Kind::action},
-          {0, "else if ACn·AO > 0 (R7)", Kind::test, "", "AC"},
-          {1, "keep [C, A],  d ← AC×AO×AC", Kind::action},
+          test(0, "if ABn·AO > 0 (R3)", {.feature = "AB"}),
+          keep_edge(1, gjk::Role::B),
+          test(0, "else if ACn·AO > 0 (R7)", {.feature = "AC"}),
+          keep_edge(1, gjk::Role::C),
           {0, "else (R1)"},
-          {1, "if ABCn·AO = 0", Kind::test, "", "ABC", Relation::zero},
+          test(1, "if ABCn·AO = 0", {.feature = "ABC", .relation = Relation::zero}),
           {2, "the origin is in ABC", Kind::action},
-          {1, "if ABCn·AO > 0 (above)", Kind::test, "", "ABC", Relation::positive},
-          {2, "keep [C, B, A],  d ← ABCn", Kind::action},
-          {1, "if ABCn·AO < 0 (below)", Kind::test, "", "ABC", Relation::negative},
-          {2, "keep [C, A, B],  d ← −ABCn", Kind::action}};
+          test(1, "if ABCn·AO > 0 (above)", {.feature = "ABC", .relation = Relation::positive}),
+          keep(2, "CBA", "ABCn"),
+          test(1, "if ABCn·AO < 0 (below)", {.feature = "ABC", .relation = Relation::negative}),
+          keep(2, "CAB", "−ABCn")};
 }
 
 /// One face APQ of Algorithm 5.
-void append_face(std::vector<CodeLine>& code, char P, char Q, const std::string& kept_face) {
-  const std::string face = {'A', P, Q}, AP = {'A', P}, AQ = {'A', Q};
-  const auto keep_edge = [](char other, const std::string& edge) {
-    return std::string("keep [") + other + ", A],  d ← " + edge + "×AO×" + edge;
-  };
-  code.push_back({0, (code.size() > 2 ? "else if " : "if ") + face + "n·AO > 0", Kind::test, "", face});
-  code.push_back({1, "if " + AQ + "n·AO > 0", Kind::test, face, AQ});
-  code.push_back({2, keep_edge(Q, AQ), Kind::action});
-  code.push_back({1, "else if " + AP + "n·AO > 0", Kind::test, face, AP});
-  code.push_back({2, keep_edge(P, AP), Kind::action});
-  code.push_back({1, "else keep [" + kept_face + "],  d ← " + face + "n", Kind::action});
+void append_face(std::vector<CodeLine>& code, gjk::Role P, gjk::Role Q) {
+  const gjk::Roles face{gjk::Role::A, P, Q}, AP{gjk::Role::A, P}, AQ{gjk::Role::A, Q};
+  const gjk::NamedVector normal = gjk::NamedVector::normal(face);
+  code.push_back(test(0, (code.size() > 2 ? "else if " : "if ") + to_string(normal) + "·AO > 0", {.feature = face}));
+  code.push_back(test(1, "if " + to_string(AQ) + "n·AO > 0", {.feature = AQ, .face = face}));
+  code.push_back(keep_edge(2, Q));
+  code.push_back(test(1, "else if " + to_string(AP) + "n·AO > 0", {.feature = AP, .face = face}));
+  code.push_back(keep_edge(2, P));
+  code.push_back(keep(1, {Q, P, gjk::Role::A}, normal, "else "));
 }
 
 std::vector<CodeLine> algorithm_5() {
   std::vector<CodeLine> code = {{0, "ABCn ← AB×AC,  ACDn ← AC×AD"}, {0, "ADBn ← AD×AB"}};
-  append_face(code, 'B', 'C', "C, B, A");
-  append_face(code, 'C', 'D', "D, C, A");
-  append_face(code, 'D', 'B', "B, D, A");
-  code.push_back({0, "else the origin is in ABCD", Kind::test, "", "ABCD"});
+  append_face(code, gjk::Role::B, gjk::Role::C);
+  append_face(code, gjk::Role::C, gjk::Role::D);
+  append_face(code, gjk::Role::D, gjk::Role::B);
+  code.push_back(test(0, "else the origin is in ABCD", {.feature = "ABCD"}));
   return code;
 }
 
-/// The complete rules, for segments, triangles and tetrahedra.
+/// The complete rules, for segments, triangles and tetrahedra. X and Y stand for B, C or D.
 std::vector<CodeLine> nearest_feature() {
   return {{0, "for each edge AX"},
-          {1, "if AX·AO > 0", Kind::test, "", "AX", Relation::positive},
-          {2, "and AX_n·AO ≥ 0 in each face", Kind::test, "any", "AX", Relation::not_negative},
-          {3, "if AX×AO×AX = 0", Kind::test, "", "AX", Relation::zero},
+          test(1, "if AX·AO > 0", {.relation = Relation::positive, .any_of_size = 2}),
+          test(2, "and AX_n·AO ≥ 0 in each face",
+               {.relation = Relation::not_negative, .any_of_size = 2, .in_any_face = true}),
+          test(3, "if AX×AO×AX = 0", {.relation = Relation::zero, .any_of_size = 2}),
           {4, "the origin is on AX", Kind::action},
-          {3, "else", Kind::test, "", "AX", Relation::not_zero},
+          test(3, "else", {.relation = Relation::not_zero, .any_of_size = 2}),
           {4, "keep [X, A],  d ← AX×AO×AX", Kind::action},
           {0, "if no AX·AO > 0"},
-          {1, "if AO = 0", Kind::test, "", "A", Relation::zero},
+          test(1, "if AO = 0", {.feature = "A", .relation = Relation::zero}),
           {2, "the origin is A", Kind::action},
-          {1, "else", Kind::test, "", "A", Relation::not_zero},
-          {2, "keep [A],  d ← AO", Kind::action},
+          test(1, "else", {.feature = "A", .relation = Relation::not_zero}),
+          keep(2, "A", "AO"),
           {0, "of a triangle"},
-          {1, "if ABCn·AO = 0", Kind::test, "", "ABC", Relation::zero, 3},
+          test(1, "if ABCn·AO = 0", {.feature = "ABC", .relation = Relation::zero, .simplex_size = 3}),
           {2, "the origin is in ABC", Kind::action},
-          {1, "if ABCn·AO > 0", Kind::test, "", "ABC", Relation::positive, 3},
-          {2, "keep [C, B, A],  d ← ABCn", Kind::action},
-          {1, "if ABCn·AO < 0", Kind::test, "", "ABC", Relation::negative, 3},
-          {2, "keep [C, A, B],  d ← −ABCn", Kind::action},
+          test(1, "if ABCn·AO > 0", {.feature = "ABC", .relation = Relation::positive, .simplex_size = 3}),
+          keep(2, "CBA", "ABCn"),
+          test(1, "if ABCn·AO < 0", {.feature = "ABC", .relation = Relation::negative, .simplex_size = 3}),
+          keep(2, "CAB", "−ABCn"),
           {0, "for each face AXY, O within its edges"},
-          {1, "if AXY_n·AO > 0", Kind::test, "", "AXY", Relation::positive, 4},
+          test(1, "if AXY_n·AO > 0", {.relation = Relation::positive, .any_of_size = 3, .simplex_size = 4}),
           {2, "keep [Y, X, A],  d ← AXY_n", Kind::action},
-          {0, "else the origin is in ABCD", Kind::test, "", "ABCD"}};
+          test(0, "else the origin is in ABCD", {.feature = "ABCD"})};
 }
 
 /// What certified_collision() does.
@@ -153,15 +167,10 @@ LineKind kind_of_certifying(Focus focus, const Moment& now) {
   return now.certified->status == gjk::Status::separated ? Kind::separated : Kind::intersecting;
 }
 
-/// Returns: whether a feature is `form`, in which X and Y stand for B, C or D.
-bool is_of_form(const std::string& feature, const std::string& form) {
-  return std::ranges::equal(feature, form, [](char letter, char each) { return each == letter || each >= 'X'; });
-}
-
 /// Whether a line to which each edge comes would speak of another edge than the one that is asked about.
-bool is_of_earlier_edge(const CodeLine& line, const gjk::RegionTested<double>& region, const Moment& now) {
-  const std::string& last = now.regions.back().feature;
-  return line.feature == "AX" && last.size() == 2 && region.feature != last;
+bool is_of_earlier_edge(const TestsOf& tests, const gjk::RegionTested<double>& region, const Moment& now) {
+  const gjk::Roles& last = now.regions.back().feature;
+  return tests.any_of_size == 2 && last.size() == 2 && region.feature != last;
 }
 
 LineKind kind_of(Focus focus, const Moment& now) {
@@ -230,10 +239,14 @@ int running_algorithm(const Moment& now, Focus focus) {
 
 const gjk::RegionTested<double>* test_of(const CodeLine& line, const Moment& now) {
   if (line.kind != Kind::test) return nullptr;
+  const TestsOf& tests = line.tests;
   const auto is_its_own = [&](const gjk::RegionTested<double>& region) {
-    return region.verdict != gjk::Verdict::skipped && (line.face == "any" || region.face == line.face) &&
-           is_of_form(region.feature, line.feature) && (!line.relation || *line.relation == region.relation) &&
-           (line.size == 0 || line.size == region.simplex_size) && !is_of_earlier_edge(line, region, now);
+    const bool is_feature =
+        tests.any_of_size > 0 ? region.feature.size() == tests.any_of_size : region.feature == tests.feature;
+    return region.verdict != gjk::Verdict::skipped && (tests.in_any_face || region.face == tests.face) && is_feature &&
+           (!tests.relation || *tests.relation == region.relation) &&
+           (tests.simplex_size == 0 || tests.simplex_size == region.simplex_size) &&
+           !is_of_earlier_edge(tests, region, now);
   };
   const auto last = std::find_if(now.regions.rbegin(), now.regions.rend(), is_its_own);
   return last == now.regions.rend() ? nullptr : &*last;
@@ -267,16 +280,6 @@ std::string title_of(int number, RuleSet rules, const Names& names, const Simple
 
 std::string line_in_letters(int number, const CodeLine& line, const Names& names) {
   return number == 1 ? line.text : names.translate(line.text);
-}
-
-std::optional<Way> way_of(const CodeLine& line) {
-  constexpr std::string_view keep = "keep [", search = "],  d ← ";
-  const std::size_t begin = line.text.find(keep), end = line.text.find(search);
-  if (line.kind != Kind::action || begin == std::string::npos || end == std::string::npos) return std::nullopt;
-  Way way{"", line.text.substr(end + search.size())};
-  for (const char c : line.text.substr(begin + keep.size(), end - begin - keep.size()))
-    if (c >= 'A' && c <= 'D') way.kept += c;
-  return way;
 }
 
 }  // namespace walkthroughs

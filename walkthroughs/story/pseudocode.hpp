@@ -33,14 +33,27 @@ enum class LineKind {
   toward
 };
 
+/// What a line of Algorithms 4 and 5 keeps, oldest first, and where it searches on.
+struct Way {
+  gjk::Roles kept;
+  gjk::Expression direction;
+};
+
+/// The tests that a line stands for.
+struct TestsOf {
+  gjk::Roles feature = {}, face = {};
+  std::optional<gjk::Relation> relation = {};  ///< of a test that has one line for each outcome
+  int any_of_size = 0;       ///< of the complete rules: in place of a feature each edge AX (2) or face AXY (3)
+  bool in_any_face = false;  ///< and in none
+  int simplex_size = 0;      ///< where the line is about one size
+};
+
 struct CodeLine {
   int indent;
   std::string text;  ///< in roles: "if ABn·AO > 0"
   LineKind kind = LineKind::plain;
-  /// Of a test. In those of the complete rules X and Y stand for B, C or D, and "any" for each face and none.
-  std::string face = {}, feature = {};
-  std::optional<gjk::Relation> relation = {};  ///< of a test that has one line for each outcome
-  int size = 0;                                ///< of the simplex, where the line is about one size
+  TestsOf tests = {};             ///< of a test
+  std::optional<Way> way = {};  ///< of an action that leads on and does not keep everything as it is
 };
 
 /// The number of what is not the report's: proofs, and the second search.
@@ -69,14 +82,5 @@ std::string title_of(int number, RuleSet rules, const Names& names, const Simple
 
 /// Returns: the text of a line of that algorithm in the letters of the picture, with the markup of render/font.hpp.
 std::string line_in_letters(int number, const CodeLine& line, const Names& names);
-
-/// What a line of Algorithms 4 and 5 keeps, as roles, oldest first, and where it searches on.
-struct Way {
-  std::string kept;       ///< "CA"
-  std::string direction;  ///< "AC×AO×AC"
-};
-
-/// Returns: the way on that an action leads to; nothing where the line leads to none, or says only that everything is kept.
-std::optional<Way> way_of(const CodeLine& line);
 
 }  // namespace walkthroughs

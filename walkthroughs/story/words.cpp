@@ -68,14 +68,17 @@ std::string compared_with_zero(const gjk::RegionTested<double>& region, double v
 }
 
 std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTested<double>>& regions,
-                                              const std::function<std::string(const std::string&)>& feature) {
+                                              const std::function<std::string(const gjk::Roles&)>& feature) {
   std::vector<std::pair<std::string, std::string>> reasons;  // and the regions that each is for
   for (const gjk::RegionTested<double>& region : regions) {
     if (region.verdict != gjk::Verdict::skipped) continue;
-    const std::string name = region.label.empty() ? feature(region.feature) : region.label;
-    const auto known = std::ranges::find(reasons, region.reason, &std::pair<std::string, std::string>::first);
+    const gjk::RegionLabel label = label_of(region);
+    const std::string name =
+        label == gjk::RegionLabel::none ? feature(region.feature) : std::string(to_string(label));
+    const std::string reason = reason_in_words(region);
+    const auto known = std::ranges::find(reasons, reason, &std::pair<std::string, std::string>::first);
     if (known == reasons.end())
-      reasons.emplace_back(region.reason, name);
+      reasons.emplace_back(reason, name);
     else
       known->second += ", " + name;
   }
@@ -125,9 +128,9 @@ std::string Names::label(const Point& w) const {
   return joined(names, " = ");
 }
 
-std::string Names::sorted(std::string_view roles) const {
+std::string Names::sorted(const gjk::Roles& roles) const {
   std::vector<std::string> names;
-  for (const char letter : roles) names.push_back(of(role_of(letter)));
+  for (const Role role : roles) names.push_back(of(role));
   if (naming_ != Naming::roles) std::ranges::sort(names);  // the report writes faces of the simplex as ACD, ADB
   return joined(names, "");
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/event_words.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
@@ -34,7 +35,7 @@ std::string as_zero(double value);
 /// Returns: a line for each reason for which regions were skipped, in the order told: "R4, R6: ruled out when the search kept
 /// BC". `feature`: what to call one that has no label.
 std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTested<double>>& regions,
-                                              const std::function<std::string(const std::string&)>& feature);
+                                              const std::function<std::string(const gjk::Roles&)>& feature);
 
 /// What the vertices are called at one moment.
 class Names {
@@ -52,11 +53,12 @@ class Names {
   /// its name has stayed, or it is the newest.
   std::string before(const Point& w) const;
   /// Returns: the letters of roles, "ABCD", in order of the alphabet of the picture.
-  std::string sorted(std::string_view roles) const;
+  std::string sorted(const gjk::Roles& roles) const;
 
   /// Returns: `text` with every word that is made of the roles A … D, O and a final n for "normal" in the letters of the
   /// picture, normals as subscripts: "ABn·AO" becomes "AB_n·AO".
   std::string translate(std::string_view text) const;
+  std::string translate(const gjk::Expression& expression) const { return translate(to_string(expression)); }
 
   /// Returns: "[A, E]", oldest first as the report lists a simplex.
   std::string list(const Simplex& simplex) const;

@@ -60,6 +60,20 @@ void read(const Value& value, Meaning meaning, std::string& text) {
   text = meaning == Meaning::sentence ? sentence(value) : value.text();
 }
 
+void read(const Value& value, Meaning, gjk::Roles& roles) {
+  expect(value, Kind::string, "a string");
+  const auto named = gjk::Roles::named(value.text());
+  if (!named) value.fail(in_quotes(value.text()) + " names no vertices: write letters from A to D, each once");
+  roles = *named;
+}
+
+void read(const Value& value, Meaning, gjk::Expression& expression) {
+  expect(value, Kind::string, "a string");
+  const auto named = gjk::Expression::named(value.text());
+  if (!named || named->empty()) value.fail(in_quotes(value.text()) + " is no expression, such as 'AB×AO×AB' or 'ABn·AO'");
+  expression = *named;
+}
+
 void read(const Value& value, Meaning, bool& is_true) {
   expect(value, Kind::boolean, "true or false");
   is_true = value.is_true();
@@ -140,13 +154,62 @@ RecordKeys keys_of(const R& record) {
   return keys;
 }
 
+// What a field that is told in words may hold.
+
+template <class E>
+requires std::is_enum_v<E> std::vector<E> all_of(E last) {
+  std::vector<E> all;
+  for (int i = 0; i <= static_cast<int>(last); ++i) all.push_back(static_cast<E>(i));
+  return all;
+}
+std::vector<gjk::FirstDirection> candidates(gjk::FirstDirection) { return all_of(gjk::FirstDirection::as_told); }
+std::vector<gjk::ReductionReason> candidates(gjk::ReductionReason) { return all_of(gjk::ReductionReason::as_told); }
+std::vector<gjk::Finding> candidates(const gjk::Finding&) {
+  const auto reasons = all_of(gjk::RegionReason::no_face_sees_origin);
+  std::vector<gjk::Finding> findings(reasons.begin(), reasons.end());
+  for (const gjk::RegionReason is : reasons)
+    for (const gjk::RegionReason as_if : reasons) findings.push_back({is, as_if});
+  return findings;
+}
+std::vector<gjk::Roles> candidates(const gjk::Roles&) { return {"ABC", "ABD", "ACD"}; }
+
+/// The words that the program has for a field are looked up; there are no others.
+template <class R>
+void understand(const Value& value, const auto& field, R& record) {
+  expect(value, Kind::string, "a string");
+  const std::string text = sentence(value);
+  for (const auto& candidate : candidates(record.*field.member)) {
+    record.*field.member = candidate;
+    if (field.say(record) == text) return;
+  }
+  value.fail("is " + in_quotes(text) + ", which no search says there; " + trace_advice);
+}
+
+template <class R>
+void require_derived(const Value& object, const auto& field, const R& record) {
+  const std::string said = field.say(record);
+  const std::optional<Value> value = object.member(field.key);
+  if (!value && field.may_be_missing() && said.empty()) return;
+  const Value given = member(object, field.key);
+  expect(given, Kind::string, "a string");
+  if (given.text() != said) given.fail("is " + in_quotes(given.text()) + ", but the other fields say " + in_quotes(said) + "; " + trace_advice);
+}
+
 template <Record R>
 void read_fields(const Value& object, R& record) {
   for_each_field(record, [&](const auto& field, auto& into) {
     const bool is_there = object.member(field.key).has_value();
     if (!field.beside.empty() && is_there != object.member(field.beside).has_value())
       object.fail("'" + std::string(field.beside) + "' and '" + std::string(field.key) + "' belong together");
-    if (is_there || !field.may_be_missing()) read(member(object, field.key), field.meaning, into);
+    if (!is_there && field.may_be_missing()) return;
+    if constexpr (requires { field.meaning; }) {
+      read(member(object, field.key), field.meaning, into);
+    } else if constexpr (requires { field.member; }) {
+      understand(member(object, field.key), field, into);
+    }
+  });
+  for_each_field(record, [&](const auto& field, auto& whole) {
+    if constexpr (requires { field.say; } && !requires { field.member; }) require_derived(object, field, whole);
   });
 }
 

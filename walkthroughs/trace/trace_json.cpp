@@ -114,6 +114,8 @@ Json presentation(const Walkthrough& walkthrough, const std::vector<Remark>& rem
 Json json(bool truth) { return truth; }
 Json json(int count) { return count; }
 Json json(const std::string& text) { return text; }
+Json json(const gjk::Roles& roles) { return to_string(roles); }
+Json json(const gjk::Expression& expression) { return to_string(expression); }
 
 template <class E>
 requires std::is_enum_v<E> Json json(E enumerator) { return words_of::of(enumerator); }

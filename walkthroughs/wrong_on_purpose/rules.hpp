@@ -97,12 +97,12 @@ struct ABnReusedForADB : AsIntended {
 
 struct OrderKeptBelowTriangle : AsIntended {
   static constexpr Kept kept_below_triangle() {
-    return {{Role::C, Role::B, Role::A}, "A and B stay where they are, though the search turns to the other side"};
+    return {"CBA", gjk::ReductionReason::not_turned_below_triangle};
   }
 };
 struct OrderOfADB : AsIntended {
   static constexpr Kept kept_above(Face face) {
-    return face == Face::ADB ? Kept{{Role::D, Role::B, Role::A}, "the vertices of the face stay in their order"}
+    return face == Face::ADB ? Kept{"DBA", gjk::ReductionReason::face_in_its_order}
                              : AsIntended::kept_above(face);
   }
 };

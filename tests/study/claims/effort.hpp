@@ -73,7 +73,7 @@ struct CrossProducts {
     const int direction = chosen && is_edge ? 2 : 0;
     switch (event.simplex_size) {
       case 2: return 2;                                          // AB×AO×AB
-      case 3: return (event.label == "R3" ? 3 : 0) + direction;  // ABCn, ABn and ACn, before the first test
+      case 3: return (label_of(event) == gjk::RegionLabel::R3 ? 3 : 0) + direction;  // ABCn, ABn and ACn, before the first test
       case 4:
         if (is_edge) return direction;
         return event.formula.empty() ? 0 : 1 + (chosen ? 2 : 0);  // a face's normal, and where it sees O its edges'
@@ -121,13 +121,13 @@ class Shortcuts {
   void operator()(const gjk::SimplexReduced<double>& event) {
     if (event.before.size() < 4 || nearest_ == 0) return;  // of a flat one it cannot be told
     Feature kept = 0;
-    for (const char role : event.kept) kept |= 1U << (role - 'A');
+    for (const gjk::Role role : event.kept) kept |= 1U << static_cast<int>(role);
     count(counts_[Effort::kept_the_nearest], kept == nearest_);
   }
 
   void operator()(const gjk::RegionTested<double>& event) {
     if (event.verdict != gjk::Verdict::chosen || event.feature.size() != 2 || event.simplex_size < 3) return;
-    const auto other = static_cast<gjk::Role>(event.feature[1] - 'A');
+    const gjk::Role other = event.feature[1];
     const bool is_triangle = event.simplex_size == 3;
     using enum Effort;
     count(counts_[is_triangle ? triangle_edges : tetrahedron_edges], event.iteration);

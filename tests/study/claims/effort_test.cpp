@@ -54,7 +54,7 @@ struct DotProducts {
   void operator()(const E&) {}
   void operator()(const gjk::SupportFound<Counted>&) { ++iterations; }
   void operator()(const gjk::RegionTested<Counted>& event) {
-    if (event.expression.ends_with("·AO")) ++in_tests;
+    if (event.expression.form == gjk::Expression::Form::dot) ++in_tests;
   }
 };
 

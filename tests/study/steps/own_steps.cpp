@@ -13,7 +13,6 @@ using Simplex = gjk::Simplex<double>;
 using Vertex = gjk::Vertex<double>;
 
 constexpr double same_place = 1e-9, same_direction = 1e-4;  // programs may compute in floats, and print few digits
-constexpr const char* told = "as told";
 constexpr int most_iterations = 100;  // of the report's algorithm, after what was told
 
 bool are_same(const Vec& v, const Vec& w) { return (v - w).norm() <= same_place * (1 + w.norm()); }
@@ -36,7 +35,7 @@ class Steps {
  public:
   explicit Steps(const ToldRun& run)
       : run_(run), a_(std::get<Points>(run.named.pair.a)), b_(std::get<Points>(run.named.pair.b)) {
-    trace_(gjk::SearchStarted<double>{.direction = run.steps.front().direction, .why = "the program began so"});
+    trace_(gjk::SearchStarted<double>{.direction = run.steps.front().direction, .why = gjk::FirstDirection::as_told});
   }
 
   /// As told.
@@ -53,7 +52,7 @@ class Steps {
     if (iteration == count()) return;
     const Vec& d = step_of(iteration + 1).direction;
     const bool is_right = right.chosen && are_parallel(right.chosen->direction, d);
-    add(iteration, is_right ? *right.chosen : gjk::DirectionChosen<double>{.expression = told, .direction = d});
+    add(iteration, is_right ? *right.chosen : gjk::DirectionChosen<double>{.expression = gjk::Expression::Form::as_told, .direction = d});
   }
 
   /// As the report has it, from that iteration to its end.
@@ -167,11 +166,9 @@ class Steps {
   }
 
   gjk::SimplexReduced<double> reduced(const Simplex& before) const {
-    gjk::SimplexReduced<double> event{.before = before, .after = simplex_, .kept = {}, .dropped = {}, .why = told};
-    for (int i = 0; i < before.size(); ++i) {
-      const char name = gjk::letter(static_cast<gjk::Role>(before.size() - 1 - i));
-      (has(simplex_, before[i].w) ? event.kept : event.dropped) += name;
-    }
+    gjk::SimplexReduced<double> event{.before = before, .after = simplex_, .kept = {}};
+    for (int i = 0; i < before.size(); ++i)
+      if (has(simplex_, before[i].w)) event.kept.add(static_cast<gjk::Role>(before.size() - 1 - i));
     return event;
   }
 

@@ -56,9 +56,9 @@ struct Reasons {
   void operator()(const gjk::RegionTested<S>& event) {
     const S* const value = std::get_if<S>(&event.value);
     if (!value) return;
-    if (event.verdict == gjk::Verdict::chosen) add(chosen, event.expression, *value);
+    if (event.verdict == gjk::Verdict::chosen) add(chosen, to_string(event.expression), *value);
     if (event.verdict == gjk::Verdict::rejected && event.simplex_size == 4 && event.face.empty())
-      add(not_above, event.expression, *value);
+      add(not_above, to_string(event.expression), *value);
   }
   template <class E>
   void operator()(const E&) {}

@@ -64,11 +64,11 @@ std::string decided(const Iteration& at) {
                                                     {Relation::negative, " < 0"},
                                                     {Relation::zero, " = 0"},
                                                     {Relation::not_zero, " ≠ 0"}};
-    text += (text.empty() ? "" : ", ") + (r.face.empty() ? "" : r.face + " ") + r.feature +
+    text += (text.empty() ? "" : ", ") + (r.face.empty() ? "" : to_string(r.face) + " ") + to_string(r.feature) +
             (r.verdict == Verdict::rejected ? " no" : relations.at(r.relation));
   }
-  if (at.reduction) text += ": keep " + at.reduction->kept;
-  if (at.direction) text += (at.reduction ? ", d = " : ": d = ") + at.direction->expression;
+  if (at.reduction) text += ": keep " + to_string(at.reduction->kept);
+  if (at.direction) text += (at.reduction ? ", d = " : ": d = ") + to_string(at.direction->expression);
   return text;
 }
 
@@ -112,8 +112,8 @@ std::string signs_in_face(const Run& run, int iteration) {
   for (const auto& r : run.at(iteration).regions)
     if (r.simplex_size == 4 && r.face.empty() && r.verdict == Verdict::chosen && r.feature.size() == 3) {
       std::vector<Point> face;
-      for (const char role : r.feature) face.push_back(corners.at(static_cast<std::size_t>(role - 'A')));
-      return r.feature + " " + signs(face);
+      for (const gjk::Role role : r.feature) face.push_back(corners.at(static_cast<std::size_t>(role)));
+      return to_string(r.feature) + " " + signs(face);
     }
   return "";
 }

@@ -22,16 +22,26 @@ namespace {
 // -- Members ----------------------------------------------------------------------------------------------------------
 
 template <class R, class T>
-T member_of(const Field<R, T>&);
+std::tuple<T> members_of(const Field<R, T>&);
 template <class R, class T>
-T member_of(const Inlined<R, T>&);
+std::tuple<T> members_of(const Spoken<R, T>&);
+template <class R, class T>
+std::tuple<T> members_of(const Inlined<R, T>&);
+template <class R>
+std::tuple<> members_of(const Derived<R>&);
+
+template <class R, class... Members>
+constexpr bool has_just(std::type_identity<std::tuple<Members...>>) {
+  constexpr bool has_these = requires { R{std::declval<Members>()...}; };
+  constexpr bool has_more = requires { R{std::declval<Members>()..., {}}; };
+  return has_these && !has_more;
+}
 
 /// Whether the members of R are those `before` and those listed, in this order, and no more.
 template <class R, class... Before, class... Listed>
 constexpr bool lists_every_member(const std::tuple<Listed...>&) {
-  constexpr bool has_these = requires { R{std::declval<Before>()..., member_of(std::declval<Listed>())...}; };
-  constexpr bool has_more = requires { R{std::declval<Before>()..., member_of(std::declval<Listed>())..., {}}; };
-  return has_these && !has_more;
+  using Members = decltype(std::tuple_cat(std::declval<std::tuple<Before...>>(), members_of(std::declval<Listed>())...));
+  return has_just<R>(std::type_identity<Members>());
 }
 
 template <class... Events>

@@ -43,7 +43,7 @@ TEST_CASE("After each event the moment is as the events state it outright, and o
       if (const auto* e = std::get_if<gjk::SearchStarted<double>>(&event)) direction = e->direction;
       if (const auto* e = std::get_if<gjk::SupportFound<double>>(&event)) found = e->vertex.w;
       if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&event)) simplex = points_of(e->simplex);
-      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&event)) features.push_back(e->feature + e->face);
+      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&event)) features.push_back(to_string(e->feature) + to_string(e->face));
       if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&event)) simplex = points_of(e->after);
       if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&event)) direction = e->direction, found.reset();
       const Moment now = replay(told.trace, i + 1);
@@ -51,7 +51,7 @@ TEST_CASE("After each event the moment is as the events state it outright, and o
       CHECK(now.direction->value == direction);
       CHECK((now.found ? std::optional(now.found->w) : std::nullopt) == found);
       std::vector<std::string> replayed;
-      for (const auto& region : now.regions) replayed.push_back(region.feature + region.face);
+      for (const auto& region : now.regions) replayed.push_back(to_string(region.feature) + to_string(region.face));
       CHECK(replayed == features);
       if (now.crossing) CHECK(now.crossing->iteration == iteration);
       if (now.reduction) CHECK(now.reduction->iteration == iteration);

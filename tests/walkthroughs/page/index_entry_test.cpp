@@ -40,7 +40,7 @@ TEST_CASE("The picture of a region's walkthrough is of the decision for that reg
     const auto& regions = frame.moments[0].regions;
     REQUIRE(!regions.empty());
     CHECK(regions.back().verdict == gjk::Verdict::chosen);
-    CHECK(regions.back().label == label);
+    CHECK(to_string(label_of(regions.back())) == label);
     CHECK(frame.moments[0].processed.size() == 3);
   }
 }

@@ -48,16 +48,16 @@ std::string done(const Trace& trace, const Question& question) {
     case Kind::vertices: {
       const auto* reduced = std::get_if<gjk::SimplexReduced<double>>(&event);
       std::string list;
-      for (const char role : reduced ? reduced->kept : std::string("CBA"))
-        list += (list.empty() ? "" : ", ") + std::string(1, role);
+      for (const gjk::Role role : reduced ? reduced->kept : gjk::Roles("CBA"))
+        list += (list.empty() ? "" : ", ") + std::string(1, letter(role));
       return "[" + list + "]";
     }
-    case Kind::direction: return std::get<gjk::DirectionChosen<double>>(event).expression;
+    case Kind::direction: return to_string(std::get<gjk::DirectionChosen<double>>(event).expression);
     case Kind::line: return line_gone_wrong_in(question);
     case Kind::region: break;
   }
   if (const auto* kept = std::get_if<gjk::FeatureKept<double>>(&event)) {
-    std::string letters = kept->kept;
+    std::string letters = to_string(kept->kept);
     std::ranges::sort(letters);
     return with_kind(letters);
   }
@@ -65,11 +65,11 @@ std::string done(const Trace& trace, const Question& question) {
     std::string feature;
     for (std::size_t i = question.event; i < events.size() && std::holds_alternative<Region>(events[i]); ++i)
       if (const Region& region = std::get<Region>(events[i]); region.verdict == Verdict::chosen)
-        feature = region.feature;
+        feature = to_string(region.feature);
     return with_kind(feature);
   }
   const Region* chosen = nullptr;
-  const std::string face = std::get<Region>(event).face;
+  const gjk::Roles face = std::get<Region>(event).face;
   for (std::size_t i = question.event; i < events.size() && std::holds_alternative<Region>(events[i]); ++i)
     if (const Region& region = std::get<Region>(events[i]);
         region.verdict == Verdict::chosen && region.face == face && !chosen)
@@ -80,12 +80,14 @@ std::string done(const Trace& trace, const Question& question) {
       {{"AB", Relation::zero}, "on segment AB"},        {{"AB", Relation::not_zero}, "R3 or R4: to one side of AB"},
       {{"ABC", Relation::zero}, "R1: in triangle ABC"}, {{"ABC", Relation::negative}, "R1: below triangle ABC"},
   };
-  if (!face.empty()) return "beyond edge " + chosen->feature;
+  const std::string feature = to_string(chosen->feature);
+  if (!face.empty()) return "beyond edge " + feature;
   if (chosen->feature == "ABCD") return "inside: above none of them";
-  if (chosen->simplex_size == 4) return "above face " + chosen->feature;
+  if (chosen->simplex_size == 4) return "above face " + feature;
   if (chosen->feature == "ABC" && chosen->relation == Relation::positive) return "R1: above triangle ABC";
-  if (chosen->simplex_size == 3 && chosen->feature != "ABC") return chosen->label + ": beyond edge " + chosen->feature;
-  return words.at({chosen->feature, chosen->relation});
+  if (chosen->simplex_size == 3 && chosen->feature != "ABC")
+    return std::string(to_string(label_of(*chosen))) + ": beyond edge " + feature;
+  return words.at({feature, chosen->relation});
 }
 
 /// Returns: how many questions there are; each has been checked.

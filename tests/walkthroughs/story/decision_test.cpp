@@ -29,7 +29,7 @@ std::vector<Walkthrough> in_space() {
   return list;
 }
 
-Point vertex(const Moment& now, char role) { return now.processed.point(static_cast<gjk::Role>(role - 'A')); }
+Point vertex(const Moment& now, gjk::Role role) { return now.processed.point(role); }
 
 double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
@@ -49,7 +49,7 @@ void for_all_views(const Check& check) {
   }
 }
 
-const gjk::RegionTested<double>* tested(const Moment& now, const std::string& face, const std::string& feature) {
+const gjk::RegionTested<double>* tested(const Moment& now, const gjk::Roles& face, const gjk::Roles& feature) {
   for (const auto& region : now.regions)
     if (region.face == face && region.feature == feature && region.verdict != gjk::Verdict::skipped &&
         !asks_along_edge(region))
@@ -67,14 +67,14 @@ TEST_CASE(
     const Point A = vertex(now, view.face[0]), P = vertex(now, view.face[1]), Q = vertex(now, view.face[2]);
     const Point normal = (P - A).cross(Q - A);
     const double size = (P - A).norm() + (Q - A).norm();
-    for (const char role : view.face) CHECK(std::abs(view.plane(vertex(now, role)).y()) < 1e-9 * size);
+    for (const gjk::Role role : view.face) CHECK(std::abs(view.plane(vertex(now, role)).y()) < 1e-9 * size);
     CHECK(normal.normalized().dot(view.plane.up) == Approx(1));
     CHECK(view.plane.right.dot(normal.normalized()) == Approx(0).margin(1e-12));
     if (now.processed.size() == 4 && view.face != "BCD" && !now.is_second_search)  // which turns no normals outward
-      for (const char role : {'B', 'C', 'D'})
-        if (view.face.find(role) == std::string::npos) CHECK(view.plane(vertex(now, role)).y() < 1e-9 * size);
+      for (const gjk::Role role : {gjk::Role::B, gjk::Role::C, gjk::Role::D})
+        if (!view.face.has(role)) CHECK(view.plane(vertex(now, role)).y() < 1e-9 * size);
     CHECK(view.height == Approx(view.plane(Point::Zero()).y()).margin(1e-6 * size));
-    if (const auto* region = tested(now, "", view.face)) {
+    if (const auto* region = tested(now, {}, view.face)) {
       const double value = std::get<double>(region->value);
       CHECK((view.height > 0) == (value > 0));
       CHECK((view.height < 0) == (value < 0));
@@ -93,9 +93,9 @@ TEST_CASE("In true shape a triangle is seen down its normal, and its foot lies w
     const Vec2 A = view.plane(vertex(now, view.face[0])), P = view.plane(vertex(now, view.face[1])),
                Q = view.plane(vertex(now, view.face[2])), O = view.plane(Point::Zero());
     CHECK(turn(A, P, Q) > 0);  // counter-clockwise, from where the normal AP×AQ points
-    const std::string face = now.processed.size() == 4 ? view.face : "";
-    for (const std::size_t i : {1u, 2u}) {
-      const auto* region = tested(now, face, {'A', view.face[i]});
+    const gjk::Roles face = now.processed.size() == 4 ? view.face : gjk::Roles();
+    for (const int i : {1, 2}) {
+      const auto* region = tested(now, face, {gjk::Role::A, view.face[i]});
       if (!region) continue;
       const double value = std::get<double>(region->value), outward = i == 1 ? -turn(A, P, O) : turn(A, Q, O);
       if (std::abs(outward) < 1e-9 * turn(A, P, Q)) continue;
