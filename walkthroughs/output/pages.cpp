@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <ranges>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -14,7 +16,6 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
-#include "walkthroughs/page/compare_page.hpp"
 #include "walkthroughs/page/index_page.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
@@ -44,91 +45,48 @@ std::string url_of(const fs::path& path) {
   return url;
 }
 
-/// What the page asks for, before there is a page that asks. Where it asks for nothing, that of an earlier run goes.
-void write_files_beside(const Story& story, const PagePictures& pictures, const PageSurroundings& around,
-                        const fs::path& folder) {
-  if (around.has_files)
-    for (const PageFile& file : page_files(story, pictures, around)) write_output(folder / file.name, file.content);
-  else
-    remove_outputs(folder, {files_asked_for.begin(), files_asked_for.end()});
-}
-
 std::string copy_of_scene(const PageOrigin& origin) { return origin.name + ".json"; }
 
-/// Returns: what may lie beside a page of where it comes from, written there or left by an earlier run; but for what is read from
-/// there, which stays as it is.
-std::vector<std::string> sources_beside(const PageOrigin& origin, const fs::path& folder) {
-  std::vector<std::string> names{trace_file};
-  if (!origin.file.empty()) names.push_back(copy_of_scene(origin));
-  std::error_code is_not_there;
-  std::erase_if(names, [&](const std::string& name) {
-    return !origin.file.empty() && fs::equivalent(origin.file, folder / name, is_not_there);
-  });
-  return names;
-}
-
-/// Returns: its content; nothing where the page has no such source.
-std::string source(const std::string& name, const Story& story, const PageOrigin& origin) {
-  if (name == trace_file) {
-    std::vector<Trace> traces;
-    for (const Telling& telling : story.tellings) traces.push_back(telling.trace);
-    return traces.empty() ? "" : traces_json(story.walkthrough, traces);
-  }
-  if (!origin.option.empty()) return "";
-  const std::vector<std::uint8_t> bytes = render::read_file(origin.file);
-  return {bytes.begin(), bytes.end()};
-}
-
-void write_sources(const Story& story, const PageOrigin& origin, Pages::Pictures pictures, const fs::path& folder) {
-  for (const std::string& name : sources_beside(origin, folder)) {
-    const std::string content = pictures == Pages::Pictures::beside ? source(name, story, origin) : "";
-    if (content.empty())
-      remove_outputs(folder, {name});
-    else
-      write_output(folder / name, content);
-  }
-}
-
-/// Returns: so many bytes at most; none where there is no such file.
-std::string beginning_of(const fs::path& path, std::size_t bytes) {
-  std::string beginning(bytes, '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return "";
-  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(file.gcount()));
-  return beginning;
+/// Returns: what a page was made of.
+std::vector<PageFile> sources(const Story& story, const PageOrigin& origin) {
+  std::vector<PageFile> files;
+  std::vector<Trace> traces;
+  for (const Telling& telling : story.tellings) traces.push_back(telling.trace);
+  if (!traces.empty()) files.push_back({trace_file, traces_json(story.walkthrough, traces)});
+  if (origin.file.empty() || !origin.option.empty()) return files;
+  const std::vector<std::uint8_t> scene = render::read_file(origin.file);
+  files.push_back({copy_of_scene(origin), {scene.begin(), scene.end()}});
+  return files;
 }
 
 /// Returns: what the page in `folder`/`name` says of itself; nothing where there is none, or none that belongs there.
-std::optional<IndexEntry> entry_at(const fs::path& folder, const std::string& name) {
-  std::optional<IndexEntry> entry = entry_of(beginning_of(folder / name / page_file, std::size_t{1} << 20));
-  if (!entry || entry->name != name) return std::nullopt;
-  entry->picture_url = name + "/" + picture_name(entry->picture);
-  std::error_code unreadable;
-  return fs::exists(folder / entry->picture_url, unreadable) ? entry : std::nullopt;
+std::optional<PageJson> entry_at(const fs::path& folder, const std::string& name) {
+  for (const char* file : {story_file, page_file}) try {
+      const std::vector<std::uint8_t> bytes = render::read_beginning(folder / name / file, std::size_t{1} << 20);
+      std::optional<PageJson> entry = entry_in({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+      if (!entry || (*entry)["name"] != name) continue;
+      const std::string picture = name + "/" + picture_name((*entry)["picture"]);
+      (*entry)["picture_url"] = picture;
+      std::error_code unreadable;
+      if (fs::exists(folder / name / page_file, unreadable) && fs::exists(folder / picture, unreadable)) return entry;
+    } catch (const render::ReadError&) {  // there is none
+    }
+  return std::nullopt;
 }
 
-/// Returns: the folders in which a walkthrough may lie, by name, in the order of the catalogue, scenes of one's own last.
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code unreadable, no_status;
+/// Returns: those of all pages in the folder, in the order of the catalogue, scenes of one's own last.
+std::vector<PageJson> entries_in(const fs::path& folder) {
+  std::map<std::pair<std::ptrdiff_t, std::string>, PageJson> entries;
+  std::error_code unreadable;
   for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, unreadable);
        !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
     if (at.depth() == 1) at.disable_recursion_pending();
-    if (at->is_directory(no_status)) names.push_back(at->path().lexically_relative(folder).generic_string());
+    const std::string name = at->path().lexically_relative(folder).generic_string();
+    const auto place = std::ranges::find(catalogue(), name, &Walkthrough::name) - catalogue().begin();
+    if (std::optional<PageJson> entry = entry_at(folder, name)) entries.emplace(std::pair(place, name), *entry);
   }
-  const auto place = [](const std::string& name) {
-    return std::ranges::find(catalogue(), name, &Walkthrough::name) - catalogue().begin();
-  };
-  std::ranges::sort(names, {}, [&](const std::string& name) { return std::pair(place(name), name); });
-  return names;
-}
-
-std::vector<IndexEntry> pages_in(const fs::path& folder) {
-  std::vector<IndexEntry> entries;
-  for (const std::string& name : names_in(folder))
-    if (std::optional<IndexEntry> entry = entry_at(folder, name)) entries.push_back(std::move(*entry));
-  return entries;
+  const auto values = std::views::values(entries);
+  return {values.begin(), values.end()};
 }
 
 }  // namespace
@@ -138,23 +96,28 @@ std::vector<PageOrigin>::const_iterator Pages::origin_of(const Walkthrough& walk
 }
 
 std::vector<std::string> Pages::files(const Walkthrough& walkthrough) const {
-  std::vector<std::string> files{page_file};
-  files.insert(files.end(), files_asked_for.begin(), files_asked_for.end());
-  std::ranges::move(sources_beside(*origin_of(walkthrough), folder_ / walkthrough.name), std::back_inserter(files));
-  return files;
+  const PageOrigin& origin = *origin_of(walkthrough);
+  std::vector<std::string> names = page_file_names();
+  names.push_back(trace_file);
+  if (!origin.file.empty()) names.push_back(copy_of_scene(origin));
+  std::error_code is_not_there;  // what is read from there stays as it is
+  std::erase_if(names, [&](const std::string& name) {
+    return fs::equivalent(origin.file, folder_ / walkthrough.name / name, is_not_there);
+  });
+  return names;
 }
 
 PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough) const {
   const auto here = origin_of(walkthrough);
   const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
   PageSurroundings all;
-  all.command = "gjkstep render " + what + (pictures_ == Pictures::inside ? " --page=single" : " --page") + options_;
-  if (!walkthrough.scenes.empty() && here->option.empty()) all.trace_command = "gjkstep trace " + what;
-  if (pictures_ == Pictures::inside) return all;
-  all.has_files = true;
+  all.has_files_beside = pictures_ == Pictures::beside;
+  all.command = "gjkstep render " + what + (all.has_files_beside ? " --page" : " --page=single") + options_;
+  if (!walkthrough.scenes.empty() && here->option.empty())
+    all.sources.push_back({all.has_files_beside ? trace_file : "", "its trace: gjkstep trace " + what});
+  if (!all.has_files_beside) return all;
   if (!here->file.empty())
-    all.sources.push_back(
-        {url_of(here->option.empty() ? copy_of_scene(*here) : trace_file), here->file.filename().string()});
+    all.sources.push_back({here->option.empty() ? url_of(copy_of_scene(*here)) : trace_file, here->file.filename()});
   const std::string up = up_from(walkthrough.name);
   const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
   all.page_of = [up, folder = folder_, origins = origins_](const std::string& other) {
@@ -183,22 +146,27 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
                               .text_scale = output.look.style.theme.text,
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
-  renderer.then([=, written = written_, around = surroundings_of(w), origin = *origin_of(w), kind = pictures_] {
-    write_files_beside(*story, pictures, around, folder);
-    write_sources(*story, origin, kind, folder);
-    write_output(folder / page_file, page_html(*story, pictures, around));
+  renderer.then([=, written = written_, around = surroundings_of(w), origin = *origin_of(w), names = files(w)] {
+    std::vector<PageFile> files = around.has_files_beside ? sources(*story, origin) : std::vector<PageFile>();
+    std::ranges::move(page_files(*story, pictures, around), std::back_inserter(files));
+    std::set<std::string> kept;
+    for (const auto& [name, content] : files) {
+      if (std::ranges::count(names, name)) write_output(folder / name, content);
+      kept.insert(name);
+    }
+    remove_outputs(folder, names, "", kept);
     written(folder / page_file, *story);
   });
 }
 
 void write_index(const fs::path& folder) {
-  const std::vector<IndexEntry> entries = pages_in(folder), searches = comparable(entries);
-  const bool is_pair = searches.size() >= 2;
-  if (is_pair)
-    write_output(folder / compare_file, compare_html(searches));
+  const std::vector<PageJson> entries = entries_in(folder);
+  const auto is_search = [](const PageJson& entry) { return !entry["iteration_ends"].empty(); };
+  if (std::ranges::count_if(entries, is_search) >= 2)
+    write_output(folder / compare_file, page_over(entries, compare_file));
   else
     remove_outputs(folder, {compare_file});  // of an earlier run
-  write_output(folder / page_file, index_html(entries, is_pair ? compare_file : ""));
+  write_output(folder / page_file, page_over(entries, page_file));
 }
 
 }  // namespace walkthroughs

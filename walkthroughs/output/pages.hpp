@@ -11,7 +11,7 @@
 
 namespace walkthroughs {
 
-inline constexpr const char *page_file = "index.html", *compare_file = "compare.html";
+inline constexpr const char *compare_file = "compare.html", *trace_file = "trace.jsonl";
 
 /// A walkthrough of the run, and what it was read from.
 struct PageOrigin {

@@ -1,45 +1,36 @@
-/// What the index says of a walkthrough. Its page holds that, too, so that an index can be made of the pages that are there.
+/// What the index says of a walkthrough. The data of its page begin with that, so that an index can be made of the pages
+/// that are there.
 #pragma once
 
-#include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "walkthroughs/page/page_pictures.hpp"
 #include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {
 
-/// A walkthrough on that page. Keeps no story.
-struct IndexEntry {
-  std::string name, title, section;
-  std::string sentence;  ///< with markup
-  std::string answer;    ///< "intersecting", one for each scene that differs; empty where no search is shown
-  std::size_t steps = 0;
-  std::vector<std::size_t> iteration_ends;  ///< frames; empty where no search is shown
-  std::size_t picture = 0;                  ///< the frame that stands for it
-  std::string picture_url;                  ///< seen from the index
-  std::string cut;                          ///< the style that shows what its pages show of it, see cut_out()
-  bool is_dark = false;                     ///< whether they are drawn on a dark ground
-};
+using PageJson = nlohmann::ordered_json;
 
-/// Returns: what the index says of a walkthrough, but for where its picture is.
-IndexEntry index_entry(const Story& story, const PagePictures& pictures);
+/// Returns: name, title, section; a sentence, with markup; the answers, one for each scene that differs; how many steps there
+/// are; the last frame of each iteration, of a search; the frame that stands for it all, and what is shown of its picture.
+PageJson index_entry(const Story& story, const PagePictures& pictures);
 
-/// Returns: it as JSON, but for where its picture is.
-std::string entry_json(const IndexEntry& entry);
+/// Returns: a script that sets window.gjkstep to `entry` and `story`; it may stand in a page, too, as no text in it ends a
+/// script element.
+std::string story_script(const PageJson& entry, const PageJson& story);
 
-/// As an element of a page.
-std::string entry_element(const IndexEntry& entry);
+/// Returns: the entry; nothing where there is none that could be of gjkstep. `text`: the first bytes of such a script or of
+/// a page that holds one, whoever has written them.
+std::optional<PageJson> entry_in(std::string_view text);
 
-/// Returns: what a page says of itself, but for where its picture is; nothing where it is none of gjkstep's.
-/// `page`: its first bytes, whoever has written them.
-std::optional<IndexEntry> entry_of(std::string_view page);
+/// Returns: JSON as a script of any page may have it.
+std::string json_in_script(const PageJson& json);
 
-/// Returns: of a region's walkthrough the iteration that it is about: that of the test which it explains, else of what it explains
-/// first; nothing of others.
+/// Returns: of a region's walkthrough the iteration that it is about: that of the test which it explains, else of what it
+/// explains first; nothing of others.
 std::optional<int> told_iteration(const Walkthrough& w);
 
 }  // namespace walkthroughs

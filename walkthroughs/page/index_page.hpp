@@ -1,4 +1,4 @@
-/// The page over all walkthroughs of a run.
+/// The pages over all walkthroughs of a run: the index, and the one on which two of them step together.
 #pragma once
 
 #include <string>
@@ -8,9 +8,11 @@
 
 namespace walkthroughs {
 
-/// Returns: the page, in UTF-8, to stand in the folder that holds one for each walkthrough; groups as the report goes, within
-/// each the order of the entries.
-/// `compare_url`: where two of them can be compared; empty where they cannot.
-std::string index_html(const std::vector<IndexEntry>& entries, const std::string& compare_url = "");
+/// Returns: the entries as [{"title", "entries"}], grouped as the report goes; no group is empty, within each is their order.
+PageJson in_groups(const std::vector<PageJson>& entries);
+
+/// Returns: a page of the viewer, "index.html" or "compare.html", with the entries in it, in UTF-8. It is to stand in the
+/// folder that holds one for each walkthrough. Requires: each has, beside what index_entry() says, its "picture_url".
+std::string page_over(const std::vector<PageJson>& entries, const std::string& viewer_page);
 
 }  // namespace walkthroughs

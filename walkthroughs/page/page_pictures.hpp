@@ -20,10 +20,4 @@ struct PagePictures {
   bool is_dark = false;   ///< drawn on a dark ground
 };
 
-/// Returns: the style attribute of what shows only `part` of pictures that are laid out on `page`; style sheets say how.
-std::string cut_out(render::Size page, const render::Box& part);
-
-/// Returns: the style that sets all of a page's text in that scale; empty at 1, where browsers' own size stays.
-std::string text_size(double scale);
-
 }  // namespace walkthroughs

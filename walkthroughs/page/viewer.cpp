@@ -1,0 +1,45 @@
+#include "walkthroughs/page/viewer.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "render/html.hpp"
+
+namespace walkthroughs {
+
+std::string filled(std::string_view text, const std::vector<PageFile>& fillings) {
+  std::string html;
+  while (true) {
+    const std::size_t begin = text.find("{{"), end = text.find("}}", begin);
+    html += text.substr(0, begin);
+    if (begin == std::string_view::npos || end == std::string_view::npos) return html;
+    const auto filling = std::ranges::find(fillings, text.substr(begin + 2, end - begin - 2), &PageFile::name);
+    if (filling == fillings.end()) throw std::logic_error("a page has a place that nothing fills");
+    html += filling->content;
+    text.remove_prefix(end + 2);
+  }
+}
+
+std::string with_inside(std::string html, const std::vector<PageFile>& files) {
+  for (const PageFile& file : files) {
+    const bool is_style = file.name.ends_with(".css");
+    const std::string asks = is_style ? "<link rel=\"stylesheet\" href=\"" + file.name + "\">"
+                                      : "<script src=\"" + file.name + "\"></script>";
+    const std::size_t at = html.find(asks);
+    if (at == std::string::npos) continue;
+    const std::string tag = is_style ? "style" : "script";
+    html.replace(at, asks.size(), "<" + tag + ">\n" + file.content + "</" + tag + ">");
+  }
+  return html;
+}
+
+std::string html_of(const std::vector<PageLink>& links) {
+  std::string html;
+  for (const auto& [url, text] : links) {
+    const std::string words = render::escaped(text);
+    html += (url.empty() ? "<code>" + words + "</code>" : "<a href=\"" + render::escaped(url) + "\">" + words + "</a>") + "\n";
+  }
+  return html;
+}
+
+}  // namespace walkthroughs
