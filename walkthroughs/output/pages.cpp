@@ -1,8 +1,6 @@
 #include "walkthroughs/output/pages.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cstdio>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -25,24 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns: the way from the folder of a walkthrough up to that of all.
-std::string up_from(const std::string& name) {
-  std::string up = "../";
-  for (const char c : name) up += c == '/' ? "../" : "";
-  return up;
-}
+using Origin = std::vector<PageOrigin>::const_iterator;
 
-/// Returns: a path as a URL, its letters beyond ASCII left to the browser.
-std::string url_of(const fs::path& path) {
-  std::string url;
-  for (const char c : path.generic_string()) {
-    const bool is_plain = static_cast<unsigned char>(c) >= 0x80 || std::isalnum(static_cast<unsigned char>(c)) ||
-                          std::string_view("/._-~").find(c) != std::string_view::npos;
-    char escape[8];
-    std::snprintf(escape, sizeof escape, "%%%02X", static_cast<unsigned char>(c));
-    url += is_plain ? std::string(1, c) : escape;
-  }
-  return url;
+Origin origin_of(const Walkthrough& walkthrough, const PagesWanted& wanted) {
+  return std::ranges::find(wanted.origins, walkthrough.name, &PageOrigin::name);
 }
 
 std::string copy_of_scene(const PageOrigin& origin) { return origin.name + ".json"; }
@@ -89,56 +73,52 @@ std::vector<PageJson> entries_in(const fs::path& folder) {
   return {values.begin(), values.end()};
 }
 
-}  // namespace
-
-std::vector<PageOrigin>::const_iterator Pages::origin_of(const Walkthrough& walkthrough) const {
-  return std::ranges::find(origins_, walkthrough.name, &PageOrigin::name);
+PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWanted& wanted) {
+  const Origin here = origin_of(walkthrough, wanted);
+  const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
+  PageSurroundings all;
+  all.has_files_beside = wanted.pictures == PagesWanted::Pictures::beside;
+  all.command = "gjkstep render " + what + (all.has_files_beside ? " --page" : " --page=single") + wanted.options;
+  if (!walkthrough.scenes.empty() && here->option.empty())
+    all.sources.push_back({all.has_files_beside ? trace_file : "", "its trace: gjkstep trace " + what});
+  if (!all.has_files_beside) return all;
+  if (!here->file.empty())
+    all.sources.push_back({here->option.empty() ? copy_of_scene(*here) : trace_file, here->file.filename()});
+  const auto way_to = [from = walkthrough.name](const std::string& name) {
+    return (fs::path(name) / page_file).lexically_relative(from).generic_string();
+  };
+  all.page_of = [=](const std::string& name) {
+    std::error_code unreadable;
+    const bool is_there = std::ranges::count(wanted.origins, name, &PageOrigin::name) ||
+                          fs::exists(wanted.folder / name / page_file, unreadable);
+    return is_there ? way_to(name) : "";
+  };
+  all.ways.push_back({way_to(""), "All walkthroughs"});
+  if (here != wanted.origins.begin()) all.ways.push_back({way_to((here - 1)->name), "← " + (here - 1)->title});
+  if (here + 1 != wanted.origins.end()) all.ways.push_back({way_to((here + 1)->name), "→ " + (here + 1)->title});
+  return all;
 }
 
+}  // namespace
+
 std::vector<std::string> Pages::files(const Walkthrough& walkthrough) const {
-  const PageOrigin& origin = *origin_of(walkthrough);
+  const PageOrigin& origin = *origin_of(walkthrough, wanted_);
   std::vector<std::string> names = page_file_names();
   names.push_back(trace_file);
   if (!origin.file.empty()) names.push_back(copy_of_scene(origin));
   std::error_code is_not_there;  // what is read from there stays as it is
   std::erase_if(names, [&](const std::string& name) {
-    return fs::equivalent(origin.file, folder_ / walkthrough.name / name, is_not_there);
+    return fs::equivalent(origin.file, wanted_.folder / walkthrough.name / name, is_not_there);
   });
   return names;
-}
-
-PageSurroundings Pages::surroundings_of(const Walkthrough& walkthrough) const {
-  const auto here = origin_of(walkthrough);
-  const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
-  PageSurroundings all;
-  all.has_files_beside = pictures_ == Pictures::beside;
-  all.command = "gjkstep render " + what + (all.has_files_beside ? " --page" : " --page=single") + options_;
-  if (!walkthrough.scenes.empty() && here->option.empty())
-    all.sources.push_back({all.has_files_beside ? trace_file : "", "its trace: gjkstep trace " + what});
-  if (!all.has_files_beside) return all;
-  if (!here->file.empty())
-    all.sources.push_back({here->option.empty() ? url_of(copy_of_scene(*here)) : trace_file, here->file.filename()});
-  const std::string up = up_from(walkthrough.name);
-  const auto way_to = [up](const PageOrigin& other) { return up + other.name + "/" + page_file; };
-  all.page_of = [up, folder = folder_, origins = origins_](const std::string& other) {
-    const fs::path page = fs::path(other) / page_file;
-    std::error_code unreadable;
-    const bool is_there =
-        std::ranges::count(origins, other, &PageOrigin::name) || fs::exists(folder / page, unreadable);
-    return is_there ? up + page.generic_string() : "";
-  };
-  all.ways.push_back({up + page_file, "All walkthroughs"});
-  if (here != origins_.begin()) all.ways.push_back({way_to(*(here - 1)), "← " + (here - 1)->title});
-  if (here + 1 != origins_.end()) all.ways.push_back({way_to(*(here + 1)), "→ " + (here + 1)->title});
-  return all;
 }
 
 void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
   const Walkthrough& w = story->walkthrough;
   const fs::path folder = output.folder / w.name;
-  const auto url = [folder, kind = pictures_](std::size_t frame, int turn) {
-    return kind == Pictures::beside ? picture_name(frame, turn)
-                                    : render::data_url(written_picture(folder, frame, turn));
+  const PageSurroundings around = surroundings_of(w, wanted_);
+  const auto url = [folder, is_beside = around.has_files_beside](std::size_t frame, int turn) {
+    return is_beside ? picture_name(frame, turn) : render::data_url(written_picture(folder, frame, turn));
   };
   const PagePictures pictures{.url = url,
                               .page = page_of_frame(output.look.text),
@@ -146,7 +126,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
                               .text_scale = output.look.style.theme.text,
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
-  renderer.then([=, written = written_, around = surroundings_of(w), origin = *origin_of(w), names = files(w)] {
+  renderer.then([=, written = written_, origin = *origin_of(w, wanted_), names = files(w)] {
     std::vector<PageFile> files = around.has_files_beside ? sources(*story, origin) : std::vector<PageFile>();
     std::ranges::move(page_files(*story, pictures, around), std::back_inserter(files));
     std::set<std::string> kept;

@@ -1,6 +1,7 @@
 'use strict';
 // Cards of all walkthroughs, and what one looks for among them.
 (() => {
+  const answerOf = entry => [...new Set(entry.answers)].join(', ');
   function card(entry) {
     const picture = make('span', {className: 'shot'}, make('img', {loading: 'lazy', alt: '', src: entry.picture_url}));
     cutOut(picture, entry.cut);
@@ -9,7 +10,7 @@
       make('p', {}, ...marked(entry.sentence)),
       make('p', {className: 'small'},
         `${entry.section && `${entry.section} · `}${entry.steps} ${entry.steps === 1 ? 'step' : 'steps'}`,
-        ...entry.answer ? [' · ', make('b', {textContent: entry.answer})] : [],
+        ...entry.answers.length ? [' · ', make('b', {textContent: answerOf(entry)})] : [],
         ' ', make('br'), make('code', {textContent: entry.name})));
   }
 
@@ -21,7 +22,7 @@
     const cards = entries.map(entry => {
       const made = card(entry), said = [...made.querySelectorAll('strong, p')].map(each => each.textContent).join(' ');
       const text = wordsOf(`${title} ${said.replace(/ARL-TR-7474|\d+ steps?/g, '')}`);
-      return {card: made, part: title, text, answer: entry.answer};
+      return {card: made, part: title, text, answer: answerOf(entry)};
     });
     const list = make('ul', {className: 'cards'}, ...cards.map(each => each.card));
     return {title, cards, section: make('section', {className: 'group'}, make('h2', {textContent: title}), list)};

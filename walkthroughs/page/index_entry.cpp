@@ -11,15 +11,6 @@ namespace {
 
 constexpr std::string_view opening = "window.gjkstep = {\"entry\":", closing = ",\n";
 
-std::string answers(const Story& story) {
-  std::string all;
-  for (const Telling& telling : story.tellings) {
-    const std::string answer(to_string(answer_of(telling.trace)));
-    if (all.find(answer) == std::string::npos) all += (all.empty() ? "" : ", ") + answer;
-  }
-  return all;
-}
-
 /// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last
 /// frame where there is none.
 std::size_t telling_frame(const Story& story) {
@@ -58,11 +49,13 @@ std::optional<int> told_iteration(const Walkthrough& w) {
 PageJson index_entry(const Story& story, const PagePictures& pictures) {
   const Walkthrough& w = story.walkthrough;
   const bool is_search = !story.frames[0].moments.empty();
+  PageJson answers = PageJson::array();
+  for (const Telling& telling : story.tellings) answers.push_back(to_string(answer_of(telling.trace)));
   return {{"name", w.name},
           {"title", w.title},
           {"section", w.source},
           {"sentence", w.region_case ? w.region_case->text : literal(w.summary)},
-          {"answer", answers(story)},
+          {"answers", answers},
           {"steps", story.frames.size()},
           {"iteration_ends", is_search ? PageJson(last_of_each_iteration(story.frames)) : PageJson::array()},
           {"picture", telling_frame(story)},
@@ -86,7 +79,7 @@ std::optional<PageJson> entry_in(std::string_view text) {
   if (begin == std::string_view::npos) return std::nullopt;
   text.remove_prefix(begin + opening.size());
   const PageJson entry = PageJson::parse(text.substr(0, text.find(closing)), nullptr, false);
-  static const PageJson sample = PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "answer": "",
+  static const PageJson sample = PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "answers": [],
       "steps": 0, "iteration_ends": [], "picture": 0, "cut": {}, "is_dark": false})");
   return are_alike(entry, sample) ? std::optional(entry) : std::nullopt;
 }

@@ -2,19 +2,32 @@
 /// that are there.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "walkthroughs/page/page_pictures.hpp"
+#include "render/geometry.hpp"
 #include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs {
 
 using PageJson = nlohmann::ordered_json;
 
-/// Returns: name, title, section; a sentence, with markup; the answers, one for each scene that differs; how many steps there
+/// The pictures that a page shows, one a frame; drawn already, or to be drawn.
+struct PagePictures {
+  std::function<std::string(std::size_t frame, int turn)>
+      url;               ///< of a picture, seen from the page; `turn` 0: the usual view
+  render::Size page;     ///< on which they are laid out,
+  render::Box part;      ///< and what of it is shown
+  double text_scale = 1;  ///< of their text, which that of the page follows
+  int turns = 0;          ///< further views of each, all around
+  bool is_dark = false;   ///< drawn on a dark ground
+};
+
+/// Returns: name, title, section; a sentence, with markup; the answer of each scene; how many steps there
 /// are; the last frame of each iteration, of a search; the frame that stands for it all, and what is shown of its picture.
 PageJson index_entry(const Story& story, const PagePictures& pictures);
 

@@ -21,15 +21,15 @@ TEST_CASE(
     "An entry of the index says answer, section and number of steps, and shows the last decision about a region") {
   const Story left = tell(walkthrough("figure-4-left"));
   const PageJson entry = index_entry(left, pictures);
-  CHECK(entry["answer"] == "intersecting");
+  CHECK(entry["answers"] == PageJson{"intersecting"});
   CHECK(entry["section"] == left.walkthrough.source);
   CHECK(entry["steps"] == left.frames.size());
   CHECK(left.frames.at(entry["picture"]).focus == Focus::region);
   CHECK(entry["is_dark"] == true);
-  CHECK(entry_for("figure-4")["answer"] == "intersecting, separated");
+  CHECK(entry_for("figure-4")["answers"] == PageJson{"intersecting", "separated"});
   const Story mistaken = tell(walkthrough("mistakes/m9-abn-inward"));
   CHECK(mistaken.frames.at(index_entry(mistaken, pictures)["picture"]).focus == Focus::parting);
-  CHECK(entry_for("figure-1")["answer"] == "");
+  CHECK(entry_for("figure-1")["answers"].empty());
 }
 
 TEST_CASE("The picture of a region's walkthrough is of the decision for that region") {
