@@ -14,7 +14,6 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
-#include "walkthroughs/page/index_page.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 

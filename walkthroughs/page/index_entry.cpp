@@ -1,8 +1,10 @@
 #include "walkthroughs/page/index_entry.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "render/json_text.hpp"
+#include "walkthroughs/page/viewer.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -36,6 +38,38 @@ bool are_alike(const PageJson& one, const PageJson& other) {
   return std::ranges::equal(one.items(), other.items(), [](const auto& a, const auto& b) {
     return a.key() == b.key() && a.value().type() == b.value().type();
   });
+}
+
+struct Known {
+  std::string_view prefix, title;
+};
+
+/// As the report goes; a walkthrough belongs to the first whose prefix its name has, and what has none is the user's own.
+constexpr std::array<Known, 14> groups{{{"figure-", "Figures of the report"},
+                                        {"regions/0-simplex", "Regions of a 0-simplex, a vertex"},
+                                        {"regions/1-simplex", "Regions of a 1-simplex, a segment"},
+                                        {"regions/2-simplex", "Regions of a 2-simplex, a triangle"},
+                                        {"regions/3-simplex", "Regions of a 3-simplex, a tetrahedron"},
+                                        {"vehicle-and-threat/", "In space: vehicles and threats"},
+                                        {"cycle-", "Where it goes wrong"},
+                                        {"as-printed-", "Where it goes wrong"},
+                                        {"failures/", "Where it goes wrong"},
+                                        {"complete/", "The remedy: rules that end"},
+                                        {"certified/", "Answers that are proven"},
+                                        {"eager-", "A shortcut of ours"},
+                                        {"mistakes/", "Mistakes"},
+                                        {"", "Scenes of your own"}}};
+
+const Known& group_of(const std::string& name) {
+  return *std::ranges::find_if(groups, [&](const Known& group) { return name.starts_with(group.prefix); });
+}
+
+/// What stands in the index as long as no script has made its cards.
+std::string cards_without_scripts(const std::vector<PageJson>& entries) {
+  std::vector<PageLink> pages;
+  for (const PageJson& entry : entries)
+    pages.push_back({entry["name"].get<std::string>() + "/index.html", entry["title"]});
+  return html_of(pages);
 }
 
 }  // namespace
@@ -79,9 +113,28 @@ std::optional<PageJson> entry_in(std::string_view text) {
   if (begin == std::string_view::npos) return std::nullopt;
   text.remove_prefix(begin + opening.size());
   const PageJson entry = PageJson::parse(text.substr(0, text.find(closing)), nullptr, false);
-  static const PageJson sample = PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "answers": [],
+  static const PageJson sample =
+      PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "answers": [],
       "steps": 0, "iteration_ends": [], "picture": 0, "cut": {}, "is_dark": false})");
   return are_alike(entry, sample) ? std::optional(entry) : std::nullopt;
+}
+
+PageJson in_groups(const std::vector<PageJson>& entries) {
+  PageJson found = PageJson::array();
+  for (const Known& group : groups)
+    for (const PageJson& entry : entries) {
+      if (&group_of(entry["name"]) != &group) continue;
+      if (found.empty() || found.back()["title"] != group.title)
+        found.push_back({{"title", group.title}, {"entries", PageJson::array()}});
+      found.back()["entries"].push_back(entry);
+    }
+  return found;
+}
+
+std::string page_over(const std::vector<PageJson>& entries, const std::string& viewer_page) {
+  const std::string script = "'use strict';\nwindow.gjkstepGroups = " + json_in_script(in_groups(entries)) + ";\n";
+  return with_inside(filled(viewer_files.at(viewer_page), {{"cards", cards_without_scripts(entries)}}),
+                     {{"entries.js", script}});
 }
 
 }  // namespace walkthroughs

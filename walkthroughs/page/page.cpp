@@ -109,7 +109,7 @@ PageJson code(const Story& story, std::size_t index, std::size_t scene, Once& li
     lines.push_back({code[i].indent, line_in_letters(number, code[i], names)});
     if (const auto* test = test_of(code[i], now)) outcomes[std::to_string(i)] = outcome(*test, true);
   }
-  const std::string whose = story.tellings.size() == 1                  ? ""
+  const std::string whose = story.tellings.size() == 1                 ? ""
                             : scene == 0 && are_together(story, index) ? "both: "
                                                                        : telling.scene.name + ": ";
   PageJson data = {{"title", whose + title_of(number, telling.scene.rules, names, now.processed)},
@@ -224,7 +224,8 @@ PageJson page_data(const Story& story, const PagePictures& pictures, const PageS
   const std::vector<Question> known = questions_of(story);
   for (const Question& question : known)
     if (const auto frame = answering_frame(story, question))
-      questions.push_back(question_data(question, *frame, practices.place_of(practice_data(question, story, around)), texts));
+      questions.push_back(
+          question_data(question, *frame, practices.place_of(practice_data(question, story, around)), texts));
   return {{"is_float", story.tellings.size() == 1 && story.tellings[0].scene.scalar == Scalar::binary32},
           {"text_scale", pictures.text_scale},
           {"unasked", known.size() - questions.size()},
@@ -240,18 +241,18 @@ std::vector<PageFile> page_files(const Story& story, const PagePictures& picture
   const PageJson data = page_data(story, pictures, around);
   std::vector<PageFile> files{{story_file, story_script(index_entry(story, pictures), data)},
                               {events_file, events_script(story)}};
-  for (const char* name : of_viewer) files.push_back({name, viewer_file(name)});
+  for (const char* name : of_viewer) files.push_back({name, viewer_files.at(name)});
   const std::string html =
-      filled(viewer_file("page.html"), {{"title", render::escaped(w.title)},
-                                        {"summary", render::escaped(w.summary)},
-                                        {"source", render::escaped(w.source)},
-                                        {"ways", html_of(around.ways)},
-                                        {"steps", steps_without_scripts(data["frames"], around.has_files_beside)},
-                                        {"command", render::escaped(around.command)},
-                                        {"sources", html_of(around.sources)}});
+      filled(viewer_files.at("page.html"), {{"title", render::escaped(w.title)},
+                                            {"summary", render::escaped(w.summary)},
+                                            {"source", render::escaped(w.source)},
+                                            {"ways", html_of(around.ways)},
+                                            {"steps", steps_without_scripts(data["frames"], around.has_files_beside)},
+                                            {"command", render::escaped(around.command)},
+                                            {"sources", html_of(around.sources)}});
   if (!around.has_files_beside) {
-    files[0].content += files[1].content + viewer_file("quiz.js");
-    return {{page_file, with_inside(html, files)}};
+    const std::string all = files[0].content + files[1].content + viewer_files.at("quiz.js");
+    return {{page_file, with_inside(html, {{story_file, all}})}};
   }
   files.push_back({page_file, html});
   return files;

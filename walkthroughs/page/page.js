@@ -19,7 +19,7 @@
   const wordsOf = {yes: 'true: ', no: 'not so: ', skipped: 'skipped: '};
   const textOf = place => story.texts[place];
   const fact = ([mark, text]) => make('li', {className: mark},
-    ...wordsOf[mark] ? [make('i', {textContent: wordsOf[mark]})] : [], ...marked(textOf(text)));
+    make('i', {className: 'unseen', textContent: wordsOf[mark] ?? ''}), ...marked(textOf(text)));
   const inWords = i => frames[i].words.map(textOf).join(' ');
 
   const steps = frames.map((frame, i) => make('section', {className: 'step', id: i + 1},
@@ -41,14 +41,18 @@
     })));
   }
 
-  const load = file => new Promise((use, fail) => {
-    const script = make('script', {src: file});
-    script.addEventListener('load', use);
-    script.addEventListener('error', fail);
-    document.head.append(script);
-  });
+  // What few ask for is loaded when somebody does. A page that holds all has it.
+  async function loaded(name, file) {
+    if (!window[name]) await new Promise((use, fail) => {
+      const missing = () => fail(Error(`The file ${file}, which belongs beside this page, is not there.`));
+      document.head.append(make('script', {src: file, onload: use, onerror: missing}));
+    });
+    return window[name];
+  }
 
-  // Events are loaded when somebody asks; a page that holds all has them.
+  const eventsOf = (i, scenes) => frames[i].events.flatMap(([first, last], s) =>
+    scenes[s].events.slice(first, last + 1).map(event => JSON.stringify({scene: scenes[s].name, ...event}))).join('\n');
+
   function addEvents(i) {
     if (!frames[i].events.length || steps[i].querySelector('.events')) return;
     const details = make('details', {className: 'events'}, make('summary', {textContent: 'Events as JSON'}));
@@ -56,15 +60,7 @@
       if (details.querySelector('pre')) return;
       const text = make('pre');
       details.append(text);
-      try {
-        if (!window.gjkstepEvents) await load('events.js');
-        text.textContent = frames[i].events.flatMap(([first, last], s) => {
-          const {name, events} = window.gjkstepEvents[s];
-          return events.slice(first, last + 1).map(event => JSON.stringify({scene: name, ...event}));
-        }).join('\n');
-      } catch {
-        text.textContent = 'The file events.js, which belongs beside this page, is not there.';
-      }
+      text.textContent = await loaded('gjkstepEvents', 'events.js').then(scenes => eventsOf(i, scenes), error => error.message);
     });
     steps[i].querySelector('.text').append(details);
   }
@@ -123,13 +119,12 @@
   let quiz = {leave() {}, arrive() {}, holds: () => false, isAsking: () => false, untold: () => ''}, asker = null;
   async function predict() {
     try {
-      if (!window.quizAbout) await load('quiz.js');
-    } catch {
-      $('live').textContent = 'The file quiz.js, which belongs beside this page, is not there.';
-      return;
+      const quizAbout = await loaded('quizAbout', 'quiz.js');
+      quiz = asker ??= quizAbout({frames, steps, entry, story, show: stepping.turnTo, entitle, inWords, place: () => at});
+      quiz.toggle();
+    } catch (error) {
+      $('live').textContent = error.message;
     }
-    quiz = asker ??= quizAbout({frames, steps, entry, story, show: stepping.turnTo, entitle, inWords, place: () => at});
-    quiz.toggle();
   }
   $('predict').hidden = !story.questions.length;
   $('unasked').hidden = story.questions.length > 0 || !story.unasked;

@@ -75,9 +75,8 @@ function stepper({count, show, reading, holds = () => false, back}) {
 function onKeys(act) {
   document.addEventListener('keydown', event => {
     const does = act(event);
-    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing || !does) return;
-    if (event.target.closest('select')) return;
-    if (event.key === ' ' && event.target.closest('button, summary, a, input:not([type=range])')) return;
+    const own = event.key === ' ' ? 'select, button, summary, a, input:not([type=range])' : 'select';
+    if (!does || event.ctrlKey || event.metaKey || event.altKey || event.isComposing || event.target.closest(own)) return;
     event.preventDefault();
     does();
   });

@@ -12,14 +12,11 @@ function quizAbout({frames, steps, entry, story, show, entitle, inWords, place})
   const untold = isAboutLine ? 'Which line is wrong?' : 'What will the search find?', skipped = new Set();
   const nothing = () => questions.map(() => null);
   const now = () => steps[place()], isAtEnd = () => place() === steps.length - 1;
-  let answers = nothing(), predicting = false, asked = null, isTold = false;
-
   // The store of the browser, where it has one and allows it; else answers live as long as the page.
-  function store(act) { try { return act(localStorage); } catch { return null; } }
-  function restore() {
-    const kept = store(shop => JSON.parse(shop.getItem(shelf)));
-    if (Array.isArray(kept) && kept.length === questions.length) answers = kept;
-  }
+  const store = act => { try { return act(localStorage); } catch { return null; } };
+  const kept = store(shop => JSON.parse(shop.getItem(shelf)));
+  let answers = Array.isArray(kept) && kept.length === questions.length ? kept : nothing();
+  let predicting = false, asked = null, isTold = false;
 
   // The question still to be answered before the next step; -1 where there is none.
   const isOpen = (question, k) => question.before === place() + 1 && answers[k] === null && !skipped.has(k);
@@ -55,12 +52,10 @@ function quizAbout({frames, steps, entry, story, show, entitle, inWords, place})
     $('question').focus();
   }
 
-  const isOff = button => button.disabled || button.getAttribute('aria-disabled') === 'true';
-
   // The first answer counts. Who is wrong may try once more where that is no sure thing, or look.
   function answer(c) {
     const {choices, right} = questions[asked], buttons = [...$('choices').querySelectorAll('button')];
-    if (!buttons[c] || isOff(buttons[c])) return;
+    if (!buttons[c] || buttons[c].matches(':disabled, [aria-disabled]')) return;
     const isFirst = answers[asked] === null;
     if (isFirst) {
       answers[asked] = c;
@@ -102,9 +97,7 @@ function quizAbout({frames, steps, entry, story, show, entitle, inWords, place})
   }
 
   // What is told of the picture tells where the origin lies.
-  function hideWords(hides) {
-    now().querySelector('img').alt = hides ? hidden : inWords(place());
-  }
+  const hideWords = hides => { now().querySelector('img').alt = hides ? hidden : inWords(place()); };
 
   function close() {
     asked = null;
@@ -124,21 +117,19 @@ function quizAbout({frames, steps, entry, story, show, entitle, inWords, place})
   }
 
   function showScore() {
-    const given = questions.filter((question, k) => answers[k] !== null);
-    const right = (question, k) => answers[k] === question.right;
-    const missing = questions.length - given.length;
+    const given = questions.map((question, k) => ({...question, answer: answers[k]})).filter(each => each.answer !== null);
+    const isWrong = each => each.answer !== each.right;
+    const wrong = given.filter(isWrong).length, missing = questions.length - given.length;
     $('points').textContent = !given.length ? 'No question answered yet'
-      : `${questions.filter(right).length} of ${questions.length} right${missing ? `, ${missing} not answered` : ''}`;
+      : `${given.length - wrong} of ${questions.length} right${missing ? `, ${missing} not answered` : ''}`;
     const list = make('ul');
     let missesPages = false;
     for (const [kind, name] of Object.entries(kinds)) {
-      const ours = questions.map((question, k) => [question, k])
-        .filter(([question, k]) => question.kind === kind && answers[k] !== null);
-      const wrong = ours.filter(([question, k]) => !right(question, k));
+      const ours = given.filter(each => each.kind === kind), wrong = ours.filter(isWrong);
       if (!ours.length) continue;
       const line = make('li', {className: wrong.length ? 'no' : 'yes',
                                textContent: `${name}: ${ours.length - wrong.length} of ${ours.length}`});
-      const practice = new Map(wrong.map(([question]) => story.practices[question.practice]).filter(([title]) => title));
+      const practice = new Map(wrong.map(each => story.practices[each.practice]).filter(([title]) => title));
       let between = '; practise with ';
       for (const [title, url] of practice) {  // where there is no page, its name
         line.append(between, url ? make('a', {href: url, textContent: title}) : make('code', {textContent: title}));
@@ -183,7 +174,6 @@ function quizAbout({frames, steps, entry, story, show, entitle, inWords, place})
     if (predicting && isAtEnd()) showScore();
   }
 
-  restore();
   $('onward').addEventListener('click', onward);
   $('forget').addEventListener('click', forget);
 

@@ -20,15 +20,15 @@ std::string filled(std::string_view text, const std::vector<PageFile>& fillings)
   }
 }
 
-std::string with_inside(std::string html, const std::vector<PageFile>& files) {
-  for (const PageFile& file : files) {
-    const bool is_style = file.name.ends_with(".css");
-    const std::string asks = is_style ? "<link rel=\"stylesheet\" href=\"" + file.name + "\">"
-                                      : "<script src=\"" + file.name + "\"></script>";
-    const std::size_t at = html.find(asks);
-    if (at == std::string::npos) continue;
+std::string with_inside(std::string html, std::map<std::string, std::string> files) {
+  files.insert(viewer_files.begin(), viewer_files.end());
+  for (const auto& [name, content] : files) {
+    const bool is_style = name.ends_with(".css");
     const std::string tag = is_style ? "style" : "script";
-    html.replace(at, asks.size(), "<" + tag + ">\n" + file.content + "</" + tag + ">");
+    const std::string asks =
+        is_style ? "<link rel=\"stylesheet\" href=\"" + name + "\">" : "<script src=\"" + name + "\"></script>";
+    if (const std::size_t at = html.find(asks); at != std::string::npos)
+      html.replace(at, asks.size(), "<" + tag + ">\n" + content + "</" + tag + ">");
   }
   return html;
 }
@@ -37,7 +37,9 @@ std::string html_of(const std::vector<PageLink>& links) {
   std::string html;
   for (const auto& [url, text] : links) {
     const std::string words = render::escaped(text);
-    html += (url.empty() ? "<code>" + words + "</code>" : "<a href=\"" + render::escaped(url) + "\">" + words + "</a>") + "\n";
+    html +=
+        (url.empty() ? "<code>" + words + "</code>" : "<a href=\"" + render::escaped(url) + "\">" + words + "</a>") +
+        "\n";
   }
   return html;
 }
