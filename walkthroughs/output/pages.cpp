@@ -42,28 +42,34 @@ std::vector<PageFile> sources(const Story& story, const PageOrigin& origin) {
   return files;
 }
 
+/// Returns: nothing where there is no such file.
+std::string beginning_of(const fs::path& file) try {
+  const std::vector<std::uint8_t> bytes = render::read_beginning(file, std::size_t{1} << 20);
+  return {bytes.begin(), bytes.end()};
+} catch (const render::ReadError&) {
+  return "";
+}
+
 /// Returns: what the page in `folder`/`name` says of itself; nothing where there is none, or none that belongs there.
 std::optional<PageJson> entry_at(const fs::path& folder, const std::string& name) {
-  for (const char* file : {story_file, page_file}) try {
-      const std::vector<std::uint8_t> bytes = render::read_beginning(folder / name / file, std::size_t{1} << 20);
-      std::optional<PageJson> entry = entry_in({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-      if (!entry || (*entry)["name"] != name) continue;
-      const std::string picture = name + "/" + picture_name((*entry)["picture"]);
-      (*entry)["picture_url"] = picture;
-      std::error_code unreadable;
-      if (fs::exists(folder / name / page_file, unreadable) && fs::exists(folder / picture, unreadable)) return entry;
-    } catch (const render::ReadError&) {  // there is none
-    }
-  return std::nullopt;
+  std::optional<PageJson> entry = entry_in(beginning_of(folder / name / story_file));
+  if (!entry) entry = entry_in(beginning_of(folder / name / page_file));
+  if (!entry || (*entry)["name"] != name) return std::nullopt;
+  const std::string picture = name + "/" + picture_name((*entry)["picture"]);
+  (*entry)["picture_url"] = picture;
+  std::error_code unreadable;
+  const bool is_whole = fs::exists(folder / name / page_file, unreadable) && fs::exists(folder / picture, unreadable);
+  return is_whole ? entry : std::nullopt;
 }
 
 /// Returns: those of all pages in the folder, in the order of the catalogue, scenes of one's own last.
 std::vector<PageJson> entries_in(const fs::path& folder) {
   std::map<std::pair<std::ptrdiff_t, std::string>, PageJson> entries;
-  std::error_code unreadable;
+  std::error_code unreadable, no_status;
   for (auto at = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, unreadable);
        !unreadable && at != fs::recursive_directory_iterator(); at.increment(unreadable)) {
     if (at.depth() == 1) at.disable_recursion_pending();
+    if (!at->is_directory(no_status)) continue;
     const std::string name = at->path().lexically_relative(folder).generic_string();
     const auto place = std::ranges::find(catalogue(), name, &Walkthrough::name) - catalogue().begin();
     if (std::optional<PageJson> entry = entry_at(folder, name)) entries.emplace(std::pair(place, name), *entry);
@@ -78,8 +84,9 @@ PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWant
   PageSurroundings all;
   all.has_files_beside = wanted.pictures == PagesWanted::Pictures::beside;
   all.command = "gjkstep render " + what + (all.has_files_beside ? " --page" : " --page=single") + wanted.options;
-  if (!walkthrough.scenes.empty() && here->option.empty())
-    all.sources.push_back({all.has_files_beside ? trace_file : "", "its trace: gjkstep trace " + what});
+  const bool has_trace_command = !walkthrough.scenes.empty() && here->option.empty();
+  if (has_trace_command && all.has_files_beside) all.sources.push_back({trace_file, trace_file});
+  if (has_trace_command) all.sources.push_back({"", "gjkstep trace " + what});
   if (!all.has_files_beside) return all;
   if (!here->file.empty())
     all.sources.push_back({here->option.empty() ? copy_of_scene(*here) : trace_file, here->file.filename()});
