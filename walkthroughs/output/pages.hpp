@@ -32,8 +32,8 @@ struct PagesWanted {
   std::vector<PageOrigin> origins;  ///< one for each walkthrough of the run, in order
 };
 
-/// FOLDER/NAME/index.html, what it asks for and what it was made of, beside the files of Frames, which must be given the
-/// story before.
+/// FOLDER/NAME/index.html, what it asks for and what it was made of, beside the files of Frames, which must be given
+/// the story before.
 class Pages : public Sink {
  public:
   Pages(PagesWanted wanted, FileWritten written) : wanted_(std::move(wanted)), written_(std::move(written)) {}
@@ -47,8 +47,8 @@ class Pages : public Sink {
   FileWritten written_;
 };
 
-/// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a search
-/// FOLDER/compare.html, where not removes it. Errors: render::FileError.
+/// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a
+/// search FOLDER/compare.html, where not removes it. Errors: render::FileError.
 void write_index(const std::filesystem::path& folder);
 
 }  // namespace walkthroughs

@@ -6,8 +6,8 @@
     .filter(group => group.searches.length);
   const searches = groups.flatMap(group => group.searches);
   const sides = ['left', 'right'].map($).map(select => {
-    select.append(...groups.map(group => make('optgroup', {label: group.title},
-                                              ...group.searches.map(search => make('option', {textContent: search.title})))));
+    const optionsOf = group => group.searches.map(search => make('option', {textContent: search.title}));
+    select.append(...groups.map(group => make('optgroup', {label: group.title}, ...optionsOf(group))));
     select.addEventListener('change', () => steps.turnTo(steps.at()));
     return {select, page: select.closest('div').querySelector('iframe'), shown: '', reading: 0};
   });
@@ -15,7 +15,8 @@
 
   // The step of a walkthrough that ends iteration `at`, or the search where that has ended before.
   function turnTo(side, at) {
-    const {name, iteration_ends: ends} = chosen(side), address = `${name}/index.html#${ends[Math.min(at, ends.length - 1)] + 1}&bare`;
+    const {name, iteration_ends: ends} = chosen(side);
+    const address = `${name}/index.html#${ends[Math.min(at, ends.length - 1)] + 1}&bare`;
     if (side.shown === name) side.page.contentWindow.location.replace(new URL(address, location.href));
     else side.page.src = address;
     side.shown = name;
@@ -38,7 +39,7 @@
     const placeOf = name => searches.findIndex(search => search.name === name);
     [left, right].forEach((name, s) => {
       const asked = placeOf(decoded(name)), usual = placeOf(['figure-4-left', 'figure-4-right'][s]);
-      const taken = s === 1 ? sides[0].select.selectedIndex : -1;  // the right one is another, unless somebody asks for it
+      const taken = s === 1 ? sides[0].select.selectedIndex : -1;  // the right one is another, unless asked for
       sides[s].select.selectedIndex = asked >= 0 ? asked : [usual, 0, 1].find(i => i >= 0 && i !== taken);
     });
     steps.turnTo(Number(number) - 1 || 0);

@@ -43,7 +43,8 @@
   }
   // What is looked for stands in the address, so that one comes back to it.
   function keep() {
-    const said = new URLSearchParams([words, answer, part].map(({id, value}) => [id, value]).filter(([, value]) => value));
+    const filled = [words, answer, part].filter(field => field.value);
+    const said = new URLSearchParams(filled.map(({id, value}) => [id, value]));
     history.replaceState(null, '', '#' + said);
     filter();
   }

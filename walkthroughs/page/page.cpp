@@ -19,20 +19,13 @@ namespace {
 
 constexpr std::array of_viewer{"colors.css", "page.css", "pages.js", "quiz.js", "page.js"};
 
-/// What comes again and again, each once: it is told by its place.
-class Once {
- public:
-  std::size_t place_of(const PageJson& value) {
-    const auto known = std::ranges::find(all_, value);
-    const auto place = static_cast<std::size_t>(known - all_.begin());
-    if (known == all_.end()) all_.push_back(value);
-    return place;
-  }
-  const PageJson& all() const { return all_; }
-
- private:
-  PageJson all_ = PageJson::array();
-};
+/// Returns: the place of a value among all of a list, which has each once: what comes again and again is told by its
+/// place.
+std::size_t place_in(PageJson& list, const PageJson& value) {
+  const auto place = static_cast<std::size_t>(std::ranges::find(list, value) - list.begin());
+  if (place == list.size()) list.push_back(value);
+  return place;
+}
 
 // -- What runs beside a frame -----------------------------------------------------------------------------------------
 
@@ -54,8 +47,8 @@ bool are_together(const Story& story, std::size_t index) {
          (!story.parts_at || std::max(events[0].last, events[1].last) < *story.parts_at);
 }
 
-/// The searches whose lines are to be shown: of two that have not parted yet they are the same; a mistaken one has its own,
-/// and the report's are shown beside it as far as to where it should have gone on.
+/// The searches whose lines are to be shown: of two that have not parted yet they are the same; a mistaken one has its
+/// own, and the report's are shown beside it as far as to where it should have gone on.
 std::vector<std::size_t> scenes_with_code(const Story& story, std::size_t index) {
   const Layout layout = story.walkthrough.layout;
   const bool is_one = layout == Layout::search;
@@ -66,7 +59,7 @@ std::vector<std::size_t> scenes_with_code(const Story& story, std::size_t index)
   return is_right_for_both ? std::vector<std::size_t>{1} : std::vector<std::size_t>{};
 }
 
-// -- A frame ------------------------------------------------------------------------------------------------------------
+// -- A frame ----------------------------------------------------------------------------------------------------------
 
 /// One word for the marks on the slider.
 std::string kind_of(Focus focus) {
@@ -95,9 +88,9 @@ std::string name_of(Fact::Mark mark) {
   return "";
 }
 
-/// What runs in a search while a frame is shown: the lines of the algorithm as [indent, text], each listing once; which of
-/// them, and what came of each test.
-PageJson code(const Story& story, std::size_t index, std::size_t scene, Once& listings) {
+/// What runs in a search while a frame is shown: the lines of the algorithm as [indent, text], each listing once; which
+/// of them, and what came of each test.
+PageJson code(const Story& story, std::size_t index, std::size_t scene, PageJson& listings) {
   const Telling& telling = story.tellings[scene];
   const Moment& now = story.frames[index].moments[scene];
   const Focus focus = focus_of_search(story, index, scene);
@@ -113,14 +106,15 @@ PageJson code(const Story& story, std::size_t index, std::size_t scene, Once& li
                             : scene == 0 && are_together(story, index) ? "both: "
                                                                        : telling.scene.name + ": ";
   PageJson data = {{"title", whose + title_of(number, telling.scene.rules, names, now.processed)},
-                   {"listing", listings.place_of(lines)},
+                   {"listing", place_in(listings, lines)},
                    {"outcomes", outcomes}};
   if (const auto current = current_line(code, now, focus)) data["current"] = *current;
   return data;
 }
 
 /// `texts`: sentences about pictures, of which most stay from frame to frame.
-PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_t index, Once& listings, Once& texts) {
+PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_t index, PageJson& listings,
+                    PageJson& texts) {
   const Frame& frame = story.frames[index];
   PageJson data = {{"caption", frame.caption}};
   if (!frame.moments.empty()) data["iteration"] = frame.moments[0].iteration;
@@ -128,9 +122,9 @@ PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_
     data["simplex"] = story.names(index, 0).list(frame.moments[0].simplex);
   if (const std::string kind = kind_of(frame.focus); !kind.empty()) data["kind"] = kind;
   for (const char* list : {"facts", "pictures", "words", "code", "events"}) data[list] = PageJson::array();
-  for (const Fact& fact : frame.facts) data["facts"].push_back({name_of(fact.mark), texts.place_of(fact.text)});
+  for (const Fact& fact : frame.facts) data["facts"].push_back({name_of(fact.mark), place_in(texts, fact.text)});
   for (int turn = 0; turn <= pictures.turns; ++turn) data["pictures"].push_back(pictures.url(index, turn));
-  for (const std::string& sentence : picture_in_words(story, index)) data["words"].push_back(texts.place_of(sentence));
+  for (const std::string& sentence : picture_in_words(story, index)) data["words"].push_back(place_in(texts, sentence));
   for (const std::size_t scene : scenes_with_code(story, index))
     data["code"].push_back(code(story, index, scene, listings));
   for (const EventRange& range : frame.events) data["events"].push_back({range.first, range.last});
@@ -139,8 +133,8 @@ PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_
 
 // -- Questions --------------------------------------------------------------------------------------------------------
 
-/// Returns: the frame that answers the question; nothing where the frame before it does not show what is asked about, as where there
-/// is one frame an iteration.
+/// Returns: the frame that answers the question; nothing where the frame before it does not show what is asked about,
+/// as where there is one frame an iteration.
 std::optional<std::size_t> answering_frame(const Story& story, const Question& question) {
   const auto [scene, event] = std::pair(question.scene, question.event);
   for (std::size_t i = 1; i < story.frames.size(); ++i) {
@@ -165,13 +159,13 @@ std::string kind_of(Decision::Kind kind) {
 }
 
 /// `practice`: where one practises what it is about, as [title, URL].
-PageJson question_data(const Question& question, std::size_t frame, std::size_t practice, Once& texts) {
+PageJson question_data(const Question& question, std::size_t frame, std::size_t practice, PageJson& texts) {
   PageJson choices = PageJson::array();
   for (const Choice& choice : question.choices)
-    choices.push_back({texts.place_of(choice.text), texts.place_of(choice.reason), texts.place_of(choice.hint)});
+    choices.push_back({place_in(texts, choice.text), place_in(texts, choice.reason), place_in(texts, choice.hint)});
   return {{"before", frame},
           {"kind", kind_of(question.decision.kind)},
-          {"text", texts.place_of(question.text)},
+          {"text", place_in(texts, question.text)},
           {"choices", choices},
           {"right", question.right},
           {"practice", practice}};
@@ -184,7 +178,7 @@ PageJson practice_data(const Question& question, const Story& story, const PageS
   return {page.empty() ? practice : find_walkthrough(practice)->title, page};
 }
 
-// -- Files --------------------------------------------------------------------------------------------------------------
+// -- Files ------------------------------------------------------------------------------------------------------------
 
 std::string events_script(const Story& story) {
   PageJson scenes = PageJson::array();
@@ -200,10 +194,10 @@ std::string events_script(const Story& story) {
 std::string steps_without_scripts(const PageJson& frames, bool has_files_beside) {
   std::string html;
   for (const PageJson& frame : frames) {
-    const std::string picture = has_files_beside ? frame["pictures"][0] : PageJson("");
-    html += "<section class=\"step\">" +
-            (picture.empty() ? "" : "<img src=\"" + render::escaped(picture) + "\" alt=\"\" loading=lazy>") + "<h2>" +
-            render::escaped(plain(frame["caption"].get<std::string>())) + "</h2></section>\n";
+    const std::string picture = frame["pictures"][0], caption = frame["caption"];
+    html += "<section class=\"step\">";
+    if (has_files_beside) html += "<img src=\"" + render::escaped(picture) + "\" alt=\"\" loading=lazy>";
+    html += "<h2>" + render::escaped(plain(caption)) + "</h2></section>\n";
   }
   return html;
 }
@@ -217,23 +211,22 @@ std::vector<std::string> page_file_names() {
 }
 
 PageJson page_data(const Story& story, const PagePictures& pictures, const PageSurroundings& around) {
-  Once listings, texts, practices;
-  PageJson frames = PageJson::array(), questions = PageJson::array();
+  PageJson frames = PageJson::array(), questions = frames, practices = frames, listings = frames, texts = frames;
   for (std::size_t i = 0; i < story.frames.size(); ++i)
     frames.push_back(frame_data(story, pictures, i, listings, texts));
   const std::vector<Question> known = questions_of(story);
   for (const Question& question : known)
     if (const auto frame = answering_frame(story, question))
       questions.push_back(
-          question_data(question, *frame, practices.place_of(practice_data(question, story, around)), texts));
+          question_data(question, *frame, place_in(practices, practice_data(question, story, around)), texts));
   return {{"is_float", story.tellings.size() == 1 && story.tellings[0].scene.scalar == Scalar::binary32},
           {"text_scale", pictures.text_scale},
           {"unasked", known.size() - questions.size()},
           {"frames", frames},
           {"questions", questions},
-          {"practices", practices.all()},
-          {"listings", listings.all()},
-          {"texts", texts.all()}};
+          {"practices", practices},
+          {"listings", listings},
+          {"texts", texts}};
 }
 
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures, const PageSurroundings& around) {

@@ -1,5 +1,5 @@
-/// A walkthrough as a page: its data, and the viewer that steps through them. Without JavaScript its pictures and captions
-/// stand below each other.
+/// A walkthrough as a page: its data, and the viewer that steps through them. Without JavaScript its pictures and
+/// captions stand below each other.
 #pragma once
 
 #include <functional>
@@ -26,12 +26,13 @@ inline constexpr const char *page_file = "index.html", *story_file = "story.js",
 /// Returns: the names of all files that a page may have.
 std::vector<std::string> page_file_names();
 
-/// Returns: what a page shows: entry of the index apart, each frame with its pictures, captions, numbers and running lines,
-/// and the questions that can be asked before a frame.
+/// Returns: what a page shows: entry of the index apart, each frame with its pictures, captions, numbers and running
+/// lines, and the questions that can be asked before a frame.
 PageJson page_data(const Story& story, const PagePictures& pictures, const PageSurroundings& around);
 
-/// Returns: the files of a page, last the one to open, which asks for the others. They ask for nothing else but the pictures.
-/// Data are scripts, as pages that are files themselves may read nothing else; texts in them are data, never HTML.
+/// Returns: the files of a page, last the one to open, which asks for the others. They ask for nothing else but the
+/// pictures. Data are scripts, as pages that are files themselves may read nothing else; texts in them are data, never
+/// HTML.
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures, const PageSurroundings& around);
 
 }  // namespace walkthroughs

@@ -35,7 +35,8 @@
     box.append(make('ol', {}, ...story.listings[listing].map(([indent, text], i) => {
       const line = make('li', {}, make('span', {}, ...marked(text)));
       line.style.setProperty('--indent', indent);
-      if (outcomes[i]) line.append(make('b', {className: outcomes[i].endsWith('✓') ? 'met' : 'unmet', textContent: outcomes[i]}));
+      const outcome = outcomes[i] ?? '', className = outcome.endsWith('✓') ? 'met' : 'unmet';
+      if (outcome) line.append(make('b', {className, textContent: outcome}));
       if (i === current) line.setAttribute('aria-current', 'step');
       return line;
     })));
@@ -60,7 +61,8 @@
       if (details.querySelector('pre')) return;
       const text = make('pre');
       details.append(text);
-      text.textContent = await loaded('gjkstepEvents', 'events.js').then(scenes => eventsOf(i, scenes), error => error.message);
+      const scenes = loaded('gjkstepEvents', 'events.js');
+      text.textContent = await scenes.then(found => eventsOf(i, found), error => error.message);
     });
     steps[i].querySelector('.text').append(details);
   }
@@ -120,7 +122,7 @@
   async function predict() {
     try {
       const quizAbout = await loaded('quizAbout', 'quiz.js');
-      quiz = asker ??= quizAbout({frames, steps, entry, story, show: stepping.turnTo, entitle, inWords, place: () => at});
+      quiz = asker ??= quizAbout({steps, entry, story, show: stepping.turnTo, entitle, inWords, place: () => at});
       quiz.toggle();
     } catch (error) {
       $('live').textContent = error.message;
@@ -129,7 +131,7 @@
   $('predict').hidden = !story.questions.length;
   $('unasked').hidden = story.questions.length > 0 || !story.unasked;
 
-  // -- Views of a picture, the usual one first, all around --------------------------------------------------------------
+  // -- Views of a picture, the usual one first, all around ------------------------------------------------------------
 
   const turns = frames[0].pictures.length - 1;
   const shotNow = () => steps[at].querySelector('.shot');
@@ -142,7 +144,7 @@
   const turnBy = by => turnTo(shotNow(), viewOf(shotNow()) + by);
   const turning = {ArrowLeft: () => turnBy(-1), ArrowRight: () => turnBy(1)};
 
-  // -- What one presses, drags and swipes -------------------------------------------------------------------------------
+  // -- What one presses, drags and swipes -----------------------------------------------------------------------------
 
   function letter(key) {
     if (!story.questions.length || !$('letters').checked) return null;
@@ -177,7 +179,8 @@
     if (!from) return;
     const x = event.clientX - from.x, y = event.clientY - from.y;
     from = null;
-    if (!turns && Math.abs(x) > 40 && Math.abs(x) > 2 * Math.abs(y)) stepping.keys[x < 0 ? 'ArrowRight' : 'ArrowLeft']();
+    const isSwipe = !turns && Math.abs(x) > 40 && Math.abs(x) > 2 * Math.abs(y);
+    if (isSwipe) stepping.keys[x < 0 ? 'ArrowRight' : 'ArrowLeft']();
   });
   addEventListener('pointercancel', () => { from = null; });
   $('steps').addEventListener('dragstart', event => event.preventDefault());
@@ -188,7 +191,8 @@
     const isFirst = iteration && iteration !== frames[i - 1]?.iteration;
     for (const className of [isFirst && 'iteration', kind]) {
       if (!className) continue;
-      const mark = make('span', {className, textContent: className === 'iteration' && frames.length <= 80 ? iteration : ''});
+      const textContent = className === 'iteration' && frames.length <= 80 ? iteration : '';
+      const mark = make('span', {className, textContent});
       mark.style.left = `${100 * i / Math.max(1, frames.length - 1)}%`;
       $('marks').append(mark);
     }

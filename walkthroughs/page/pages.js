@@ -28,8 +28,8 @@ function cutOut(element, {width, left, top, aspect}) {
 const groundOf = entry => entry.is_dark ? 'dark-pictures' : 'light-pictures';  // on which pictures were drawn
 
 // Steps through `count()` places. `show(i, how)` shows one; `how`: whether the address gets an entry of its own in the
-// browser's history ('push'), replaces the last one, or stays. `reading()` is how long one looks at it, in milliseconds;
-// `holds()` whether something is to be done there first.
+// browser's history ('push'), replaces the last one, or stays. `reading()` is how long one looks at it, in
+// milliseconds; `holds()` whether something is to be done there first.
 function stepper({count, show, reading, holds = () => false, back}) {
   let at = 0, timer = 0;
   function turnTo(i, how) {
@@ -65,8 +65,8 @@ function stepper({count, show, reading, holds = () => false, back}) {
     ArrowLeft: back ?? (() => go(at - 1)), ArrowRight: () => { pause(); if (!holds()) turnTo(at + 1, 'push'); },
     Home: () => go(0), End: () => go(count() - 1), ' ': play,
   };
-  for (const [id, key] of Object.entries({first: 'Home', back: 'ArrowLeft', next: 'ArrowRight', last: 'End', play: ' '}))
-    $(id).addEventListener('click', () => keys[key]());
+  const buttons = {first: 'Home', back: 'ArrowLeft', next: 'ArrowRight', last: 'End', play: ' '};
+  for (const [id, key] of Object.entries(buttons)) $(id).addEventListener('click', () => keys[key]());
   $('slider').addEventListener('input', () => go($('slider').value - 1, 'replace'));
   return {at: () => at, turnTo, go, keys, restart: () => { if (timer) playOn(); }};
 }
@@ -76,7 +76,8 @@ function onKeys(act) {
   document.addEventListener('keydown', event => {
     const does = act(event);
     const own = event.key === ' ' ? 'select, button, summary, a, input:not([type=range])' : 'select';
-    if (!does || event.ctrlKey || event.metaKey || event.altKey || event.isComposing || event.target.closest(own)) return;
+    const isOther = event.ctrlKey || event.metaKey || event.altKey || event.isComposing || event.target.closest(own);
+    if (!does || isOther) return;
     event.preventDefault();
     does();
   });

@@ -1,10 +1,10 @@
 'use strict';
 // Asks before each decision what will be found.
-function quizAbout({frames, steps, entry, story, show, entitle, inWords, place}) {
+function quizAbout({steps, entry, story, show, entitle, inWords, place}) {
   const textOf = place => story.texts[place];
   const questions = story.questions.map(question => (
     {...question, text: textOf(question.text), choices: question.choices.map(choice => choice.map(textOf))}));
-  const shelf = `gjkstep ${location.pathname} ${entry.name} ${questions.length}`;  // of files with one name each has its own
+  const shelf = `gjkstep ${location.pathname} ${entry.name} ${questions.length}`;  // of two files each has its own
   const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay',
                  direction: 'Where the search goes on', line: 'Which line is wrong'};
   const hidden = 'The picture; it is told in words once the question is answered.';
@@ -91,7 +91,7 @@ function quizAbout({frames, steps, entry, story, show, entitle, inWords, place})
   // The lines that run, which tell what is asked.
   function mark(isShown) {
     now().querySelectorAll('.code').forEach((box, b) => {
-      const line = box.querySelectorAll('li')[frames[place()].code[b].current];
+      const line = box.querySelectorAll('li')[story.frames[place()].code[b].current];
       if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
     });
   }
@@ -117,7 +117,7 @@ function quizAbout({frames, steps, entry, story, show, entitle, inWords, place})
   }
 
   function showScore() {
-    const given = questions.map((question, k) => ({...question, answer: answers[k]})).filter(each => each.answer !== null);
+    const given = questions.map((each, k) => ({...each, answer: answers[k]})).filter(({answer}) => answer !== null);
     const isWrong = each => each.answer !== each.right;
     const wrong = given.filter(isWrong).length, missing = questions.length - given.length;
     $('points').textContent = !given.length ? 'No question answered yet'
