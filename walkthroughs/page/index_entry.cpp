@@ -99,8 +99,8 @@ PageJson index_entry(const Story& story, const PagePictures& pictures) {
 }
 
 std::string json_in_script(const PageJson& json) {
-  std::string text = render::json_text(json);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
+  std::string text;
+  for (const char c : render::json_text(json)) text += c == '<' ? std::string_view("\\u003c") : std::string_view(&c, 1);
   return text;
 }
 
