@@ -11,7 +11,7 @@
 
 namespace walkthroughs {
 
-inline constexpr const char *page_file = "index.html", *compare_file = "compare.html";
+inline constexpr const char *compare_file = "compare.html", *trace_file = "trace.jsonl";
 
 /// A walkthrough of the run, and what it was read from.
 struct PageOrigin {
@@ -20,41 +20,35 @@ struct PageOrigin {
   std::filesystem::path file;  ///< empty where it is one of the catalogue
 };
 
-/// FOLDER/NAME/index.html, what it asks for and what it was made of, beside the files of Frames, which must be given the story before.
-class Pages : public Sink {
- public:
+/// What is said of pages on the command line.
+struct PagesWanted {
   enum class Pictures {
     beside,  ///< pages show the files
     inside,  ///< pages hold them, and can be moved and mailed; they have no links to others
   };
+  Pictures pictures;
+  std::filesystem::path folder;     ///< that of the output
+  std::string options;              ///< what else was said about the pictures
+  std::vector<PageOrigin> origins;  ///< one for each walkthrough of the run, in order
+};
 
-  /// `folder`: that of the output. `options`: what else was said on the command line about the pictures. `origins`: one for
-  /// each walkthrough of the run, in order.
-  Pages(Pictures pictures, std::filesystem::path folder, std::string options, std::vector<PageOrigin> origins,
-        FileWritten written)
-      : pictures_(pictures),
-        folder_(std::move(folder)),
-        options_(std::move(options)),
-        origins_(std::move(origins)),
-        written_(std::move(written)) {}
+/// FOLDER/NAME/index.html, what it asks for and what it was made of, beside the files of Frames, which must be given
+/// the story before.
+class Pages : public Sink {
+ public:
+  Pages(PagesWanted wanted, FileWritten written) : wanted_(std::move(wanted)), written_(std::move(written)) {}
 
+  /// Requires, as add(): the walkthrough is one of the run.
   std::vector<std::string> files(const Walkthrough& walkthrough) const override;
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
 
  private:
-  /// Requires: the walkthrough is one of the run.
-  std::vector<PageOrigin>::const_iterator origin_of(const Walkthrough& walkthrough) const;
-  PageSurroundings surroundings_of(const Walkthrough& walkthrough) const;
-
-  Pictures pictures_;
-  std::filesystem::path folder_;  ///< that holds one for each walkthrough
-  std::string options_;
-  std::vector<PageOrigin> origins_;
+  PagesWanted wanted_;
   FileWritten written_;
 };
 
-/// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a search
-/// FOLDER/compare.html, where not removes it. Errors: render::FileError.
+/// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a
+/// search FOLDER/compare.html, where not removes it. Errors: render::FileError.
 void write_index(const std::filesystem::path& folder);
 
 }  // namespace walkthroughs

@@ -1,28 +1,50 @@
 'use strict';
+// Cards of all walkthroughs, and what one looks for among them.
 (() => {
+  const answerOf = entry => [...new Set(entry.answers)].join(', ');
+  function card(entry) {
+    const picture = make('span', {className: 'shot'}, make('img', {loading: 'lazy', alt: '', src: entry.picture_url}));
+    cutOut(picture, entry.cut);
+    return make('li', {className: `card ${groundOf(entry)}`},
+      make('a', {href: `${entry.name}/index.html`}, picture, make('strong', {dir: 'auto', textContent: entry.title})),
+      make('p', {}, ...marked(entry.sentence)),
+      make('p', {className: 'small'},
+        `${entry.section && `${entry.section} · `}${entry.steps} ${entry.steps === 1 ? 'step' : 'steps'}`,
+        ...entry.answers.length ? [' · ', make('b', {textContent: answerOf(entry)})] : [],
+        ' ', make('br'), make('code', {textContent: entry.name})));
+  }
+
   const wordsOf = text => text.toLowerCase().split(/[\s/,;:()"“”·-]+/).filter(Boolean);
   // As one begins to write it, but a number is whole: "m1" is not M18, nor "4" the report's 7474.
   const fits = (word, wanted) => /\d$/.test(wanted) ? `${word}.`.startsWith(`${wanted}.`) : word.startsWith(wanted);
-  const [words, answer, part] = ['words', 'answer', 'part'].map(id => document.getElementById(id));
-  const groups = [...document.querySelectorAll('.group')];
-  const titleOf = group => group.querySelector('h2').textContent;
-  const cards = groups.flatMap(group => [...group.querySelectorAll('.card')].map(card => ({
-    card, part: titleOf(group), text: wordsOf(titleOf(group) + ' ' + card.textContent.replace(/ARL-TR-7474|\d+ steps?/g, ''))})));
+  const [words, answer, part] = ['words', 'answer', 'part'].map($);
+  const groups = window.gjkstepGroups.map(({title, entries}) => {
+    const cards = entries.map(entry => {
+      const made = card(entry), said = [...made.querySelectorAll('strong, p')].map(each => each.textContent).join(' ');
+      const text = wordsOf(`${title} ${said.replace(/ARL-TR-7474|\d+ steps?/g, '')}`);
+      return {card: made, part: title, text, answer: answerOf(entry)};
+    });
+    const list = make('ul', {className: 'cards'}, ...cards.map(each => each.card));
+    return {title, cards, section: make('section', {className: 'group'}, make('h2', {textContent: title}), list)};
+  });
 
   function filter() {
     const wanted = wordsOf(words.value);
     let count = 0;
-    for (const {card, part: own, text} of cards) {
-      card.hidden = !wanted.every(word => text.some(each => fits(each, word))) || !card.dataset.answer.includes(answer.value) ||
-        !['', own].includes(part.value);
-      count += !card.hidden;
+    for (const {cards, section} of groups) {
+      for (const {card, part: own, text, answer: found} of cards) {
+        card.hidden = !wanted.every(word => text.some(each => fits(each, word))) || !found.includes(answer.value) ||
+          !['', own].includes(part.value);
+        count += !card.hidden;
+      }
+      section.hidden = cards.every(each => each.card.hidden);
     }
-    for (const group of groups) group.hidden = !group.querySelector('.card:not([hidden])');
-    document.getElementById('found').textContent = count ? `${count} shown` : 'none fits: try fewer words, any answer, all parts';
+    $('found').textContent = count ? `${count} shown` : 'none fits: try fewer words, any answer, all parts';
   }
   // What is looked for stands in the address, so that one comes back to it.
   function keep() {
-    const said = new URLSearchParams([words, answer, part].map(({id, value}) => [id, value]).filter(([, value]) => value));
+    const filled = [words, answer, part].filter(field => field.value);
+    const said = new URLSearchParams(filled.map(({id, value}) => [id, value]));
     history.replaceState(null, '', '#' + said);
     filter();
   }
@@ -32,8 +54,13 @@
     for (const choice of [answer, part]) choice.selectedIndex = Math.max(0, choice.selectedIndex);
     filter();
   }
+
+  $('cards').replaceChildren(...groups.map(group => group.section));
+  part.append(...groups.map(({title}) => make('option', {textContent: title})));
+  const isSearch = entry => entry.iteration_ends.length > 0;
+  $('compare').hidden = window.gjkstepGroups.flatMap(group => group.entries).filter(isSearch).length < 2;
   words.addEventListener('input', keep);
   for (const choice of [answer, part]) choice.addEventListener('change', keep);
   addEventListener('pageshow', restore);
-  document.getElementById('filters').addEventListener('submit', event => event.preventDefault());
+  $('filters').addEventListener('submit', event => event.preventDefault());
 })();

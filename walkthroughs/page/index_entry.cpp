@@ -1,32 +1,20 @@
 #include "walkthroughs/page/index_entry.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <array>
 
-#include "render/html.hpp"
 #include "render/json_text.hpp"
-#include "walkthroughs/page/templates.hpp"
+#include "walkthroughs/page/viewer.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::string_view opening = "window.gjkstep = {\"entry\":", closing = ",\n";
 
-constexpr std::string_view opening = "<script type=\"application/json\" id=\"entry\">", closing = "</script>";
-
-std::string answers(const Story& story) {
-  std::string all;
-  for (const Telling& telling : story.tellings) {
-    const std::string answer(to_string(answer_of(telling.trace)));
-    if (all.find(answer) == std::string::npos) all += (all.empty() ? "" : ", ") + answer;
-  }
-  return all;
-}
-
-/// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last frame where there
-/// is none.
+/// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last
+/// frame where there is none.
 std::size_t telling_frame(const Story& story) {
   if (const auto parting = story.parting()) return *parting;
   const std::optional<int> iteration = told_iteration(story.walkthrough);
@@ -36,23 +24,53 @@ std::size_t telling_frame(const Story& story) {
   return story.frames.size() - 1;
 }
 
-/// Errors: Json::exception where it is none.
-std::size_t count(const Json& json) { return json.get_ref<const Json::number_unsigned_t&>(); }
+/// Of its page, in percent of what is shown of it.
+PageJson cut(const PagePictures& pictures) {
+  const render::Box& part = pictures.part;
+  return {{"width", 100 * pictures.page.width / part.width()},
+          {"left", -100 * part.min.x() / part.width()},
+          {"top", -100 * part.min.y() / part.height()},
+          {"aspect", part.width() / part.height()}};
+}
 
-/// Errors: Json::exception where that is not what entry_json() writes.
-IndexEntry entry_from(const Json& json) {
-  IndexEntry entry;
-  entry.name = json.at("name");
-  entry.title = json.at("title");
-  entry.section = json.at("section");
-  entry.sentence = json.at("sentence");
-  entry.answer = json.at("answer");
-  entry.steps = count(json.at("steps"));
-  for (const Json& end : json.at("iteration_ends")) entry.iteration_ends.push_back(count(end));
-  entry.picture = count(json.at("picture"));
-  entry.cut = json.at("cut");
-  entry.is_dark = json.at("is_dark");
-  return entry;
+/// Whether both have the same keys with values of the same kinds.
+bool are_alike(const PageJson& one, const PageJson& other) {
+  return std::ranges::equal(one.items(), other.items(), [](const auto& a, const auto& b) {
+    return a.key() == b.key() && a.value().type() == b.value().type();
+  });
+}
+
+struct Known {
+  std::string_view prefix, title;
+};
+
+/// As the report goes; a walkthrough belongs to the first whose prefix its name has, and what has none is the user's
+/// own.
+constexpr std::array<Known, 14> groups{{{"figure-", "Figures of the report"},
+                                        {"regions/0-simplex", "Regions of a 0-simplex, a vertex"},
+                                        {"regions/1-simplex", "Regions of a 1-simplex, a segment"},
+                                        {"regions/2-simplex", "Regions of a 2-simplex, a triangle"},
+                                        {"regions/3-simplex", "Regions of a 3-simplex, a tetrahedron"},
+                                        {"vehicle-and-threat/", "In space: vehicles and threats"},
+                                        {"cycle-", "Where it goes wrong"},
+                                        {"as-printed-", "Where it goes wrong"},
+                                        {"failures/", "Where it goes wrong"},
+                                        {"complete/", "The remedy: rules that end"},
+                                        {"certified/", "Answers that are proven"},
+                                        {"eager-", "A shortcut of ours"},
+                                        {"mistakes/", "Mistakes"},
+                                        {"", "Scenes of your own"}}};
+
+const Known& group_of(const std::string& name) {
+  return *std::ranges::find_if(groups, [&](const Known& group) { return name.starts_with(group.prefix); });
+}
+
+/// What stands in the index as long as no script has made its cards.
+std::string cards_without_scripts(const std::vector<PageJson>& entries) {
+  std::vector<PageLink> pages;
+  for (const PageJson& entry : entries)
+    pages.push_back({entry["name"].get<std::string>() + "/index.html", entry["title"]});
+  return html_of(pages);
 }
 
 }  // namespace
@@ -63,49 +81,61 @@ std::optional<int> told_iteration(const Walkthrough& w) {
   return (test == w.remarks.end() ? w.remarks.front() : *test).iteration;
 }
 
-IndexEntry index_entry(const Story& story, const PagePictures& pictures) {
+PageJson index_entry(const Story& story, const PagePictures& pictures) {
   const Walkthrough& w = story.walkthrough;
-  IndexEntry entry;
-  entry.name = w.name;
-  entry.title = w.title;
-  entry.section = w.source;
-  entry.sentence = w.region_case ? w.region_case->text : literal(w.summary);
-  entry.answer = answers(story);
-  entry.steps = story.frames.size();
-  if (!story.frames[0].moments.empty()) entry.iteration_ends = last_of_each_iteration(story.frames);
-  entry.picture = telling_frame(story);
-  entry.cut = cut_out(pictures.page, pictures.part);
-  entry.is_dark = pictures.is_dark;
-  return entry;
+  const bool is_search = !story.frames[0].moments.empty();
+  PageJson answers = PageJson::array();
+  for (const Telling& telling : story.tellings) answers.push_back(to_string(answer_of(telling.trace)));
+  return {{"name", w.name},
+          {"title", w.title},
+          {"section", w.source},
+          {"sentence", w.region_case ? w.region_case->text : literal(w.summary)},
+          {"answers", answers},
+          {"steps", story.frames.size()},
+          {"iteration_ends", is_search ? PageJson(last_of_each_iteration(story.frames)) : PageJson::array()},
+          {"picture", telling_frame(story)},
+          {"cut", cut(pictures)},
+          {"is_dark", pictures.is_dark}};
 }
 
-std::string entry_json(const IndexEntry& entry) {
-  const Json json = {{"name", entry.name},
-                     {"title", entry.title},
-                     {"section", entry.section},
-                     {"sentence", entry.sentence},
-                     {"answer", entry.answer},
-                     {"steps", entry.steps},
-                     {"iteration_ends", entry.iteration_ends},
-                     {"picture", entry.picture},
-                     {"cut", entry.cut},
-                     {"is_dark", entry.is_dark}};
-  return render::json_text(json);
+std::string json_in_script(const PageJson& json) {
+  std::string text;
+  for (const char c : render::json_text(json)) text += c == '<' ? std::string_view("\\u003c") : std::string_view(&c, 1);
+  return text;
 }
 
-std::string entry_element(const IndexEntry& entry) {
-  return std::string(opening) + json_for_html(entry_json(entry)) + std::string(closing) + "\n";
+std::string story_script(const PageJson& entry, const PageJson& story) {
+  return "'use strict';\n" + std::string(opening) + json_in_script(entry) + std::string(closing) +
+         "\"story\":" + json_in_script(story) + "};\n";
 }
 
-std::optional<IndexEntry> entry_of(std::string_view page) {
-  const std::size_t begin = page.find(opening);
+std::optional<PageJson> entry_in(std::string_view text) {
+  const std::size_t begin = text.find(opening);
   if (begin == std::string_view::npos) return std::nullopt;
-  page.remove_prefix(begin + opening.size());
-  try {
-    return entry_from(Json::parse(page.substr(0, page.find(closing))));
-  } catch (const Json::exception&) {
-    return std::nullopt;
-  }
+  text.remove_prefix(begin + opening.size());
+  const PageJson entry = PageJson::parse(text.substr(0, text.find(closing)), nullptr, false);
+  static const PageJson sample =
+      PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "answers": [],
+      "steps": 0, "iteration_ends": [], "picture": 0, "cut": {}, "is_dark": false})");
+  return are_alike(entry, sample) ? std::optional(entry) : std::nullopt;
+}
+
+PageJson in_groups(const std::vector<PageJson>& entries) {
+  PageJson found = PageJson::array();
+  for (const Known& group : groups)
+    for (const PageJson& entry : entries) {
+      if (&group_of(entry["name"]) != &group) continue;
+      if (found.empty() || found.back()["title"] != group.title)
+        found.push_back({{"title", group.title}, {"entries", PageJson::array()}});
+      found.back()["entries"].push_back(entry);
+    }
+  return found;
+}
+
+std::string page_over(const std::vector<PageJson>& entries, const std::string& viewer_page) {
+  const std::string script = "'use strict';\nwindow.gjkstepGroups = " + json_in_script(in_groups(entries)) + ";\n";
+  return with_inside(filled(viewer_files.at(viewer_page), {{"cards", cards_without_scripts(entries)}}),
+                     {{"entries.js", script}});
 }
 
 }  // namespace walkthroughs

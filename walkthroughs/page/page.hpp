@@ -1,53 +1,38 @@
-/// A walkthrough as one HTML page: all of its steps, each with its picture and what is said of it. With JavaScript one
-/// steps through them; without it they stand below each other.
+/// A walkthrough as a page: its data, and the viewer that steps through them. Without JavaScript its pictures and
+/// captions stand below each other.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "walkthroughs/page/page_pictures.hpp"
-#include "walkthroughs/story/story.hpp"
+#include "walkthroughs/page/index_entry.hpp"
+#include "walkthroughs/page/viewer.hpp"
 
 namespace walkthroughs {
 
-/// Something beside the page: a file or another page.
-struct PageLink {
-  std::string url, text;
-};
-
-/// Where a page comes from, and what is near. What is empty is left out.
+/// Where a page comes from, and what is near.
 struct PageSurroundings {
-  std::string command;            ///< that made it
-  std::string trace_command;      ///< that prints its trace
-  std::vector<PageLink> sources;  ///< what it was made of, such as a scene file
-  std::vector<PageLink> ways;     ///< to the index, and to the walkthroughs before and after
-  bool has_files = false;         ///< beside it: page_files(), and its trace where there is a command for that
+  std::string command = {};            ///< that made it
+  std::vector<PageLink> sources = {};  ///< what it was made of, such as a scene file; its trace
+  std::vector<PageLink> ways = {};     ///< to the index, and to the walkthroughs before and after
+  bool has_files_beside = false;       ///< else the page holds all that it needs
   /// Returns: the URL of another walkthrough's page; empty where there is none.
   std::function<std::string(const std::string& name)> page_of = [](const std::string&) { return std::string(); };
 };
 
-/// Returns: the page, in UTF-8. It asks for nothing but its pictures and the files beside it. Texts of the story are data:
-/// nothing in them is read as HTML.
-std::string page_html(const Story& story, const PagePictures& pictures, const PageSurroundings& surroundings);
+inline constexpr const char *page_file = "index.html", *story_file = "story.js", *events_file = "events.js";
 
-/// A file beside a page.
-struct PageFile {
-  std::string name, content;
-};
+/// Returns: the names of all files that a page may have.
+std::vector<std::string> page_file_names();
 
-inline constexpr const char *style_file = "page.css", *script_file = "page.js", *steps_file = "steps.js",
-                            *events_file = "events.js", *quiz_file = "predict.js", *questions_file = "questions.js",
-                            *trace_file = "trace.jsonl";
-/// Of these what page_files() makes.
-inline constexpr std::array files_asked_for{style_file,  script_file, steps_file,
-                                            events_file, quiz_file,   questions_file};
+/// Returns: what a page shows: entry of the index apart, each frame with its pictures, captions, numbers and running
+/// lines, and the questions that can be asked before a frame.
+PageJson page_data(const Story& story, const PagePictures& pictures, const PageSurroundings& around);
 
-/// Returns: what a page asks for that does not hold it all: its style, its script, and what that needs to know of the steps; and
-/// what is loaded when a reader asks for it, the events, the questions, and the script that asks them (data as scripts, too: pages
-/// that are files themselves may read nothing else).
-std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures,
-                                 const PageSurroundings& surroundings);
+/// Returns: the files of a page, last the one to open, which asks for the others. They ask for nothing else but the
+/// pictures. Data are scripts, as pages that are files themselves may read nothing else; texts in them are data, never
+/// HTML.
+std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures, const PageSurroundings& around);
 
 }  // namespace walkthroughs

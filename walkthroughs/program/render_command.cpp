@@ -169,8 +169,8 @@ class Rendering {
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
       sinks.push_back(std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
     if (is_asked_for_pages())
-      sinks.push_back(std::make_unique<Pages>(pictures_of_pages(), command_.out, options_of_pictures(),
-                                              origins_of(selection), report_file));
+      sinks.push_back(std::make_unique<Pages>(
+          PagesWanted{pictures_of_pages(), command_.out, options_of_pictures(), origins_of(selection)}, report_file));
     return sinks;
   }
 
@@ -247,8 +247,8 @@ class Rendering {
   }
 
   bool is_asked_for_pages() const { return !command_.page.empty(); }
-  Pages::Pictures pictures_of_pages() const {
-    return command_.page == "single" ? Pages::Pictures::inside : Pages::Pictures::beside;
+  PagesWanted::Pictures pictures_of_pages() const {
+    return command_.page == "single" ? PagesWanted::Pictures::inside : PagesWanted::Pictures::beside;
   }
 
   /// What else the command says about the pictures that pages show.

@@ -111,8 +111,8 @@ class PageInBrowser(unittest.TestCase):
     def assert_fits(self):
         self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), self.js("return innerWidth"))
 
-    def steps_of(self, name):
-        return json.loads((self.out / name / "steps.js").read_text().partition("gjkstepSteps = ")[2].rstrip(";\n"))
+    def frames_of(self, name):
+        return json.loads((self.out / name / "story.js").read_text().partition("gjkstep = ")[2].rstrip(";\n"))["story"]["frames"]
 
     def predict(self):
         """Presses P and waits until what it asks for has come."""
@@ -121,7 +121,7 @@ class PageInBrowser(unittest.TestCase):
         self.wait(lambda: self.find("#predict").get_attribute("aria-pressed") != pressed)
 
     def questions(self):
-        return self.js("return gjkstepQuestions.questions")
+        return self.js("return gjkstep.story.questions")
 
     def printed(self):
         pdf = self.folder / "printed.pdf"

@@ -57,7 +57,7 @@ class Page(PageInBrowser):
             return [shown["Left walkthrough"][1], shown["Right walkthrough"][1]]
 
         def end(name, iteration):
-            numbers = [i + 1 for i, step in enumerate(self.steps_of(name)["steps"]) if step["iteration"] <= iteration]
+            numbers = [i + 1 for i, step in enumerate(self.frames_of(name)) if step["iteration"] <= iteration]
             return f"#{numbers[-1]}&bare"
 
         self.wait(lambda: steps() == [end(hit, 2), end(searched, 2)])

@@ -115,7 +115,7 @@ class Page(unittest.TestCase):
         self.open()
         self.firefox.press("p")
         until(lambda: self.firefox.js("return document.getElementById('predict').getAttribute('aria-pressed') === 'true'"))
-        asked = self.firefox.js("return gjkstepQuestions.questions[0]")
+        asked = self.firefox.js("return gjkstep.story.questions[0]")
         for _ in range(asked["before"]):
             self.firefox.press(right)
         self.assertEqual(self.step(), asked["before"])

@@ -38,7 +38,7 @@ class Page(PageInBrowser):
             self.assertTrue(step.find_element(By.TAG_NAME, "h2").text)
         self.assertFalse(self.find(".controls").is_displayed())
         self.browser.get(f"file://{self.out / 'index.html'}")
-        self.assertEqual(len([card for card in self.all(".card") if card.is_displayed()]), 5)
+        self.assertEqual(len([page for page in self.all("#cards a") if page.is_displayed()]), 5)
         self.assertFalse(self.find("#filters").is_displayed())
 
     def test_on_a_phone_and_magnified_nothing_is_cut_off(self):

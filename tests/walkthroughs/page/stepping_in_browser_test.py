@@ -3,7 +3,7 @@
 
     /usr/bin/python3 tests/walkthroughs/page/stepping_in_browser_test.py build/gjkstep [NAME-OF-A-TEST...]
 """
-import json, re, shutil, sys
+import json, shutil, sys
 
 sys.dont_write_bytecode = True  # nothing is written into the project
 from in_browser import ActionChains, apart, By, hit, Keys, last, PageInBrowser, render, run, searched
@@ -170,13 +170,13 @@ class Page(PageInBrowser):
         self.wait(lambda: "events.js" in self.find(".step.now .events pre").text)
         self.browser.get_log("browser")  # which has the missing file
 
-    def test_questions_that_were_left_behind_are_missed_in_words(self):
-        alone = self.folder / "without-questions"
+    def test_who_asks_and_was_left_behind_is_missed_in_words(self):
+        alone = self.folder / "without-quiz"
         shutil.copytree(self.out / searched, alone)
-        (alone / "questions.js").unlink()
+        (alone / "quiz.js").unlink()
         self.browser.get(f"file://{alone / 'index.html'}")
         self.press("p")
-        self.wait(lambda: "questions.js" in self.find("#live").get_attribute("textContent"))
+        self.wait(lambda: "quiz.js" in self.find("#live").get_attribute("textContent"))
         self.assertEqual(self.find("#predict").get_attribute("aria-pressed"), "false")
         self.press(Keys.ARROW_RIGHT)
         self.assertEqual(self.step(), 2)
@@ -191,10 +191,10 @@ class Page(PageInBrowser):
         self.open(searched)
         self.assertFalse(self.find("#unasked").is_displayed())
 
-    def test_without_what_scripts_know_of_the_steps_all_stand_below_each_other(self):
-        alone = self.folder / "without-steps"
+    def test_without_the_story_all_steps_stand_below_each_other(self):
+        alone = self.folder / "without-story"
         shutil.copytree(self.out / searched, alone)
-        (alone / "steps.js").unlink()
+        (alone / "story.js").unlink()
         self.browser.get(f"file://{alone / 'index.html'}")
         self.assertTrue(all(step.is_displayed() for step in self.all(".step")))
         self.assertFalse(self.find(".controls").is_displayed())
@@ -246,16 +246,11 @@ class Page(PageInBrowser):
         self.assertTrue(self.find("#verdict").text)
 
     def test_ten_thousand_steps(self):
-        page = (self.out / searched / "index.html").read_text()
-        section = re.search(r'<section class="step" id="2">.*?</section>\n', page, re.DOTALL).group(0)
-        data = self.steps_of(searched)
-        data["steps"] = [data["steps"][1]] * 10000
-        data["questions"] = 0
-        many = "".join(section.replace('id="2"', f'id="{i + 1}"') for i in range(10000))
-        page = re.sub(r'<div id="steps">.*</div>\n<div class="controls"', lambda _: f'<div id="steps">{many}</div>\n<div class="controls"', page, flags=re.DOTALL)
-        page = page.replace('<script src="steps.js">', f'<script type="application/json" id="data">{json.dumps(data)}')
-        (self.out / searched / "many.html").write_text(page.replace(f'max="{last}"', 'max="10000"'))
-        self.browser.get(f"file://{self.out / searched / 'many.html'}#5000")
+        many = self.folder / "many"
+        shutil.copytree(self.out / searched, many)
+        with (many / "story.js").open("a") as script:
+            script.write("gjkstep.story.frames = Array(10000).fill(gjkstep.story.frames[1]); gjkstep.story.questions = [];\n")
+        self.browser.get(f"file://{many / 'index.html'}#5000")
         self.press(Keys.ARROW_RIGHT)
         self.assertTrue(self.find("#place").text.startswith("5001"))
         self.press(Keys.END)

@@ -1,27 +1,26 @@
 'use strict';
-// Asks before each decision what will be found. `page`: its steps, what is known of them, and the ways from one to another.
-window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {questions: list, texts}) => {
-  // Texts of questions, choices and reasons are HTML that the program has made, with <sub> for subscripts.
-  const questions = list.map(question => ({...question, text: texts[question.text],
-                                           choices: question.choices.map(told => told.map(each => texts[each]))}));
-  const shelf = `gjkstep ${location.pathname} ${data.name} ${questions.length}`;  // of two files with one name neither has the other's
-  const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay', direction: 'Where the search goes on',
-                 line: 'Which line is wrong'};
+// Asks before each decision what will be found.
+function quizAbout({steps, entry, story, show, entitle, inWords, place}) {
+  const textOf = place => story.texts[place];
+  const questions = story.questions.map(question => (
+    {...question, text: textOf(question.text), choices: question.choices.map(choice => choice.map(textOf))}));
+  const shelf = `gjkstep ${location.pathname} ${entry.name} ${questions.length}`;  // of two files each has its own
+  const kinds = {crossing: 'Was the origin crossed', region: 'Regions', vertices: 'Which vertices stay',
+                 direction: 'Where the search goes on', line: 'Which line is wrong'};
+  const hidden = 'The picture; it is told in words once the question is answered.';
   const isAboutLine = questions.length > 0 && questions.every(question => question.kind === 'line');
   const untold = isAboutLine ? 'Which line is wrong?' : 'What will the search find?', skipped = new Set();
   const nothing = () => questions.map(() => null);
   const now = () => steps[place()], isAtEnd = () => place() === steps.length - 1;
-  let answers = nothing(), predicting = false, asked = null, isTold = false;
-
   // The store of the browser, where it has one and allows it; else answers live as long as the page.
-  function store(act) { try { return act(localStorage); } catch { return null; } }
-  function restore() {
-    const kept = store(shop => JSON.parse(shop.getItem(shelf)));
-    if (Array.isArray(kept) && kept.length === questions.length) answers = kept;
-  }
+  const store = act => { try { return act(localStorage); } catch { return null; } };
+  const kept = store(shop => JSON.parse(shop.getItem(shelf)));
+  let answers = Array.isArray(kept) && kept.length === questions.length ? kept : nothing();
+  let predicting = false, asked = null, isTold = false;
 
   // The question still to be answered before the next step; -1 where there is none.
-  const openQuestion = () => predicting ? questions.findIndex((question, k) => question.before === place() + 1 && answers[k] === null && !skipped.has(k)) : -1;
+  const isOpen = (question, k) => question.before === place() + 1 && answers[k] === null && !skipped.has(k);
+  const openQuestion = () => predicting ? questions.findIndex(isOpen) : -1;
   function stopsToAsk() {
     const k = openQuestion();
     if (k >= 0) ask(k);
@@ -37,12 +36,11 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
   function ask(k) {
     asked = k;
     isTold = false;
-    $('question').innerHTML = questions[k].text;
+    $('question').replaceChildren(...marked(questions[k].text));
     $('choices').replaceChildren(...questions[k].choices.map(([text], c) => {
-      const line = make('li'), button = Object.assign(make('button'), {type: 'button', innerHTML: text});
+      const button = make('button', {type: 'button'}, ...marked(text));
       button.addEventListener('click', () => answer(c));
-      line.append(button);
-      return line;
+      return make('li', {}, button);
     }));
     $('verdict').textContent = '';
     $('onward').textContent = 'Skip';
@@ -54,12 +52,10 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
     $('question').focus();
   }
 
-  const isOff = button => button.disabled || button.getAttribute('aria-disabled') === 'true';
-
   // The first answer counts. Who is wrong may try once more where that is no sure thing, or look.
   function answer(c) {
     const {choices, right} = questions[asked], buttons = [...$('choices').querySelectorAll('button')];
-    if (!buttons[c] || isOff(buttons[c])) return;
+    if (!buttons[c] || buttons[c].matches(':disabled, [aria-disabled]')) return;
     const isFirst = answers[asked] === null;
     if (isFirst) {
       answers[asked] = c;
@@ -68,7 +64,7 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
     if (c !== right && isFirst && choices.length > 2) {
       buttons[c].classList.add('wrong');
       buttons[c].setAttribute('aria-disabled', 'true');  // and keeps the focus, so that Tab goes on from there
-      $('verdict').innerHTML = `${notSo(choices[c][2])} Try once more.`;
+      $('verdict').replaceChildren(...marked(`${notSo(choices[c][2])} Try once more.`));
       $('onward').textContent = 'Show the answer';
       $('onward').scrollIntoView({block: 'nearest'});
     } else {
@@ -84,8 +80,9 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
     for (const button of buttons) button.disabled = true;
     buttons[c].classList.add('wrong');
     buttons[right].className = 'right';
-    $('verdict').innerHTML = c === right ? `Right: ${reason}.`
-      : `${notSo(choices[c][1] === reason ? '' : choices[c][1])} The answer is <b>“${choices[right][0]}”</b>: ${reason}.`;
+    $('verdict').replaceChildren(...c === right ? marked(`Right: ${reason}.`) : [
+      ...marked(`${notSo(choices[c][1] === reason ? '' : choices[c][1])} The answer is `),
+      make('b', {}, ...marked(`“${choices[right][0]}”`)), ...marked(`: ${reason}.`)]);
     $('onward').textContent = 'Go on';
     hideWords(false);
     $('onward').focus();
@@ -93,18 +90,14 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
 
   // The lines that run, which tell what is asked.
   function mark(isShown) {
-    boxesOf(place()).forEach((box, b) => {
-      const line = box.querySelectorAll('li')[data.steps[place()].code[b][1]];
+    now().querySelectorAll('.code').forEach((box, b) => {
+      const line = box.querySelectorAll('li')[story.frames[place()].code[b].current];
       if (line && isShown) line.setAttribute('aria-current', 'step'); else line?.removeAttribute('aria-current');
     });
   }
 
   // What is told of the picture tells where the origin lies.
-  function hideWords(hides) {
-    const picture = now().querySelector('img');
-    picture.dataset.words ??= picture.getAttribute('aria-labelledby');
-    picture.setAttribute('aria-labelledby', hides ? 'untold' : picture.dataset.words);
-  }
+  const hideWords = hides => { now().querySelector('img').alt = hides ? hidden : inWords(place()); };
 
   function close() {
     asked = null;
@@ -120,32 +113,34 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
     if (first === null) skipped.add(asked);
     if (stopsToAsk()) return;
     show(place() + 1, 'push');
-    $(place() + 1 < steps.length ? 'next' : 'first').focus({preventScroll: true});  // the button that was pressed is gone
+    $(isAtEnd() ? 'first' : 'next').focus({preventScroll: true});  // the button that was pressed is gone
   }
 
   function showScore() {
-    const given = questions.filter((question, k) => answers[k] !== null);
-    const right = (question, k) => answers[k] === question.right;
-    $('points').textContent = given.length ? `${questions.filter(right).length} of ${questions.length} right` +
-      (given.length < questions.length ? `, ${questions.length - given.length} not answered` : '') : 'No question answered yet';
+    const given = questions.map((each, k) => ({...each, answer: answers[k]})).filter(({answer}) => answer !== null);
+    const isWrong = each => each.answer !== each.right;
+    const wrong = given.filter(isWrong).length, missing = questions.length - given.length;
+    $('points').textContent = !given.length ? 'No question answered yet'
+      : `${given.length - wrong} of ${questions.length} right${missing ? `, ${missing} not answered` : ''}`;
     const list = make('ul');
     let missesPages = false;
     for (const [kind, name] of Object.entries(kinds)) {
-      const ours = questions.map((question, k) => [question, k]).filter(([question, k]) => question.kind === kind && answers[k] !== null);
-      const wrong = ours.filter(([question, k]) => !right(question, k));
+      const ours = given.filter(each => each.kind === kind), wrong = ours.filter(isWrong);
       if (!ours.length) continue;
-      const line = make('li', wrong.length ? 'no' : 'yes', `${name}: ${ours.length - wrong.length} of ${ours.length}`);
-      const practice = new Map(wrong.map(([question]) => question.practice).filter(([title]) => title));
+      const line = make('li', {className: wrong.length ? 'no' : 'yes',
+                               textContent: `${name}: ${ours.length - wrong.length} of ${ours.length}`});
+      const practice = new Map(wrong.map(each => story.practices[each.practice]).filter(([title]) => title));
       let between = '; practise with ';
       for (const [title, url] of practice) {  // where there is no page, its name
-        line.append(between, url ? Object.assign(make('a', '', title), {href: url}) : make('code', '', title));
+        line.append(between, url ? make('a', {href: url, textContent: title}) : make('code', {textContent: title}));
         missesPages ||= !url;
         between = ', ';
       }
       list.append(line);
     }
     $('kinds').replaceChildren(list);
-    if (missesPages) $('kinds').append(make('code', '', 'gjkstep render regions --page'), ' makes these pages.');
+    if (missesPages)
+      $('kinds').append(make('code', {textContent: 'gjkstep render regions --page'}), ' makes these pages.');
     now().querySelector('.text').prepend($('score'));
     $('score').hidden = false;
     $('forget').hidden = !given.length;
@@ -162,7 +157,8 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
     if (isOver || (predicting && isAtEnd())) showScore();
     entitle();
     $('live').textContent = isOver ? 'All questions have been answered; who forgets the answers is asked again.'
-      : predicting ? `${isAboutLine ? 'Where the searches part' : 'Before each decision'} a question will be asked.` : 'No questions will be asked.';
+      : !predicting ? 'No questions will be asked.'
+      : `${isAboutLine ? 'Where the searches part' : 'Before each decision'} a question will be asked.`;
   }
 
   function forget() {
@@ -178,9 +174,11 @@ window.gjkstepQuiz = ({steps, data, $, make, boxesOf, show, entitle, place}, {qu
     if (predicting && isAtEnd()) showScore();
   }
 
-  restore();
   $('onward').addEventListener('click', onward);
   $('forget').addEventListener('click', forget);
 
-  return {leave: close, arrive, holds, isAsking: () => asked !== null, untold: () => predicting && $('score').hidden ? untold : '', answer, toggle};
-};
+  return {
+    leave: close, arrive, holds, answer, toggle,
+    isAsking: () => asked !== null, untold: () => predicting && $('score').hidden ? untold : '',
+  };
+}

@@ -1,0 +1,34 @@
+#include "walkthroughs/page/viewer.hpp"
+
+#include <stdexcept>
+
+#include "tests/kit/catch.hpp"
+
+using namespace walkthroughs;
+
+TEST_CASE("A page takes what fills its places as it is, also where that looks like a place") {
+  CHECK(filled("<h1>{{a}}</h1>{{b}}{{a}}", {{"a", "{{b}}"}, {"b", "}} {{c}}"}}) == "<h1>{{b}}</h1>}} {{c}}{{b}}");
+  CHECK(filled("no place, { one } brace", {}) == "no place, { one } brace");
+  CHECK_THROWS_AS(filled("{{a}}", {}), std::logic_error);
+}
+
+TEST_CASE("A page holds the files that it asks for where it did, also those of the viewer, and no others") {
+  CHECK(with_inside("a<script src=\"x.js\"></script>b<link rel=\"stylesheet\" href=\"colors.css\">c",
+                    {{"x.js", "1;\n"}, {"y.js", "2;\n"}}) ==
+        "a<script>\n1;\n</script>b<style>\n" + viewer_files.at("colors.css") + "</style>c");
+}
+
+TEST_CASE("Links are text and URL, whatever they hold, and where there is no URL the text alone") {
+  CHECK(html_of({{"a\"b", "<c>"}, {"", "d & e"}}) == "<a href=\"a&quot;b\">&lt;c&gt;</a>\n<code>d &amp; e</code>\n");
+}
+
+TEST_CASE("The viewer asks for nothing outside of the page") {
+  REQUIRE(viewer_files.size() > 10);
+  for (const auto& [name, content] : viewer_files) {
+    INFO(name);
+    REQUIRE_FALSE(content.empty());
+    for (const char* outside :
+         {"http:", "https:", "//cdn", "@import", "url(", "fetch(", "XMLHttpRequest", "innerHTML", "insertAdjacent"})
+      CHECK(content.find(outside) == std::string::npos);
+  }
+}
