@@ -191,8 +191,10 @@ class ExactSimplex {
   // -- As nearest_with_A() asks
 
   bool is_toward(Role X) const {
-    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2, [&] { return SignWords{{Expression::Form::dot, tell_.edge(X), AO}}; }) >
-           0;
+    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2,
+                [&] {
+                  return SignWords{{Expression::Form::dot, tell_.edge(X), AO}};
+                }) > 0;
   }
   bool is_beyond(Role X, Role Y) const {
     const auto AXn_AO = [=](const auto& A) {
@@ -205,20 +207,25 @@ class ExactSimplex {
   bool is_above(Role X, Role Y, Role Z) const {
     const int of_origin = side_of_origin(X, Y);
     const int of_fourth = sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); }, 3,
-                               [&] { return SignWords{{Expression::Form::dot, tell_.normal(X, Y), tell_.edge(Z)}}; });
+                               [&] {
+                                 return SignWords{{Expression::Form::dot, tell_.normal(X, Y), tell_.edge(Z)}};
+                               });
     return of_origin * of_fourth < 0;
   }
 
   /// Returns: the sign of AXYn·AO.
   int side_of_origin(Role X, Role Y) const {
     return sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); }, 3,
-                [&] { return SignWords{{Expression::Form::dot, tell_.normal(X, Y), AO}}; });
+                [&] {
+                  return SignWords{{Expression::Form::dot, tell_.normal(X, Y), AO}};
+                });
   }
 
   /// Requires: the point nearest to the origin in the interior of the simplex. Returns: whether that is the origin.
   bool contains_origin() const {
     switch (size()) {
-      case 1: return is_zero([](const auto& A) { return A.AO; }, 1,
+      case 1:
+        return is_zero([](const auto& A) { return A.AO; }, 1,
                        [](int axis) { return Expression(Expression::Form::component, AO, {}, axis); });
       case 2:
         return is_zero([](const auto& A) { return cross(A[Role::B], A.AO); }, 2,

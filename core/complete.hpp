@@ -57,9 +57,8 @@ class Nearness {
     const Face face = face_with(X, Y);
     const auto APQn_AO = normal_of(step_, face).dot(step_.AO());
     const bool above = APQn_AO.is_positive();
-    step_.tell_question(
-        {.feature = roles_of(face).face()}, APQn_AO, Relation::positive, above, true,
-        above ? RegionReason::above_face_within_edges : RegionReason::not_above_face);
+    step_.tell_question({.feature = roles_of(face).face()}, APQn_AO, Relation::positive, above, true,
+                        above ? RegionReason::above_face_within_edges : RegionReason::not_above_face);
     return above;
   }
 

@@ -202,8 +202,9 @@ template <class S>
 struct ProofTried {
   int iteration = 0;
   Proof proof = Proof::direction;
-  std::vector<ProofNumber> numbers = {};  ///< none where the proof needs what was not found, or other numbers than these
-  double bound = 0;                  ///< more than all that was rounded
+  std::vector<ProofNumber> numbers =
+      {};            ///< none where the proof needs what was not found, or other numbers than these
+  double bound = 0;  ///< more than all that was rounded
   bool holds = false;
   friend bool operator==(const ProofTried&, const ProofTried&) = default;
 };

@@ -148,8 +148,10 @@ struct NameReader {
 
 constexpr std::optional<Expression> Expression::named(std::string_view text) {
   if (text.empty()) return Expression();
-  for (const auto& [name, form] : {std::pair{std::string_view("w·d"), Form::reach}, {"max w·d", Form::largest_reach},
-                                   {"−w·d", Form::gap}, {"as told", Form::as_told}})
+  for (const auto& [name, form] : {std::pair{std::string_view("w·d"), Form::reach},
+                                   {"max w·d", Form::largest_reach},
+                                   {"−w·d", Form::gap},
+                                   {"as told", Form::as_told}})
     if (text == name) return Expression(form);
   detail::NameReader reader{text};
   if (const auto volume = reader.take_volume()) return volume;
@@ -158,7 +160,8 @@ constexpr std::optional<Expression> Expression::named(std::string_view text) {
   if (!X) return std::nullopt;
   if (is_negative) return reader.rest.empty() ? std::optional(Expression(Form::negative, *X)) : std::nullopt;
   if (reader.rest.empty()) return in_brackets ? std::nullopt : std::optional(Expression(*X));
-  if (const auto axis = in_brackets ? std::nullopt : reader.take_axis()) return Expression(Form::component, *X, {}, *axis);
+  if (const auto axis = in_brackets ? std::nullopt : reader.take_axis())
+    return Expression(Form::component, *X, {}, *axis);
   const bool is_dot = !in_brackets && reader.take("·");
   if (!is_dot && !reader.take("×")) return std::nullopt;
   const std::optional<NamedVector> Y = reader.take_vector();

@@ -70,7 +70,8 @@ Next<S> process(Simplex<S>& simplex, Teller<Obs>& tell) {
 /// w·d of Eq. 9, for the vertex found along d.
 template <class ZeroTest, class S>
 auto reach(const Vertex<S>& vertex, const Vec3<S>& d) {
-  return vector(vertex.w, ZeroTest::size(vertex), NoWords(NamedVector())).dot(vector(d, ZeroTest::size(d), NoWords(NamedVector())));
+  return vector(vertex.w, ZeroTest::size(vertex), NoWords(NamedVector()))
+      .dot(vector(d, ZeroTest::size(d), NoWords(NamedVector())));
 }
 
 /// One run of Algorithm 1. Its result is written where the caller will have it: a copy of the evidence costs as much as an

@@ -49,7 +49,7 @@ struct Intended {
     const auto AO = step.AO();
     const auto AB = step.AB();
     step.skip({.feature = "B"}, RegionReason::left_behind);  // R1
-    step.skip_beyond_A();                                     // R2
+    step.skip_beyond_A();                                    // R2
     const auto direction = Rules::from_segment(AB, AO);
     if (step.is_on_segment(direction)) return step.contains_origin();
     return step.keep_all(direction);
@@ -75,13 +75,13 @@ struct Intended {
     const auto ABCn = Rules::ABCn_of_triangle(AB, AC).named(NamedVector::normal("ABC"));  // Eq. 10
     const auto ABn = Rules::ABn_of_triangle(AB, ABCn).named(NamedVector::normal("AB"));   // Eq. 11
     const auto ACn = Rules::ACn_of_triangle(AC, ABCn).named(NamedVector::normal("AC"));
-    step.skip({.feature = "B"}, RegionReason::ruled_out_before);    // R4
-    step.skip({.feature = "BC"}, RegionReason::left_behind);        // R5
-    step.skip({.feature = "C"}, RegionReason::ruled_out_before);    // R6
-    step.skip_beyond_A();                                           // R2
-    if (step.is_beyond_edge({.feature = "AB"}, ABn.dot(AO)))        // R3
+    step.skip({.feature = "B"}, RegionReason::ruled_out_before);  // R4
+    step.skip({.feature = "BC"}, RegionReason::left_behind);      // R5
+    step.skip({.feature = "C"}, RegionReason::ruled_out_before);  // R6
+    step.skip_beyond_A();                                         // R2
+    if (step.is_beyond_edge({.feature = "AB"}, ABn.dot(AO)))      // R3
       return Rules::keep_edge(step, Role::B, AB, ABn);
-    if (step.is_beyond_edge({.feature = "AC"}, ACn.dot(AO)))        // R7
+    if (step.is_beyond_edge({.feature = "AC"}, ACn.dot(AO)))  // R7
       return Rules::keep_edge(step, Role::C, AC, ACn);
     switch (step.side_of_triangle(ABCn.dot(AO))) {
       case Side::in_plane: return step.contains_origin();
@@ -177,9 +177,7 @@ struct Intended {
   /// may lie above or below that plane (Section 3.2.3).
   static auto from_edge(const auto& AX, const auto& AO, const auto& /*AXn*/) { return detail::triple(AX, AO); }
 
-  static constexpr Kept kept_below_triangle() {
-    return {"CAB", ReductionReason::turned_below_triangle};
-  }
+  static constexpr Kept kept_below_triangle() { return {"CAB", ReductionReason::turned_below_triangle}; }
   /// [Q, P, A]: in the next simplex Q, P, A have become D, C, B, and BC×BD is APQn again.
   static constexpr Kept kept_above(Face face) {
     const detail::FaceRoles roles = detail::roles_of(face);

@@ -89,7 +89,8 @@ class Step {
     const Vec3<S>&P = simplex_.point(X), &A = simplex_.point(Role::A);
     Vec3<S> AX = P - A;
     const auto size = Rules::ZeroTest::size(AX);
-    return Vector<S, std::remove_const_t<decltype(size)>, Told>{std::move(AX), size, Told(NamedVector::edge(Role::A, X))};
+    return Vector<S, std::remove_const_t<decltype(size)>, Told>{std::move(AX), size,
+                                                                Told(NamedVector::edge(Role::A, X))};
   }
 
   int size() const { return simplex_.size(); }
@@ -216,10 +217,8 @@ class Step {
   }
 
   RegionTested<S> tested(const Region& region) const {
-    return {.simplex_size = simplex_.size(),
-            .feature = region.feature,
-            .face = region.face,
-            .verdict = Verdict::chosen};
+    return {
+        .simplex_size = simplex_.size(), .feature = region.feature, .face = region.face, .verdict = Verdict::chosen};
   }
   template <class Height>
   RegionTested<S> tested(const Region& region, const Height& n_AO) const {

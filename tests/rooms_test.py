@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The README names every room, and includes run one way: no folder knows one above it, no unit (foo.hpp with foo.cpp) includes itself in a circle.
+"""The README names every room; includes run one way: no folder knows one above it, no unit (foo.hpp with foo.cpp) includes itself in
+a circle; and no code reads in a sentence what an event knows as a value.
 
     python3 tests/rooms_test.py
 """
@@ -114,8 +115,21 @@ def boost_elsewhere(root):
             yield f"{name} includes {needed[0]}: Boost is for {' and '.join(proving)} alone"
 
 
+# Looks for an equation, the beginning of a line of code or a region in a text.
+reads_sentence = re.compile(r'(find|find_first_of|substr|starts_with|ends_with)\("[^"]*( = |: |·|×|←|\bif\b|\belse\b|\bR[1-7])')
+
+
+def sentences_read(root):
+    """Lines that learn a fact from a sentence: from words that were made of values."""
+    for room in ("core", "walkthroughs/model", "walkthroughs/story", "walkthroughs/picture", "walkthroughs/page"):
+        for file in sorted((root / room).glob("*.?pp")):
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                if reads_sentence.search(line):
+                    yield f"{file.relative_to(root).as_posix()}:{number} reads a sentence: {line.strip()}"
+
+
 def problems(root):
-    edges, found = [], missing_in_map(root) + list(boost_elsewhere(root))
+    edges, found = [], missing_in_map(root) + list(boost_elsewhere(root)) + list(sentences_read(root))
     for file, included, is_there in includes(root):
         if not is_there:
             found.append(f"{file} includes {included}, which is not there")

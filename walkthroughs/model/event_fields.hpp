@@ -133,9 +133,9 @@ template <class S>
 struct FieldsOf<gjk::SearchStarted<S>> {
   using R = gjk::SearchStarted<S>;
   static constexpr std::string_view event = "search-started";
-  static constexpr std::tuple list{
-      Field("direction", &R::direction),
-      Spoken("why", &R::why, +[](const R& e) { return std::string(gjk::to_string(e.why)); })};
+  static constexpr std::tuple list{Field("direction", &R::direction),
+                                   Spoken(
+                                       "why", &R::why, +[](const R& e) { return std::string(gjk::to_string(e.why)); })};
 };
 
 template <class S>
@@ -163,27 +163,29 @@ template <class S>
 struct FieldsOf<gjk::RegionTested<S>> {
   using R = gjk::RegionTested<S>;
   static constexpr std::string_view event = "region-tested";
-  static constexpr std::tuple list{Field("simplex_size", &R::simplex_size, Meaning::simplex_size),
-                                   Field("feature", &R::feature),
-                                   Derived<R>{"region", [](const R& e) { return std::string(to_string(label_of(e))); }, true},
-                                   Field("face", &R::face).where_not_empty(),
-                                   Field("expression", &R::expression).where_not_empty(),
-                                   Field("formula", &R::formula).where_not_empty(),
-                                   Field("normal", &R::normal).where_not_empty(),
-                                   Field("value", &R::value).where_not_empty(),
-                                   Field("relation", &R::relation).only_beside("value"),
-                                   Field("verdict", &R::verdict),
-                                   Spoken("reason", &R::reason, +[](const R& e) { return reason_in_words(e); })};
+  static constexpr std::tuple list{
+      Field("simplex_size", &R::simplex_size, Meaning::simplex_size),
+      Field("feature", &R::feature),
+      Derived<R>{"region", [](const R& e) { return std::string(to_string(label_of(e))); }, true},
+      Field("face", &R::face).where_not_empty(),
+      Field("expression", &R::expression).where_not_empty(),
+      Field("formula", &R::formula).where_not_empty(),
+      Field("normal", &R::normal).where_not_empty(),
+      Field("value", &R::value).where_not_empty(),
+      Field("relation", &R::relation).only_beside("value"),
+      Field("verdict", &R::verdict),
+      Spoken(
+          "reason", &R::reason, +[](const R& e) { return reason_in_words(e); })};
 };
 
 template <class S>
 struct FieldsOf<gjk::SimplexReduced<S>> {
   using R = gjk::SimplexReduced<S>;
   static constexpr std::string_view event = "simplex-reduced";
-  static constexpr std::tuple list{
-      Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
-      Derived<R>{"dropped", [](const R& e) { return to_string(e.dropped()); }},
-      Spoken("why", &R::why, +[](const R& e) { return std::string(gjk::to_string(e.why)); })};
+  static constexpr std::tuple list{Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
+                                   Derived<R>{"dropped", [](const R& e) { return to_string(e.dropped()); }},
+                                   Spoken(
+                                       "why", &R::why, +[](const R& e) { return std::string(gjk::to_string(e.why)); })};
 };
 
 template <class S>
@@ -219,7 +221,9 @@ struct FieldsOf<gjk::SignTaken<S>> {
   using R = gjk::SignTaken<S>;
   static constexpr std::string_view event = "sign-taken";
   static constexpr std::tuple list{Field("expression", &R::expression),
-                                   Spoken("formula", &R::face, +[](const R& e) { return formula_of(e); }).where_not_empty(),
+                                   Spoken(
+                                       "formula", &R::face, +[](const R& e) { return formula_of(e); })
+                                       .where_not_empty(),
                                    Field("vertex", &R::vertex).where_not_empty(),
                                    Field("value", &R::value),
                                    Field("error", &R::error),

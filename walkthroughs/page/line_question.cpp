@@ -14,7 +14,9 @@ namespace {
 using Kind = Decision::Kind;
 using Region = gjk::RegionTested<double>;
 
-bool is_answer(const std::string& line) { return line == "intersecting" || line == "separated" || line == "undecided"; }
+bool is_answer(LineKind kind) {
+  return kind == LineKind::intersecting || kind == LineKind::separated || kind == LineKind::undecided;
+}
 
 /// To which lines a step has come: setting out, the tests that were made, and what followed from the last. Of Algorithm 1 all that
 /// do something in every iteration; where one that answers is wrong, these, too.
@@ -26,66 +28,51 @@ struct LinesRun {
 
   bool has(std::size_t i) const {
     const CodeLine& line = code[i];
-    if (wrong.algorithm == 1)
-      return line.kind != LineKind::plain && (!is_answer(line.text) || is_answer(std::string(wrong.right)));
+    const bool is_about_answer = is_answer(std::ranges::find(code, wrong.right, &CodeLine::text)->kind);
+    if (wrong.algorithm == 1) return line.kind != LineKind::plain && (!is_answer(line.kind) || is_about_answer);
     if (i == current_line(code, now, focus)) return true;
-    return line.kind == LineKind::plain ? !line.text.starts_with("else") : test_of(line, now) != nullptr;
+    return line.kind == LineKind::plain || test_of(line, now) != nullptr;
   }
 };
 
-/// Returns: "0" of "R3: ABn·AO = 0 ≤ 0"; what has no number as it is.
-std::string value_told(const std::string& text) {
-  const std::size_t at = text.rfind(" = ");
-  if (at == std::string::npos) return text;
-  const std::string value = text.substr(at + 3, text.find_first_of("≤>≠:", at + 3) - at - 3);
-  return value.substr(0, value.find_last_not_of(' ') + 1);
-}
-
-/// What a search says of what it has done last in a frame.
-std::vector<Fact> facts_of(const Story& story, const Frame& frame, std::size_t scene) {
+/// What a search says of what it has done last in a frame; nothing where that is nothing, or without a fact.
+std::optional<Frame> said_in(const Story& story, const Frame& frame, std::size_t scene) {
   const Telling& telling = story.tellings[scene];
   const std::size_t event = frame.events[scene].last;
-  const auto told = caption(telling.trace.events[event], story, telling, replay(telling.trace, event + 1));
-  return told ? told->facts : std::vector<Fact>();
+  std::optional<Frame> told = caption(telling.trace.events[event], story, telling, replay(telling.trace, event + 1));
+  return told && !told->facts.empty() ? told : std::nullopt;
 }
-
-/// "AO" of "R3 or R4: AO = (2, −1) ≠ 0", and what stands around it.
-struct Told {
-  explicit Told(const std::string& text) {
-    const std::size_t colon = text.find(": "), begin = colon == std::string::npos ? 0 : colon + 2;
-    const std::size_t end = std::min(text.find(" = ", begin), text.size());
-    label = text.substr(0, begin);
-    asked = text.substr(begin, end - begin);
-    found = text.substr(end);
-  }
-  std::string label, asked, found;
-};
 
 /// Returns: what both say of the same thing, the mistaken search and the right one: the first of which they have different numbers.
 /// Where they have something for the variable that the wrong line sets, it is that.
-std::pair<std::string, std::string> said_of_same(const std::vector<Fact>& mistaken, const std::vector<Fact>& right,
+std::pair<std::string, std::string> said_of_same(const Frame& mistaken, const Frame& right,
                                                  const wrong_on_purpose::WrongLine& wrong) {
-  for (const Fact& first : mistaken)
-    for (const Fact& second : right)
-      if (Told(first.text).asked == Told(second.text).asked && Told(first.text).found != Told(second.text).found)
+  for (const Fact& first : mistaken.facts)
+    for (const Fact& second : right.facts)
+      if (!first.asked.empty() && first.asked == second.asked && first.value != second.value)
         return {first.text, second.text};
-  const Told one(mistaken[0].text), other(right[0].text);
-  const std::string line(wrong.right), variable = line.substr(0, line.find(" ← "));
-  if (one.label.empty() || one.label != other.label || variable == line) return {mistaken[0].text, right[0].text};
-  return {one.label + variable + one.found, other.label + variable + other.found};
+  const Fact &one = mistaken.facts[0], &other = right.facts[0];
+  if (one.asked.empty() || other.asked.empty() || wrong.sets.empty()) return {one.text, other.text};
+  const auto with_variable = [&](const Fact& fact) {
+    std::string text = fact.text;
+    return text.replace(text.find(fact.asked), fact.asked.size(), wrong.sets);
+  };
+  return {with_variable(one), with_variable(other)};
 }
 
 /// Returns: what both searches find where they part, which the frame before does not show: without it one could only guess. Their
 /// numbers, or where these do not differ what they make of them. Of the first point only the mistaken search says anything.
 std::string what_each_finds(const Story& story, const Frame& parting, const wrong_on_purpose::WrongLine& wrong) {
-  const std::vector<Fact>& facts = parting.facts;  // of each what it finds, with its name, then its numbers
-  if (facts.size() < 4) return " " + facts[0].text;
-  const auto words = [&](std::size_t i) { return facts[i].text.substr(0, facts[i].text.size() - 1); };  // no full stop
-  const auto name = [&](std::size_t i) { return facts[i].text.substr(0, facts[i].text.find(": ") + 2); };
-  const bool is_same = value_told(facts[1].text) == value_told(facts[3].text);
-  if (is_same) return " " + words(0) + "; " + words(2) + ".";
-  const auto [mistaken, right] = said_of_same(facts_of(story, parting, 0), facts_of(story, parting, 1), wrong);
-  return " " + name(0) + mistaken + "; " + name(2) + right + ".";
+  const std::optional<Frame> mistaken = said_in(story, parting, 0), right = said_in(story, parting, 1);
+  if (!mistaken || !right) return " " + parting.facts[0].text;
+  const auto& [first, second] = said_of_same(*mistaken, *right, wrong);
+  const bool is_same = mistaken->facts[0].value == right->facts[0].value && !right->facts[0].value.empty();
+  const auto says = [&](std::size_t scene, const std::string& what) {
+    return story.tellings[scene].scene.name + ": " + what;
+  };
+  const auto without_full_stop = [](const std::string& caption) { return caption.substr(0, caption.size() - 1); };
+  return is_same ? " " + says(0, without_full_stop(mistaken->caption)) + "; " + says(1, right->caption)
+                 : " " + says(0, first) + "; " + says(1, second) + ".";
 }
 
 }  // namespace
@@ -108,13 +95,13 @@ std::optional<Question> question_of_line(const Story& story) {
       return each.algorithm == wrong.algorithm && each.right == line.text;
     });
   };
-  Question question{
-      {Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
-      0,
-      parting.events[0].last,
-      "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" + what_each_finds(story, parting, wrong),
-      {},
-      0};
+  Question question{{Kind::line, wrong.algorithm - 1, std::string(wrong_on_purpose::description_of(mistake).word)},
+                    0,
+                    parting.events[0].last,
+                    "In which line of Algorithm " + std::to_string(wrong.algorithm) + " is the mistake?" +
+                        what_each_finds(story, parting, wrong),
+                    {},
+                    0};
   const auto choose_among = [&](const LinesRun& run) {
     question.choices.clear();
     for (std::size_t i = 0; i < code.size(); ++i) {

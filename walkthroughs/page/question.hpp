@@ -14,6 +14,9 @@ struct Choice {
   std::string reason;  ///< why it is right, or why the search has not gone there: a value, or why it need not be asked
   std::string
       hint;  ///< of the reason what leaves open which choice is right; empty where nothing does, and of the right one
+  std::string asked = {};  ///< "AB_n·AO" where the reason is that one number; else empty
+  std::string label = {};  ///< "R3" of "R3: beyond edge AB"; empty where the region has none
+  int place = 10;          ///< the key of a region is its number; those of one place stand in order of the alphabet
 };
 
 /// Adds the choice where there is none of its text.

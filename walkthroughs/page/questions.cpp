@@ -22,43 +22,25 @@ using Region = gjk::RegionTested<double>;
 
 // -- Choices ----------------------------------------------------------------------------------------------------------
 
-/// "R3", of "R3: beyond edge AB"; else all of it.
-std::string label_of(const std::string& text) { return text.substr(0, text.find(':')); }
-
-/// "ABC_n·AO", of "R1: ABC_n·AO = 5 > 0".
-std::string asked_in(const std::string& reason) {
-  const std::size_t label = reason.find(": "), begin = label == std::string::npos ? 0 : label + 2;
-  return reason.substr(begin, reason.find(" = ", begin) - begin);
-}
-
 /// A hint that names the right choice, or what speaks for it, is none; where one number decides among three or more, which one that
 /// is leaves it open. Of two choices one that is wrong tells the other.
 void keep_open(std::vector<Choice>& choices, const Choice right) {
-  const bool is_among_several = std::ranges::count(choices, right.reason, &Choice::reason) > 2 &&
-                                right.reason.find(" = ") != std::string::npos;
+  const bool is_among_several = std::ranges::count(choices, right.reason, &Choice::reason) > 2 && !right.asked.empty();
+  const std::string& called = right.label.empty() ? right.text : right.label;
   for (Choice& choice : choices) {
     const auto tells = [&](const std::string& what) { return choice.hint.find(what) != std::string::npos; };
-    if (choices.size() == 2 || choice.text == right.text || tells(label_of(right.text)) || tells(right.reason))
+    if (choices.size() == 2 || choice.text == right.text || tells(called) || tells(right.reason))
       choice.hint = is_among_several && choice.text != right.text && choice.reason == right.reason
-                        ? "what decides is " + asked_in(right.reason)
+                        ? "what decides is " + right.asked
                         : "";
   }
-}
-
-/// Returns: where a choice stands, so that the key of a region is its number. R1 of a triangle is three choices.
-int place_of(const Choice& choice) {
-  if (choice.text.starts_with("R1: above")) return 8;
-  if (choice.text.starts_with("R1: below")) return 9;
-  return choice.text.size() > 1 && choice.text[0] == 'R' && choice.text[1] >= '1' && choice.text[1] <= '7'
-             ? choice.text[1] - '0'
-             : 10;
 }
 
 /// Returns: the question with its choices in order of their regions, else of the alphabet; nothing where there is no choice, or none is
 /// right.
 std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t event, std::string text,
                               std::vector<Choice> choices, const std::string& right) {
-  std::ranges::sort(choices, {}, [](const Choice& each) { return std::pair(place_of(each), each.text); });
+  std::ranges::sort(choices, {}, [](const Choice& each) { return std::pair(each.place, each.text); });
   const auto found = std::ranges::find(choices, right, &Choice::text);
   if (choices.size() < 2 || found == choices.end()) return std::nullopt;
   const auto place = static_cast<std::size_t>(found - choices.begin());
@@ -66,27 +48,32 @@ std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t 
   return Question{std::move(decision), scene, event, std::move(text), std::move(choices), place};
 }
 
-/// "R3: beyond edge AB". `relation`: where the algorithm has a line for each outcome of one test.
-std::string region_in_words(int size, const gjk::Roles& feature, const std::string& name,
-                            std::optional<Relation> relation) {
-  const bool is_zero = relation == Relation::zero;
-  if (size == 1) return name + (is_zero ? " is the origin" : " is not the origin");
-  if (size == 2) return is_zero ? "on segment " + name : "R3 or R4: to one side of " + name;
-  if (size == 3 && feature == "ABC")
-    return std::string("R1: ") +
-           (is_zero                          ? "in"
-            : relation == Relation::positive ? "above"
-                                             : "below") +
-           " triangle " + name;
-  if (size == 3) return std::string(feature == "AB" ? "R3" : "R7") + ": beyond edge " + name;
-  return feature.size() == 4 ? "inside: above none of them" : "above face " + name;
+/// "R3: beyond edge AB".
+Choice choice_of(gjk::RegionLabel label, const std::string& words) {
+  if (label == gjk::RegionLabel::none) return {.text = words, .reason = {}, .hint = {}};
+  const std::string name(to_string(label));
+  const int number = label == gjk::RegionLabel::R3_or_R4 ? 3 : static_cast<int>(label);
+  return {.text = name + ": " + words, .reason = {}, .hint = {}, .label = name, .place = number};
 }
 
-std::string skipped_in_words(const Region& region, const std::string& name) {
-  const gjk::RegionLabel known = label_of(region);
-  const std::string label = known == gjk::RegionLabel::none ? "" : std::string(to_string(known)) + ": ";
-  if (region.feature.size() == 1) return label + "beyond " + name;
-  return label + (region.feature.size() == 2 ? "beyond edge " : "above face ") + name;
+/// What a line asks about. R1 of a triangle is three choices.
+Choice choice_of(int size, const TestsOf& tests, const std::string& name) {
+  using enum gjk::RegionLabel;
+  const bool is_zero = tests.relation == Relation::zero, is_above = tests.relation == Relation::positive;
+  if (size == 1) return choice_of(none, name + (is_zero ? " is the origin" : " is not the origin"));
+  if (size == 2) return is_zero ? choice_of(none, "on segment " + name) : choice_of(R3_or_R4, "to one side of " + name);
+  if (size == 3 && tests.feature == "ABC") {
+    Choice choice = choice_of(R1, (is_zero ? "in" : is_above ? "above" : "below") + (" triangle " + name));
+    if (!is_zero) choice.place = is_above ? 8 : 9;
+    return choice;
+  }
+  if (size == 3) return choice_of(tests.feature == "AB" ? R3 : R7, "beyond edge " + name);
+  return choice_of(none, tests.feature.size() == 4 ? "inside: above none of them" : "above face " + name);
+}
+
+Choice choice_of_skipped(const Region& region, const std::string& name) {
+  constexpr const char* kinds[] = {"beyond ", "beyond edge ", "above face "};
+  return choice_of(label_of(region), kinds[region.feature.size() - 1] + name);
 }
 
 /// What the newest vertex belongs to, of simplices of any size.
@@ -152,11 +139,12 @@ class Iteration {
 
   /// The number that decided, as the caption of that test says it. Requires: a test of now_, whose tests are the last events
   /// before end_.
-  std::string value_of(const Region& region) const {
+  Fact fact_of(const Region& region) const {
     const auto behind = static_cast<std::size_t>(now_.regions.data() + now_.regions.size() - &region);
     const std::size_t at = end_ - behind;
-    return caption(events_[at], story_, telling_, replay(telling_.trace, at + 1))->facts[0].text;
+    return caption(events_[at], story_, telling_, replay(telling_.trace, at + 1))->facts[0];
   }
+  std::string value_of(const Region& region) const { return fact_of(region).text; }
 
   const Region* made(const gjk::Roles& face, const gjk::Roles& feature) const {
     const auto found = std::ranges::find_if(now_.regions, [&](const Region& region) {
@@ -167,7 +155,13 @@ class Iteration {
 
   /// Why the search has not found what that line asks about, or that it has, and what of it may be told first.
   struct Why {
-    std::string reason, hint;
+    std::string reason, hint, asked = {};
+
+    void give(Choice& choice) const {
+      choice.reason = reason;
+      choice.hint = hint;
+      choice.asked = asked;
+    }
   };
 
   /// Its own test; else that of the face in which it asks about an edge; else the one that was right before it.
@@ -176,7 +170,10 @@ class Iteration {
     const Region* face = in_face.empty() ? nullptr : made({}, in_face);
     const Region* own = made(in_face, feature);
     if (!own && face && face->verdict != Verdict::chosen) own = face;
-    if (own) return {value_of(*own), value_of(*own)};
+    if (own) {
+      const Fact fact = fact_of(*own);
+      return {fact.text, fact.text, fact.asked};
+    }
     const std::string decided = "an earlier test has decided";
     return {"not looked at, since " + decided + " (" + value_of(face ? *last_chosen() : *chosen_without_face()) + ")",
             decided};
@@ -197,15 +194,17 @@ class Iteration {
     std::string right;
     for (const CodeLine& line : code_) {
       if (line.kind != LineKind::test || !line.tests.face.empty()) continue;
-      const std::string text = region_in_words(size_, line.tests.feature, names_.sorted(line.tests.feature), line.tests.relation);
-      if (is_of(line, *chosen_without_face())) right = text;
-      const Why why = why_of(line);
-      add_once(choices, {text, why.reason, why.hint});
+      Choice choice = choice_of(size_, line.tests, names_.sorted(line.tests.feature));
+      if (is_of(line, *chosen_without_face())) right = choice.text;
+      why_of(line).give(choice);
+      add_once(choices, std::move(choice));
     }
     for (const Region& region : now_.regions)
-      if (region.verdict == Verdict::skipped && (size_ < 4 || region.feature.size() == 3))
-        add_once(choices, {skipped_in_words(region, names_.sorted(region.feature)), skipped_because(region),
-                           skipped_because(region)});
+      if (region.verdict == Verdict::skipped && (size_ < 4 || region.feature.size() == 3)) {
+        Choice choice = choice_of_skipped(region, names_.sorted(region.feature));
+        Why{skipped_because(region), skipped_because(region)}.give(choice);
+        add_once(choices, std::move(choice));
+      }
     const std::string text = size_ == 4   ? "Above which face does Algorithm 5 find the origin first?"
                              : size_ == 1 ? "Is this vertex the origin?"
                                           : "In which region does the search find the origin?";
@@ -232,8 +231,7 @@ class Iteration {
     const auto words = [&](const gjk::Roles& feature) { return with_kind(names_.sorted(feature)); };
     std::vector<Choice> choices;
     for (const gjk::Roles& feature : features_of_newest)
-      if (is_of_simplex(feature, size_))
-        choices.push_back({words(feature), reason_of(feature), reason_of(feature)});
+      if (is_of_simplex(feature, size_)) choices.push_back({words(feature), reason_of(feature), reason_of(feature)});
     return asked(decision(Kind::region), scene_, first_, "On which feature does the point nearest to the origin lie?",
                  std::move(choices), words(last_chosen()->feature));
   }
@@ -307,8 +305,9 @@ class Iteration {
   std::optional<Question> of_vertices() const {
     if (size_ < 3 || (!reduction() && !direction())) return std::nullopt;
     const std::string right = in_list(reduction() ? reduction()->kept : "CBA");
-    const std::string why = names_.translate(reduction() ? gjk::to_string(reduction()->why)
-                                                         : "the origin lies above the triangle, on the side of its normal");
+    const std::string why =
+        names_.translate(reduction() ? gjk::to_string(reduction()->why)
+                                     : "the origin lies above the triangle, on the side of its normal");
     return asked(decision(Kind::vertices), scene_, end_, "Which vertices stay, and in which order?",
                  ways(right, why, [&](const Way& way) { return in_list(way.kept); }), right);
   }

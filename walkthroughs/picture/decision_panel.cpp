@@ -197,7 +197,8 @@ class DecisionPicture {
       case Kind::crossing:
         return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", d ↔", lens_.plane.stretch.x());
       case Kind::segment: return "plane of " + face + " and O";
-      case Kind::true_shape: return face + ", true shape, down " + shown_.names.translate(gjk::NamedVector::normal(view_.face));
+      case Kind::true_shape:
+        return face + ", true shape, down " + shown_.names.translate(gjk::NamedVector::normal(view_.face));
       case Kind::edge_on:
         if (view_.is_left_behind())
           return face + " edge-on: left behind" + stretched(", heights ↕", lens_.plane.stretch.y());

@@ -84,8 +84,7 @@ std::vector<Point> moves_of(const Trace& trace) {
   std::vector<Point> moves;
   for (const auto& event : trace.events)
     if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event))
-      if (found->iteration > 1 && found->direction.allFinite())
-        moves.push_back(found->direction.stableNormalized());
+      if (found->iteration > 1 && found->direction.allFinite()) moves.push_back(found->direction.stableNormalized());
   return moves;
 }
 

@@ -69,8 +69,10 @@ class Captions {
                                           (is_vertex(event.vertex.w) ? "" : ", and dropped since"));
     const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
     frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
-                   {Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) +
-                                    " = " + vec(event.vertex.w)}};
+                   {Mark::none,
+                    name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) + " = " +
+                        vec(event.vertex.w),
+                    name, vec(event.vertex.w)}};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
     if (now_.is_second_search)
       frame.facts.push_back({Mark::none, "none of the vertices that the first search ended with reaches across"});
@@ -81,23 +83,26 @@ class Captions {
     if (!event.value) return std::nullopt;
     const std::string name = names_.of(now_.found->w);
     const std::string value = name + "·d = " + number(*event.value);
-    if (event.iteration == 1) return of_first_point(event, name, value);
+    const auto told = [&](Mark mark, const std::string& what) {
+      return std::vector<Fact>{{mark, value + what, name + "·d", number(*event.value)}};
+    };
+    if (event.iteration == 1) return of_first_point(event, name, told);
     if (event.verdict == Crossing::not_crossed && *event.value == 0)
       return frame_about(Focus::crossing,
                          "The move to " + name + " just reached the origin's level, and that counts as missed",
-                         {{Mark::no, value + ": taken for a proof, which it is not"}});
+                         told(Mark::no, ": taken for a proof, which it is not"));
     if (event.verdict == Crossing::not_crossed)
       return frame_about(
           Focus::crossing,
           "The move to " + name + " did not cross the origin" +
               (in_float() ? ", as far as floats tell" : ": nothing of the difference reaches that far along d"),
-          {{Mark::no, value + " < 0: the origin was not crossed (Eq. 9)"}});
+          told(Mark::no, " < 0: the origin was not crossed (Eq. 9)"));
     if (!(*event.value > 0))
       return frame_about(Focus::crossing,
                          "The move to " + name + " just reached the origin's level, so the search goes on",
-                         {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}});
+                         told(Mark::none, as_zero(*event.value) + ": this proves nothing"));
     return frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
-                       {{Mark::yes, value + " > 0: the origin was crossed"}});
+                       told(Mark::yes, " > 0: the origin was crossed"));
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
@@ -145,8 +150,8 @@ class Captions {
     const gjk::Roles dropped = event.dropped();
     const bool is_same = event.kept == gjk::beside({}, event.before.size());
     Frame frame = frame_about(Focus::reduction, !dropped.empty() ? dropped_caption(dropped)
-                                                : is_same ? "The simplex stays, and so does its order"
-                                                          : "The simplex stays, but its order changes");
+                                                : is_same        ? "The simplex stays, and so does its order"
+                                                                 : "The simplex stays, but its order changes");
     frame.facts = {{Mark::none,
                     names_.list(event.before) + " becomes " + names_.list(event.after) +
                         (is_by_age(event) ? ", oldest first"
@@ -159,7 +164,7 @@ class Captions {
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
     Frame frame = frame_about(Focus::direction,
                               "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
-                              {{Mark::none, direction_told(event)}});
+                              {{Mark::none, direction_told(event), "d", vec(event.direction)}});
     if (now_.is_second_search)
       frame.facts.push_back({Mark::none, "where d is rounded, what is decided along it is not"});
     else if (now_.simplex.size() == 3 && !now_.reduction)
@@ -221,8 +226,10 @@ class Captions {
   /// With the mistake of asking b along d, too.
   Frame of_wrong_side(const gjk::SupportFound<double>& event, const std::string& name, const std::string& along) const {
     return frame_about(Focus::support, along + " " + name + " is taken from the farthest points of both objects",
-                       {{Mark::none, name + " = a − b = " + vec(event.vertex.a.point) + " − " +
-                                         vec(event.vertex.b.point) + " = " + vec(event.vertex.w)}});
+                       {{Mark::none,
+                         name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) + " = " +
+                             vec(event.vertex.w),
+                         name, vec(event.vertex.w)}});
   }
 
   /// Where a mistake decides otherwise than its numbers say.
@@ -232,20 +239,19 @@ class Captions {
   }
 
   /// No move led to the first point, so none is told.
-  static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name,
-                              const std::string& value) {
+  static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name, const auto& told) {
     if (event.verdict == Crossing::not_crossed)
       return frame_about(Focus::crossing,
                          "Already the first point, " + name +
                              ", does not reach the origin's level: nothing of the difference reaches that far along d",
-                         {{Mark::no, value + " < 0: the difference ends before the origin (Eq. 9)"}});
+                         told(Mark::no, " < 0: the difference ends before the origin (Eq. 9)"));
     if (!(*event.value > 0))
       return frame_about(Focus::crossing,
                          "The first point, " + name + ", just reaches the origin's level, so the search goes on",
-                         {{Mark::none, value + as_zero(*event.value) + ": this proves nothing"}});
+                         told(Mark::none, as_zero(*event.value) + ": this proves nothing"));
     return frame_about(Focus::crossing,
                        "The first point, " + name + ", lies beyond the origin's level, so the search goes on",
-                       {{Mark::yes, value + " > 0: this proves nothing"}});
+                       told(Mark::yes, " > 0: this proves nothing"));
   }
 
   /// Whether what is left stands in the order in which it stood.
@@ -267,7 +273,8 @@ class Captions {
       if (!names.empty()) facts.push_back({Mark::none, "not asked: " + names + ": " + why});
     };
     const std::string one_edge = "one edge beyond which the origin lies is enough";
-    if (now_.processed.size() == 3) return append(!is_edge ? "" : label_of(last) == gjk::RegionLabel::R3 ? "R7, R1" : "R1", one_edge);
+    if (now_.processed.size() == 3)
+      return append(!is_edge ? "" : label_of(last) == gjk::RegionLabel::R3 ? "R7, R1" : "R1", one_edge);
     const gjk::Roles& deciding = last.face.empty() ? last.feature : last.face;
     std::string own, behind, to_come;  // edges of the face that decides, of faces below which the origin lies, the rest
     const auto add = [](std::string& names, const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
@@ -466,12 +473,12 @@ class Captions {
     std::string text = label == gjk::RegionLabel::none ? "" : std::string(to_string(label)) + ": ";
     if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";
     text += names_.translate(event.expression);
-    if (const double* value = std::get_if<double>(&event.value))
-      text += " = " + number(*value) + compared_with_zero(event, *value);
-    if (const Point* value = std::get_if<Point>(&event.value))
-      text += " = " + vec(*value) + compared_with_zero(event, value->cwiseAbs().maxCoeff());
-    if (event.simplex_size == 1 || (event.simplex_size == 2 && without_crossing_test())) return {Mark::none, text};
-    return {chosen ? Mark::yes : Mark::no, text};
+    const double* const scalar = std::get_if<double>(&event.value);
+    const Point* const vector = std::get_if<Point>(&event.value);
+    const std::string value = scalar ? number(*scalar) : vec(*vector);
+    text += " = " + value + compared_with_zero(event, scalar ? *scalar : vector->cwiseAbs().maxCoeff());
+    const bool is_open = event.simplex_size == 1 || (event.simplex_size == 2 && without_crossing_test());
+    return {is_open ? Mark::none : chosen ? Mark::yes : Mark::no, text, names_.translate(event.expression), value};
   }
 
   /// One line for each reason: "skipped R4, R5, R6: …".

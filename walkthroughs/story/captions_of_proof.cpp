@@ -110,7 +110,8 @@ std::string exactly(const gjk::SignTaken<double>& sign) {
 
 /// Returns: the sign which shows that no point reaches across the origin; none where the search has not ended so.
 const gjk::SignTaken<double>* of_the_farthest(const Moment& now) {
-  const bool is_told = !now.signs.empty() && now.signs.back().expression.form == gjk::Expression::Form::largest_reach && now.signs.back().sign < 0;
+  const bool is_told = !now.signs.empty() && now.signs.back().expression.form == gjk::Expression::Form::largest_reach &&
+                       now.signs.back().sign < 0;
   return is_told ? &now.signs.back() : nullptr;
 }
 

@@ -27,7 +27,9 @@ std::vector<DecisionView> view_of_crossing(const Moment& now) {
   const bool is_tested = verdict == gjk::Crossing::crossed || verdict == gjk::Crossing::not_crossed;
   if (!is_tested || !std::isfinite(*now.crossing->value) || !is_direction(d) || !is_direction(P)) return {};
   const Point along = d.stableNormalized();
-  return {{Kind::crossing, {}, Plane::spanned(Point::Zero(), along, across(P, along)),
+  return {{Kind::crossing,
+           {},
+           Plane::spanned(Point::Zero(), along, across(P, along)),
            *now.crossing->value / d.stableNorm() * now.scale}};
 }
 
@@ -142,8 +144,7 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
     case Kind::segment:
       for (const Role end : {view.face[1], view.face[0]})
         if (end == Role::A ? O.x() >= at(end).x() : O.x() <= at(end).x())
-          return "In the plane of " + feature + " and the origin, the origin lies beyond " +
-                 names.of(end) + ".";
+          return "In the plane of " + feature + " and the origin, the origin lies beyond " + names.of(end) + ".";
       return "In the plane of " + feature + " and the origin, the origin lies " +
              (O.y() > 0 ? "to one side of it." : "on it.");
     case Kind::edge_on:

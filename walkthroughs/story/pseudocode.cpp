@@ -69,7 +69,7 @@ std::vector<CodeLine> algorithm_4() {
           keep_edge(1, gjk::Role::B),
           test(0, "else if ACn·AO > 0 (R7)", {.feature = "AC"}),
           keep_edge(1, gjk::Role::C),
-          {0, "else (R1)"},
+          {0, "else (R1)", Kind::otherwise},
           test(1, "if ABCn·AO = 0", {.feature = "ABC", .relation = Relation::zero}),
           {2, "the origin is in ABC", Kind::action},
           test(1, "if ABCn·AO > 0 (above)", {.feature = "ABC", .relation = Relation::positive}),

@@ -15,6 +15,7 @@ namespace walkthroughs {
 /// follows the test before it.
 enum class LineKind {
   plain,
+  otherwise,  ///< an "else" that says which region is left
   support,
   crossing,
   add,
@@ -52,7 +53,7 @@ struct CodeLine {
   int indent;
   std::string text;  ///< in roles: "if ABn·AO > 0"
   LineKind kind = LineKind::plain;
-  TestsOf tests = {};             ///< of a test
+  TestsOf tests = {};           ///< of a test
   std::optional<Way> way = {};  ///< of an action that leads on and does not keep everything as it is
 };
 

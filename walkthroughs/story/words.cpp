@@ -73,8 +73,7 @@ std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTeste
   for (const gjk::RegionTested<double>& region : regions) {
     if (region.verdict != gjk::Verdict::skipped) continue;
     const gjk::RegionLabel label = label_of(region);
-    const std::string name =
-        label == gjk::RegionLabel::none ? feature(region.feature) : std::string(to_string(label));
+    const std::string name = label == gjk::RegionLabel::none ? feature(region.feature) : std::string(to_string(label));
     const std::string reason = reason_in_words(region);
     const auto known = std::ranges::find(reasons, reason, &std::pair<std::string, std::string>::first);
     if (known == reasons.end())

@@ -70,7 +70,8 @@ void read(const Value& value, Meaning, gjk::Roles& roles) {
 void read(const Value& value, Meaning, gjk::Expression& expression) {
   expect(value, Kind::string, "a string");
   const auto named = gjk::Expression::named(value.text());
-  if (!named || named->empty()) value.fail(in_quotes(value.text()) + " is no expression, such as 'AB×AO×AB' or 'ABn·AO'");
+  if (!named || named->empty())
+    value.fail(in_quotes(value.text()) + " is no expression, such as 'AB×AO×AB' or 'ABn·AO'");
   expression = *named;
 }
 
@@ -192,7 +193,8 @@ void require_derived(const Value& object, const auto& field, const R& record) {
   if (!value && field.may_be_missing() && said.empty()) return;
   const Value given = member(object, field.key);
   expect(given, Kind::string, "a string");
-  if (given.text() != said) given.fail("is " + in_quotes(given.text()) + ", but the other fields say " + in_quotes(said) + "; " + trace_advice);
+  if (given.text() != said)
+    given.fail("is " + in_quotes(given.text()) + ", but the other fields say " + in_quotes(said) + "; " + trace_advice);
 }
 
 template <Record R>
@@ -209,7 +211,9 @@ void read_fields(const Value& object, R& record) {
     }
   });
   for_each_field(record, [&](const auto& field, auto& whole) {
-    if constexpr (requires { field.say; } && !requires { field.member; }) require_derived(object, field, whole);
+    if constexpr (
+        requires { field.say; } && !requires { field.member; })
+      require_derived(object, field, whole);
   });
 }
 

@@ -17,7 +17,7 @@ constexpr WrongLine m3[] = {{1, crossing_line, "if not the first and P·d ≤ 0"
 constexpr WrongLine m4[] = {{1, "separated", "go on, and say so only where the simplex does not contain the origin"}};
 constexpr WrongLine m5[] = {{2, "if AO = 0", "not asked"}};
 constexpr WrongLine m6[] = {{3, "if v = 0", "not asked"}};
-constexpr WrongLine m7[] = {{3, "v ← AB×AO×AB", "v ← AO"},
+constexpr WrongLine m7[] = {{3, "v ← AB×AO×AB", "v ← AO", "v"},
                             {4, "keep [B, A],  d ← AB×AO×AB", "keep [B, A],  d ← AO"},
                             {4, "keep [C, A],  d ← AC×AO×AC", "keep [C, A],  d ← AO"},
                             {5, "keep [B, A],  d ← AB×AO×AB", "keep [B, A],  d ← AO"},

@@ -38,9 +38,10 @@ enum class Mistake {
 
 /// What a mistaken program has in place of a line of the report's pseudo-code.
 struct WrongLine {
-  int algorithm;           ///< 1 to 5
-  std::string_view right;  ///< as story/pseudocode.cpp writes it
-  std::string_view wrong;  ///< or what is not done
+  int algorithm;               ///< 1 to 5
+  std::string_view right;      ///< as story/pseudocode.cpp writes it
+  std::string_view wrong;      ///< or what is not done
+  std::string_view sets = {};  ///< the variable that the line sets to something else
 };
 
 struct Description {

@@ -96,14 +96,11 @@ struct ABnReusedForADB : AsIntended {
 // -- What to keep, and where to search --------------------------------------------------------------------------------
 
 struct OrderKeptBelowTriangle : AsIntended {
-  static constexpr Kept kept_below_triangle() {
-    return {"CBA", gjk::ReductionReason::not_turned_below_triangle};
-  }
+  static constexpr Kept kept_below_triangle() { return {"CBA", gjk::ReductionReason::not_turned_below_triangle}; }
 };
 struct OrderOfADB : AsIntended {
   static constexpr Kept kept_above(Face face) {
-    return face == Face::ADB ? Kept{"DBA", gjk::ReductionReason::face_in_its_order}
-                             : AsIntended::kept_above(face);
+    return face == Face::ADB ? Kept{"DBA", gjk::ReductionReason::face_in_its_order} : AsIntended::kept_above(face);
   }
 };
 struct DirectionFromVertex : AsIntended {
