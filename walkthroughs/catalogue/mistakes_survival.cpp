@@ -6,7 +6,7 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
-#include "walkthroughs/wrong_on_purpose/measured.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs {
 namespace {

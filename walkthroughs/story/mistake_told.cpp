@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "walkthroughs/story/pseudocode.hpp"
-#include "walkthroughs/wrong_on_purpose/measured.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs {
 namespace {

@@ -1,8 +1,10 @@
-/// The mistakes by name: what is wrong, where the report says how it is done, and which line of its pseudo-code it is.
+/// The mistakes by name: what is wrong, where the report says how it is done, which line of its pseudo-code it is, and how long it stays
+/// unnoticed.
 ///
 /// WRONG ON PURPOSE: whoever looks for rules to use finds them in core/.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,12 +46,26 @@ struct WrongLine {
   std::string_view sets = {};  ///< the variable that the line sets to something else
 };
 
+enum class TestPairs { triangles, tetrahedra, grid_triangles };
+
+/// How many random pairs show a mistake in 95 of 100 tests.
+struct PairsToNotice {
+  double count;
+  bool is_more;  ///< none of those that were tried has shown it
+
+  constexpr PairsToNotice(double count_, bool is_more_ = false) : count(count_), is_more(is_more_) {}
+
+  /// Returns: "about 190,000" or "more than 780,000".
+  std::string text() const;
+};
+
 struct Description {
   Mistake value;
   std::string_view word;     ///< in traces and in names of walkthroughs: "m14-order-below-triangle"
   std::string_view meaning;  ///< "the order is not changed when moving below the triangle"
   std::string_view section;  ///< of the report, where it says how it is done
   std::span<const WrongLine> lines;
+  std::array<PairsToNotice, 3> to_notice;  ///< by TestPairs
   /// What Algorithm 1 does with the first point and after Eq. 9 has said no is what these do; all else is the mistake's.
   gjk::RuleSet rules = gjk::RuleSet::as_intended;
 };
@@ -58,6 +74,12 @@ struct Description {
 std::span<const Description> all();
 
 const Description& description_of(Mistake mistake);
+
+const PairsToNotice& pairs_to_notice(Mistake mistake, TestPairs pairs);
+
+/// Returns: whether a search that is begun along an axis is wrong with it nowhere, however many pairs are tried. That is proven: P·d of
+/// the first point is then a single difference, whose sign no rounding changes, and P·d < 0 proves separation wherever it is found.
+bool is_none_along_axes(Mistake mistake);
 
 /// Returns: "M14".
 std::string number_of(Mistake mistake);

@@ -10,7 +10,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
-#include "walkthroughs/wrong_on_purpose/measured.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
