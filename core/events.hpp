@@ -184,7 +184,7 @@ struct Finished {
   friend bool operator==(const Finished&, const Finished&) = default;
 };
 
-// -- Of certified_collision() (certified.hpp), after those of its first search ----------------------------------------
+// -- Of certified_collision() (certified/certified.hpp), after those of its first search ----------------------------------------
 //
 // Its second search also tells VertexAdded, SupportFound where it asks the support functions, and DirectionChosen; its
 // iterations count on from those of the first. Directions are rounded there, what is decided with them is not.
@@ -196,7 +196,7 @@ struct ProofNumber {
   friend bool operator==(const ProofNumber&, const ProofNumber&) = default;
 };
 
-/// It was tried to prove what the first search had found in the numbers of that search (C1, C2 of certified.hpp). The proof
+/// It was tried to prove what the first search had found in the numbers of that search (C1, C2 of certified/certified.hpp). The proof
 /// holds where all numbers are larger than `bound`, or all are smaller than -bound; of a direction the one larger.
 template <class S>
 struct ProofTried {

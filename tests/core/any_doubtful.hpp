@@ -1,7 +1,7 @@
 /// A shape of any kind whose points are computed, so that what asks for them is compiled once for all kinds.
 #pragma once
 
-#include "core/support_error.hpp"
+#include "core/certified/support_error.hpp"
 
 namespace gjk::test {
 

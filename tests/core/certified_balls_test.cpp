@@ -1,5 +1,5 @@
 /// certified_status(): balls and balls, balls and sets of points, against distances in fractions.
-#include "core/certified_balls.hpp"
+#include "core/certified/balls.hpp"
 
 #include <algorithm>
 #include <cmath>

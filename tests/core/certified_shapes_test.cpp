@@ -1,5 +1,5 @@
 /// certified_shapes(): shapes whose points are known to ε. Never wrong, and decided but where they all but touch.
-#include "core/certified_shapes.hpp"
+#include "core/certified/shapes.hpp"
 
 #include <map>
 #include <stdexcept>

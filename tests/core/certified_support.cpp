@@ -1,6 +1,6 @@
 #include "tests/core/certified_support.hpp"
 
-#include "core/certificate_check.hpp"
+#include "core/certified/check.hpp"
 
 namespace gjk::test {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/certified.hpp"
+#include "core/certified/certified.hpp"
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
 

@@ -1,6 +1,6 @@
 /// Answers that are never wrong and never undecided: the signs of C3, and pairs that plain numbers get wrong. Every answer brings
 /// its certificate, which is multiplied out here.
-#include "core/certified.hpp"
+#include "core/certified/certified.hpp"
 
 #include <limits>
 #include <map>

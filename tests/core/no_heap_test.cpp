@@ -1,7 +1,7 @@
 /// The plain call allocates nothing, nor does the certified one for ordinary numbers.
 #include <map>
 
-#include "core/certified.hpp"
+#include "core/certified/certified.hpp"
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
 

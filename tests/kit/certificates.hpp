@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/certificate_check.hpp"
+#include "core/certified/check.hpp"
 
 namespace kit {
 

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "core/certificate_check.hpp"
-#include "core/certified_balls.hpp"
-#include "core/certified_shapes.hpp"
+#include "core/certified/check.hpp"
+#include "core/certified/balls.hpp"
+#include "core/certified/shapes.hpp"
 #include "core/rule_sets.hpp"
 #include "tests/core/support.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "core/certified.hpp"
+#include "core/certified/certified.hpp"
 #include "walkthroughs/model/types_of_scene.hpp"
 #include "walkthroughs/model/widened.hpp"
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <variant>
 
-#include "core/certificate_check.hpp"
-#include "core/certified.hpp"
-#include "core/certified_shapes.hpp"
+#include "core/certified/check.hpp"
+#include "core/certified/certified.hpp"
+#include "core/certified/shapes.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_options.hpp"
 

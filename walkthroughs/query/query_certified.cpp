@@ -3,9 +3,9 @@
 #include <optional>
 #include <variant>
 
-#include "core/certified.hpp"
-#include "core/certified_balls.hpp"
-#include "core/certified_shapes.hpp"
+#include "core/certified/certified.hpp"
+#include "core/certified/balls.hpp"
+#include "core/certified/shapes.hpp"
 #include "walkthroughs/query/query_certificate.hpp"
 #include "walkthroughs/query/query_doubt.hpp"
 

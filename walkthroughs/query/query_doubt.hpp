@@ -1,7 +1,7 @@
 /// How well the points of a query's objects are known, so that gjk::certified_shapes() takes them.
 #pragma once
 
-#include "core/support_error.hpp"
+#include "core/certified/support_error.hpp"
 #include "walkthroughs/query/query_object.hpp"
 
 namespace walkthroughs {

@@ -8,7 +8,7 @@
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
-#include "walkthroughs/wrong_on_purpose/measured.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs {
 namespace {

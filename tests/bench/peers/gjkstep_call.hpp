@@ -1,7 +1,7 @@
 /// This project's calls: no observer, doubles, at most 20 iterations.
 #pragma once
 
-#include "core/certified.hpp"
+#include "core/certified/certified.hpp"
 #include "core/gjk.hpp"
 #include "tests/bench/peers/contender.hpp"
 #include "tests/bench/peers/shapes.hpp"

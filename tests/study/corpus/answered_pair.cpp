@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "core/certificate_check.hpp"
-#include "core/certified.hpp"
+#include "core/certified/check.hpp"
+#include "core/certified/certified.hpp"
 #include "tests/study/methods/question.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "tests/study/truth/proofs.hpp"

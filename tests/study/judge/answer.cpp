@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/certificate_check.hpp"
+#include "core/certified/check.hpp"
 #include "tests/study/truth/proofs.hpp"
 #include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/printable.hpp"

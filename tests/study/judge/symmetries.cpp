@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/certified.hpp"
+#include "core/certified/certified.hpp"
 
 namespace study {
 namespace {

@@ -1,4 +1,4 @@
-/// Answers that are proven (core/certified.hpp), as the study names them. No rules and no iteration limit of the search that
+/// Answers that are proven (core/certified/certified.hpp), as the study names them. No rules and no iteration limit of the search that
 /// begins can change what is answered: so there is one setting, which has no limit.
 #pragma once
 

@@ -2,10 +2,10 @@
 #include <string>
 #include <variant>
 
-#include "core/certificate_check.hpp"
-#include "core/certified.hpp"
-#include "core/certified_balls.hpp"
-#include "core/certified_shapes.hpp"
+#include "core/certified/check.hpp"
+#include "core/certified/certified.hpp"
+#include "core/certified/balls.hpp"
+#include "core/certified/shapes.hpp"
 #include "tests/study/methods/methods_of_scalar.hpp"
 
 namespace study {

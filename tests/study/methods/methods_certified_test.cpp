@@ -1,6 +1,6 @@
 /// Certified answers as methods of the study.
-#include "core/certificate_check.hpp"
-#include "core/certified.hpp"
+#include "core/certified/check.hpp"
+#include "core/certified/certified.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"

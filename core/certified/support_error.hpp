@@ -11,7 +11,7 @@
 #include <concepts>
 #include <limits>
 
-#include "shapes.hpp"
+#include "../shapes.hpp"
 
 namespace gjk {
 

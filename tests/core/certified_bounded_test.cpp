@@ -1,5 +1,5 @@
 /// A double that knows its error: the bounds, looked at in fractions where they are tight.
-#include "core/bounded.hpp"
+#include "core/certified/bounded.hpp"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 /// C6: how well support functions know their points, against numbers of a hundred digits.
-#include "core/support_error.hpp"
+#include "core/certified/support_error.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <functional>

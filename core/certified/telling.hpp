@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "../telling.hpp"
 #include "bounded.hpp"
-#include "telling.hpp"
 
 namespace gjk::detail {
 

@@ -1,5 +1,5 @@
 /// Certificates that prove what they say hold; all others do not.
-#include "core/certificate_check.hpp"
+#include "core/certified/check.hpp"
 
 #include <limits>
 

@@ -6,8 +6,8 @@
 #include <xmmintrin.h>
 #endif
 
-#include "core/certified_balls.hpp"
-#include "core/certified_shapes.hpp"
+#include "core/certified/balls.hpp"
+#include "core/certified/shapes.hpp"
 #include "tests/core/certified_support.hpp"
 
 namespace gjk::test {

@@ -1,4 +1,4 @@
-/// The second search of certified.hpp: it walks to the feature of the difference of two sets of points that is nearest to the
+/// The exact fallback of certified.hpp, a second search (in the field: the min-norm point, Wolfe 1976): it walks to the feature of the difference of two sets of points that is nearest to the
 /// origin, or into the origin, and each of its decisions is exact (C3, C4). Signs are taken of doubles that know their error, and
 /// of whole numbers where that leaves a doubt. Needs Eigen and Boost.Multiprecision.
 #pragma once
@@ -14,10 +14,10 @@
 #include <optional>
 #include <string>
 
+#include "../certificate.hpp"
+#include "../nearest.hpp"
 #include "bounded.hpp"
-#include "certificate.hpp"
-#include "certified_telling.hpp"
-#include "nearest.hpp"
+#include "telling.hpp"
 #include "usual_arithmetic.hpp"
 
 namespace gjk::detail {

@@ -1,6 +1,6 @@
 // The bounds that the second search of certified_collision() goes by where it need not look exactly, each where it stands: of
 // what may be lost of a coordinate, of a direction, and by a scan along it.
-#include "core/certified_search.hpp"
+#include "core/certified/exact_fallback.hpp"
 
 #include <array>
 #include <cmath>

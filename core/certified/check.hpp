@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "certificate.hpp"
+#include "../certificate.hpp"
 
 namespace gjk {
 namespace detail {

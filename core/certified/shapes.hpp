@@ -24,8 +24,8 @@
 #include <optional>
 #include <vector>
 
+#include "../result.hpp"
 #include "bounded.hpp"
-#include "result.hpp"
 #include "support_error.hpp"
 #include "usual_arithmetic.hpp"
 

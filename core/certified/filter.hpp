@@ -1,0 +1,105 @@
+/// The filter of certified.hpp: what the first search has found is proven in its own numbers, by static bounds on what was
+/// rounded on the way (C1, C2). Needs Eigen only.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "../events.hpp"
+#include "bounded.hpp"
+
+namespace gjk::detail {
+
+/// Between which powers of two the proofs stay, so that what over- and underflows does not count.
+template <class S>
+struct Range;
+template <>
+struct Range<double> {
+  static constexpr double least_reach = 0x1p-900, largest_reach = 0x1p1022, least_norm = 0x1p-330,
+                          largest_norm = 0x1p330;
+};
+template <>
+struct Range<float> {
+  static constexpr double least_reach = 0x1p-100, largest_reach = 0x1p126, least_norm = 0x1p-40, largest_norm = 0x1p40;
+};
+
+/// C1. Returns: whether d separates the sets, w·d having been found as `support_value` by their support functions.
+///
+/// s = Σ (r_A + r_B)|d| is as far as points can be along d (r: PointSet::extent()). The scan computes a·d to 3u of its part of
+/// s, so no point lies farther than the one found by more than 6u·s; w = a − b and w·d are off by 4u·s. Together 10u·s;
+/// 16u·s is asked for, since s and this very product are rounded, too. Fifteen products may underflow (of the point found and of
+/// one that is farther in both scans, and of w·d), each by half the least denormal number; where s is not tiny they are far below
+/// the 6u·s left over; and where s is not huge, nothing overflows.
+template <class S>
+class DirectionProof {
+ public:
+  DirectionProof(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, const Vec3<S>& extent_b)
+      : gap_(-static_cast<double>(support_value)),
+        s_((extent_a.template cast<double>() + extent_b.template cast<double>())
+               .dot(d.template cast<double>().cwiseAbs())) {}
+
+  bool holds() const { return gap_ > bound() && can_be_tried(); }
+  ProofTried<S> told() const {
+    ProofTried<S> event{.proof = Proof::direction, .bound = bound(), .holds = holds()};
+    if (can_be_tried()) event.numbers = {{"−w·d", gap_}};
+    return event;
+  }
+
+ private:
+  double bound() const { return 16 * roundoff_of<S> * s_; }
+  bool can_be_tried() const { return s_ > Range<S>::least_reach && s_ < Range<S>::largest_reach; }
+
+  double gap_, s_;
+};
+
+/// C2. Returns: whether the origin lies strictly inside the tetrahedron.
+///
+/// With v(x, y, z) = (x×y)·z, a·v(b,c,d) − b·v(a,c,d) + c·v(a,b,d) − d·v(a,b,c) = 0 for any four vectors: where the four
+/// coefficients have one strict sign, the origin is a convex combination of all four points.
+///
+/// Each of the six products of three components in v meets 8 roundings (three differences a − b, product, difference,
+/// product, two sums) and is at most M³, M being the largest component of all: 48uM³ is the error, and 64uM³ is asked for.
+///
+/// `mean_error`: how far the components of one of the points may be off beside that, see error_of_mean(). Each product has one
+/// of them at most, times M²: 6M² is the error that it makes, and 8M² is asked for.
+template <class S>
+class TetrahedronProof {
+ public:
+  TetrahedronProof(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d, double mean_error = 0) {
+    const auto size_ab = a.cwiseAbs().cwiseMax(b.cwiseAbs()), size_cd = c.cwiseAbs().cwiseMax(d.cwiseAbs());
+    const double M = static_cast<double>(size_ab.cwiseMax(size_cd).maxCoeff());
+    can_be_tried_ = M > Range<S>::least_norm && M < Range<S>::largest_norm;
+    if (!can_be_tried_) return;
+    error_ = (64 * roundoff_of<S> * M + 8 * mean_error) * (M * M);
+    const Vec3<S> cd = c.cross(d), ab = a.cross(b);
+    bcd_ = static_cast<double>(b.dot(cd)), acd_ = static_cast<double>(a.dot(cd));
+    abd_ = static_cast<double>(ab.dot(d)), abc_ = static_cast<double>(ab.dot(c));
+  }
+
+  bool holds() const {
+    return can_be_tried_ && ((bcd_ > error_ && acd_ < -error_ && abd_ > error_ && abc_ < -error_) ||
+                             (bcd_ < -error_ && acd_ > error_ && abd_ < -error_ && abc_ > error_));
+  }
+  /// Of the simplex [D, C, B, A].
+  ProofTried<S> told() const {
+    ProofTried<S> event{.proof = Proof::tetrahedron, .bound = error_, .holds = holds()};
+    if (can_be_tried_) event.numbers = {{"C·(B×A)", bcd_}, {"D·(A×B)", -acd_}, {"A·(D×C)", abd_}, {"B·(C×D)", -abc_}};
+    return event;
+  }
+
+ private:
+  bool can_be_tried_ = false;
+  double error_ = 0, bcd_ = 0, acd_ = 0, abd_ = 0, abc_ = 0;
+};
+
+/// C2. Returns: by how much the components of the mean of n points of that extent may be off, see PointSet::mean(). What terms
+/// of u² add is less than what TetrahedronProof asks for beyond, if nu is at most a quarter; and a denormal quotient is off by
+/// less than the least number, which is nothing beside what M has to be.
+template <class S>
+double error_of_mean(std::size_t n, S extent) {
+  const double nu = static_cast<double>(n) * roundoff_of<S>;
+  return nu <= 0.25 ? nu * static_cast<double>(extent) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace gjk::detail
