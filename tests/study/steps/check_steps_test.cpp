@@ -193,9 +193,9 @@ struct FacesFromTheLast : gjk::AsIntended {
   static gjk::Next<S> process_3simplex(gjk::detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
     const auto AB = step.AB(), AC = step.AC(), AD = step.AD();
-    const auto ABCn = Rules::ABCn(AB, AC).named("ABCn");
-    const auto ACDn = Rules::ACDn(AC, AD).named("ACDn");
-    const auto ADBn = Rules::ADBn(AD, AB).named("ADBn");
+    const auto ABCn = Rules::ABCn(AB, AC).named(gjk::NamedVector::normal("ABC"));
+    const auto ACDn = Rules::ACDn(AC, AD).named(gjk::NamedVector::normal("ACD"));
+    const auto ADBn = Rules::ADBn(AD, AB).named(gjk::NamedVector::normal("ADB"));
     if (step.is_above_face({.feature = "ADB"}, ADBn.dot(AO)))
       return Rules::process_face(step, gjk::Face::ADB, ADBn, AD, AB, ABCn, ABCn);
     if (step.is_above_face({.feature = "ACD"}, ACDn.dot(AO)))
