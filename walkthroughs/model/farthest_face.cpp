@@ -14,7 +14,7 @@ constexpr int rim_points = 72;
 
 /// One overload for each shape.
 struct FaceOf {
-  const Frame& frame;
+  const DirectionFrame& frame;
   const Tolerance& tolerance;
 
   FarthestFace operator()(const Points& points) const {
@@ -81,7 +81,7 @@ double distance_to_line(const Vec2& p, const Vec2& from, const Vec2& to) {
 
 }  // namespace
 
-FarthestFace farthest_face(const AnyShape& shape, const Frame& frame, const Tolerance& tolerance) {
+FarthestFace farthest_face(const AnyShape& shape, const DirectionFrame& frame, const Tolerance& tolerance) {
   return std::visit(FaceOf{frame, tolerance}, shape);
 }
 

@@ -8,9 +8,9 @@
 namespace walkthroughs {
 
 /// A direction of length 1, and two across it that make a right-handed frame.
-struct Frame {
+struct DirectionFrame {
   /// Requires: a direction that is finite and not zero.
-  explicit Frame(const Point& along) : d(along.stableNormalized()), u(d.unitOrthogonal()), v(d.cross(u)) {}
+  explicit DirectionFrame(const Point& along) : d(along.stableNormalized()), u(d.unitOrthogonal()), v(d.cross(u)) {}
 
   render::Vec2 across(const Point& p) const { return {p.dot(u), p.dot(v)}; }
   /// Returns: the point that is so far along and lies there across.
@@ -32,7 +32,7 @@ struct Tolerance {
 };
 
 /// Rule: the farthest points of a sum are the sums of the farthest points of its two. Asks no support function.
-FarthestFace farthest_face(const AnyShape& shape, const Frame& frame, const Tolerance& tolerance);
+FarthestFace farthest_face(const AnyShape& shape, const DirectionFrame& frame, const Tolerance& tolerance);
 
 /// Returns: what no coordinate of a point of the shape exceeds.
 double bound_of(const AnyShape& shape);

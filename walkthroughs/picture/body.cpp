@@ -213,7 +213,7 @@ Straight straight_of_flat(const std::vector<Point>& points) {
     found.add_line(along);
     return found;
   }
-  const Frame frame(normal);
+  const DirectionFrame frame(normal);
   std::vector<Vec2> across;
   for (const Point& p : points) across.push_back(frame.across(p));
   const std::vector<Vec2> corners = convex_hull(std::move(across));
@@ -288,7 +288,7 @@ struct FlatsOf {
     const double size = bound_of(sum);
     std::vector<Flat> flats;
     for (const Point& normal : StraightOf{}(sum).normals) {
-      const Frame frame(normal);
+      const DirectionFrame frame(normal);
       const FarthestFace face = farthest_face(sum, frame, {alike * size, alike});
       if (area_of(face.hull) <= alike * size * size) continue;
       std::vector<Point> rim;

@@ -81,7 +81,7 @@ class Objection {
     const double size = bound_of(sum), allowed = 3 * allowance(size) + vanished();
     if (may_overflow(size)) return "";
     const Eigen::Matrix3d back = pose_.rotation.transpose();
-    const Frame frame(back * along_);
+    const DirectionFrame frame(back * along_);
     const Scaled scaled{size > 0 ? -std::ilogb(size) : 0};
     const double tolerance = scaled.length(allowed);
     const FarthestFace farthest =

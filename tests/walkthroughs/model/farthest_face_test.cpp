@@ -18,39 +18,39 @@ Ball ball() { return {{0, 0, 5}, 1}; }
 }  // namespace
 
 TEST_CASE("The farthest points of a point set are a face, an edge or a corner") {
-  const auto corners = [](const Point& d) { return farthest_face(square(), Frame(d), fine).hull.size(); };
+  const auto corners = [](const Point& d) { return farthest_face(square(), DirectionFrame(d), fine).hull.size(); };
   CHECK(corners({0, 0, 1}) == 4);
   CHECK(corners({1, 0, 0}) == 2);
   CHECK(corners({1, 2, 3}) == 1);
 }
 
 TEST_CASE("The farthest points of a cylinder are a cap, a line on its side or a point of a rim") {
-  const FarthestFace cap = farthest_face(can(), Frame({0, 0, -1}), fine);
+  const FarthestFace cap = farthest_face(can(), DirectionFrame({0, 0, -1}), fine);
   CHECK(cap.reach == 3);
   CHECK(cap.hull.size() == 72);
-  const FarthestFace line = farthest_face(can(), Frame({1, 0, 0}), fine);
+  const FarthestFace line = farthest_face(can(), DirectionFrame({1, 0, 0}), fine);
   CHECK(line.reach == 2);
   REQUIRE(line.hull.size() == 2);
   CHECK((line.hull[0] - line.hull[1]).norm() == Approx(6));
-  const FarthestFace point = farthest_face(can(), Frame({3, 0, 4}), fine);
+  const FarthestFace point = farthest_face(can(), DirectionFrame({3, 0, 4}), fine);
   CHECK(point.reach == Approx(3 * 0.8 + 2 * 0.6));
   CHECK(point.hull.size() == 1);
 }
 
 TEST_CASE(
     "The slack of a round face is what its polygon cuts off, and what a rounded direction may move a point of a rim") {
-  CHECK(farthest_face(can(), Frame({0, 0, 1}), fine).slack == Approx(2 * (1 - std::cos(std::acos(-1) / 72))));
-  CHECK(farthest_face(can(), Frame({3, 0, 4}), {1e-9, 0.003}).slack == Approx(2 * 0.003 / 0.6));
-  CHECK(farthest_face(ball(), Frame({3, 0, 4}), fine).slack == 0);
-  CHECK(farthest_face(Sum{{can(), can()}}, Frame({0, 0, 1}), fine).slack ==
+  CHECK(farthest_face(can(), DirectionFrame({0, 0, 1}), fine).slack == Approx(2 * (1 - std::cos(std::acos(-1) / 72))));
+  CHECK(farthest_face(can(), DirectionFrame({3, 0, 4}), {1e-9, 0.003}).slack == Approx(2 * 0.003 / 0.6));
+  CHECK(farthest_face(ball(), DirectionFrame({3, 0, 4}), fine).slack == 0);
+  CHECK(farthest_face(Sum{{can(), can()}}, DirectionFrame({0, 0, 1}), fine).slack ==
         Approx(4 * (1 - std::cos(std::acos(-1) / 72))));
 }
 
 TEST_CASE("The farthest points of a sum are the sums of the farthest points of its two") {
-  const FarthestFace up = farthest_face(Sum{{square(), ball()}}, Frame({0, 0, 2}), fine);
+  const FarthestFace up = farthest_face(Sum{{square(), ball()}}, DirectionFrame({0, 0, 2}), fine);
   CHECK(up.reach == 6);
   CHECK(up.hull.size() == 4);
-  const FarthestFace side = farthest_face(Sum{{square(), can()}}, Frame({1, 0, 0}), fine);
+  const FarthestFace side = farthest_face(Sum{{square(), can()}}, DirectionFrame({1, 0, 0}), fine);
   CHECK(side.reach == 3);
   CHECK(side.hull.size() == 4);  // an edge of the square times a line of the side
   CHECK(bound_of(Sum{{square(), ball()}}) == 7);
