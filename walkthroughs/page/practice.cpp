@@ -1,13 +1,13 @@
 #include "walkthroughs/page/practice.hpp"
 
 #include <algorithm>
-#include <map>
 #include <variant>
 #include <vector>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/page/index_entry.hpp"
 #include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -55,30 +55,11 @@ std::vector<Practice> practices() {
 /// The face or feature in words of Decision::found.
 std::string first_word(const std::string& found) { return found.substr(0, found.find(' ')); }
 
-/// The case that a mistake gets wrong; of mistakes in the crossing test what it rules out; that of M1 is about no region.
+/// That of M1 is about no region.
 std::string practice_for_mistake(const std::string& word) {
-  static const std::map<std::string, std::string> cases{{"m2", "1-simplex-r2-cannot-happen"},
-                                                        {"m3", "1-simplex-r2-cannot-happen"},
-                                                        {"m4", "1-simplex-r2-cannot-happen"},
-                                                        {"m5", "0-simplex-a-is-origin"},
-                                                        {"m6", "1-simplex-on-segment"},
-                                                        {"m7", "1-simplex-r3"},
-                                                        {"m8", "2-simplex-r1-above"},
-                                                        {"m9", "2-simplex-r3"},
-                                                        {"m10", "2-simplex-r7"},
-                                                        {"m11", "2-simplex-r3"},
-                                                        {"m12", "2-simplex-r1-above"},
-                                                        {"m13", "2-simplex-r1-in-plane"},
-                                                        {"m14", "2-simplex-r1-below"},
-                                                        {"m15", "3-simplex-face-abc"},
-                                                        {"m16", "3-simplex-face-acd"},
-                                                        {"m17", "3-simplex-face-adb"},
-                                                        {"m18", "3-simplex-face-acd-edge-ac"},
-                                                        {"m19", "3-simplex-face-adb-edge-ab"},
-                                                        {"m20", "3-simplex-face-adb"},
-                                                        {"m21", "3-simplex-on-face"}};
-  const auto found = cases.find(word.substr(0, word.find('-')));
-  return found == cases.end() ? "" : "regions/" + found->second;
+  const auto known = wrong_on_purpose::all();
+  const auto found = std::ranges::find(known, word, &wrong_on_purpose::Description::word);
+  return found == known.end() || found->practice.empty() ? "" : "regions/" + std::string(found->practice);
 }
 
 }  // namespace

@@ -64,6 +64,8 @@ struct Description {
   std::string_view word;     ///< in traces and in names of walkthroughs: "m14-order-below-triangle"
   std::string_view meaning;  ///< "the order is not changed when moving below the triangle"
   std::string_view section;  ///< of the report, where it says how it is done
+  std::string_view
+      practice;  ///< the case that it gets wrong, a walkthrough of regions; of a mistake in the crossing test what that rules out
   std::span<const WrongLine> lines;
   std::array<PairsToNotice, 3> to_notice;  ///< by TestPairs
   /// What Algorithm 1 does with the first point and after Eq. 9 has said no is what these do; all else is the mistake's.
