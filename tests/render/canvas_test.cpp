@@ -9,6 +9,7 @@
 #include "tests/kit/pictures.hpp"
 
 using namespace render;
+using kit::vertices_of;
 using Kind = CanvasVertex::Kind;
 
 namespace {
@@ -31,7 +32,7 @@ Ends ends_of(const CanvasVertex& a, const CanvasVertex& b, const CanvasVertex& c
 
 std::vector<Ends> capsules_of(const Canvas& canvas) {
   std::vector<Ends> all;
-  const auto list = canvas.vertices();
+  const auto list = vertices_of(canvas);
   for (std::size_t i = 0; i + 5 < list.size(); i += 6) {
     if (list[i].kind == Kind::capsule) all.push_back(ends_of(list[i], list[i + 1], list[i + 2]));
   }
@@ -47,7 +48,7 @@ TEST_CASE("no line is thinner than a pixel") {
   Font font(Font::default_directory());
   Canvas canvas({20, 20}, {200, 200}, palette::white, font);
   canvas.line({20, 30}, {80, 30}, {.width = 2});
-  REQUIRE(canvas.vertices()[0].radius == 0.5f);
+  REQUIRE(vertices_of(canvas)[0].radius == 0.5f);
 }
 
 TEST_CASE("every dash of a line is drawn once, wherever the line begins and ends") {
@@ -112,17 +113,17 @@ TEST_CASE_METHOD(Page, "what is not finite is not drawn") {
     canvas.polygon(std::array{p, Vec2(1, 1), Vec2(20, 2)}, palette::ink);
     canvas.text(p, "text", {});
   }
-  REQUIRE(canvas.vertices().empty());
+  REQUIRE(vertices_of(canvas).empty());
 }
 
 TEST_CASE_METHOD(Page, "what lies outside the clip box adds no triangles") {
   canvas.clip({{50, 20}, {150, 80}});
   canvas.line({0, 0}, {200, 10}, {});
   canvas.rectangle({{0, 0}, {40, 100}}, palette::ink);
-  REQUIRE(canvas.vertices().empty());
+  REQUIRE(vertices_of(canvas).empty());
   canvas.unclip();
   canvas.line({0, 0}, {200, 10}, {});
-  REQUIRE(canvas.vertices().size() == 6);
+  REQUIRE(vertices_of(canvas).size() == 6);
 }
 
 TEST_CASE("what is drawn reaches into the clip box with its width and its fading edge, and is left out farther away") {
@@ -140,19 +141,19 @@ TEST_CASE("what is drawn reaches into the clip box with its width and its fading
       lines.canvas.line(middle - along, middle + along, {.width = 2 * half});
       rectangles.canvas.rectangle(box, palette::ink);
       INFO(away << " beside the clip box, from " << box.min.transpose());
-      REQUIRE(lines.canvas.vertices().empty() == (away > 1));
-      if (away < 0.5 || away > 1.5) REQUIRE(rectangles.canvas.vertices().empty() == (away > 1.5));
+      REQUIRE(vertices_of(lines.canvas).empty() == (away > 1));
+      if (away < 0.5 || away > 1.5) REQUIRE(vertices_of(rectangles.canvas).empty() == (away > 1.5));
     }
   }
 }
 
 TEST_CASE_METHOD(Page, "an arrow without length is nothing, a short one shrinks as a whole") {
   canvas.arrow({10, 10}, {10, 10}, {});
-  REQUIRE(canvas.vertices().empty());
+  REQUIRE(vertices_of(canvas).empty());
   canvas.arrow({10, 10}, {16, 10}, {.width = 2});  // half of the 12 units that a whole one needs
   const auto capsules = capsules_of(canvas);
   REQUIRE(capsules.size() == 1);
-  REQUIRE(canvas.vertices()[0].radius == 0.5f);
+  REQUIRE(vertices_of(canvas)[0].radius == 0.5f);
   REQUIRE(capsules[0].to.x() == Approx(16 - 4.5 + 0.5));  // inside the head
 }
 
@@ -180,7 +181,7 @@ TEST_CASE("letters stand on whole pixels, the nearest to the place that was aske
   const auto first_corner = [](double x, double y) {
     Page page;
     page.canvas.text({x, y}, "H", {.size = 20});
-    return Vec2(page.canvas.vertices()[0].x, page.canvas.vertices()[0].y);
+    return Vec2(vertices_of(page.canvas)[0].x, vertices_of(page.canvas)[0].y);
   };
   const Vec2 there = first_corner(40, 50);
   for (const double off : {-0.49, -0.2, 0.2, 0.49}) {

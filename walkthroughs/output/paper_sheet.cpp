@@ -49,7 +49,8 @@ double smallest_letters(const StagedStory& story, const Look& look, render::Font
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
     Canvas canvas(page_of_frame(look.text), page_of_frame(look.text), look.style.theme.paper, font);
     draw_frame(canvas, story, i, look);
-    smallest = std::min(smallest, canvas.smallest_text());
+    for (const render::Shape& shape : canvas.shapes())
+      if (const auto* const text = std::get_if<render::shape::Text>(&shape)) smallest = std::min(smallest, text->style.size);
   }
   return smallest;
 }
