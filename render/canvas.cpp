@@ -1,6 +1,7 @@
 #include "render/canvas.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -42,7 +43,7 @@ bool Canvas::are_drawable(std::span<const Vec2> points) const {
 
 bool Canvas::is_drawable(const Vec2& center, double radius, const Stroke& stroke) const {
   const auto is_length = [](double pixels) { return pixels >= 0 && pixels < 1e6; };
-  return are_drawable({&center, 1}) && is_length(radius * scale_) && is_length(half_width(stroke));
+  return are_drawable({&center, 1}) && is_length(radius * scale_) && is_length(as_drawn(stroke).width * scale_ / 2);
 }
 
 void Canvas::polygon(std::span<const Vec2> corners, Color fill) {
@@ -55,7 +56,7 @@ void Canvas::line(const Vec2& from, const Vec2& to, const Stroke& stroke) {
 
 void Canvas::polyline(std::span<const Vec2> corners, const Stroke& stroke) {
   if (!corners.empty() && are_drawable(corners) && is_drawable(corners.front(), 0, stroke))
-    shapes_.push_back(shape::Polyline{{corners.begin(), corners.end()}, stroke});
+    shapes_.push_back(shape::Polyline{{corners.begin(), corners.end()}, as_drawn(stroke)});
 }
 
 void Canvas::outline(std::span<const Vec2> corners, const Stroke& stroke) {
@@ -68,18 +69,27 @@ void Canvas::outline(std::span<const Vec2> corners, const Stroke& stroke) {
 }
 
 void Canvas::arrow(const Vec2& from, const Vec2& to, const Stroke& stroke) {
-  if (to_pixels(from) != to_pixels(to) && is_drawable(from, 0, stroke) && are_drawable({&to, 1}))
-    shapes_.push_back(shape::Arrow{from, to, stroke});
+  const double length = (to - from).norm();
+  if (length == 0) return;
+  // Of the width that is drawn: the head must stay wider than a shaft that is kept a pixel wide.
+  Stroke shaft = as_drawn(stroke);
+  shaft.width *= std::min(1.0, length / (arrow_head::whole * shaft.width));
+  const Vec2 along = (to - from).normalized(), across(-along.y(), along.x());
+  const Vec2 base = to - along * (arrow_head::length * shaft.width);
+  const Vec2 side = across * (arrow_head::width / 2 * shaft.width);
+  line(from, base + along * (shaft.width / 2), shaft);  // its round cap ends inside the head
+  polygon(std::array<Vec2, 3>{to, base + side, base - side}, stroke.color);
 }
 
 void Canvas::disc(const Vec2& center, double radius, Color fill) {
-  if (is_drawable(center, std::max(radius, 0.0), {})) shapes_.push_back(shape::Disc{center, radius, fill});
+  const double drawn = std::max(radius, min_half_width / scale_);
+  if (is_drawable(center, drawn, {})) shapes_.push_back(shape::Disc{center, drawn, fill});
 }
 
 void Canvas::circle(const Vec2& center, double radius, const Stroke& stroke) {
   if (!is_drawable(center, radius, stroke)) return;
   if (stroke.dash.gap <= 0) {
-    shapes_.push_back(shape::Ring{center, radius, stroke});
+    shapes_.push_back(shape::Ring{center, radius, as_drawn(stroke)});
     return;
   }
   // A chord of angle t is radius * (1 - cos(t/2)), about radius * t^2 / 8, away from the circle.
@@ -112,29 +122,16 @@ void Canvas::unclip() { clip({to_page(Vec2::Zero()), to_page({pixels_.width, pix
 
 // ---------------------------------------------------------------------------------------------- in pixels
 
-double Canvas::half_width(const Stroke& stroke) const { return std::max(stroke.width * scale_ / 2, min_half_width); }
-
-double Canvas::radius_of(const shape::Disc& disc) const { return std::max(disc.radius * scale_, min_half_width); }
-
-// The caps belong to the dash, so the straight part between them is shorter.
-std::optional<Canvas::DashParts> Canvas::dashes_of(const Stroke& stroke) const {
-  const double period = (stroke.dash.length + stroke.dash.gap) * scale_;
-  if (stroke.dash.gap <= 0 || !(period >= min_dash_period)) return std::nullopt;
-  return DashParts{std::max(0.0, stroke.dash.length * scale_ - 2 * half_width(stroke)), period};
+Stroke Canvas::as_drawn(Stroke stroke) const {
+  stroke.width = std::max(stroke.width, 2 * min_half_width / scale_);
+  if (!((stroke.dash.length + stroke.dash.gap) * scale_ >= min_dash_period)) stroke.dash = {};
+  return stroke;
 }
 
-Canvas::ArrowParts Canvas::parts_of(const shape::Arrow& arrow) const {
-  const Vec2 tail = to_pixels(arrow.from), tip = to_pixels(arrow.to);
-  const double length = (tip - tail).norm();
-  // Measured in drawn pixels, not in stroke.width: the head must stay wider than a shaft that is kept a pixel wide.
-  const double drawn_width = 2 * half_width(arrow.stroke);
-  const double width = drawn_width * std::min(1.0, length / (arrow_head::whole * drawn_width));
-  const Vec2 along = (tip - tail).normalized(), across(-along.y(), along.x());
-  const Vec2 base = tip - along * (arrow_head::length * width);
-  const Vec2 side = across * (arrow_head::width / 2 * width);
-  Stroke shaft = arrow.stroke;
-  shaft.width = width / scale_;
-  return {tail, base + along * (width / 2), shaft, {tip, base + side, base - side}};
+std::vector<Vec2> Canvas::to_pixels(std::span<const Vec2> page) const {
+  std::vector<Vec2> pixels;
+  for (const Vec2& point : page) pixels.push_back(to_pixels(point));
+  return pixels;
 }
 
 Box Canvas::text_box(const Vec2& position, std::string_view text, const TextStyle& style) const {

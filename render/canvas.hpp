@@ -1,14 +1,12 @@
-/// What is to be drawn on one page: a list of shapes, made without OpenGL. Surfaces take it: triangles.hpp and rasterizer.hpp make
+/// What is to be drawn on one page: a list of shapes, made without OpenGL. Surfaces take it: rasterizer.hpp makes
 /// pixels of it, vector.hpp PDF and SVG.
 ///
 /// Conventions, stated once:
-///  * All positions and lengths of shapes are page units (see geometry.hpp); what surfaces ask for is in pixels, and says so.
+///  * Positions and lengths of shapes are page units (see geometry.hpp); what surfaces ask for in pixels says so.
 ///  * Each shape lies on top of those before it. The borders of a polygon, of lines and discs are smooth.
 ///  * Lines and discs are never drawn thinner than one pixel. What is not finite is not drawn.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,10 +64,6 @@ struct Polyline {
   std::vector<Vec2> corners;
   Stroke stroke;
 };
-struct Arrow {
-  Vec2 from, to;
-  Stroke stroke;
-};
 struct Disc {
   Vec2 center;
   double radius;
@@ -93,8 +87,7 @@ struct Clip {
 
 }  // namespace shape
 
-using Shape =
-    std::variant<shape::Polygon, shape::Polyline, shape::Arrow, shape::Disc, shape::Ring, shape::Text, shape::Clip>;
+using Shape = std::variant<shape::Polygon, shape::Polyline, shape::Disc, shape::Ring, shape::Text, shape::Clip>;
 
 class Canvas {
  public:
@@ -142,22 +135,7 @@ class Canvas {
   Font& font() const { return font_; }
   double scale() const { return scale_; }  ///< pixels per page unit
   Vec2 to_pixels(const Vec2& page) const { return offset_ + scale_ * page; }
-  /// Returns: half the width with which a line is drawn, in pixels.
-  double half_width(const Stroke& stroke) const;
-  double radius_of(const shape::Disc& disc) const;  ///< in pixels
-  /// Of a dash, in pixels: its length without caps, and from its beginning to that of the next.
-  struct DashParts {
-    double straight, period;
-  };
-  /// Returns: nothing where the line is solid, or so finely dashed that it looks so.
-  std::optional<DashParts> dashes_of(const Stroke& stroke) const;
-  /// The parts of an arrow, in pixels but for the stroke: the round cap of its shaft ends inside the head.
-  struct ArrowParts {
-    Vec2 tail, end;  ///< of the shaft
-    Stroke shaft;
-    std::array<Vec2, 3> head;
-  };
-  ArrowParts parts_of(const shape::Arrow& arrow) const;
+  std::vector<Vec2> to_pixels(std::span<const Vec2> page) const;
   /// A line of text ready to draw: `pen` is where its baseline starts, in pixels.
   struct PlacedText {
     TextLine line;
@@ -172,6 +150,7 @@ class Canvas {
   TextLine set(std::string_view text, const TextStyle& style) const;
   bool are_drawable(std::span<const Vec2> points) const;
   bool is_drawable(const Vec2& center, double radius, const Stroke& stroke) const;
+  Stroke as_drawn(Stroke stroke) const;
 
   Size pixels_;
   Color background_;

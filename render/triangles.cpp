@@ -38,33 +38,30 @@ class Builder {
   explicit Builder(const Canvas& canvas) : canvas_(canvas) {}
 
   void operator()(const shape::Polygon& polygon) {
-    std::vector<Vec2> pixels;
-    for (const Vec2& corner : polygon.corners) pixels.push_back(canvas_.to_pixels(corner));
-    add_polygon(pixels, polygon.fill);
-  }
-
-  void operator()(const shape::Polyline& line) {
-    double travelled = 0;
-    for (std::size_t i = 1; i < line.corners.size(); ++i) {
-      const Vec2 from = canvas_.to_pixels(line.corners[i - 1]), to = canvas_.to_pixels(line.corners[i]);
-      add_segment(from, to, travelled, line.stroke);
-      travelled += (to - from).norm();
+    const CanvasVertex look = look_of(Kind::fill, polygon.fill);
+    for (const CoverageCell& cell : coverage_cells(canvas_.to_pixels(polygon.corners), clip_box_.grown(fringe))) {
+      const auto corner = [&](std::size_t i) { return vertex(cell[i].position, {cell[i].coverage, 0}, look); };
+      for (std::size_t i = 1; i + 1 < cell.size(); ++i)
+        all_.vertices.insert(all_.vertices.end(), {corner(0), corner(i), corner(i + 1)});
     }
   }
 
-  void operator()(const shape::Arrow& arrow) {
-    const Canvas::ArrowParts parts = canvas_.parts_of(arrow);
-    add_segment(parts.tail, parts.end, 0, parts.shaft);
-    add_polygon(parts.head, arrow.stroke.color);
+  void operator()(const shape::Polyline& line) {
+    const std::vector<Vec2> corners = canvas_.to_pixels(line.corners);
+    double travelled = 0;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      add_segment(corners[i - 1], corners[i], travelled, line.stroke);
+      travelled += (corners[i] - corners[i - 1]).norm();
+    }
   }
 
   void operator()(const shape::Disc& disc) {
     const Vec2 center = canvas_.to_pixels(disc.center);
-    add_capsule(center, center, canvas_.radius_of(disc), disc.fill);
+    add_capsule(center, center, disc.radius * canvas_.scale(), disc.fill);
   }
 
   void operator()(const shape::Ring& ring) {
-    const double radius = ring.radius * canvas_.scale(), half_width = canvas_.half_width(ring.stroke);
+    const double radius = ring.radius * canvas_.scale(), half_width = ring.stroke.width * canvas_.scale() / 2;
     const double outer = radius + half_width + fringe;
     add_quad(canvas_.to_pixels(ring.center), Vec2::UnitX(), {outer, outer},
              look_of(Kind::ring, ring.stroke.color, radius, half_width));
@@ -97,31 +94,24 @@ class Builder {
   Triangles take() { return std::move(all_); }
 
  private:
-  void add_polygon(std::span<const Vec2> corners, Color color) {
-    const CanvasVertex look = look_of(Kind::fill, color);
-    for (const CoverageCell& cell : coverage_cells(corners, clip_box_.grown(fringe))) {
-      const auto corner = [&](std::size_t i) { return vertex(cell[i].position, {cell[i].coverage, 0}, look); };
-      for (std::size_t i = 1; i + 1 < cell.size(); ++i)
-        all_.vertices.insert(all_.vertices.end(), {corner(0), corner(i), corner(i + 1)});
-    }
-  }
-
   // Only the visible part is drawn: single precision is exact enough for it however far the segment reaches, and the
   // number of dashes is bounded by the size of the picture.
   void add_segment(const Vec2& from, const Vec2& to, double travelled, const Stroke& stroke) {
-    const double radius = canvas_.half_width(stroke);
+    const double radius = stroke.width * canvas_.scale() / 2;
     const auto visible = clip_segment(from, to, clip_box_.grown(radius + fringe));
     if (!visible) return;
     const Vec2 along = direction(from, to);
     const double length = (to - from).norm();
     const double first = visible->from * length, last = visible->to * length;
-    const auto dashes = canvas_.dashes_of(stroke);
-    if (!dashes) return add_capsule(from + first * along, from + last * along, radius, stroke.color);
-    const double first_dash = std::floor((travelled + first) / dashes->period) * dashes->period - travelled;
-    const int count = 1 + static_cast<int>((last - first) / dashes->period + 1);
+    if (stroke.dash.gap <= 0) return add_capsule(from + first * along, from + last * along, radius, stroke.color);
+    const double period = (stroke.dash.length + stroke.dash.gap) * canvas_.scale();
+    // The caps belong to the dash, so the straight part between them is shorter.
+    const double straight = std::max(0.0, stroke.dash.length * canvas_.scale() - 2 * radius);
+    const double first_dash = std::floor((travelled + first) / period) * period - travelled;
+    const int count = 1 + static_cast<int>((last - first) / period + 1);
     for (int i = 0; i < count; ++i) {
-      const double begin = std::max(first_dash + i * dashes->period, first);
-      const double end = std::min(first_dash + i * dashes->period + dashes->straight, last);
+      const double begin = std::max(first_dash + i * period, first);
+      const double end = std::min(first_dash + i * period + straight, last);
       if (begin <= end) add_capsule(from + begin * along, from + end * along, radius, stroke.color);
     }
   }
