@@ -1,13 +1,16 @@
-/// What is to be drawn on one page: a list of shapes, made without OpenGL.
+/// What is to be drawn on one page: a list of shapes, made without OpenGL. Surfaces take it: rasterizer.hpp makes
+/// pixels of it, vector.hpp PDF and SVG.
 ///
-/// Every method adds on top of what was drawn before. All positions and lengths are page units (see geometry.hpp).
-/// Edges are anti-aliased by coverage computed from the distance to the edge (256 levels, no multisampling).
+/// Conventions, stated once:
+///  * Positions and lengths of shapes are page units (see geometry.hpp); what surfaces ask for in pixels says so.
+///  * Each shape lies on top of those before it. The borders of a polygon, of lines and discs are smooth.
+///  * Lines and discs are never drawn thinner than one pixel. What is not finite is not drawn.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "render/color.hpp"
@@ -37,31 +40,55 @@ inline constexpr double whole = 6;
 
 enum class Align { left, center, right };
 
+inline constexpr double halo_width = 2;  ///< page units
+
 struct TextStyle {
   double size;  ///< em size in page units
   Weight weight = Weight::regular;
   Color color = palette::ink;
   Align align = Align::left;
-  Color halo = {0, 0, 0, 0};  ///< an outline two page units wide behind the letters; transparent for none
+  Color halo = {0, 0, 0, 0};  ///< an outline halo_width wide behind the letters; transparent for none
 };
 
-/// A vertex of the one triangle list that the rasterizer draws. `u` and `v` mean what `kind` says.
-struct CanvasVertex {
-  enum class Kind : std::uint32_t {
-    fill,     ///< u: coverage (see coverage.hpp)
-    capsule,  ///< (u,v): position along and across, in pixels, from the middle of a line with round caps
-    ring,     ///< (u,v): position in pixels from the middle of a circle line
-    glyph,    ///< (u,v): position in the font's atlas, in texels
-  };
-  float x, y;  ///< pixels from the top left corner of the image
-  float u, v;
-  float half_length;  ///< of a capsule, in pixels, 0 for a disc; for a ring the radius of the circle
-  float radius;       ///< of capsule and ring: half the width of the line, in pixels
-  Color color;
-  Kind kind;
+// ---------------------------------------------------------------------------------------------- shapes
+
+namespace shape {
+
+/// Convex.
+struct Polygon {
+  std::vector<Vec2> corners;
+  Color fill;
+};
+/// Lines from corner to corner, with round joins and caps; each dash has these caps. Dashes run on around corners.
+struct Polyline {
+  std::vector<Vec2> corners;
+  Stroke stroke;
+};
+struct Disc {
+  Vec2 center;
+  double radius;
+  Color fill;
+};
+/// A circle line without dashes.
+struct Ring {
+  Vec2 center;
+  double radius;
+  Stroke stroke;
+};
+struct Text {
+  Vec2 position;
+  std::string text;
+  TextStyle style;
+};
+/// Nothing that comes after it is drawn outside of the box, up to the next of these.
+struct Clip {
+  Box box;
 };
 
-/// Lines and discs are never drawn thinner than one pixel. What is not finite is not drawn.
+}  // namespace shape
+
+using Shape = std::variant<shape::Polygon, shape::Polyline, shape::Disc, shape::Ring, shape::Text, shape::Clip>;
+
 class Canvas {
  public:
   /// A page of `page` units drawn on `pixels`: scaled evenly until it fits, centred, the rest in the background colour.
@@ -94,55 +121,43 @@ class Canvas {
   /// Returns: the height of capitals.
   double cap_height(const TextStyle& style) const;
 
-  /// Returns: the em size of the smallest text so far, in page units; infinity where there is none.
-  double smallest_text() const { return smallest_text_; }
-
   /// Nothing outside `box` is drawn until unclip().
   void clip(const Box& box);
   void unclip();
 
-  /// For the rasterizer: triangles in drawing order, in runs that share a clip rectangle.
-  struct Run {
-    int first = 0;                                 ///< index of the first vertex
-    int left = 0, top = 0, right = 0, bottom = 0;  ///< clip rectangle in pixels
-  };
-  std::span<const CanvasVertex> vertices() const { return vertices_; }
+  std::span<const Shape> shapes() const { return shapes_; }
   /// For tests, which draw what is wrong on purpose.
-  std::span<CanvasVertex> vertices() { return vertices_; }
-  std::span<const Run> runs() const { return runs_; }
+  std::span<Shape> shapes() { return shapes_; }
+
+  // For surfaces.
   Size pixels() const { return pixels_; }
   Color background() const { return background_; }
-  const Font& font() const { return font_; }
-
- private:
-  /// A line of text ready to draw: `pen` is the pixel where its baseline starts.
+  Font& font() const { return font_; }
+  double scale() const { return scale_; }  ///< pixels per page unit
+  Vec2 to_pixels(const Vec2& page) const { return offset_ + scale_ * page; }
+  std::vector<Vec2> to_pixels(std::span<const Vec2> page) const;
+  /// A line of text ready to draw: `pen` is where its baseline starts, in pixels.
   struct PlacedText {
     TextLine line;
-    int pen_x, pen_y;
+    Vec2 pen;
+    /// Returns: that place on whole pixels.
+    Vec2 whole_pen() const { return pen.array().round(); }
   };
-
-  Vec2 to_pixels(const Vec2& page) const { return offset_ + scale_ * page; }
-  Vec2 to_page(const Vec2& pixel) const { return (pixel - offset_) / scale_; }
-  double half_width(const Stroke& stroke) const;
-  TextLine set(std::string_view text, const TextStyle& style) const;
   PlacedText place(const Vec2& position, std::string_view text, const TextStyle& style) const;
-  Box clip_box() const;
 
-  // All of these take pixels.
-  void add_polygon(std::span<const Vec2> corners, Color color);
-  void add_segment(const Vec2& from, const Vec2& to, double travelled, const Stroke& stroke);
-  void add_capsule(const Vec2& from, const Vec2& to, double radius, Color color);
-  void add_quad(const Vec2& center, const Vec2& along, const Vec2& half_size, CanvasVertex look);
-  void add_glyphs(const PlacedText& text, int shift_x, int shift_y, Color color);
+ private:
+  Vec2 to_page(const Vec2& pixel) const { return (pixel - offset_) / scale_; }
+  TextLine set(std::string_view text, const TextStyle& style) const;
+  bool are_drawable(std::span<const Vec2> points) const;
+  bool is_drawable(const Vec2& center, double radius, const Stroke& stroke) const;
+  Stroke as_drawn(Stroke stroke) const;
 
   Size pixels_;
   Color background_;
   Font& font_;
-  double scale_;  // pixels per page unit
-  Vec2 offset_;   // of the page in the image, in pixels
-  double smallest_text_ = std::numeric_limits<double>::infinity();
-  std::vector<CanvasVertex> vertices_;
-  std::vector<Run> runs_;
+  double scale_;
+  Vec2 offset_;  // of the page in the image, in pixels
+  std::vector<Shape> shapes_;
 };
 
 /// Returns: `text` broken at spaces into lines no wider than `width` page units; a longer word stands alone.

@@ -136,6 +136,8 @@ struct Font::Impl {
   struct LoadedFace {
     Face face;
     FT_Pos cap_height;
+    std::filesystem::path file;
+    long size = 0;  // that is set, in 26.6
   };
 
   Library library = open_library();
@@ -152,14 +154,16 @@ struct Font::Impl {
 };
 
 FT_Face Font::Impl::resized(Weight weight, long size) {
-  FT_Face face = faces[static_cast<std::size_t>(weight)].face.get();
+  LoadedFace& loaded = faces[static_cast<std::size_t>(weight)];
+  if (loaded.size == size) return loaded.face.get();
   // At 72 dots per inch a point is a pixel.
-  if (const FT_Error error = FT_Set_Char_Size(face, 0, size, 72, 72); error != 0) {
+  if (const FT_Error error = FT_Set_Char_Size(loaded.face.get(), 0, size, 72, 72); error != 0) {
     expect_memory(error);
     throw FontError("FreeType cannot set the text size " + std::to_string(from_26_6(size)) + " pixels" +
                     memory_limit());
   }
-  return face;
+  loaded.size = size;
+  return loaded.face.get();
 }
 
 const CachedGlyph& Font::Impl::glyph(Weight weight, FT_UInt index, long size) {
@@ -206,7 +210,8 @@ void Font::Impl::store(PlacedGlyph& glyph, const FT_Bitmap& bitmap) {
 Font::Font(const std::filesystem::path& directory) : impl_(std::make_unique<Impl>()) {
   const std::array<const char*, 2> files = {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"};
   for (std::size_t i = 0; i < files.size(); ++i) {
-    impl_->faces[i].face = open_face(impl_->library.get(), directory / files[i]);
+    impl_->faces[i].file = directory / files[i];
+    impl_->faces[i].face = open_face(impl_->library.get(), impl_->faces[i].file);
     impl_->faces[i].cap_height = cap_height_of(impl_->faces[i].face.get());
   }
 }
@@ -235,20 +240,29 @@ TextLine Font::set(std::string_view text, double pixels, Weight weight) {
 
     const CachedGlyph& glyph = impl_->glyph(weight, index, size);
     PlacedGlyph& placed = line.glyphs.emplace_back(glyph.bitmap);
+    const double drop = level == Level::subscript ? subscript_drop * em : 0;
     placed.x += rounded_26_6(pen);
-    if (level == Level::subscript) placed.y += static_cast<int>(std::lround(subscript_drop * em));
+    placed.y += static_cast<int>(std::lround(drop));
+    placed.code = code;
+    placed.index = index;
+    placed.size = from_26_6(size);
+    placed.pen = {from_26_6(pen), drop};
     pen += glyph.advance;
     previous = index;
     previous_level = level;
   }
   line.advance = from_26_6(pen);
 
-  const auto& [face, cap_height] = impl_->faces[static_cast<std::size_t>(weight)];
+  const FT_Face face = impl_->faces[static_cast<std::size_t>(weight)].face.get();
   const double pixels_per_unit = em / face->units_per_EM;
   line.ascent = static_cast<double>(face->ascender) * pixels_per_unit;
   line.descent = -static_cast<double>(face->descender) * pixels_per_unit;
-  line.cap_height = static_cast<double>(cap_height) * pixels_per_unit;
+  line.cap_height = static_cast<double>(impl_->faces[static_cast<std::size_t>(weight)].cap_height) * pixels_per_unit;
   return line;
+}
+
+const std::filesystem::path& Font::file(Weight weight) const {
+  return impl_->faces[static_cast<std::size_t>(weight)].file;
 }
 
 int Font::atlas_height() const { return static_cast<int>(impl_->atlas.size()) / atlas_width; }

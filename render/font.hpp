@@ -26,6 +26,10 @@ enum class Weight { regular, bold };
 
 /// One glyph of a line of text, in pixels relative to the line's start: x to the right, y down from the baseline.
 struct PlacedGlyph {
+  char32_t code = 0;          ///< the letter, shaped
+  unsigned index = 0;         ///< in the font
+  double size = 0;            ///< of its em
+  Vec2 pen = Vec2::Zero();    ///< where its outline begins; the bitmap stands on whole pixels
   int x = 0, y = 0;           ///< top left corner of the bitmap
   int width = 0, height = 0;  ///< size of the bitmap; 0 for a space
   int atlas_x = 0, atlas_y = 0;
@@ -59,6 +63,9 @@ class Font {
   /// whole pixels, unhinted, so that text is the same wherever it stands.
   static constexpr double max_pixels = 400;
   TextLine set(std::string_view text, double pixels, Weight weight);
+
+  /// Returns: where the outlines are.
+  const std::filesystem::path& file(Weight weight) const;
 
   /// Returns: the characters that it was asked for and does not have.
   const std::set<char32_t>& missing() const;

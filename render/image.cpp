@@ -210,14 +210,6 @@ void Image::paste(const Image& other, int x, int y) {
     std::copy_n(other.row(line), length, row(y + line) + static_cast<std::size_t>(x) * channels);
 }
 
-Image part_of(const Image& image, int x, int y, Size size) {
-  Image part(size);
-  for (int row = 0; row < size.height; ++row)
-    std::copy_n(image.row(y + row) + 3 * static_cast<std::ptrdiff_t>(x), 3 * static_cast<std::ptrdiff_t>(size.width),
-                part.row(row));
-  return part;
-}
-
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   const auto width = static_cast<std::uint32_t>(image.size().width),
              height = static_cast<std::uint32_t>(image.size().height);

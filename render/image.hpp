@@ -41,9 +41,6 @@ class Image {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Returns: the part of that size whose top left pixel is (x,y). Requires: it lies in the image.
-Image part_of(const Image& image, int x, int y, Size size);
-
 /// Text stored inside a PNG, in UTF-8 (ASCII as tEXt, anything else as iTXt). There is no time stamp: same picture, same file.
 struct PngText {
   std::string title;

@@ -6,6 +6,7 @@
 
 #include "render/context_backend.hpp"
 #include "render/gl.hpp"
+#include "render/triangles.hpp"
 
 namespace render {
 namespace {
@@ -116,8 +117,8 @@ struct Rasterizer::Impl {
   void link_program();
   void attach(GLenum type, const char* source);
   void resize(Size size);
-  void upload(const Canvas& canvas);
-  void draw_runs(const Canvas& canvas);
+  void upload(const Triangles& triangles, const Font& font);
+  void draw_runs(const Triangles& triangles, Color color);
   Image read_back();
   void check_errors(const char* step);
 
@@ -201,25 +202,23 @@ void Rasterizer::Impl::resize(Size wanted) {
   size = wanted;
 }
 
-void Rasterizer::Impl::upload(const Canvas& canvas) {
-  const auto list = canvas.vertices();
-  gl.buffer_data(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(list.size_bytes()), list.data(), GL_STREAM_DRAW);
-  const Font& font = canvas.font();
+void Rasterizer::Impl::upload(const Triangles& triangles, const Font& font) {
+  const auto bytes = static_cast<GLsizeiptr>(triangles.vertices.size() * sizeof(CanvasVertex));
+  gl.buffer_data(GL_ARRAY_BUFFER, bytes, triangles.vertices.data(), GL_STREAM_DRAW);
   gl.tex_image_2d(GL_TEXTURE_2D, 0, GL_R8, Font::atlas_width, font.atlas_height(), 0, GL_RED, GL_UNSIGNED_BYTE,
                   font.atlas().data());
 }
 
-void Rasterizer::Impl::draw_runs(const Canvas& canvas) {
+void Rasterizer::Impl::draw_runs(const Triangles& triangles, Color color) {
   const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0f; };
-  const Color color = canvas.background();
   gl.scissor(0, 0, size.width, size.height);
   gl.clear_color(channel(color.r), channel(color.g), channel(color.b), 1);
   gl.clear(GL_COLOR_BUFFER_BIT);
 
-  const auto runs = canvas.runs();
+  const auto& [vertices, runs] = triangles;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Canvas::Run& run = runs[i];
-    const int end = i + 1 < runs.size() ? runs[i + 1].first : static_cast<int>(canvas.vertices().size());
+    const Triangles::Run& run = runs[i];
+    const int end = i + 1 < runs.size() ? runs[i + 1].first : static_cast<int>(vertices.size());
     if (end == run.first || run.right <= run.left || run.bottom <= run.top) continue;
     gl.scissor(run.left, run.top, run.right - run.left, run.bottom - run.top);
     gl.draw_arrays(GL_TRIANGLES, run.first, end - run.first);
@@ -250,8 +249,9 @@ void Rasterizer::start_drawing(const Canvas& canvas) {
                        " to " + std::to_string(max_pixels) + " each way");
   }
   impl_->resize(size);
-  impl_->upload(canvas);
-  impl_->draw_runs(canvas);
+  const Triangles triangles = triangles_of(canvas);
+  impl_->upload(triangles, canvas.font());
+  impl_->draw_runs(triangles, canvas.background());
 }
 
 void Rasterizer::finish_drawing(const Canvas& canvas) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace render {
@@ -54,6 +55,15 @@ constexpr char32_t next_code_point(std::string_view& text) {
   const Letter letter = first_letter(text);
   text.remove_prefix(letter.bytes.size());
   return letter.code_point;
+}
+
+/// Returns: the bytes of a letter.
+inline std::string utf8_of(char32_t code) {
+  const auto tail = [&](int shift) { return static_cast<char>(0x80 | (code >> shift & 0x3F)); };
+  if (code < 0x80) return {static_cast<char>(code)};
+  if (code < 0x800) return {static_cast<char>(0xC0 | code >> 6), tail(0)};
+  if (code < 0x10000) return {static_cast<char>(0xE0 | code >> 12), tail(6), tail(0)};
+  return {static_cast<char>(0xF0 | code >> 18), tail(12), tail(6), tail(0)};
 }
 
 }  // namespace render

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "render/triangles.hpp"
 #include "tests/golden/random_searches.hpp"
 #include "tests/golden/store.hpp"
 #include "tests/kit/catch.hpp"
@@ -44,8 +45,9 @@ class Checksum {
       add(long{number});
   }
   void add(const Canvas& canvas) {
-    for (const CanvasVertex& v : canvas.vertices()) add(v);
-    for (const Canvas::Run& run : canvas.runs())
+    const auto [vertices, runs] = render::triangles_of(canvas);
+    for (const CanvasVertex& v : vertices) add(v);
+    for (const render::Triangles::Run& run : runs)
       for (const int number : {run.first, run.left, run.top, run.right, run.bottom}) add(long{number});
   }
   std::string text() const {

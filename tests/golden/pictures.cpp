@@ -93,8 +93,8 @@ render::Image draw(const Picture& picture, walkthroughs::Studio& studio) {
   render::Canvas canvas(pixels, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
   walkthroughs::draw_frame(canvas, story, picture.frame, look);
   if (picture.letters == left_out)
-    for (render::CanvasVertex& vertex : canvas.vertices())
-      if (vertex.kind == render::CanvasVertex::Kind::glyph) vertex.color.a = 0;
+    for (render::Shape& shape : canvas.shapes())
+      if (auto* const text = std::get_if<render::shape::Text>(&shape)) text->style.color.a = text->style.halo.a = 0;
   return studio.rasterizer.draw(canvas);
 }
 

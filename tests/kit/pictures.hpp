@@ -2,9 +2,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "render/canvas.hpp"
 #include "render/image.hpp"
+#include "render/triangles.hpp"
 
 namespace kit {
 
@@ -24,6 +25,12 @@ inline double darkness(const render::Image& image, const render::Box& box) {
   for (int y = static_cast<int>(box.min.y()); y < box.max.y(); ++y)
     for (int x = static_cast<int>(box.min.x()); x < box.max.x(); ++x) sum += darkness(image, x, y);
   return sum;
+}
+
+/// Returns: what the rasterizer draws, without the first vertices.
+inline std::vector<render::CanvasVertex> vertices_of(const render::Canvas& canvas, std::size_t without = 0) {
+  const std::vector<render::CanvasVertex> all = render::triangles_of(canvas).vertices;
+  return {all.begin() + static_cast<std::ptrdiff_t>(without), all.end()};
 }
 
 /// Returns: the box around vertices. Requires: there is one.

@@ -77,15 +77,14 @@ void store_as(const fs::path& path, png_uint_32 format, Size size, const void* p
 
 }  // namespace
 
-TEST_CASE("a part of a picture has its pixels, and so has what it is pasted into, there alone") {
-  const Image image = gradient({9, 7}), part = part_of(image, 2, 3, {4, 2});
+TEST_CASE("what a picture is pasted into has its pixels, there alone") {
+  const Image image = gradient({4, 2});
   Image other({9, 7});
-  other.paste(part, 5, 1);
+  other.paste(image, 5, 1);
   for (int y = 0; y < 7; ++y)
     for (int x = 0; x < 9; ++x) {
       const bool is_pasted = x >= 5 && y >= 1 && y < 3;
-      REQUIRE(other.pixel(x, y) == (is_pasted ? image.pixel(x - 3, y + 2) : palette::black));
-      if (is_pasted) REQUIRE(part.pixel(x - 5, y - 1) == other.pixel(x, y));
+      REQUIRE(other.pixel(x, y) == (is_pasted ? image.pixel(x - 5, y - 1) : palette::black));
     }
 }
 

@@ -10,6 +10,7 @@
 #include "tests/kit/pictures.hpp"
 
 using namespace render;
+using kit::vertices_of;
 
 namespace {
 
@@ -19,8 +20,8 @@ const TextStyle style{.size = 20};
 
 /// The box around the vertices from `first` on: what the labels drew, when nothing came after them.
 Box drawn_since(const Canvas& canvas, std::size_t first) {
-  REQUIRE(canvas.vertices().size() > first);
-  return kit::box_around(canvas.vertices().subspan(first));
+  REQUIRE(vertices_of(canvas).size() > first);
+  return kit::box_around(vertices_of(canvas, first));
 }
 
 /// A panel, on a canvas whose scene units are tenths of page units around the middle of the frame, (200,150).
@@ -32,7 +33,7 @@ struct Desk {
 
   /// Places one label and returns its box.
   Box place(const Vec2& anchor, const Vec2& toward, const std::string& text) {
-    const std::size_t before = canvas.vertices().size();
+    const std::size_t before = vertices_of(canvas).size();
     panel.label(anchor, toward, text, style);
     panel.place_labels();
     return drawn_since(canvas, before);
@@ -66,15 +67,15 @@ std::vector<CanvasVertex> letters(std::span<const CanvasVertex> all) {
 TEST_CASE_METHOD(Desk, "a label that finds no place near its anchor is tied to it by a line, others are not") {
   const auto lines_of_a_label = [&] {
     panel.label({0, 0}, {1, 0}, "name", style);
-    const std::size_t before = canvas.vertices().size();
+    const std::size_t before = vertices_of(canvas).size();
     panel.place_labels();
-    const auto list = canvas.vertices().subspan(before);
+    const auto list = vertices_of(canvas, before);
     return list.size() - letters(list).size();
   };
   REQUIRE(lines_of_a_label() == 0);
   panel.disc({0, 0}, 40, palette::blue);
   REQUIRE(lines_of_a_label() == 6);
-  const CanvasVertex last = canvas.vertices()[canvas.vertices().size() - 4 * 6 - 1];
+  const CanvasVertex last = vertices_of(canvas).rbegin()[4 * 6];
   const Vec2 anchor = view.page({0, 0});
   REQUIRE((Vec2(last.x, last.y) - anchor).norm() < 60);
 }
@@ -82,9 +83,9 @@ TEST_CASE_METHOD(Desk, "a label that finds no place near its anchor is tied to i
 TEST_CASE_METHOD(Desk, "labels keep off each other, first come first served") {
   const Box alone = place({0, 0}, {1, 0}, "name");
   for (int i = 0; i < 4; ++i) panel.label({0, 0}, {1, 0}, "name", style);
-  const std::size_t before = canvas.vertices().size();
+  const std::size_t before = vertices_of(canvas).size();
   panel.place_labels();
-  const std::vector<CanvasVertex> list = letters(canvas.vertices().subspan(before));
+  const std::vector<CanvasVertex> list = letters(vertices_of(canvas, before));
   REQUIRE(list.size() == 4 * 4 * 6);
   std::vector<Box> boxes;
   for (std::size_t label = 0; label < 4; ++label) {
@@ -118,7 +119,7 @@ TEST_CASE("a label that finds no place gets the largest letters with which it fi
     Desk desk;
     for (double y = -13; y <= 13; y += 2.6) desk.panel.line({-15, y}, {15, y}, {.width = 3});
     desk.panel.label({0, 0.1}, {1, 1}, "X", style);
-    const std::size_t before = desk.canvas.vertices().size();
+    const std::size_t before = vertices_of(desk.canvas).size();
     const int crowded = desk.panel.place_labels(smallest);
     return std::pair(crowded, drawn_since(desk.canvas, before));
   };
@@ -132,19 +133,19 @@ TEST_CASE("a label that finds no place gets the largest letters with which it fi
 
 TEST_CASE_METHOD(Desk, "an area too small for its name is named all the same") {
   const std::array<Vec2, 3> speck = {{{0, 0}, {0.1, 0}, {0, 0.1}}};
-  const std::size_t before = canvas.vertices().size();
+  const std::size_t before = vertices_of(canvas).size();
   panel.name_area(speck, "R3", style);
   panel.place_labels();
-  REQUIRE(canvas.vertices().size() > before);
+  REQUIRE(vertices_of(canvas).size() > before);
 }
 
 TEST_CASE_METHOD(Desk, "an area may go without its name where that finds no place, and none is missed then") {
   const std::array<Vec2, 3> triangle = {{{-2, -2}, {2, -2}, {0, 2}}};
   panel.keep_clear(frame);
-  const std::size_t before = canvas.vertices().size();
+  const std::size_t before = vertices_of(canvas).size();
   panel.name_area(triangle, "R3", style, {""});
   CHECK(panel.place_labels() == 0);
-  CHECK(canvas.vertices().size() == before);
+  CHECK(vertices_of(canvas).size() == before);
 }
 
 // ---------------------------------------------------------------------------------------------- hatching
@@ -159,7 +160,7 @@ struct Drawn {
 /// Returns: all lines, of 45 degrees. The first and third vertex of each are opposite corners.
 std::vector<Drawn> lines_of(const Canvas& canvas) {
   std::vector<Drawn> lines;
-  const auto list = canvas.vertices();
+  const auto list = vertices_of(canvas);
   for (std::size_t i = 0; i + 5 < list.size(); i += 6) {
     Vec2 middle = Vec2::Zero();
     for (const std::size_t corner : {0u, 2u}) middle += Vec2(list[i + corner].x, list[i + corner].y) / 2;

@@ -21,6 +21,14 @@ std::u32string letters_of(std::string_view text) {
 
 }  // namespace
 
+TEST_CASE("the first and the last letters of each length are written as they are read") {
+  const std::u32string letters = U"\u0001\u007F\u0080\u07FF\u0800\uFFFF\U00010000\U0010FFFF";
+  std::string bytes;
+  for (const char32_t letter : letters) bytes += utf8_of(letter);
+  CHECK(bytes.size() == 2 * (1 + 2 + 3 + 4));
+  CHECK(letters_of(bytes) == letters);
+}
+
 TEST_CASE("the first and the last letters of each length are read") {
   CHECK(letters_of("\x01\x7F") == U"\u0001\u007F");
   CHECK(letters_of("\xC2\x80\xDF\xBF") == U"\u0080\u07FF");

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "render/file.hpp"
+#include "render/vector.hpp"
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 
@@ -20,13 +21,10 @@ bool in_space(const Walkthrough& walkthrough) {
 
 }  // namespace
 
-std::string picture_name(std::size_t index, int turn) {
+std::string picture_name(std::size_t index, int turn, const char* extension) {
   char name[64];
-  if (turn == 0)
-    std::snprintf(name, sizeof name, "%03zu.png", index);
-  else
-    std::snprintf(name, sizeof name, "%03zu-turn-%d.png", index, turn);
-  return name;
+  std::snprintf(name, sizeof name, "%03zu", index);
+  return name + (turn == 0 ? "" : "-turn-" + std::to_string(turn)) + extension;
 }
 
 std::vector<std::uint8_t> read_back(const fs::path& file) {
@@ -43,6 +41,12 @@ std::vector<std::uint8_t> written_picture(const fs::path& folder, std::size_t in
 
 int turns_of(const Walkthrough& walkthrough, const Output& output) { return in_space(walkthrough) ? output.turns : 0; }
 
+std::vector<std::string> Frames::files(const Walkthrough&) const {
+  std::vector<std::string> files{"###.png", "###-turn-#.png"};
+  if (svg_written_) files.insert(files.end(), {"###.svg", "###-turn-#.svg"});
+  return files;
+}
+
 void Frames::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
   const Walkthrough& w = story->walkthrough;
   const fs::path folder = folder_of(output, w);
@@ -55,9 +59,14 @@ void Frames::add(const std::shared_ptr<const StagedStory>& story, const Output& 
     Output turned = output;
     for (int turn = 0; turn <= turns; ++turn) {
       turned.look.turn = output.look.turn + 360.0 * turn / (turns + 1);
-      written.insert(picture_name(i, turn));
-      renderer.write(folder / picture_name(i, turn), renderer.draw(*story, i, turned), text,
-                     [written = written_, story, i](const fs::path& file) { written(file, *story, i); });
+      const render::Canvas frame = renderer.frame(*story, i, turned);
+      const std::string png = picture_name(i, turn), svg = picture_name(i, turn, ".svg");
+      const auto tell = [story, i](const FrameWritten& whom) {
+        return [=](const fs::path& file) { whom(file, *story, i); };
+      };
+      renderer.write(folder / png, renderer.draw(frame), text, tell(written_));
+      if (svg_written_) renderer.write(folder / svg, encode_svg(frame, text), tell(svg_written_));
+      written.insert({png, svg});
     }
   }
   renderer.then([=, files = files(w), title = w.title] { remove_outputs(folder, files, title, written); });

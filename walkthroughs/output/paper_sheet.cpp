@@ -3,221 +3,162 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
-#include "render/file.hpp"
-#include "walkthroughs/output/frames.hpp"
-#include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/picture/footer.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
 namespace {
 
-namespace fs = std::filesystem;
+using render::Box;
 using render::Canvas;
+using render::OnPaper;
+using render::PaperSize;
 using render::Size;
 using render::Vec2;
 
 // Points.
-constexpr double margin = 34, gap = 12, foot = 20, title_size = 15, foot_size = 9, line_width = 0.5;
+constexpr double margin = 34, gap = 14, foot = 20, title_size = 15, foot_size = 9, points_of_an_inch = 72;
 constexpr double least_picture_width = 230, least_words_width = 150;
-constexpr double points_of_an_inch = 72, dots_of_an_inch = 300;
+constexpr double most_of_a_page = 0.7;  // that a picture takes, so that there is room for the words below
 constexpr double larger_texts[] = {1.25, 1.5};
 
-int dots(double points) { return static_cast<int>(std::lround(points / points_of_an_inch * dots_of_an_inch)); }
-
-double inner_width(const render::PaperSize& paper) { return paper.width - 2 * margin; }
+double inner_width(const PaperSize& paper) { return paper.width - 2 * margin; }
 double rows_from() { return margin + title_size + gap; }
-double rows_to(const render::PaperSize& paper) { return paper.height - margin - foot; }
+double rows_to(const PaperSize& paper) { return paper.height - margin - foot; }
+double rows_height(const PaperSize& paper) { return rows_to(paper) - rows_from(); }
 
 /// Points that a page unit of words has: so that the smallest are legible.
 double points_of_words(const Style& style) { return least_points / style.skipped.size; }
 
-Look on_paper(Look look, double text_scale) {
-  render::Theme theme = look.style.theme;
-  theme.text = text_scale;
-  look.style = Style(theme);
-  look.text = Text::none;
-  look.code = false;
-  return look;
-}
-
-/// Returns: the size of the smallest letters of all frames, in page units.
-double smallest_letters(const StagedStory& story, const Look& look, render::Font& font) {
-  double smallest = look.style.panel_title.size;
-  for (std::size_t i = 0; i < story.frames.size(); ++i) {
-    Canvas canvas(page_of_frame(look.text), page_of_frame(look.text), look.style.theme.paper, font);
-    draw_frame(canvas, story, i, look);
-    smallest = std::min(smallest, canvas.smallest_text());
-  }
-  return smallest;
-}
-
-/// The panels as small as the letters allow.
-PaperLayout with_panels(const StagedStory& story, const render::PaperSize& paper, const Look& look, bool has_words,
-                        render::Font& font) {
-  PaperLayout layout{paper, look, 0, 0, 0, 0, false, {}, {}};
-  const render::Box part = pictures_of_frame(story.walkthrough, look);
-  const double letters = smallest_letters(story, look, font);
-  const double wanted = std::max(least_points / letters * part.width(), least_picture_width);
-  layout.words_below = has_words && wanted > inner_width(paper) - gap - least_words_width;
-  const bool is_alone = layout.words_below || !has_words;
-  const double most_width = is_alone ? inner_width(paper) : inner_width(paper) - gap - least_words_width;
-  layout.picture_width = std::min(wanted, most_width);
-  layout.picture_height = layout.picture_width * part.height() / part.width();
-  const double reached = letters * layout.picture_width / part.width();
-  layout.letters = wanted <= most_width ? std::max(reached, least_points) : reached;  // whatever rounding says
-  if (has_words) layout.words_width = inner_width(paper) - (is_alone ? 0 : gap + layout.picture_width);
-  return layout;
-}
-
-double height_of_words(const PaperLayout& layout, const StagedStory& story, std::size_t index, const Style& style,
-                       render::Font& font) {
-  Canvas measured({16, 16}, {16, 16}, style.theme.paper, font);
-  const double unit = points_of_words(style);
-  return unit * draw_words(measured, layout.words_width / unit, story, index, style);
-}
-
-void fill_pages(PaperLayout& layout) {
-  double used = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < layout.heights.size(); ++i) {
-    if (used + gap + layout.heights[i] > rows_to(layout.paper) - rows_from()) {
-      layout.pages.emplace_back();
-      used = -gap;
+/// The panels of all frames, laid out with text of one scale.
+struct PanelsOfFrames {
+  PanelsOfFrames(const StagedStory& story, Look look, double text_scale, render::Font& font) {
+    render::Theme theme = look.style.theme;
+    theme.text = text_scale;
+    look.style = Style(theme);
+    look.text = Text::none;
+    look.code = false;
+    part = pictures_of_frame(story.walkthrough, look);
+    letters = look.style.panel_title.size;
+    const Size page = page_of_frame(look.text);
+    for (std::size_t i = 0; i < story.frames.size(); ++i) {
+      draw_frame(canvases.emplace_back(page, page, theme.paper, font), story, i, look);
+      for (const render::Shape& shape : canvases.back().shapes())
+        if (const auto* text = std::get_if<render::shape::Text>(&shape)) letters = std::min(letters, text->style.size);
     }
-    layout.pages.back().push_back(i);
-    used += gap + layout.heights[i];
   }
+
+  /// Returns: how wide they are where their letters are legible, and words have room below, in points.
+  double least_width() const { return std::max(least_points / letters * part.width(), least_picture_width); }
+
+  Box part;        ///< of each canvas
+  double letters;  ///< the smallest, in page units
+  std::deque<Canvas> canvases;
+};
+
+/// The smallest that are legible, so that many fit on a page.
+PanelsOfFrames smallest_panels(const StagedStory& story, const Look& look, bool larger_text, render::Font& font) {
+  PanelsOfFrames best(story, look, look.style.theme.text, font);
+  for (const double scale : larger_texts) {
+    if (!larger_text || scale <= look.style.theme.text) continue;
+    PanelsOfFrames larger(story, look, scale, font);
+    if (larger.least_width() < best.least_width()) best = std::move(larger);
+  }
+  return best;
+}
+
+/// How wide things are, in points.
+struct Grid {
+  Grid(double least_width, double ratio, const PaperSize& paper)
+      : columns(std::max<std::size_t>(1, static_cast<std::size_t>((inner_width(paper) + gap) / (least_width + gap)))) {
+    const auto count = static_cast<double>(columns);
+    column = (inner_width(paper) - (count - 1) * gap) / count;
+    picture = std::min({columns == 1 ? least_width : column, column, most_of_a_page * rows_height(paper) / ratio});
+    is_beside = column - picture - gap >= least_words_width;
+    words = is_beside ? column - picture - gap : column;
+  }
+
+  std::size_t columns;
+  double column, picture, words;
+  bool is_beside;  ///< whether the words stand there, not below
+};
+
+/// The title, and below the number of the page. Its page unit is a point.
+Canvas head_and_foot(const StagedStory& story, const PaperSize& paper, const std::string& number, const Style& style,
+                     render::Font& font) {
+  const Size size{static_cast<int>(paper.width), static_cast<int>(paper.height)};
+  Canvas canvas(size, size, style.theme.paper, font);
+  const std::string title = literal(story.walkthrough.title);
+  render::TextStyle text{.size = title_size, .color = style.theme.ink};
+  const double needed = canvas.text_box({0, 0}, title, text).width();
+  text.size *= std::min(1.0, inner_width(paper) / needed);
+  canvas.text({margin, margin + title_size}, title, text);
+  canvas.text({paper.width - margin, paper.height - margin}, number,
+              {.size = foot_size, .color = style.theme.ink, .align = render::Align::right});
+  return canvas;
 }
 
 }  // namespace
 
-std::optional<render::PaperSize> paper_named(const std::string& name) {
+std::optional<PaperSize> paper_named(const std::string& name) {
   const std::string sheet = name.substr(0, name.find("-across"));
-  render::PaperSize paper{210 / 25.4 * points_of_an_inch, 297 / 25.4 * points_of_an_inch};
+  PaperSize paper{210 / 25.4 * points_of_an_inch, 297 / 25.4 * points_of_an_inch};
   if (sheet == "letter") paper = {8.5 * points_of_an_inch, 11 * points_of_an_inch};
   if (sheet != "letter" && sheet != "a4") return std::nullopt;
   if (sheet != name) std::swap(paper.width, paper.height);
   return paper;
 }
 
-PaperLayout paper_layout(const StagedStory& story, const Output& output, const render::PaperSize& paper,
-                         bool larger_text, render::Font& font) {
-  const bool has_words = output.look.text == Text::around;
-  const double usual = output.look.style.theme.text;
-  PaperLayout best = with_panels(story, paper, on_paper(output.look, usual), has_words, font);
-  for (const double scale : larger_texts) {
-    if (!larger_text || scale <= usual) continue;
-    PaperLayout larger = with_panels(story, paper, on_paper(output.look, scale), has_words, font);
-    const bool is_legible = larger.letters >= least_points;
-    if (is_legible ? larger.picture_height < best.picture_height || best.letters < least_points
-                   : larger.letters > best.letters)
-      best = std::move(larger);
-  }
-  for (std::size_t i = 0; i < story.frames.size(); ++i) {
-    const double words = has_words ? height_of_words(best, story, i, output.look.style, font) : 0;
-    best.heights.push_back(best.words_below ? best.picture_height + words : std::max(best.picture_height, words));
-  }
-  fill_pages(best);
-  return best;
-}
-
-namespace {
-
-std::string file_of_page(std::size_t page) { return "sheet-" + std::to_string(page + 1) + ".png"; }
-
-/// Draws the pages of one story.
-class PageDrawing {
- public:
-  PageDrawing(const StagedStory& story, const Output& output, const PaperLayout& layout, Renderer& renderer)
-      : story_(story), style_(output.look.style), layout_(layout), renderer_(renderer) {}
-
-  render::Image draw(std::size_t page) const {
-    const Size size{dots(layout_.paper.width), dots(layout_.paper.height)};
-    const std::string number = "page " + std::to_string(page + 1) + " of " + std::to_string(layout_.pages.size());
-    render::Image sheet =
-        renderer_.draw_page(size, size, style_.theme.paper, [&](Canvas& canvas) { head_and_foot(canvas, number); });
-    double top = rows_from();
-    for (const std::size_t index : layout_.pages[page]) {
-      paste_panels(sheet, index, top);
-      if (layout_.words_width > 0) paste_words(sheet, index, top);
-      top += layout_.heights[index] + gap;
+PaperSheet paper_sheet(const StagedStory& story, const Look& look, const PaperSize& paper, bool larger_text,
+                       render::Font& font) {
+  PanelsOfFrames panels = smallest_panels(story, look, larger_text, font);
+  const Grid grid(panels.least_width(), panels.part.height() / panels.part.width(), paper);
+  const double scale = grid.picture / panels.part.width(), unit = points_of_words(look.style);
+  const bool are_legible = grid.picture >= panels.least_width();
+  const double letters = are_legible ? std::max(scale * panels.letters, least_points) : scale * panels.letters;
+  PaperSheet sheet{letters, grid.columns, std::move(panels.canvases)};
+  const Size words_page{static_cast<int>(grid.words / unit), render::max_pixels};
+  const Vec2 to_words = grid.is_beside ? Vec2(grid.picture + gap, 0) : Vec2(0, scale * panels.part.height());
+  double top = std::numeric_limits<double>::infinity();
+  for (std::size_t first = 0; first < story.frames.size(); first += sheet.columns) {
+    render::PdfPage row;
+    double height = 0;
+    for (std::size_t i = first; i < std::min(first + sheet.columns, story.frames.size()); ++i) {
+      const double left = margin + static_cast<double>(i - first) * (grid.column + gap);
+      row.push_back({&sheet.canvases[i], panels.part, {left, 0}, scale});
+      height = std::max(height, scale * panels.part.height());
+      if (look.text == Text::none) continue;
+      Canvas& words = sheet.canvases.emplace_back(words_page, words_page, look.style.theme.paper, font);
+      const double words_height = draw_words(words, grid.words / unit, story, i, look.style);
+      row.push_back({&words, {{0, 0}, {grid.words / unit, words_height}}, Vec2(left, 0) + to_words, unit});
+      height = std::max(height, row.back().corner.y() + unit * words_height);
     }
-    return sheet;
+    if (top + height > rows_to(paper)) {
+      sheet.pages.emplace_back();
+      top = rows_from();
+    }
+    for (OnPaper& part : row) {
+      part.corner.y() += top;
+      sheet.pages.back().push_back(part);
+    }
+    top += height + gap;
   }
-
- private:
-  /// A page unit is a dot.
-  void head_and_foot(Canvas& canvas, const std::string& number) const {
-    const double left = dots(margin), right = dots(layout_.paper.width - margin);
-    const auto write = [&](const std::string& words, double size, double baseline, render::Align align) {
-      render::TextStyle text{.size = 1.0 * dots(size), .color = style_.theme.ink, .align = align};
-      const double needed = canvas.text_box({0, 0}, words, text).width();
-      if (needed > right - left) text.size *= (right - left) / needed;
-      canvas.text({align == render::Align::left ? left : right, baseline}, words, text);
-    };
-    write(literal(story_.walkthrough.title), title_size, dots(margin + title_size), render::Align::left);
-    write(number, foot_size, dots(layout_.paper.height - margin), render::Align::right);
+  for (std::size_t page = 0; page < sheet.pages.size(); ++page) {
+    const std::string number = "page " + std::to_string(page + 1) + " of " + std::to_string(sheet.pages.size());
+    const Canvas& around = sheet.canvases.emplace_back(head_and_foot(story, paper, number, look.style, font));
+    sheet.pages[page].push_back({&around, {{0, 0}, {paper.width, paper.height}}, {0, 0}, 1});
   }
-
-  void paste_panels(render::Image& sheet, std::size_t index, double top) const {
-    const render::Box part = pictures_of_frame(story_.walkthrough, layout_.look);
-    const double unit = dots(layout_.picture_width) / part.width();  // in dots
-    const Size page = page_of_frame(layout_.look.text);
-    const render::Image whole = renderer_.draw_page(
-        {static_cast<int>(page.width * unit), static_cast<int>(page.height * unit)}, page,
-        layout_.look.style.theme.paper, [&](Canvas& canvas) { draw_frame(canvas, story_, index, layout_.look); });
-    const auto at = [unit](double units) { return static_cast<int>(units * unit); };
-    sheet.paste(render::part_of(whole, at(part.min.x()), at(part.min.y()), {at(part.width()), at(part.height())}),
-                dots(margin), dots(top));
-  }
-
-  void paste_words(render::Image& sheet, std::size_t index, double top) const {
-    const double unit = points_of_words(style_), width = layout_.words_width;
-    const double height = layout_.heights[index] - (layout_.words_below ? layout_.picture_height : 0);
-    const Vec2 corner(margin + (layout_.words_below ? 0 : layout_.picture_width + gap),
-                      top + (layout_.words_below ? layout_.picture_height : 0));
-    const Size page{static_cast<int>(width / unit), static_cast<int>(height / unit)};
-    sheet.paste(renderer_.draw_page({dots(width), dots(height)}, page, style_.theme.paper,
-                                    [&](Canvas& canvas) { draw_words(canvas, width / unit, story_, index, style_); }),
-                dots(corner.x()), dots(corner.y()));
-  }
-
-  const StagedStory& story_;
-  const Style& style_;
-  const PaperLayout& layout_;
-  Renderer& renderer_;
-};
-
-void write_pdf(const fs::path& folder, std::size_t pages, const render::PaperSize& paper, const render::PngText& text) {
-  render::Pdf pdf(text);
-  for (std::size_t page = 0; page < pages; ++page) {
-    const fs::path file = folder / file_of_page(page);
-    pdf.add(render::decode_png(read_back(file), file.string()), paper);
-  }
-  write_output(folder / "sheet.pdf", pdf.finish());
+  return sheet;
 }
-
-}  // namespace
 
 void PaperSheets::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
-  const render::PngText text{story->walkthrough.title, story->walkthrough.summary};
-  const PaperLayout layout = paper_layout(*story, output, paper_, larger_text_, renderer.font());
-  if (layout.letters < least_points) too_small_(*story, layout.letters);
-  const fs::path folder = folder_of(output, story->walkthrough);
-  const auto tell = [written = written_, story](const fs::path& file) { written(file, *story); };
-  const PageDrawing drawing(*story, output, layout, renderer);
-  std::set<std::string> pages;
-  for (std::size_t page = 0; page < layout.pages.size(); ++page) {
-    renderer.write(folder / file_of_page(page), drawing.draw(page), text, tell);
-    pages.insert(file_of_page(page));
-  }
-  renderer.then([folder, tell, text, pages, paper = paper_] {
-    write_pdf(folder, pages.size(), paper, text);
-    remove_outputs(folder, {"sheet-#.png"}, text.title, pages);
-    tell(folder / "sheet.pdf");
-  });
+  const PaperSheet sheet = paper_sheet(*story, output.look, paper_, larger_text_, renderer.font());
+  if (sheet.letters < least_points) too_small_(*story, sheet.letters);
+  renderer.write(folder_of(output, story->walkthrough) / "sheet.pdf",
+                 encode_pdf(sheet.pages, paper_, output.look.style.theme.paper,
+                            {story->walkthrough.title, story->walkthrough.summary}),
+                 [written = written_, story](const std::filesystem::path& file) { written(file, *story); });
 }
 
 }  // namespace walkthroughs

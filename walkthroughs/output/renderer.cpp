@@ -22,21 +22,14 @@ fs::path folder_of(const Output& output, const Walkthrough& walkthrough) {
   return output.folder / walkthrough.name;
 }
 
-render::Image Renderer::draw(const StagedStory& story, std::size_t index, const Output& output) {
-  return draw(page_of_frame(output.look.text), output,
-              [&](render::Canvas& canvas) { draw_frame(canvas, story, index, output.look); });
+render::Canvas Renderer::canvas(render::Size page, const Output& output) {
+  return {pixels_of(page, output), page, output.look.style.theme.paper, studio_.font};
 }
 
-render::Image Renderer::draw(render::Size page, const Output& output,
-                             const std::function<void(render::Canvas&)>& paint) {
-  return draw_page(pixels_of(page, output), page, output.look.style.theme.paper, paint);
-}
-
-render::Image Renderer::draw_page(render::Size pixels, render::Size page, render::Color paper,
-                                  const std::function<void(render::Canvas&)>& paint) {
-  render::Canvas canvas(pixels, page, paper, studio_.font);
-  paint(canvas);
-  return studio_.rasterizer.draw(canvas);
+render::Canvas Renderer::frame(const StagedStory& story, std::size_t index, const Output& output) {
+  render::Canvas frame = canvas(page_of_frame(output.look.text), output);
+  draw_frame(frame, story, index, output.look);
+  return frame;
 }
 
 void Renderer::write(fs::path file, render::Image image, render::PngText text, Written written) {
@@ -46,6 +39,13 @@ void Renderer::write(fs::path file, render::Image image, render::PngText text, W
       write_output(file, png);
       written(file);
     };
+  });
+}
+
+void Renderer::write(fs::path file, std::vector<std::uint8_t> bytes, Written written) {
+  then([=, file = std::move(file), bytes = std::move(bytes), written = std::move(written)] {
+    write_output(file, bytes);
+    written(file);
   });
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "render/worker.hpp"
 #include "walkthroughs/picture/draw.hpp"
@@ -41,18 +42,17 @@ class Renderer {
   /// `studio` must outlive the renderer.
   explicit Renderer(Studio& studio) : studio_(studio) {}
 
+  /// Returns: a canvas for a picture of `page`.
+  render::Canvas canvas(render::Size page, const Output& output);
   /// Returns: the frame of that story.
-  render::Image draw(const StagedStory& story, std::size_t index, const Output& output);
-  /// Returns: a picture of `page` that `paint` draws on its canvas.
-  render::Image draw(render::Size page, const Output& output, const std::function<void(render::Canvas&)>& paint);
-  /// Returns: a picture of `pixels` that `paint` draws on its canvas, whose page is `page`.
-  render::Image draw_page(render::Size pixels, render::Size page, render::Color paper,
-                          const std::function<void(render::Canvas&)>& paint);
+  render::Canvas frame(const StagedStory& story, std::size_t index, const Output& output);
+  render::Image draw(const render::Canvas& canvas) { return studio_.rasterizer.draw(canvas); }
   /// What pictures are lettered with.
   render::Font& font() { return studio_.font; }
 
-  /// Asks for a picture in a file. `written` is told when it is there.
+  /// Asks for a picture in a file, or for any other bytes. `written` is told when it is there.
   void write(std::filesystem::path file, render::Image image, render::PngText text, Written written);
+  void write(std::filesystem::path file, std::vector<std::uint8_t> bytes, Written written);
   /// Asks for something else to be done, when all that was asked for before is written, where it is written.
   void then(std::function<void()> job) { writer_.post(std::move(job)); }
   /// Returns when all files are written.

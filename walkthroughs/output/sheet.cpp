@@ -33,7 +33,8 @@ void Sheet::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   render::Image sheet(layout.size());
   sheet.fill(output.look.style.theme.faint);
   for (int i = 0; i < layout.count; ++i)
-    sheet.paste(renderer.draw(*story, static_cast<std::size_t>(i), small), layout.left(i), layout.top(i));
+    sheet.paste(renderer.draw(renderer.frame(*story, static_cast<std::size_t>(i), small)), layout.left(i),
+                layout.top(i));
   renderer.write(folder_of(output, w) / "sheet.png", std::move(sheet), {w.title, w.summary},
                  [written = written_, story](const std::filesystem::path& file) { written(file, *story); });
 }

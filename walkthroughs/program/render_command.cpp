@@ -158,11 +158,14 @@ class Rendering {
       if (command_.captions) written.frames.push_back(frame);
       report(frame);
     };
+    const auto report_svg = [](const std::filesystem::path& file, const Story& story, std::size_t index) {
+      report({file, story, index});
+    };
     const auto report_file = [](const std::filesystem::path& file, const Story& story) {
       std::cout << printable(file.string()) << "  " << story.walkthrough.title << std::endl;
     };
     Sinks sinks;
-    sinks.push_back(std::make_unique<Frames>(report_frame));
+    sinks.push_back(std::make_unique<Frames>(report_frame, is_asked_for_svg() ? FrameWritten(report_svg) : nullptr));
     if (command_.apng) sinks.push_back(std::make_unique<AnimatedPng>(command_.frame_time, report_file));
     if (command_.strip) sinks.push_back(std::make_unique<Strip>(report_file));
     if (command_.sheet == "one") sinks.push_back(std::make_unique<Sheet>(report_file));
@@ -246,6 +249,7 @@ class Rendering {
     render::expect_writable(*command_.captions);
   }
 
+  bool is_asked_for_svg() const { return command_.format == "svg"; }
   bool is_asked_for_pages() const { return !command_.page.empty(); }
   PagesWanted::Pictures pictures_of_pages() const {
     return command_.page == "single" ? PagesWanted::Pictures::inside : PagesWanted::Pictures::beside;
@@ -329,7 +333,7 @@ class Rendering {
     for (const Kind& kind :
          {Kind{page_file, "--page", is_asked_for_pages()}, Kind{"strip.png", "--strip", command_.strip},
           Kind{"animation.png", "--apng", command_.apng}, Kind{"sheet.png", "--sheet", command_.sheet == "one"},
-          Kind{"sheet.pdf", "--sheet=a4", is_on_paper}}) {
+          Kind{"sheet.pdf", "--sheet=a4", is_on_paper}, Kind{"000.svg", "--format svg", is_asked_for_svg()}}) {
       std::error_code unreadable;
       if (!kind.is_made && std::filesystem::exists(folder / kind.file, unreadable))
         note(w.name + ": " + kind.file + " is of an earlier run, and may tell of other pictures; " + kind.option +
@@ -408,9 +412,13 @@ CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
   command
       ->add_flag("--sheet{one}", render.sheet,
                  "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
-                 "letter-across fills pages of "
-                 "paper that can be read in print, OUT/NAME/sheet-1.png, ... and all of them in sheet.pdf")
+                 "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched")
       ->check(CLI::IsMember({"one", "a4", "letter", "a4-across", "letter-across"}));
+  command
+      ->add_option("--format", render.format,
+                   "svg: OUT/NAME/000.svg, 001.svg, ... as well, which stay sharp however much they are enlarged")
+      ->check(CLI::IsMember({"png", "svg"}))
+      ->capture_default_str();
   command->add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
   command
       ->add_flag("--page{beside}", render.page,

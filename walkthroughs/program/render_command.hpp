@@ -15,13 +15,14 @@ struct RenderCommand {
   bool strip = false;
   bool apng = false;
   std::string page;   ///< "beside" or "single"; empty: none
-  std::string sheet;  ///< "one" picture, or a paper: "a4" or "letter"; empty: none
+  std::string sheet;  ///< "one" picture, or a paper such as "a4-across"; empty: none
   bool no_captions = false, no_values = false;
   std::optional<std::string> letters;
   bool rendered_by = false;
   bool force = false;
   int turns = 0;
   double frame_time = 2;
+  std::string format = "png";
   std::string detail = "decision";
   std::string theme = "report";
   std::string out = "out";

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/pictures.hpp"
 
 using namespace walkthroughs;
 using render::Vec2;
@@ -31,7 +32,7 @@ Drawn drawn(const std::vector<std::string>& texts, bool may_be_shortened) {
   draw_panel_title(canvas, frame, "", Style(render::themes::report), key);
   double top = 0;
   int corner = 0;
-  for (const render::CanvasVertex& vertex : canvas.vertices()) {
+  for (const render::CanvasVertex& vertex : kit::vertices_of(canvas)) {
     if (vertex.kind != render::CanvasVertex::Kind::glyph) continue;
     result.left = std::min(result.left, static_cast<double>(vertex.x));
     result.right = std::max(result.right, static_cast<double>(vertex.x));

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/pictures.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
 using namespace walkthroughs;
@@ -27,7 +28,7 @@ Triad triad_of(const render::Camera& camera, render::Font& font) {
   const Lens lens{camera};
   Pencil(panel, lens, style).triad(canvas, frame);
   Triad triad;
-  const std::span<const render::CanvasVertex> all = canvas.vertices();
+  const std::vector<render::CanvasVertex> all = kit::vertices_of(canvas);
   for (std::size_t i = 0; i + 5 < all.size();) {
     const auto at = [&](std::size_t corner) { return Vec2(all[i + corner].x, all[i + corner].y); };
     if (all[i].kind == Kind::fill) {  // a triangle

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "render/triangles.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 #include "tests/kit/places.hpp"
@@ -21,11 +22,11 @@ namespace {
 
 // -- Frames -----------------------------------------------------------------------------------------------------------
 
-render::Canvas laid_out(const StagedStory& story, std::size_t frame, render::Font& font) {
+render::Triangles laid_out(const StagedStory& story, std::size_t frame, render::Font& font) {
   const Look look;
   render::Canvas canvas(frame_page, frame_page, look.style.theme.paper, font);
   draw_frame(canvas, story, frame, look);
-  return canvas;
+  return triangles_of(canvas);
 }
 
 bool is_same(const render::CanvasVertex& v, const render::CanvasVertex& u) {
@@ -33,7 +34,7 @@ bool is_same(const render::CanvasVertex& v, const render::CanvasVertex& u) {
          v.radius == u.radius && v.color == u.color && v.kind == u.kind;
 }
 
-bool is_same(const render::Canvas::Run& r, const render::Canvas::Run& s) {
+bool is_same(const render::Triangles::Run& r, const render::Triangles::Run& s) {
   return r.first == s.first && r.left == s.left && r.top == s.top && r.right == s.right && r.bottom == s.bottom;
 }
 
@@ -42,10 +43,10 @@ void check_same_frames(const StagedStory& told, const StagedStory& retold) {
   static render::Font font(render::Font::default_directory());
   REQUIRE(retold.frames.size() == told.frames.size());
   for (std::size_t i = 0; i < told.frames.size(); ++i) {
-    const render::Canvas first = laid_out(told, i, font), second = laid_out(retold, i, font);
+    const render::Triangles first = laid_out(told, i, font), second = laid_out(retold, i, font);
     const auto same = [](const auto& x, const auto& y) { return is_same(x, y); };
-    CHECK(std::ranges::equal(first.vertices(), second.vertices(), same));
-    CHECK(std::ranges::equal(first.runs(), second.runs(), same));
+    CHECK(std::ranges::equal(first.vertices, second.vertices, same));
+    CHECK(std::ranges::equal(first.runs, second.runs, same));
     CHECK(alternative_text(told, i) == alternative_text(retold, i));
   }
 }
