@@ -106,7 +106,8 @@ TEST_CASE(
     "Beside each step stand the lines that run: of two searches one algorithm until they part, then one for each") {
   const auto titles_of = [](const std::string& name) {
     std::vector<std::string> titles;
-    for (const PageJson& frame : data_of(tell(walkthrough(name)))["frames"]) {
+    const PageJson data = data_of(tell(walkthrough(name)));
+    for (const PageJson& frame : data["frames"]) {
       titles.push_back("");
       for (const PageJson& code : frame["code"]) titles.back() += code["title"].get<std::string>() + ". ";
     }
