@@ -90,7 +90,7 @@ inline std::string to_string(const Expression& expression) {
     case Expression::Form::reach: return "w·d";
     case Expression::Form::largest_reach: return "max w·d";
     case Expression::Form::gap: return "−w·d";
-    case Expression::Form::volume: return {X[0], '\xc2', '\xb7', '(', X[1], '\xc3', '\x97', X[2], ')'};
+    case Expression::Form::volume: return X.substr(0, 1) + "·(" + X[1] + "×" + X[2] + ")";
     case Expression::Form::as_told: break;
   }
   return "as told";
