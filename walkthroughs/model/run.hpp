@@ -13,7 +13,7 @@ Trace run(const Scene& scene);
 
 /// Who answers for the objects of a scene: a farthest point along `d`.
 struct SupportFunctions {
-  std::function<gjk::SupportPoint<double>(const Point&d)> a, b;
+  std::function<gjk::SupportPoint<double>(const Point&)> a, b;
 };
 
 /// Returns: the same, the objects being asked through `supports`. Requires: a scene that is not certified.

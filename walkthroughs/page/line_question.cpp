@@ -28,8 +28,10 @@ struct LinesRun {
 
   bool has(std::size_t i) const {
     const CodeLine& line = code[i];
-    const bool is_about_answer = is_answer(std::ranges::find(code, wrong.right, &CodeLine::text)->kind);
-    if (wrong.algorithm == 1) return line.kind != LineKind::plain && (!is_answer(line.kind) || is_about_answer);
+    if (wrong.algorithm == 1) {
+      const bool answers_wrongly = is_answer(std::ranges::find(code, wrong.right, &CodeLine::text)->kind);
+      return line.kind != LineKind::plain && (!is_answer(line.kind) || answers_wrongly);
+    }
     if (i == current_line(code, now, focus)) return true;
     return line.kind == LineKind::plain || test_of(line, now) != nullptr;
   }

@@ -184,7 +184,7 @@ std::string events_script(const Story& story) {
   PageJson scenes = PageJson::array();
   for (const Telling& telling : story.tellings) {
     PageJson events = PageJson::array();
-    for (const auto& event : telling.trace.events) events.push_back(PageJson::parse(event_json(event)));
+    for (const auto& event : telling.trace.events) events.push_back(event_json(event));
     scenes.push_back({{"name", telling.scene.name}, {"events", events}});
   }
   return "'use strict';\nwindow.gjkstepEvents = " + json_in_script(scenes) + ";\n";

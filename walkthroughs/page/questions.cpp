@@ -166,9 +166,9 @@ class Iteration {
 
   /// Its own test; else that of the face in which it asks about an edge; else the one that was right before it.
   Why why_of(const CodeLine& line) const {
-    const auto& [feature, in_face, relation, any, in_any, size] = line.tests;
+    const gjk::Roles& in_face = line.tests.face;
     const Region* face = in_face.empty() ? nullptr : made({}, in_face);
-    const Region* own = made(in_face, feature);
+    const Region* own = made(in_face, line.tests.feature);
     if (!own && face && face->verdict != Verdict::chosen) own = face;
     if (own) {
       const Fact fact = fact_of(*own);

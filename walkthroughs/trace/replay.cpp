@@ -59,18 +59,17 @@ class Recorded {
 
 // -- Comparing --------------------------------------------------------------------------------------------------------
 
-bool holds_records(const Json& json) {
-  return json.is_object() || (json.is_array() && !json.empty() && json[0].is_object());
-}
+bool is_list_of_records(const Json& json) { return json.is_array() && !json.empty() && json[0].is_object(); }
 
 std::string said(const Json* json) { return json ? render::json_text(*json) : "missing"; }
 
 /// Returns: the first field in which two values differ, and what it is in both. Requires: that they differ.
 std::string difference(const Json* trace, const Json* search, const std::string& key) {
-  if (trace && search && holds_records(*trace) && holds_records(*search) && trace->size() == search->size()) {
-    for (auto t = trace->begin(), s = search->begin(); t != trace->end(); ++t, ++s)
-      if (trace->is_array() && said(&*t) != said(&*s))
-        return difference(&*t, &*s, key + "[" + std::to_string(t - trace->begin()) + "]");
+  const bool are_lists = trace && search && is_list_of_records(*trace) && is_list_of_records(*search);
+  if (are_lists && trace->size() == search->size()) {
+    for (std::size_t i = 0; i < trace->size(); ++i)
+      if (const Json& t = (*trace)[i], &s = (*search)[i]; said(&t) != said(&s))
+        return difference(&t, &s, key + "[" + std::to_string(i) + "]");
   }
   if (trace && search && trace->is_object() && search->is_object()) {
     const auto within = [&](const std::string& name) { return key.empty() ? name : key + "." + name; };
@@ -87,13 +86,12 @@ std::string difference(const Json* trace, const Json* search, const std::string&
 
 /// Returns: empty where the events are the same.
 std::string difference(const gjk::Event<double>& trace, const gjk::Event<double>& search) {
-  const std::string of_trace = event_json(trace), of_search = event_json(search);
-  if (of_trace == of_search) return "";
+  const Json of_trace = event_json(trace), of_search = event_json(search);
+  if (said(&of_trace) == said(&of_search)) return "";
   if (trace.index() != search.index())
     return in_quotes(event_names[trace.index()]) + " stands here, but the search says " +
            in_quotes(event_names[search.index()]);
-  const Json first = Json::parse(of_trace), second = Json::parse(of_search);
-  return difference(&first, &second, "");
+  return difference(&of_trace, &of_search, "");
 }
 
 std::optional<Parting> first_difference(const std::vector<gjk::Event<double>>& trace,

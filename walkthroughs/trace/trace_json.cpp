@@ -179,7 +179,7 @@ Json json(const gjk::Event<double>& event) {
 
 }  // namespace
 
-std::string event_json(const gjk::Event<double>& event) { return render::json_text(json(event)); }
+Json event_json(const gjk::Event<double>& event) { return json(event); }
 
 void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
   std::vector<Trace> traces;

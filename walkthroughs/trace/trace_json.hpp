@@ -10,6 +10,7 @@
 /// which keys and words a line may have.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -21,8 +22,8 @@ namespace walkthroughs {
 
 inline constexpr int trace_version = 2;
 
-/// Returns: one event as in a trace, but for its scene.
-std::string event_json(const gjk::Event<double>& event);
+/// Returns: one event as in a trace, but for its scene; keys in their order.
+nlohmann::ordered_json event_json(const gjk::Event<double>& event);
 
 /// Returns: the JSON Schema (draft 2020-12) of one line of a trace.
 std::string_view trace_schema();

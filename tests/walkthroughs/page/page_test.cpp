@@ -70,7 +70,7 @@ TEST_CASE("A page has each event as the trace has it, and each step its range of
     const auto& events = story.tellings[s].trace.events;
     REQUIRE(held[s]["events"].size() == events.size());
     for (std::size_t i = 0; i < events.size(); ++i)
-      CHECK(held[s]["events"][i] == PageJson::parse(event_json(events[i])));
+      CHECK(held[s]["events"][i] == event_json(events[i]));
     CHECK(data_of(story)["frames"].back()["events"][s][1] == events.size() - 1);
   }
 }

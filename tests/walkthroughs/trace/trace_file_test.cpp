@@ -113,7 +113,7 @@ class RandomScenes {
 
 std::vector<std::string> event_texts(const Trace& trace) {
   std::vector<std::string> texts;
-  for (const auto& event : trace.events) texts.push_back(event_json(event));
+  for (const auto& event : trace.events) texts.push_back(event_json(event).dump());
   return texts;
 }
 
