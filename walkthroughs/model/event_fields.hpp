@@ -1,12 +1,12 @@
 /// What each event holds, listed once: the keys that its fields have in a trace, in their order, and where they are.
-/// Writer, reader and widening visit these lists. A field or an event that is added is added to
-/// its struct, here, and to trace_schema.json.
+/// Writer, reader, schema and widening visit these lists. A field or an event that is added is added to its struct and here.
 ///
 /// Every event also has its `iteration`, which no list names.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -19,7 +19,7 @@
 namespace walkthroughs {
 
 /// What a text or a whole number says, where its type does not tell.
-enum class Meaning { plain, sentence, simplex_size, iterations, position, sign, power };
+enum class Meaning { plain, name, title, sentence, direction, simplex_size, iterations, position, sign, power, limit };
 
 /// One field of a record R.
 template <class R, class T>
@@ -170,9 +170,9 @@ struct FieldsOf<gjk::RegionTested<S>> {
       Field("face", &R::face).where_not_empty(),
       Field("expression", &R::expression).where_not_empty(),
       Field("formula", &R::formula).where_not_empty(),
-      Field("normal", &R::normal).where_not_empty(),
-      Field("value", &R::value).where_not_empty(),
-      Field("relation", &R::relation).only_beside("value"),
+      Field("normal", &R::normal).only_beside("formula"),
+      Field("value", &R::value).only_beside("expression"),
+      Field("relation", &R::relation).only_beside("expression"),
       Field("verdict", &R::verdict),
       Spoken(
           "reason", &R::reason, +[](const R& e) { return reason_in_words(e); })};
@@ -276,13 +276,15 @@ void for_each_field(R& record, const Visit& visit) {
   std::apply([&](const auto&... fields) { (visit_one(fields), ...); }, FieldsOf<std::remove_const_t<R>>::list);
 }
 
-/// Returns: whether there is nothing in the value of a field.
+/// Returns: whether there is nothing in the value of a field that may be missing: it is what it is without being told.
 template <class T>
 bool is_empty(const T& value) {
   if constexpr (requires { value.empty(); })
     return value.empty();
   else if constexpr (requires { value.has_value(); })
     return !value.has_value();
+  else if constexpr (std::is_enum_v<T> || std::same_as<T, bool>)
+    return value == T{};
   else
     return false;
 }

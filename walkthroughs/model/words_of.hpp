@@ -2,12 +2,12 @@
 /// is its enumerator.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
 
-#include "core/events.hpp"
-#include "core/rule_sets.hpp"
+#include "walkthroughs/model/walkthrough.hpp"
 
 namespace walkthroughs::words_of {
 
@@ -44,6 +44,18 @@ constexpr const auto& all(gjk::Verdict) { return verdict; }
 constexpr const auto& all(gjk::Status) { return status; }
 constexpr const auto& all(gjk::Reason) { return reason; }
 constexpr const auto& all(gjk::Proof) { return proof; }
+constexpr const auto& all(gjk::CrossingTest) { return crossing_test; }
+constexpr const auto& all(RuleSet) { return rules; }
+constexpr const auto& all(ZeroTest) { return zero_test; }
+constexpr const auto& all(Scalar) { return scalar; }
+constexpr const auto& all(Layout) { return layout; }
+constexpr const auto& all(Naming) { return naming; }
+constexpr const auto& all(Remark::At) { return remark_at; }
+inline auto all(Mistake) {
+  std::array<std::string_view, 21> words;
+  std::ranges::transform(wrong_on_purpose::all(), words.begin(), &wrong_on_purpose::Description::word);
+  return words;
+}
 
 /// Returns: the word for an enumerator.
 template <std::size_t count, class E>
@@ -54,7 +66,7 @@ constexpr std::string_view of(const std::array<std::string_view, count>& words, 
 /// Returns: the word for an enumerator of an event.
 template <class E>
 constexpr std::string_view of(E enumerator) {
-  return of(all(enumerator), enumerator);
+  return all(enumerator)[static_cast<std::size_t>(enumerator)];
 }
 
 }  // namespace walkthroughs::words_of

@@ -26,8 +26,9 @@ std::string list_of(std::span<const std::string> words, const std::string& last)
 namespace {
 
 std::string suggestion(const std::string& word, std::span<const std::string> known) {
-  return "did you mean '" + nearest(word, known) + "'? Known here are " +
-         list_of(known, "and");
+  constexpr std::size_t most = 16;  // a message is read at a glance
+  const std::string all = known.size() > most ? "" : " Known here are " + list_of(known, "and");
+  return "did you mean '" + nearest(word, known) + "'?" + all;
 }
 
 }  // namespace

@@ -4,10 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "render/json_text.hpp"
-#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/trace/trace_limits.hpp"
+#include "walkthroughs/trace/header_fields.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -48,34 +47,23 @@ Json json(const AnyShape& shape) {
   return {{std::string(key_of(shape)), fields}};
 }
 
+Json json(const Eigen::Matrix3d& rotation) {
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) rows.push_back(json(Point(rotation.row(row))));
+  return rows;
+}
+
+template <Record R>
+Json json(const R& record);
+
 Json json(const Object& object) {
   Json j{{"name", object.name}};
   j.update(json(object.form));
-  if (!is_at_rest(object.pose)) {
-    Json rows = Json::array();
-    for (int row = 0; row < 3; ++row) rows.push_back(json(Point(object.pose.rotation.row(row))));
-    j["pose"] = {{"rotation", rows}, {"translation", json(object.pose.translation)}};
-  }
+  if (!is_at_rest(object.pose)) j["pose"] = json(object.pose);
   return j;
 }
 
-Json json(const Scene& scene) {
-  Json j{{"name", scene.name},
-         {"dimension", scene.dimension == Dimension::plane ? 2 : 3},
-         {"a", json(scene.a)},
-         {"b", json(scene.b)},
-         {"first_direction", json(scene.options.first_direction)},
-         {"iteration_limit", scene.options.iteration_limit},
-         {"crossing_test", words_of::of(words_of::crossing_test, scene.options.crossing_test)},
-         {"rules", words_of::of(words_of::rules, scene.rules)}};
-  if (scene.zero_test != ZeroTest::exact) j["zero_test"] = words_of::of(words_of::zero_test, scene.zero_test);
-  if (scene.scalar != Scalar::binary64) j["scalar"] = words_of::of(words_of::scalar, scene.scalar);
-  if (scene.certified) j["certified"] = true;
-  if (scene.mistake) j["mistake"] = wrong_on_purpose::description_of(*scene.mistake).word;
-  return j;
-}
-
-// -- What the pictures need -------------------------------------------------------------------------------------------
+Json json(Dimension dimension) { return dimension == Dimension::plane ? 2 : 3; }
 
 Json json(const Panels& panels) {
   const bool shown[] = {panels.objects, panels.hull, panels.algorithm, panels.decision, panels.close_up};
@@ -85,32 +73,6 @@ Json json(const Panels& panels) {
   return list;
 }
 
-Json json(const Remark& remark) {
-  Json j{{"at", words_of::of(words_of::remark_at, remark.at)}, {"iteration", remark.iteration}, {"text", remark.text}};
-  if (!remark.only_for.empty()) j["only_for"] = remark.only_for;
-  if (!remark.fact.empty()) j["fact"] = remark.fact;
-  if (remark.contradicts) j["contradicts"] = true;
-  return j;
-}
-
-Json presentation(const Walkthrough& walkthrough, const std::vector<Remark>& remarks) {
-  Json j{{"title", walkthrough.title},         {"source", walkthrough.source},
-         {"summary", walkthrough.summary},     {"layout", words_of::of(words_of::layout, walkthrough.layout)},
-         {"panels", json(walkthrough.panels)}, {"naming", words_of::of(words_of::naming, walkthrough.naming)}};
-  if (walkthrough.begins_with_the_guess) j["begins"] = begins_with_the_guess;
-  if (!remarks.empty()) j["remarks"] = Json::array();
-  for (const Remark& remark : remarks) j["remarks"].push_back(json(remark));
-  if (const auto& move = walkthrough.close_up)
-    j["close_up"] = {{"iteration", move->iteration},
-                     {"direction", move->direction},
-                     {"support", move->support},
-                     {"crossing", move->crossing}};
-  return j;
-}
-
-// -- Events -----------------------------------------------------------------------------------------------------------
-
-// What a field of an event may hold, beside numbers and vectors.
 Json json(bool truth) { return truth; }
 Json json(int count) { return count; }
 Json json(const std::string& text) { return text; }
@@ -125,19 +87,10 @@ Json json(const std::variant<std::monostate, double, Point>& value) {
   return json(std::get<Point>(value));
 }
 
-template <Record R>
-Json json(const R& record);
-
 /// Oldest first, newest (A) last.
 Json json(const gjk::Simplex<double>& simplex) {
   Json list = Json::array();
   for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
-  return list;
-}
-
-Json json(const std::vector<gjk::ProofNumber>& numbers) {
-  Json list = Json::array();
-  for (const gjk::ProofNumber& number : numbers) list.push_back(json(number));
   return list;
 }
 
@@ -154,6 +107,13 @@ Json json(const gjk::Certificate& certificate) {
   return {{"simplex", json(std::get<gjk::CommonSimplex>(certificate).of)}};
 }
 
+template <Record R>
+Json json(const std::vector<R>& records) {
+  Json list = Json::array();
+  for (const R& record : records) list.push_back(json(record));
+  return list;
+}
+
 template <class T>
 Json json(const std::optional<T>& value) {
   return json(*value);
@@ -165,7 +125,10 @@ Json json(const R& record) {
   for_each_field(record, [&j](const auto& field, const auto& value) {
     if (field.is_left_out_where_empty && is_empty(value)) return;
     if (!field.beside.empty() && !j.contains(field.beside)) return;
-    j[std::string(field.key)] = json(value);
+    if constexpr (requires { field.word; })
+      j[std::string(field.key)] = field.word;
+    else
+      j[std::string(field.key)] = json(value);
   });
   return j;
 }
@@ -188,13 +151,10 @@ void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
 }
 
 std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces) {
-  Json header{{"schema", "gjkstep-trace"},
-              {"version", trace_version},
-              {"walkthrough", walkthrough.name},
-              {"scalar", "double"},
-              {"presentation", presentation(walkthrough, remarks_of(walkthrough, traces))},
-              {"scenes", Json::array()}};
-  for (const Scene& scene : walkthrough.scenes) header["scenes"].push_back(json(scene));
+  Walkthrough presented = walkthrough;
+  presented.remarks = remarks_of(walkthrough, traces);
+  Json header{{"schema", "gjkstep-trace"}, {"version", trace_version},        {"walkthrough", walkthrough.name},
+              {"scalar", "double"},        {"presentation", json(presented)}, {"scenes", json(walkthrough.scenes)}};
   std::string lines = render::json_text(header) + '\n';
   for (std::size_t s = 0; s < traces.size(); ++s) {
     for (const gjk::Event<double>& event : traces[s].events) {

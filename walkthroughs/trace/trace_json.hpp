@@ -13,7 +13,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "walkthroughs/model/walkthrough.hpp"
@@ -26,7 +25,7 @@ inline constexpr int trace_version = 2;
 nlohmann::ordered_json event_json(const gjk::Event<double>& event);
 
 /// Returns: the JSON Schema (draft 2020-12) of one line of a trace.
-std::string_view trace_schema();
+std::string trace_schema();
 
 /// Runs the scenes of `walkthrough`, of which there must be one, and writes their traces.
 void write_traces(std::ostream& out, const Walkthrough& walkthrough);

@@ -16,6 +16,4 @@ inline constexpr std::size_t corners = 26;         ///< of a hull whose corners 
 inline constexpr std::size_t differences = 10000;  ///< of vertices, where corners have letters
 }  // namespace trace_limits
 
-inline constexpr std::string_view begins_with_the_guess = "with-the-guess";  ///< the word for it
-
 }  // namespace walkthroughs

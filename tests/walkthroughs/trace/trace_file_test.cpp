@@ -384,7 +384,7 @@ const Damage damages[] = {
     {"scene-file", 1, "is not the first line of a trace"},
     {"version-1", 1, "version 1 is not known"},
     {"version-3", 1, "version 3 is not known"},
-    {"mistake-unknown", 1, "which is no mistake that is known"},
+    {"mistake-unknown", 1, "'m22' is not known"},
     {"mistake-unnamed", 6, "but the search says \"A is the origin\""},
     {"name-elsewhere", 1, "cannot name a folder"},
     {"name-absolute", 1, "cannot name a folder"},

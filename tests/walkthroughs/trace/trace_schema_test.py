@@ -37,7 +37,7 @@ def damaged(line):
             yield from ({**line, key: inner} for inner in damaged(value))
 
 
-free_words = {"scene", "why", "reason", "name", "title", "source", "summary", "text", "support", "crossing", "direction"}
+free_words = {"scene", "region", "dropped", "why", "reason", "name", "title", "source", "summary", "text", "support", "crossing", "direction"}
 may_be_missing = {"region", "face", "formula", "normal", "value", "relation", "index", "pose", "remarks", "close_up", "separation"}
 
 schema = json.loads(output("trace", "--schema"))
