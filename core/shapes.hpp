@@ -161,9 +161,10 @@ class PointSet {
 template <std::floating_point S>
 class Sphere {
  public:
-  /// Errors: std::invalid_argument unless the radius is positive and finite.
+  /// Errors: std::invalid_argument unless the radius is finite and not negative. Without radius it is a point.
   Sphere(Vec3<S> center, S radius) : center_(std::move(center)), radius_(radius) {
-    if (!(radius > 0 && std::isfinite(radius))) throw std::invalid_argument("a sphere needs a positive, finite radius");
+    if (!(radius >= 0 && std::isfinite(radius)))
+      throw std::invalid_argument("a sphere needs a finite radius that is not negative");
   }
 
   /// Eq. 6: C + R d/|d|. Here we differ: d is first divided by its largest component, because |d|² of a direction
@@ -186,14 +187,14 @@ template <std::floating_point S>
 class Cylinder {
  public:
   /// `axis`: any length but zero. `height`: from cap to cap; `center` lies halfway.
-  /// Errors: std::invalid_argument unless radius and height are positive and finite and the axis is finite and not zero.
+  /// Without height it is a disc, without radius a segment.
+  /// Errors: std::invalid_argument unless radius and height are finite and not negative and the axis is finite and not zero.
   Cylinder(Vec3<S> center, Vec3<S> axis, S radius, S height)
       : center_(std::move(center)), axis_(std::move(axis)), radius_(radius), height_(height) {
-    const auto positive = [](S length) { return length > 0 && std::isfinite(length); };
-    if (!positive(radius) || !positive(height))
-      throw std::invalid_argument("a cylinder needs a positive, finite radius and height");
+    if (!(radius >= 0 && height >= 0 && std::isfinite(radius) && std::isfinite(height)))
+      throw std::invalid_argument("a cylinder needs a finite radius and height that are not negative");
     const S longest = axis_.cwiseAbs().maxCoeff();
-    if (!positive(longest) || !axis_.allFinite())
+    if (!(longest > 0) || !axis_.allFinite())
       throw std::invalid_argument("a cylinder needs a finite axis that is not zero");
     axis_ /= longest;
     to_cap_ = axis_ * (height / 2 / axis_.norm());

@@ -83,13 +83,13 @@ TEMPLATE_TEST_CASE("The mean of a point set is off by at most nur, and not finit
 }
 
 TEST_CASE(
-    "Shapes refuse what is none: no points, lengths that are not positive and finite, an axis that is zero or not "
+    "Shapes refuse what is none: no points, lengths that are negative or not finite, an axis that is zero or not "
     "finite",
     "[shapes]") {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   const V center(0, 0, 0), up(0, 0, 1);
   REQUIRE_THROWS_AS(PointSet<double>({}), std::invalid_argument);
-  for (const double length : {0.0, -1.0, infinity, nan}) {
+  for (const double length : {-1.0, infinity, nan}) {
     REQUIRE_THROWS_AS(Sphere<double>(center, length), std::invalid_argument);
     REQUIRE_THROWS_AS(Cylinder<double>(center, up, length, 1), std::invalid_argument);
     REQUIRE_THROWS_AS(Cylinder<double>(center, up, 1, length), std::invalid_argument);
@@ -97,6 +97,14 @@ TEST_CASE(
   for (const V& axis : {V(0, 0, 0), V(infinity, 0, 0), V(0, 0, -infinity), V(nan, 0, 0), V(1, 0, nan), V(nan, 1, 0)})
     REQUIRE_THROWS_AS(Cylinder<double>(center, axis, 1, 1), std::invalid_argument);
   REQUIRE_NOTHROW(Cylinder<double>(center, up, 1e-3, 1e3));
+}
+
+TEST_CASE("A sphere without radius is a point, a cylinder without height a disc, one without radius a segment",
+          "[shapes]") {
+  const V center(1, 2, 3), up(0, 0, 2), d(3, 0, 4);
+  CHECK(Sphere<double>(center, 0).support(d).point == center);
+  CHECK(Cylinder<double>(center, up, 5, 0).support(d).point == V(6, 2, 3));
+  CHECK(Cylinder<double>(center, up, 0, 6).support(d).point == V(1, 2, 6));
 }
 
 TEMPLATE_TEST_CASE("Eq. 6: a sphere answers with the end of its radius along the direction", "[shapes]", float, double,

@@ -2,8 +2,8 @@
 ///
 /// A shape is told by its fields. Whoever reads, writes, converts or measures shapes visits those and knows none of the
 /// shapes: ShapeRow<Shape>::fields(visit, shapes...) calls visit(kind of field, that field of each of the shapes). A new shape is
-/// a struct, its place in AnyShapeOf and a ShapeRow; what else must know it (how it is drawn, how a trace of it is checked, the
-/// schema of traces) does not compile or does not pass its test before it does.
+/// a struct, its place in AnyShapeOf and a ShapeRow. Where it is a sum of others, its row says so, and nothing else must know it;
+/// else what must (how it is drawn, how a trace of it is checked) does not compile before it does.
 #pragma once
 
 #include <algorithm>
@@ -32,27 +32,41 @@ enum class Dimension { plane, space };
 template <class S>
 using PointsOf = std::vector<gjk::Vec3<S>>;
 
-/// A closed ball; in the plane a disc.
+/// A closed ball; in the plane a disc; without radius a point.
 template <class S>
 struct BallOf {
   gjk::Vec3<S> center;
   S radius;
 };
 
-/// A closed cylinder with flat caps; `axis` of any length but zero, `height` from cap to cap, `center` halfway.
+/// A closed cylinder with flat caps; `axis` of any length but zero, `height` from cap to cap, `center` halfway. Without height it is
+/// a disc, without radius a segment.
 template <class S>
 struct CylinderOf {
   gjk::Vec3<S> center, axis;
   S radius, height;
 };
 
+/// A box along the axes, of so much in x, y and z.
+template <class S>
+struct BoxOf {
+  gjk::Vec3<S> center, size;
+};
+
+/// All points within `radius` of the segment.
+template <class S>
+struct CapsuleOf {
+  gjk::Vec3<S> from, to;
+  S radius;
+};
+
 template <class S>
 struct SumOf;
 
 template <class S>
-using AnyShapeOf = std::variant<PointsOf<S>, BallOf<S>, CylinderOf<S>, SumOf<S>>;
+using AnyShapeOf = std::variant<PointsOf<S>, BallOf<S>, CylinderOf<S>, BoxOf<S>, CapsuleOf<S>, SumOf<S>>;
 
-/// Minkowski's sum of two shapes, all X + Y (Section 2.3, Eq. 3): a segment and a ball make a capsule.
+/// The Minkowski sum of two shapes, all X + Y (Section 2.3, Eq. 3).
 template <class S>
 struct SumOf {
   std::vector<AnyShapeOf<S>> summands;  ///< two
@@ -73,8 +87,11 @@ struct Place {  ///< Vec3<S>
 struct Direction {  ///< Vec3<S>, not zero; only the ratios of its components count
   std::string_view name;
 };
-struct Length {  ///< S, larger than zero
+struct Length {  ///< S, not negative
   std::string_view name;
+};
+struct Size {                   ///< Vec3<S>, not negative
+  std::string_view name, half;  ///< and its name in files that give half of it
 };
 struct Places {};  ///< PointsOf<S>, all that there is to say about the shape
 struct Shapes {};  ///< std::vector<AnyShapeOf<S>>, two; also all that there is
@@ -102,8 +119,9 @@ class AskedSum {
 // -- The rows ---------------------------------------------------------------------------------------------------------
 
 /// Of each shape: `key`, its name in files; `kind` and `kind_in_plane`, its name in sentences, the latter empty where there
-/// is none in the plane; In<T>, the shape in numbers of T; fields(); middle(), a point inside; and where its support function
-/// can be computed in S, asked(), the shape of core/ that has it.
+/// is none in the plane; `example`, its fields in a scene file; In<T>, the shape in numbers of T; fields(). Of a shape that is a sum
+/// by a name of its own as_sum(), of the others middle(), a point inside. Where its support function can be computed in S asked(), the
+/// shape of core/ that has it.
 template <class Shape>
 struct ShapeRow;
 
@@ -112,7 +130,8 @@ gjk::Vec3<S> middle(const AnyShapeOf<S>& shape);
 
 template <class S>
 struct ShapeRow<PointsOf<S>> {
-  static constexpr std::string_view key = "points", kind = "point set", kind_in_plane = kind;
+  static constexpr std::string_view key = "points", kind = "point set", kind_in_plane = kind,
+                                    example = "[[0, 0, -1], [0, 0, 1], [1, 0, 0]]";
   template <class T>
   using In = PointsOf<T>;
 
@@ -127,7 +146,8 @@ struct ShapeRow<PointsOf<S>> {
 
 template <class S>
 struct ShapeRow<BallOf<S>> {
-  static constexpr std::string_view key = "sphere", kind = "sphere", kind_in_plane = "disc";
+  static constexpr std::string_view key = "sphere", kind = "sphere", kind_in_plane = "disc",
+                                    example = R"({"center": [0, 0, 0], "radius": 1})";
   template <class T>
   using In = BallOf<T>;
 
@@ -143,7 +163,8 @@ struct ShapeRow<BallOf<S>> {
 
 template <class S>
 struct ShapeRow<CylinderOf<S>> {
-  static constexpr std::string_view key = "cylinder", kind = "cylinder", kind_in_plane = "";
+  static constexpr std::string_view key = "cylinder", kind = "cylinder", kind_in_plane = "",
+                                    example = R"({"center": [0, 0, 0], "axis": [0, 0, 1], "radius": 1, "height": 2})";
   template <class T>
   using In = CylinderOf<T>;
 
@@ -161,7 +182,10 @@ struct ShapeRow<CylinderOf<S>> {
 
 template <class S>
 struct ShapeRow<SumOf<S>> {
-  static constexpr std::string_view key = "sum", kind = "sum", kind_in_plane = kind;
+  static constexpr std::string_view
+      key = "sum",
+      kind = "sum", kind_in_plane = kind,
+      example = R"([{"points": [[0, 0, -1], [0, 0, 1]]}, {"sphere": {"center": [0, 0, 0], "radius": 1}}])";
   template <class T>
   using In = SumOf<T>;
 
@@ -170,6 +194,50 @@ struct ShapeRow<SumOf<S>> {
     return walkthroughs::middle<S>(sum.summands[0]) + walkthroughs::middle<S>(sum.summands[1]);
   }
   static auto asked(SumOf<S> sum) { return AskedSum<S>(std::move(sum)); }
+};
+
+template <class S>
+struct ShapeRow<BoxOf<S>> {
+  static constexpr std::string_view key = "box", kind = "box", kind_in_plane = "rectangle",
+                                    example = R"({"center": [0, 0, 0], "size": [1, 2, 3]})";
+  template <class T>
+  using In = BoxOf<T>;
+
+  static void fields(auto&& visit, auto&... boxes) {
+    visit(field::Place{"center"}, boxes.center...);
+    visit(field::Size{"size", "half_extents"}, boxes.size...);
+  }
+  /// The center and the corners around it: neither is rounded.
+  static SumOf<S> as_sum(const BoxOf<S>& box) {
+    PointsOf<S> corners{-box.size / S(2)};
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t i = corners.size(); i-- > 0 && box.size[axis] != S(0);) {
+        corners.push_back(corners[i]);
+        corners.back()[axis] = box.size[axis] / S(2);
+      }
+    return {{PointsOf<S>{box.center}, corners}};
+  }
+  static auto asked(const BoxOf<S>& box) { return AskedSum<S>(as_sum(box)); }
+};
+
+template <class S>
+struct ShapeRow<CapsuleOf<S>> {
+  static constexpr std::string_view key = "capsule", kind = "capsule", kind_in_plane = kind,
+                                    example = R"({"from": [0, 0, -1], "to": [0, 0, 1], "radius": 1})";
+  template <class T>
+  using In = CapsuleOf<T>;
+
+  static void fields(auto&& visit, auto&... capsules) {
+    visit(field::Place{"from"}, capsules.from...);
+    visit(field::Place{"to"}, capsules.to...);
+    visit(field::Length{"radius"}, capsules.radius...);
+  }
+  static SumOf<S> as_sum(const CapsuleOf<S>& capsule) {
+    return {{PointsOf<S>{capsule.from, capsule.to}, BallOf<S>{gjk::Vec3<S>::Zero(), capsule.radius}}};
+  }
+  static auto asked(const CapsuleOf<S>& capsule) requires std::floating_point<S> {
+    return AskedSum<S>(as_sum(capsule));
+  }
 };
 
 template <class Shape>
@@ -186,10 +254,27 @@ void for_each_kind(Use&& use) {
 
 // -- What is the same for all -----------------------------------------------------------------------------------------
 
+template <class Shape>
+concept NamedSum = requires(const Shape& shape) {
+  ShapeRow<Shape>::as_sum(shape);
+};
+
+/// Returns: visitor(shape), of a sum with a name of its own visitor(sum).
+template <class Visitor, class... Shapes>
+auto visit_shape(Visitor&& visitor, const std::variant<Shapes...>& shape) {
+  const auto visit = [&]<class Shape>(const Shape& one) {
+    if constexpr (NamedSum<Shape>)
+      return visitor(ShapeRow<Shape>::as_sum(one));
+    else
+      return visitor(one);
+  };
+  return std::visit(visit, shape);
+}
+
 /// Returns: a point inside.
 template <class S>
 gjk::Vec3<S> middle(const AnyShapeOf<S>& shape) {
-  return std::visit([](const auto& one) { return RowOf<decltype(one)>::middle(one); }, shape);
+  return visit_shape([](const auto& one) { return RowOf<decltype(one)>::middle(one); }, shape);
 }
 
 /// Calls visit(kind of field, value) for each field of the shape.
@@ -206,6 +291,9 @@ struct Conversion {
   void operator()(field::Place, const auto& from, gjk::Vec3<T>& to) const { to = numbers.point(from); }
   void operator()(field::Direction, const auto& from, gjk::Vec3<T>& to) const { to = numbers.direction(from); }
   void operator()(field::Length, const auto& from, T& to) const { to = numbers.length(from); }
+  void operator()(field::Size, const auto& from, gjk::Vec3<T>& to) const {
+    for (int axis = 0; axis < 3; ++axis) to[axis] = numbers.length(from[axis]);
+  }
   void operator()(field::Places, const auto& from, PointsOf<T>& to) const {
     to.reserve(from.size());
     for (const auto& point : from) to.push_back(numbers.point(point));
@@ -286,7 +374,7 @@ struct AskedForm {
   using type = std::tuple<>;
 };
 template <CanBeAsked Shape>
-struct AskedForm<Shape> {
+requires(!NamedSum<Shape>) struct AskedForm<Shape> {
   using type = std::tuple<decltype(ShapeRow<Shape>::asked(std::declval<Shape>()))>;
 };
 

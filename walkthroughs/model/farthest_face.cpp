@@ -49,7 +49,7 @@ struct FaceOf {
     return face;
   }
   FarthestFace operator()(const Sum& sum) const {
-    const FarthestFace a = std::visit(*this, sum.summands[0]), b = std::visit(*this, sum.summands[1]);
+    const FarthestFace a = visit_shape(*this, sum.summands[0]), b = visit_shape(*this, sum.summands[1]);
     return {a.reach + b.reach, sum_of_hulls(a.hull, b.hull), a.slack + b.slack};
   }
 };
@@ -67,7 +67,7 @@ struct BoundOf {
     return largest(cylinder.center) + cylinder.height / 2 + cylinder.radius;
   }
   double operator()(const Sum& sum) const {
-    return std::visit(*this, sum.summands[0]) + std::visit(*this, sum.summands[1]);
+    return visit_shape(*this, sum.summands[0]) + visit_shape(*this, sum.summands[1]);
   }
 };
 
@@ -82,10 +82,10 @@ double distance_to_line(const Vec2& p, const Vec2& from, const Vec2& to) {
 }  // namespace
 
 FarthestFace farthest_face(const AnyShape& shape, const DirectionFrame& frame, const Tolerance& tolerance) {
-  return std::visit(FaceOf{frame, tolerance}, shape);
+  return visit_shape(FaceOf{frame, tolerance}, shape);
 }
 
-double bound_of(const AnyShape& shape) { return std::visit(BoundOf{}, shape); }
+double bound_of(const AnyShape& shape) { return visit_shape(BoundOf{}, shape); }
 
 double distance(const Vec2& p, const std::vector<Vec2>& hull) {
   double least = std::numeric_limits<double>::infinity();

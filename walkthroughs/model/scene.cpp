@@ -91,7 +91,7 @@ double positive_float(double length) {
 struct NearestFloats {
   Point point(const Point& p) const { return nearest_float(p); }
   Point direction(const Point& d) const { return nearest_float(d); }
-  double length(double x) const { return positive_float(x); }
+  double length(double x) const { return x == 0 ? 0 : positive_float(x); }
 };
 
 void round_to_float(Object& object) {

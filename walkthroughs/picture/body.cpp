@@ -110,12 +110,18 @@ struct CornersOf {
   Dimension dimension;
 
   std::vector<Point> operator()(const Points& points) const { return points; }
-  std::vector<Point> operator()(const Ball&) const { return {}; }
-  std::vector<Point> operator()(const Cylinder&) const { return {}; }
+  std::vector<Point> operator()(const Ball& ball) const {
+    return ball.radius == 0 ? std::vector{ball.center} : std::vector<Point>{};
+  }
+  std::vector<Point> operator()(const Cylinder& cylinder) const {
+    if (cylinder.radius != 0) return {};
+    const Point to_end = RowOf<Cylinder>::asked(cylinder).to_cap();
+    return {cylinder.center - to_end, cylinder.center + to_end};
+  }
   std::vector<Point> operator()(const Sum& sum) const {
     std::vector<Point> corners[2];
     for (const std::size_t i : {0u, 1u}) {
-      corners[i] = std::visit(*this, sum.summands[i]);
+      corners[i] = visit_shape(*this, sum.summands[i]);
       if (corners[i].empty()) return {};
       corners[i] = polytope(std::move(corners[i]), dimension).vertices;
     }
@@ -129,8 +135,13 @@ struct CornersOf {
 
 // -- Outlines ---------------------------------------------------------------------------------------------------------
 
+/// Returns: the direction of the axis, also of a disc, whose caps are one.
+Point along(const gjk::Cylinder<double>& cylinder) {
+  return cylinder.height() == 0 ? cylinder.axis() : cylinder.to_cap();
+}
+
 std::vector<Point> rim_of(const gjk::Cylinder<double>& cylinder, double end) {
-  const Point axis = cylinder.to_cap().normalized(), across = axis.unitOrthogonal(), other = axis.cross(across);
+  const Point axis = along(cylinder).normalized(), across = axis.unitOrthogonal(), other = axis.cross(across);
   std::vector<Point> rim;
   for (int i = 0; i < rim_points; ++i) {
     const double angle = angle_of(i, rim_points);
@@ -165,7 +176,7 @@ struct OutlineOf {
   /// Seen from far away the picture of a sum is the sum of the pictures.
   std::vector<Vec2> operator()(const Sum& sum) const {
     const Pose turned{pose.rotation, Point::Zero()};
-    return sum_of_hulls(std::visit(*this, sum.summands[0]), std::visit(OutlineOf{turned, lens}, sum.summands[1]));
+    return sum_of_hulls(visit_shape(*this, sum.summands[0]), visit_shape(OutlineOf{turned, lens}, sum.summands[1]));
   }
 };
 
@@ -248,8 +259,8 @@ struct StraightOf {
   }
   /// Two lines that are not parallel span a flat part.
   Straight operator()(const Sum& sum) const {
-    Straight all = std::visit(*this, sum.summands[0]);
-    const Straight other = std::visit(*this, sum.summands[1]);
+    Straight all = visit_shape(*this, sum.summands[0]);
+    const Straight other = visit_shape(*this, sum.summands[1]);
     const std::vector<Point> lines = all.lines;
     for (const Point& normal : other.normals) add_direction(normal, all.normals);
     for (const Point& line : lines)
@@ -281,7 +292,7 @@ struct FlatsOf {
     const auto asked = RowOf<Cylinder>::asked(cylinder);
     std::vector<Flat> caps;
     for (const double end : {-1.0, 1.0})
-      caps.push_back({moved(rim_of(asked, end)), pose.rotation * asked.to_cap() * end});
+      caps.push_back({moved(rim_of(asked, end)), pose.rotation * along(asked) * end});
     return caps;
   }
   std::vector<Flat> operator()(const Sum& sum) const {
@@ -308,11 +319,11 @@ struct FlatsOf {
 }  // namespace
 
 Body body_of(const Object& object, Dimension dimension) {
-  std::vector<Point> corners = std::visit(CornersOf{dimension}, object.form);
+  std::vector<Point> corners = visit_shape(CornersOf{dimension}, object.form);
   for (Point& corner : corners) corner = object.pose(corner);
   if (!corners.empty()) return polytope(std::move(corners), dimension);
   Body round;
-  if (dimension == Dimension::space) round.flats = std::visit(FlatsOf{object.pose}, object.form);
+  if (dimension == Dimension::space) round.flats = visit_shape(FlatsOf{object.pose}, object.form);
   return round;
 }
 
@@ -324,7 +335,7 @@ Body body_of_difference(const Scene& scene, const Body& a, const Body& b) {
 
 std::vector<Vec2> outline(const Object& object, const Body& body, const Lens& lens) {
   if (!body.vertices.empty()) return seen(convex_hull(through(lens, body.vertices)));
-  return seen(std::visit(OutlineOf{object.pose, lens}, object.form));
+  return seen(visit_shape(OutlineOf{object.pose, lens}, object.form));
 }
 
 std::vector<Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens) {

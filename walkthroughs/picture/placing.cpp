@@ -39,8 +39,8 @@ struct ExtentOf {
   }
   Extent operator()(const Sum& sum) const {
     const Pose turned{pose.rotation, Point::Zero()};
-    const Extent first = std::visit(*this, sum.summands[0]);
-    const Extent second = std::visit(ExtentOf{turned}, sum.summands[1]);
+    const Extent first = visit_shape(*this, sum.summands[0]);
+    const Extent second = visit_shape(ExtentOf{turned}, sum.summands[1]);
     return {first.low + second.low, first.high + second.high};
   }
 
@@ -56,8 +56,8 @@ struct Scaled {
   double scale;
   Point point(const Point& p) const { return p * scale; }
   Point direction(const Point& d) const { return d; }
-  /// A shape has a size, also one that vanishes beside the other.
-  double length(double x) const { return std::max(x * scale, least_size); }
+  /// What has a size keeps one, also where it vanishes beside the other.
+  double length(double x) const { return x == 0 ? 0 : std::max(x * scale, least_size); }
 };
 
 /// Moves and scales the points of an event; numbers that are said stay as they are.
@@ -113,7 +113,7 @@ Placing placing_of(const std::vector<Telling>& tellings) {
   double largest = 0;  // of what is drawn
   for (const Telling& telling : tellings) {
     for (const Object* object : {&telling.scene.a, &telling.scene.b}) {
-      const Extent extent = std::visit(ExtentOf{object->pose}, object->form);
+      const Extent extent = visit_shape(ExtentOf{object->pose}, object->form);
       objects.add(extent.low);
       objects.add(extent.high);
     }

@@ -144,13 +144,18 @@ SceneFile read_scene(const std::filesystem::path& file) {
   }
 }
 
-std::string_view example_scene() {
+std::string example_scene() {
+  std::string shapes;
+  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
+    using Row = ShapeRow<Shape>;
+    shapes.append("    //   \"").append(Row::key).append("\": ").append(Row::example).append("\n");
+  });
   return R"(// A scene for gjkstep. Only a and b must be there; everything else shows its default or an alternative.
 {
   "title": "A can beside a tilted box",  // without it: the name of the file
   "dimension": 3,                        // 2: the plane; points are [x, y], spheres are discs
 
-  // The two objects. Each has one shape: points, sphere, cylinder or sum.
+  // The two objects. Each has one shape.
   "a": {
     "name": "box",  // as captions call it
     "points": [     // their convex hull; the order does not matter
@@ -165,10 +170,9 @@ std::string_view example_scene() {
   "b": {
     "name": "can",
     "cylinder": {"center": [0, 0, 0], "axis": [0, 0, 1], "radius": 1, "height": 2}
-    // or "sphere": {"center": [0, 0, 0], "radius": 1}
-    // or "sum": [{"points": [[0, 0, -1], [0, 0, 1]]}, {"sphere": {"center": [0, 0, 0], "radius": 1}}]
-    //    of two shapes, each point of one plus each of the other: here a capsule
-  },
+    // One of these, in its place; a sum is each point of one shape plus each of the other:
+)" + shapes +
+         R"(  },
 
   // How the algorithm runs.
   "first_direction": [1, 0, 0],  // left out, "eager" goes from the center of a to that of b

@@ -26,13 +26,15 @@
 ///     points           [[x, y, z], ...], 1 to 100,000: their convex hull
 ///     sphere           {"center": [x, y, z], "radius": r}; in the plane a disc
 ///     cylinder         {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}; in space only
-///     sum              [{shape}, {shape}]: each point of one plus each of the other (Section 2.3, Eq. 3); a sum of a segment
-///                      and a ball is a capsule. Up to 4 sums may be in one another.
+///     box              {"center": [x, y, z], "size": [x, y, z]}, along the axes; or "half_extents" in place of "size"
+///     capsule          {"from": [x, y, z], "to": [x, y, z], "radius": r}
+///     sum              [{shape}, {shape}]: each point of one plus each of the other (Section 2.3, Eq. 3). Up to 4 sums may be
+///                      in one another.
 ///     pose             {"rotation": {"axis": [x, y, z], "degrees": d}, "translation": [x, y, z]}, either or both: the
 ///                      shape is first turned about the origin, counter-clockwise seen from the tip of the axis, then
 ///                      moved. In the plane the rotation is {"degrees": d}.
 ///
-/// All numbers are finite and at most 1e150 in magnitude, so that the squares of lengths are finite.
+/// All numbers are finite and at most 1e150 in magnitude, so that the squares of lengths are finite. Lengths may be 0.
 #pragma once
 
 #include <cstddef>
@@ -67,7 +69,7 @@ SceneFile read_scene(const std::filesystem::path& file);
 SceneFile parse_scene(std::string_view text, const std::string& file_name);
 
 /// Returns: a scene file with comments that shows every key.
-std::string_view example_scene();
+std::string example_scene();
 
 /// Returns: in one line what the scene declares.
 std::string summary(const SceneFile& scene);

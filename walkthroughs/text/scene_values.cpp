@@ -152,12 +152,22 @@ Point Space::first_direction(const Value& value) const {
   return found;
 }
 
-double Space::length(const Value& object, std::string_view key) const {
-  const Value value = required(object, key, "give it as a positive number");
+double Space::length(const Value& value) const {
   const double found = coordinate(value);
-  if (!(found > 0)) value.fail("must be larger than 0, found " + number_text(found) + "; give a positive length");
-  if (numbers == Numbers::floats) expect_positive_float(value, found);
+  if (found < 0) value.fail("must not be negative, found " + number_text(found) + "; give a length");
+  if (numbers == Numbers::floats && found != 0) expect_positive_float(value, found);
   return found;
+}
+
+Point Space::size(const Value& value) const {
+  const Point found = point(value);
+  for (const Value& each : value.children()) length(each);
+  return found;
+}
+
+bool Space::holds(double x) const {
+  const double size = std::abs(numbers == Numbers::floats ? static_cast<float>(x) : x);
+  return magnitudes == Magnitudes::all ? std::isfinite(size) : size <= scene_limits::magnitude;
 }
 
 double Space::coordinate(const Value& value) const {
@@ -177,6 +187,7 @@ std::vector<std::string> fields_of() {
   std::vector<std::string> names;
   const auto add = [&](auto kind) {
     if constexpr (requires { kind.name; }) names.emplace_back(kind.name);
+    if constexpr (requires { kind.half; }) names.emplace_back(kind.half);
   };
   ShapeRow<Shape>::fields(add);
   return names;
@@ -217,7 +228,22 @@ struct FieldReader {
   void operator()(field::Direction direction, Point& to) const {
     to = space.direction(required(value, direction.name, "give it as a direction [x, y, z]"));
   }
-  void operator()(field::Length length, double& to) const { to = space.length(value, length.name); }
+  void operator()(field::Length length, double& to) const {
+    to = space.length(required(value, length.name, "give it as a number"));
+  }
+  void operator()(field::Size size, Point& to) const {
+    if (const auto half = value.member(size.half)) {
+      if (const auto whole = value.member(size.name))
+        half->fail("stands beside '" + whole->key() + "'; give one of them");
+      to = 2 * space.size(*half);
+      if (!space.holds(to.maxCoeff()))
+        half->fail("is too large: the size is twice as much; choose a larger unit of length");
+    } else {
+      const std::string words = space.is_plane() ? "[x, y]" : "[x, y, z]";
+      to = space.size(
+          required(value, size.name, "give it as " + words + ", or half of it as '" + std::string(size.half) + "'"));
+    }
+  }
   void operator()(field::Places, Points& to) const {
     expect(value, Kind::list, "a list of points");
     const std::vector<Value> children = value.children();

@@ -62,8 +62,12 @@ struct Space {
   /// Only the ratios of its numbers count: these may be any.
   Point direction(const Value& value) const;
   Point first_direction(const Value& value) const;
-  /// Returns: the positive number of that key.
-  double length(const Value& object, std::string_view key) const;
+  /// Returns: a number that is not negative.
+  double length(const Value& value) const;
+  /// Returns: three lengths; in the plane two, and 0.
+  Point size(const Value& value) const;
+  /// Returns: whether a number is one that the search can have.
+  bool holds(double x) const;
 
  private:
   double coordinate(const Value& value) const;

@@ -123,7 +123,7 @@ class Objection {
 
 std::string objection_to(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
                          Scalar scalar) {
-  return std::visit(Objection(found, object, direction, precision_of(scalar)), object.form);
+  return visit_shape(Objection(found, object, direction, precision_of(scalar)), object.form);
 }
 
 }  // namespace walkthroughs

@@ -128,9 +128,9 @@ void require_known_version(const Value& root) {
     root.fail("is not the first line of a trace: it has no \"schema\": \"gjkstep-trace\"; " + trace_advice);
   const Value version = member(root, "version");
   expect(version, Kind::number, "a number");
-  if (version.number() != trace_version)
-    version.fail("version " + number_text(version.number()) + " is not known; this program reads version " +
-                 std::to_string(trace_version) + ": " + trace_advice);
+  if (version.number() != trace_version && version.number() != oldest_trace_version)
+    version.fail("version " + number_text(version.number()) + " is not known; this program reads versions " +
+                 std::to_string(oldest_trace_version) + " and " + std::to_string(trace_version) + ": " + trace_advice);
 }
 
 }  // namespace

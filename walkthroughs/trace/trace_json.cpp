@@ -31,6 +31,7 @@ struct FieldWriter {
   void operator()(field::Place place, const Point& p) const { to[std::string(place.name)] = json(p); }
   void operator()(field::Direction direction, const Point& d) const { to[std::string(direction.name)] = json(d); }
   void operator()(field::Length length, double x) const { to[std::string(length.name)] = x; }
+  void operator()(field::Size size, const Point& p) const { to[std::string(size.name)] = json(p); }
   void operator()(field::Places, const Points& points) const {
     to = Json::array();
     for (const Point& p : points) to.push_back(json(p));

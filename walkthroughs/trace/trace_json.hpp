@@ -19,7 +19,8 @@
 
 namespace walkthroughs {
 
-inline constexpr int trace_version = 2;
+/// Version 2, which is read, too, has no boxes and capsules, and all its lengths are larger than 0.
+inline constexpr int trace_version = 3, oldest_trace_version = 2;
 
 /// Returns: one event as in a trace, but for its scene; keys in their order.
 nlohmann::ordered_json event_json(const gjk::Event<double>& event);

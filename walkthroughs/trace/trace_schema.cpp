@@ -151,6 +151,7 @@ Json schema(Holds<R>, Meaning) {
 Json schema(field::Place) { return reference("point"); }
 Json schema(field::Direction) { return reference("point"); }
 Json schema(field::Length) { return reference("length"); }
+Json schema(field::Size) { return list_of(reference("length"), 3, 3); }
 Json schema(field::Places) { return list_of(reference("point"), 1, scene_limits::points); }
 Json schema(field::Shapes) {
   Json summand = reference("shape");
@@ -218,7 +219,7 @@ Json definitions() {
   Json defs{
       {"text", described("Words, which nothing follows from.", text(trace_limits::words))},
       {"number", described("A double; what is not finite is a word.", number)},
-      {"length", {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", scene_limits::magnitude}}},
+      {"length", {{"type", "number"}, {"minimum", 0}, {"maximum", scene_limits::magnitude}}},
       {"finite", {{"type", "number"}, {"minimum", -scene_limits::magnitude}, {"maximum", scene_limits::magnitude}}},
       {"point", described("A point of a scene, in its own unit of length.", list_of(reference("finite"), 3, 3))},
       {"vector", list_of(reference("number"), 3, 3)},

@@ -24,15 +24,17 @@ Points points_at_random(kit::Dice& dice, int count) {
 }
 
 AnyShape shape_at_random(kit::Dice& dice, int sums = 2) {
-  const int kind = dice.between(0, sums > 0 ? 3 : 2);
+  const int kind = dice.between(0, sums > 0 ? 5 : 4);
   if (kind == 0) return points_at_random(dice, 5);
-  if (kind == 3) {
+  if (kind == 5) {
     const AnyShape one = shape_at_random(dice, sums - 1);
     return Sum{{one, shape_at_random(dice, sums - 1)}};
   }
   const Point center = point_at_random(dice), axis = point_at_random(dice);
   const double radius = dice.between(0.0, 1.0);
   if (kind == 1) return Ball{center, radius};
+  if (kind == 3) return BoxOf<double>{center, axis.cwiseAbs()};
+  if (kind == 4) return CapsuleOf<double>{center, axis, radius};
   return Cylinder{center, axis, radius, dice.between(0.0, 1.0)};
 }
 
@@ -55,6 +57,9 @@ double reach(const AnyShape& shape, const Point& d) {
     const Point n = can->axis.normalized();
     return can->center.dot(d) + std::abs(n.dot(d)) * can->height / 2 + n.cross(d).norm() * can->radius;
   }
+  if (const auto* box = std::get_if<BoxOf<double>>(&shape)) return box->center.dot(d) + box->size.dot(d.cwiseAbs()) / 2;
+  if (const auto* capsule = std::get_if<CapsuleOf<double>>(&shape))
+    return std::max(capsule->from.dot(d), capsule->to.dot(d)) + capsule->radius * d.norm();
   const auto& sum = std::get<Sum>(shape);
   return reach(sum.summands.at(0), d) + reach(sum.summands.at(1), d);
 }
@@ -101,6 +106,15 @@ TEST_CASE(
     REQUIRE(found.simplex.size() == expected.simplex.size());
     for (int k = 0; k < found.simplex.size(); ++k) CHECK(found.simplex[k].w == expected.simplex[k].w);
   }
+}
+
+TEST_CASE("A box has as many corners as it needs: eight, four where it is flat, one where it has no size") {
+  const auto corners = [](const Point& size) {
+    return std::get<Points>(ShapeRow<BoxOf<double>>::as_sum({{1, 2, 3}, size}).summands[1]).size();
+  };
+  CHECK(corners({1, 2, 3}) == 8);
+  CHECK(corners({1, 0, 3}) == 4);
+  CHECK(corners({0, 0, 0}) == 1);
 }
 
 TEST_CASE("Converting turns each number by what it is") {

@@ -383,7 +383,7 @@ const Damage damages[] = {
     {"comment", 2, "is not JSON"},
     {"scene-file", 1, "is not the first line of a trace"},
     {"version-1", 1, "version 1 is not known"},
-    {"version-3", 1, "version 3 is not known"},
+    {"version-4", 1, "version 4 is not known"},
     {"mistake-unknown", 1, "'m22' is not known"},
     {"mistake-unnamed", 6, "but the search says \"A is the origin\""},
     {"name-elsewhere", 1, "cannot name a folder"},

@@ -264,7 +264,7 @@ TEST_CASE("The first line of a trace says schema, version, walkthrough and scala
   for (const Walkthrough& w : walkthroughs_to_trace()) {
     const Json first = lines_of(w).at(0);
     CHECK(first.at("schema") == "gjkstep-trace");
-    CHECK(first.at("version") == 2);
+    CHECK(first.at("version") == 3);
     CHECK(first.at("walkthrough") == w.name);
     CHECK(first.at("scalar") == "double");
     CHECK(first.at("scenes").size() == w.scenes.size());

@@ -69,12 +69,12 @@ header = lines_of((folder / "ok-sums.jsonl").read_text())[0]
 for damage in (lambda o: o.pop("name"), lambda o: o.update(more=1), lambda o: o.update(points=[[0, 0, 0]]),
                lambda o: o["sum"].pop(), lambda o: o["sum"].append(o["sum"][0]), lambda o: o["sum"][0].clear(),
                lambda o: o["sum"][0].update(name="a summand has none"), lambda o: o["sum"][0].update(pose={}),
-               lambda o: o["sum"][1]["sphere"].pop("radius"), lambda o: o["sum"][1]["sphere"].update(radius=0)):
+               lambda o: o["sum"][1]["sphere"].pop("radius"), lambda o: o["sum"][1]["sphere"].update(radius=-1)):
     wrong = copy.deepcopy(header)
     damage(wrong["scenes"][0]["a"])
     assert not validator.is_valid(wrong), wrong["scenes"][0]["a"]
     refused += 1
-for file in ("bad-sum-of-one", "bad-version-1", "bad-version-3", "bad-name-elsewhere", "bad-unknown-key", "bad-infinite-scene"):
+for file in ("bad-sum-of-one", "bad-version-1", "bad-version-4", "bad-name-elsewhere", "bad-unknown-key", "bad-infinite-scene"):
     lines = lines_of((folder / (file + ".jsonl")).read_text())
     assert not all(validator.is_valid(line) for line in lines), file
 
