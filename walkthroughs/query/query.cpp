@@ -49,13 +49,12 @@ void write_too_long(std::size_t line_number, std::string& out) {
 }  // namespace
 
 bool answer_line(std::string_view line, std::size_t line_number, const QueryOptions& options, std::string& out) {
-  try {
-    answer(read_pair(line, options), options, out);
-    return true;
-  } catch (const DocumentError& error) {
-    write_error((error.key.empty() ? "" : error.key + ": ") + error.what(), line_number, out);
-    return false;
-  }
+  Reading<PairAsWritten> pair = read_pair(line, options);
+  if (pair.complaint)
+    write_error(pair.complaint->text(), line_number, out);
+  else
+    answer(std::move(pair.value), options, out);
+  return !pair.complaint;
 }
 
 QueryTally answer_lines(const QueryOptions& options, const ReadSome& read, const Write& write) {

@@ -30,16 +30,19 @@ Magnitudes magnitudes_of(QueryEvidence evidence) {
 
 }  // namespace
 
-PairAsWritten read_pair(std::string_view line, const QueryOptions& query) {
+Reading<PairAsWritten> read_pair(std::string_view line, const QueryOptions& query) {
   if (line.find_first_not_of(" \t\r") == std::string_view::npos)
-    throw DocumentError(1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out");
+    return {{}, Complaint{1, "", "the line is blank; give a pair {\"a\": …, \"b\": …}, or leave the line out"}};
   const Document document = Document::of_line(line);
   const Value root = document.root();
-  expect_object(root, keys_of_line(), "an object { ... } with 'a' and 'b'");
-  const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(query.scalar),
-                    magnitudes_of(query.evidence)};
-  ObjectAsWritten a = read_object(required(root, "a", "give the first object"), space);
-  return {std::move(a), read_object(required(root, "b", "give the second object"), space)};
+  PairAsWritten pair;
+  if (expect_object(root, keys_of_line(), "an object { ... } with 'a' and 'b'")) {
+    const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(query.scalar),
+                      magnitudes_of(query.evidence)};
+    pair.a = read_object(required(root, "a", "give the first object"), space);
+    pair.b = read_object(required(root, "b", "give the second object"), space);
+  }
+  return {std::move(pair), document.complaint()};
 }
 
 Point center_of(const ObjectAsWritten& object) {

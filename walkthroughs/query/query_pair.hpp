@@ -16,8 +16,8 @@ struct PairAsWritten {
   reading::ObjectAsWritten a, b;
 };
 
-/// Errors: DocumentError.
-PairAsWritten read_pair(std::string_view line, const QueryOptions& query);
+/// Returns: the pair, or what is wrong with the line.
+Reading<PairAsWritten> read_pair(std::string_view line, const QueryOptions& query);
 
 /// Returns: a point inside.
 Point center_of(const reading::ObjectAsWritten& object);

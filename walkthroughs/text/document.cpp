@@ -129,16 +129,12 @@ class DocumentBuilder {
   DocumentBuilder(Document& document, const Progress& progress) : document_(document), progress_(progress) {}
 
   bool null() { return add(Document::Kind::null); }
-  bool boolean(bool value) {
-    add(Document::Kind::boolean);
-    document_.nodes_.back().number = value ? 1 : 0;
-    return true;
-  }
-  bool number_integer(Json::number_integer_t value) { return add_number(static_cast<double>(value)); }
-  bool number_unsigned(Json::number_unsigned_t value) { return add_number(static_cast<double>(value)); }
-  bool number_float(Json::number_float_t value, const std::string&) { return add_number(value); }
+  bool boolean(bool value) { return add(Document::Kind::boolean, value ? 1 : 0); }
+  bool number_integer(Json::number_integer_t value) { return number_float(static_cast<double>(value), {}); }
+  bool number_unsigned(Json::number_unsigned_t value) { return number_float(static_cast<double>(value), {}); }
+  bool number_float(Json::number_float_t value, const std::string&) { return add(Document::Kind::number, value); }
   bool string(std::string& value) {
-    add(Document::Kind::string);
+    if (!add(Document::Kind::string)) return false;
     document_.nodes_.back().text = keep(std::move(value));
     return true;
   }
@@ -152,13 +148,13 @@ class DocumentBuilder {
     const Open& object = open_.back();
     const bool is_second = object_has(object.index, name), is_too_many = object.children == document_limits::members;
     key_ = keep(std::move(name));
-    if (is_second) fail("this key appears twice in its object; remove one");
-    if (is_too_many) fail("too many keys; an object may have " + std::to_string(document_limits::members));
+    if (is_second) return fail("this key appears twice in its object; remove one");
+    if (is_too_many) return fail("too many keys; an object may have " + std::to_string(document_limits::members));
     return true;
   }
 
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) {
-    fail(reason_of_syntax_error(progress_, error));
+    return fail(reason_of_syntax_error(progress_, error));
   }
 
   static std::string shown(const std::string& key) {
@@ -172,9 +168,10 @@ class DocumentBuilder {
     std::size_t children = 0;
   };
 
-  /// Throws a DocumentError that names the value that would come next.
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw DocumentError(progress_.line, place_of_next_value(), reason);
+  /// Complains about the value that would come next. Returns: that the parser is to stop.
+  bool fail(const std::string& reason) const {
+    document_.complain(progress_.line, place_of_next_value(), reason);
+    return false;
   }
 
   bool object_has(Document::Index object, const std::string& name) const {
@@ -200,14 +197,17 @@ class DocumentBuilder {
     return place() + (place().empty() ? "" : ".") + shown(document_.strings_[key_]);
   }
 
-  bool add(Document::Kind kind) {
+  bool add(Document::Kind kind, double number = 0) {
     if (document_.nodes_.size() == document_limits::values)
-      fail("too many values; a file may have " + std::to_string(document_limits::values));
+      return fail("too many values; a file may have " + std::to_string(document_limits::values));
     const bool in_list = !open_.empty() && document_.nodes_[open_.back().index].kind == Document::Kind::list;
-    if (in_list && open_.back().children == document_limits::elements)
-      throw DocumentError(progress_.line, place(),
-                          "too many elements; a list may have " + std::to_string(document_limits::elements));
-    Document::Node node{.line = progress_.line, .key = std::exchange(key_, Document::none), .kind = kind};
+    if (in_list && open_.back().children == document_limits::elements) {
+      document_.complain(progress_.line, place(),
+                         "too many elements; a list may have " + std::to_string(document_limits::elements));
+      return false;
+    }
+    Document::Node node{
+        .number = number, .line = progress_.line, .key = std::exchange(key_, Document::none), .kind = kind};
     if (!open_.empty()) {
       node.parent = open_.back().index;
       ++open_.back().children;
@@ -217,16 +217,11 @@ class DocumentBuilder {
     return true;
   }
 
-  bool add_number(double value) {
-    add(Document::Kind::number);
-    document_.nodes_.back().number = value;
-    return true;
-  }
-
   bool open(Document::Kind kind) {
     if (open_.size() == document_limits::depth)
-      fail("too many brackets in one another; " + std::to_string(document_limits::depth) + " levels are allowed");
-    add(kind);
+      return fail("too many brackets in one another; " + std::to_string(document_limits::depth) +
+                  " levels are allowed");
+    if (!add(kind)) return false;
     open_.push_back({static_cast<Document::Index>(document_.nodes_.size() - 1)});
     return true;
   }
@@ -245,70 +240,70 @@ class DocumentBuilder {
 
 namespace {
 
-[[noreturn]] void fail_at_byte_not_utf_8(std::string_view text) {
-  const std::string_view front = text.substr(0, first_not_utf_8(text).value());
-  const std::size_t line_begin = front.rfind('\n') + 1;  // 0 where there is no line break
-  throw DocumentError(1 + static_cast<int>(std::ranges::count(front, '\n')), "",
-                      "is not UTF-8 at column " + std::to_string(front.size() - line_begin + 1) + ": the byte " +
-                          printable(text.substr(front.size(), 1)) + " is no letter there; save the text as UTF-8");
+Complaint about_byte(std::string_view text, std::size_t at, const std::string& reason) {
+  const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  return {1 + static_cast<int>(lines), "", reason};
 }
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
-/// Finds what the parser would take for the end of the text, or complain about less clearly.
-void require_text(std::string_view text) {
-  if (is_blank(text))
-    throw DocumentError(1, "", "the file is empty; 'gjkstep scene --example' prints one to begin with");
+/// Returns: what the parser would take for the end of the text, or complain about less clearly.
+std::optional<Complaint> objection_to_bytes(std::string_view text) {
+  if (is_blank(text)) return Complaint{1, "", "the file is empty; 'gjkstep scene --example' prints one to begin with"};
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw DocumentError(1, "", "the text is UTF-16; save it as UTF-8");
-  if (!simdjson::validate_utf8(text.data(), text.size())) fail_at_byte_not_utf_8(text);
-  const auto is_control = [](char c) { return '\0' <= c && c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
-  if (const auto at = std::ranges::find_if(text, is_control); at != text.end()) {
-    const auto lines = std::count(text.begin(), at, '\n');
-    throw DocumentError(1 + static_cast<int>(lines), "",
-                        "there is a byte " + std::to_string(*at) + ", which no text has; save it as UTF-8");
+    return Complaint{1, "", "the text is UTF-16; save it as UTF-8"};
+  if (!simdjson::validate_utf8(text.data(), text.size())) {
+    const std::size_t at = first_not_utf_8(text).value();
+    const std::size_t line_begin = text.substr(0, at).rfind('\n') + 1;  // 0 where there is no line break
+    return about_byte(text, at,
+                      "is not UTF-8 at column " + std::to_string(at - line_begin + 1) + ": the byte " +
+                          printable(text.substr(at, 1)) + " is no letter there; save the text as UTF-8");
   }
+  const auto is_control = [](char c) { return '\0' <= c && c < ' ' && c != '\t' && c != '\n' && c != '\r'; };
+  if (const auto at = std::ranges::find_if(text, is_control); at != text.end())
+    return about_byte(text, static_cast<std::size_t>(at - text.begin()),
+                      "there is a byte " + std::to_string(*at) + ", which no text has; save it as UTF-8");
+  return std::nullopt;
 }
 
 }  // namespace
 
 Document::Document(std::string_view text, Comments comments) {
-  require_text(text);
+  complaint_ = objection_to_bytes(text);
+  if (complaint_) return;
   Progress progress(text);
   DocumentBuilder builder(*this, progress);
   constexpr bool strict = true;
   Json::sax_parse(CountingIterator(progress), CountingIterator(), &builder, Json::input_format_t::json, strict,
                   comments == Comments::allowed);
+  if (complaint_) nodes_.clear();
 }
 
 namespace {
 
-/// Tells the builder what simdjson has read, which knows neither lines nor limits.
-void tell(DocumentBuilder& builder, const simdjson::dom::element& value) {
+/// Tells the builder what simdjson has read, which knows neither lines nor limits. Returns: whether to go on.
+bool tell(DocumentBuilder& builder, const simdjson::dom::element& value) {
   using Type = simdjson::dom::element_type;
   switch (value.type()) {
     case Type::ARRAY:
-      builder.start_array(0);
-      for (const auto element : simdjson::dom::array(value)) tell(builder, element);
-      builder.end_array();
-      break;
+      if (!builder.start_array(0)) return false;
+      for (const auto element : simdjson::dom::array(value))
+        if (!tell(builder, element)) return false;
+      return builder.end_array();
     case Type::OBJECT:
-      builder.start_object(0);
+      if (!builder.start_object(0)) return false;
       for (const auto [key, member] : simdjson::dom::object(value)) {
         std::string name(key);
-        builder.key(name);
-        tell(builder, member);
+        if (!builder.key(name) || !tell(builder, member)) return false;
       }
-      builder.end_object();
-      break;
+      return builder.end_object();
     case Type::STRING: {
       std::string text(std::string_view{value});
-      builder.string(text);
-      break;
+      return builder.string(text);
     }
-    case Type::BOOL: builder.boolean(bool(value)); break;
-    case Type::NULL_VALUE: builder.null(); break;
-    default: builder.number_float(double(value), {});
+    case Type::BOOL: return builder.boolean(bool(value));
+    case Type::NULL_VALUE: return builder.null();
+    default: return builder.number_float(double(value), {});
   }
 }
 
@@ -318,19 +313,23 @@ void tell(DocumentBuilder& builder, const simdjson::dom::element& value) {
 Document Document::of_line(std::string_view text) {
   simdjson::dom::parser parser;
   simdjson::dom::element root;
-  if (is_blank(text)) throw DocumentError(1, "", "the line is empty");
-  if (parser.parse(text.data(), text.size()).get(root)) return Document(text, Comments::refused);
   Document document;
+  if (is_blank(text)) {
+    document.complain(1, "", "the line is empty");
+    return document;
+  }
+  if (parser.parse(text.data(), text.size()).get(root)) return Document(text, Comments::refused);
   document.nodes_.reserve(64);  // of two tetrahedra: 41
   const Progress progress(text);
   DocumentBuilder builder(document, progress);
-  tell(builder, root);
+  if (!tell(builder, root)) document.nodes_.clear();
   return document;
 }
 
-Value Document::root() const { return {*this, 0}; }
+Value Document::root() const { return {*this, nodes_.empty() ? none : 0}; }
 
 std::string Document::path(Index index) const {
+  if (index == none) return "";
   const Node& node = nodes_[index];
   if (node.parent == none) return "";
   const std::string front = path(node.parent);  // no deeper than document_limits::depth
@@ -338,6 +337,16 @@ std::string Document::path(Index index) const {
   std::size_t position = 0;
   for (Index i = node.parent + 1; i != index; i = nodes_[i].end) ++position;
   return front + "[" + std::to_string(position) + "]";
+}
+
+const Document::Node& Value::node() const {
+  static const Document::Node nothing{.end = 0};
+  return index_ == Document::none ? nothing : document_->nodes_[index_];
+}
+
+const std::string& Value::text() const {
+  static const std::string nothing;
+  return is(Document::Kind::string) ? document_->strings_[node().text] : nothing;
 }
 
 std::vector<Value> Value::children() const {
@@ -369,11 +378,14 @@ std::string_view Value::description() const {
   return "";
 }
 
-void Value::fail(const std::string& reason) const { throw DocumentError(node().line, document_->path(index_), reason); }
+void Value::fail(const std::string& reason) const {
+  if (is_good()) document_->complain(node().line, document_->path(index_), reason);
+}
 
-void Value::fail_without(std::string_view key, const std::string& reason) const {
-  const std::string path = document_->path(index_);
-  throw DocumentError(node().line, path + (path.empty() ? "" : ".") + std::string(key), reason);
+Value Value::fail_without(std::string_view key, const std::string& reason) const {
+  const std::string path = is_good() ? document_->path(index_) : "";
+  document_->complain(node().line, path + (path.empty() ? "" : ".") + std::string(key), reason);
+  return {*document_, Document::none};
 }
 
 }  // namespace walkthroughs

@@ -2,24 +2,35 @@
 ///
 /// Comments, // to the end of the line and /* */, count as blanks where they are allowed. The parser does not recurse, and it stops at the first
 /// thing that it objects to. Nothing here knows of scenes.
+///
+/// Errors are values: the first complaint about a text is kept in its document, whoever makes it, and those after it are not. So a
+/// reader reads on, with something in place of what it did not find, and its caller looks once, at the end.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace walkthroughs {
 
-/// Something is wrong with a text. what() is a sentence without place.
-struct DocumentError : std::runtime_error {
-  DocumentError(int line, std::string key, const std::string& reason)
-      : std::runtime_error(reason), line(line), key(std::move(key)) {}
+/// Something is wrong with a text.
+struct Complaint {
+  int line;            ///< counted from 1
+  std::string key;     ///< the path to the value, such as "a.points[2]"; empty for the text as a whole
+  std::string reason;  ///< a sentence without place
 
-  int line;         ///< counted from 1
-  std::string key;  ///< the path to the value, such as "a.points[2]"; empty for the text as a whole
+  /// Returns: "a.points[2]: expected …".
+  std::string text() const { return key + (key.empty() ? "" : ": ") + reason; }
+};
+
+/// What was read from a text, and what is wrong with it: then the value is of no use.
+template <class T>
+struct Reading {
+  T value;
+  std::optional<Complaint> complaint;
 };
 
 namespace document_limits {
@@ -37,13 +48,15 @@ class Document {
 
   enum class Comments { allowed, refused };
 
-  /// Errors: DocumentError where `text` is not JSON, goes beyond the limits, or names a key twice in one object.
+  /// Complains where `text` is not JSON, goes beyond the limits, or names a key twice in one object; its root is then null.
   explicit Document(std::string_view text, Comments comments = Comments::allowed);
 
   /// One line of JSON Lines, without comments: the same as the constructor, several times as fast where it is JSON.
   static Document of_line(std::string_view text);
 
   Value root() const;
+  /// Returns: the first complaint about this text, of the parser or of a Value.
+  const std::optional<Complaint>& complaint() const { return complaint_; }
 
  private:
   friend class Value;
@@ -62,9 +75,14 @@ class Document {
 
   Document() = default;
   std::string path(Index index) const;
+  /// The first one counts.
+  void complain(int line, std::string key, std::string reason) const {
+    if (!complaint_) complaint_ = {line, std::move(key), std::move(reason)};
+  }
 
   std::vector<Node> nodes_;
   std::vector<std::string> strings_;
+  mutable std::optional<Complaint> complaint_;  // what is read stays as it is
 };
 
 /// One value of a document, which must outlive it.
@@ -72,10 +90,10 @@ class Value {
  public:
   Document::Kind kind() const { return node().kind; }
   bool is(Document::Kind kind) const { return node().kind == kind; }
-  double number() const { return node().number; }      ///< Requires: a number.
-  bool is_true() const { return node().number != 0; }  ///< Requires: a boolean.
-  /// Requires: a string. Returns: valid UTF-8.
-  const std::string& text() const { return document_->strings_[node().text]; }
+  double number() const { return is(Document::Kind::number) ? node().number : 0; }  ///< 0 where it is no number
+  bool is_true() const { return node().number != 0; }                               ///< Requires: a boolean.
+  /// Returns: valid UTF-8; empty where it is no string.
+  const std::string& text() const;
   /// Requires: the value of a member of an object.
   const std::string& key() const { return document_->strings_[node().key]; }
   /// Returns: the elements of a list or the members of an object, in their order; none of other values.
@@ -84,15 +102,18 @@ class Value {
 
   /// Returns: what kind of value it is, with an article: "a string".
   std::string_view description() const;
-  /// Throws a DocumentError that names this value.
-  [[noreturn]] void fail(const std::string& reason) const;
-  /// As fail(), for what an object lacks.
-  [[noreturn]] void fail_without(std::string_view key, const std::string& reason) const;
+  /// Complains about this value.
+  void fail(const std::string& reason) const;
+  /// As fail(), for what an object lacks. Returns: null in its place.
+  Value fail_without(std::string_view key, const std::string& reason) const;
+  /// Returns: whether nobody has complained about this document so far.
+  bool is_good() const { return !document_->complaint_; }
 
  private:
   friend class Document;
   Value(const Document& document, Document::Index index) : document_(&document), index_(index) {}
-  const Document::Node& node() const { return document_->nodes_[index_]; }
+  /// Of what is not there: null, without children.
+  const Document::Node& node() const;
 
   const Document* document_;
   Document::Index index_;

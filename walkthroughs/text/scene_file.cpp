@@ -65,7 +65,10 @@ std::optional<render::Size> read_size(const Value& root) {
   }
   if (!value->is(Kind::list)) value->fail(expected + ", found " + std::string(value->description()));
   const std::vector<Value> sides = value->children();
-  if (sides.size() != 2) value->fail(expected + ", found a list of " + std::to_string(sides.size()));
+  if (sides.size() != 2) {
+    value->fail(expected + ", found a list of " + std::to_string(sides.size()));
+    return std::nullopt;
+  }
   const auto side = [](const Value& v) { return whole_number(v, render::min_pixels, render::max_pixels); };
   return render::Size{side(sides[0]), side(sides[1])};
 }
@@ -96,6 +99,7 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   const Space space{.dimension = dimension_of(root), .numbers = numbers_of(scalar)};
   Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
   Object b = scene_object(required(root, "b", "give the second object"), space, scalar);
+  if (!root.is_good()) return {};
   name_the_nameless(a, b, space);
   const gjk::Options<double> options = read_options(root, space);
   const RuleSet rules = read_rules(root);
@@ -118,20 +122,22 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   file.walkthrough.layout = Layout::search;
   file.walkthrough.panels = panels;
   file.walkthrough.naming = read_letters(root);
-  file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
+  if (root.is_good()) file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
   return file;
 }
 
 }  // namespace
 
+Reading<SceneFile> scene_in(std::string_view text, const std::string& file_name) {
+  const Document document(text);
+  SceneFile file = read_root(document.root(), file_name);
+  return {std::move(file), document.complaint()};
+}
+
 SceneFile parse_scene(std::string_view text, const std::string& file_name) {
-  try {
-    const Document document(text);
-    return read_root(document.root(), file_name);
-  } catch (const DocumentError& error) {
-    throw SceneError(file_name + ":" + std::to_string(error.line) + ": " + error.key + (error.key.empty() ? "" : ": ") +
-                     error.what());
-  }
+  auto [file, complaint] = scene_in(text, file_name);
+  if (complaint) throw SceneError(file_name + ":" + std::to_string(complaint->line) + ": " + complaint->text());
+  return std::move(file);
 }
 
 SceneFile read_scene(const std::filesystem::path& file) {

@@ -45,6 +45,7 @@
 
 #include "render/geometry.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
@@ -65,7 +66,10 @@ struct SceneFile {
 /// more than that.
 SceneFile read_scene(const std::filesystem::path& file);
 
-/// `file_name`: names the walkthrough and stands in errors; nothing is read from there. Errors: SceneError.
+/// `file_name`: names the walkthrough; nothing is read from there.
+Reading<SceneFile> scene_in(std::string_view text, const std::string& file_name);
+
+/// Returns: the same. Errors: SceneError, in which the name stands, too.
 SceneFile parse_scene(std::string_view text, const std::string& file_name);
 
 /// Returns: a scene file with comments that shows every key.

@@ -50,11 +50,10 @@ Pose read_pose(const Value& value, const Space& space) {
 
 }  // namespace
 
-// What may throw is computed before an aggregate is begun: GCC 12 destroys members of unfinished aggregates twice.
 ObjectAsWritten read_object(const Value& value, const Space& space) {
-  expect_object(value, object_keys(), "an object with a shape");
-  AnyShape form = read_shape(value, space);
-  ObjectAsWritten object{.name = {}, .form = std::move(form), .pose = {}};
+  ObjectAsWritten object;
+  if (!expect_object(value, object_keys(), "an object with a shape")) return object;
+  object.form = read_shape(value, space);
   if (const auto name = value.member("name")) object.name = words(*name, scene_limits::name);
   if (const auto pose = value.member("pose")) object.pose = read_pose(*pose, space);
   return object;

@@ -14,7 +14,7 @@ struct ObjectAsWritten {
   std::optional<Pose> pose;
 };
 
-/// Errors: DocumentError.
+/// Where it is none it complains (document.hpp).
 ObjectAsWritten read_object(const Value& value, const Space& space);
 
 }  // namespace walkthroughs::reading

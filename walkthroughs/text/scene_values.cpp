@@ -35,19 +35,21 @@ std::string suggestion(const std::string& word, std::span<const std::string> kno
 
 // -- Values -----------------------------------------------------------------------------------------------------------
 
-void expect(const Value& value, Kind kind, std::string_view expected) {
+bool expect(const Value& value, Kind kind, std::string_view expected) {
   if (!value.is(kind)) value.fail("expected " + std::string(expected) + ", found " + std::string(value.description()));
+  return value.is(kind);
 }
 
-void expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected) {
-  expect(value, Kind::object, expected);
+bool expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected) {
+  if (!expect(value, Kind::object, expected)) return false;
   for (const Value& member : value.children())
     if (std::ranges::count(keys, member.key()) == 0) member.fail("is not a key; " + suggestion(member.key(), keys));
+  return value.is_good();
 }
 
 Value required(const Value& object, std::string_view key, std::string_view what_to_do) {
   if (const auto member = object.member(key)) return *member;
-  object.fail_without(key, "is missing; " + std::string(what_to_do));
+  return object.fail_without(key, "is missing; " + std::string(what_to_do));
 }
 
 namespace {
@@ -69,19 +71,20 @@ double number(const Value& value) {
 
 int whole_number(const Value& value, int low, int high) {
   const std::string range = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-  expect(value, Kind::number, range);
+  if (!expect(value, Kind::number, range)) return low;
   const double found = value.number();
-  if (found != std::floor(found) || found < low || found > high)
-    value.fail("expected " + range + ", found " + number_text(found));
-  return static_cast<int>(found);
+  if (found == std::floor(found) && low <= found && found <= high) return static_cast<int>(found);
+  value.fail("expected " + range + ", found " + number_text(found));
+  return low;
 }
 
 std::size_t choice(const Value& value, std::span<const std::string_view> words) {
   const std::vector<std::string> known(words.begin(), words.end());
-  expect(value, Kind::string, list_of(known, "or"));
+  if (!expect(value, Kind::string, list_of(known, "or"))) return 0;
   const auto found = std::ranges::find(known, value.text());
-  if (found == known.end()) value.fail(in_quotes(value.text()) + " is not known; " + suggestion(value.text(), known));
-  return static_cast<std::size_t>(found - known.begin());
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  value.fail(in_quotes(value.text()) + " is not known; " + suggestion(value.text(), known));
+  return 0;
 }
 
 std::string words(const Value& value, std::size_t longest) {
@@ -102,7 +105,7 @@ void expect_positive_float(const Value& value, double x) {
     value.fail(number_text(x) + " is so small that it is 0 as a float; " + other_unit_or_double);
 }
 
-[[noreturn]] void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
+void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
   const std::string hint = !space.is_plane() && count == 2 ? "; for a scene of the plane say \"dimension\": 2" : "";
   value.fail("expected " + std::string(space.point_words()) + ", found a list of " + std::to_string(count) + hint);
 }
@@ -127,11 +130,13 @@ Dimension dimension_of(const Value& declared) {
 }
 
 Point Space::point(const Value& value) const {
-  expect(value, Kind::list, point_words());
+  if (!expect(value, Kind::list, point_words())) return Point::Zero();
   const std::vector<Value> coordinates = value.children();
   const bool may_have_two = is_plane() || two_numbers == TwoNumbers::lie_in_the_plane;
-  if (coordinates.size() != 3 && !(may_have_two && coordinates.size() == 2))
+  if (coordinates.size() != 3 && !(may_have_two && coordinates.size() == 2)) {
     fail_wrong_count(*this, value, coordinates.size());
+    return Point::Zero();
+  }
   Point found = Point::Zero();
   for (std::size_t i = 0; i < coordinates.size(); ++i) found[static_cast<int>(i)] = coordinate(coordinates[i]);
   if (is_plane() && found.z() != 0)
@@ -210,7 +215,7 @@ Value shape_of(const Value& object) {
     found = member;
   }
   if (!found) object.fail("has no shape; give " + list_of(keys, "or"));
-  return *found;
+  return found.value_or(object);
 }
 
 AnyShape read_shape(const Value& object, const Space& space, int sums_around);
@@ -245,24 +250,25 @@ struct FieldReader {
     }
   }
   void operator()(field::Places, Points& to) const {
-    expect(value, Kind::list, "a list of points");
+    if (!expect(value, Kind::list, "a list of points")) return;
     const std::vector<Value> children = value.children();
-    if (children.empty()) value.fail("has no point; a point set needs at least one");
+    if (children.empty()) return value.fail("has no point; a point set needs at least one");
     static_assert(scene_limits::points == document_limits::elements, "longer lists have been turned away by now");
     to.reserve(children.size());
     for (const Value& child : children) to.push_back(space.point(child));
   }
   void operator()(field::Shapes, std::vector<AnyShape>& to) const {
-    expect(value, Kind::list, "a list of two shapes");
+    if (!expect(value, Kind::list, "a list of two shapes")) return;
     const std::vector<Value> children = value.children();
     if (children.size() != 2)
-      value.fail("expected a list of two shapes, found a list of " + std::to_string(children.size()) +
-                 (children.size() > 2 ? "; a sum may be one of the two" : ""));
+      return value.fail("expected a list of two shapes, found a list of " + std::to_string(children.size()) +
+                        (children.size() > 2 ? "; a sum may be one of the two" : ""));
     if (sums_around == scene_limits::sums)
-      value.fail("is a sum within " + std::to_string(scene_limits::sums) + " others; that many may be in one another");
+      return value.fail("is a sum within " + std::to_string(scene_limits::sums) +
+                        " others; that many may be in one another");
     for (const Value& child : children) {
-      expect_object(child, shape_keys(), "an object with a shape");
-      to.push_back(read_shape(child, space, sums_around + 1));
+      if (expect_object(child, shape_keys(), "an object with a shape"))
+        to.push_back(read_shape(child, space, sums_around + 1));
     }
   }
 };
@@ -274,13 +280,14 @@ void read_fields(const Value& value, const Space& space, int sums_around, Shape&
   if (space.is_plane() && ShapeRow<Shape>::kind_in_plane.empty())
     value.fail("a scene with \"dimension\": 2 has no " + std::string(ShapeRow<Shape>::kind) +
                "s; use a sphere (a disc) or points, or say \"dimension\": 3");
-  if (!fields.empty()) expect_object(value, fields, expected);
+  if (!fields.empty() && !expect_object(value, fields, expected)) return;
   ShapeRow<Shape>::fields(FieldReader{value, space, sums_around}, shape);
 }
 
 AnyShape read_shape(const Value& object, const Space& space, int sums_around) {
   const Value value = shape_of(object);
   AnyShape shape;
+  if (!value.is_good()) return shape;
   for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
     if (value.key() != ShapeRow<Shape>::key) return;
     if (space.numbers == Numbers::fractions && !CanBeAsked<typename ShapeRow<Shape>::template In<Exact>>)
@@ -346,10 +353,9 @@ Scalar scalar_of(const Value& declared) {
 bool certified_of(const Value& declared, const Object& a, const Object& b) {
   const auto value = declared.member("certified");
   if (!value) return false;
-  expect(*value, Kind::boolean, "true or false");
-  if (!value->is_true()) return false;
+  if (!expect(*value, Kind::boolean, "true or false") || !value->is_true()) return false;
   for (const auto& [key, object] : {std::pair("a", &a), std::pair("b", &b)})
-    if (const auto objection = objection_to_proof(object->form, object->pose))
+    if (const auto objection = objection_to_proof(object->form, object->pose); objection && value->is_good())
       declared.member(key)->member(objection->key)->fail(objection->why + ", or leave out 'certified'");
   return true;
 }

@@ -1,6 +1,6 @@
 /// The values that scene files and traces have in common, read from a document within scene_limits.
 ///
-/// Errors of all functions: DocumentError, which says what is expected and what was found.
+/// Where a value is not what is expected they complain (document.hpp) and return something in its place.
 #pragma once
 
 #include <span>
@@ -20,11 +20,12 @@ using Keys = std::vector<std::string>;
 /// Returns: "'a', 'b' or 'c'", with `last` in place of "or".
 std::string list_of(std::span<const std::string> words, const std::string& last);
 
-void expect(const Value& value, Kind kind, std::string_view expected);
+/// Returns: whether it is of that kind.
+bool expect(const Value& value, Kind kind, std::string_view expected);
 /// Expects an object that has no keys but these.
-void expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected);
-inline void expect_object(const Value& value, const Keys& keys, std::string_view expected) {
-  expect_object(value, std::span(keys.begin(), keys.size()), expected);
+bool expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected);
+inline bool expect_object(const Value& value, const Keys& keys, std::string_view expected) {
+  return expect_object(value, std::span(keys.begin(), keys.size()), expected);
 }
 Value required(const Value& object, std::string_view key, std::string_view what_to_do);
 

@@ -1,6 +1,5 @@
 /// Reads what field lists name (event_fields.hpp, header_fields.hpp): a function read() for each type of field.
-///
-/// Errors of all functions: DocumentError.
+/// What is not as expected is complained about, as in scene_values.hpp.
 #pragma once
 
 #include <algorithm>
@@ -44,9 +43,10 @@ inline void read(const Value& value, const How& how, Point& vector) {
     vector = how.meaning == Meaning::direction ? how.space->first_direction(value) : how.space->point(value);
     return;
   }
-  expect(value, Kind::list, "a vector [x, y, z]");
+  if (!expect(value, Kind::list, "a vector [x, y, z]")) return;
   const std::vector<Value> numbers = value.children();
-  if (numbers.size() != 3) value.fail("expected a vector [x, y, z], found a list of " + std::to_string(numbers.size()));
+  if (numbers.size() != 3)
+    return value.fail("expected a vector [x, y, z], found a list of " + std::to_string(numbers.size()));
   for (std::size_t i = 0; i < 3; ++i) read(numbers[i], {}, vector[static_cast<int>(i)]);
 }
 
@@ -81,7 +81,7 @@ inline void read(const Value& value, const How& how, std::string& text) {
 inline void read(const Value& value, const How&, gjk::Roles& roles) {
   expect(value, Kind::string, "a string");
   const auto named = gjk::Roles::named(value.text());
-  if (!named) value.fail(in_quotes(value.text()) + " names no vertices: write letters from A to D, each once");
+  if (!named) return value.fail(in_quotes(value.text()) + " names no vertices: write letters from A to D, each once");
   roles = *named;
 }
 
@@ -89,7 +89,7 @@ inline void read(const Value& value, const How&, gjk::Expression& expression) {
   expect(value, Kind::string, "a string");
   const auto named = gjk::Expression::named(value.text());
   if (!named || named->empty())
-    value.fail(in_quotes(value.text()) + " is no expression, such as 'AB×AO×AB' or 'ABn·AO'");
+    return value.fail(in_quotes(value.text()) + " is no expression, such as 'AB×AO×AB' or 'ABn·AO'");
   expression = *named;
 }
 
@@ -110,7 +110,8 @@ void read(const Value& value, const How& how, R& record);
 inline void read(const Value& value, const How&, gjk::Simplex<double>& simplex) {
   expect(value, Kind::list, "a list of vertices");
   const std::vector<Value> vertices = value.children();
-  if (vertices.size() > 4) value.fail("has " + std::to_string(vertices.size()) + " vertices; a simplex has at most 4");
+  if (vertices.size() > 4)
+    return value.fail("has " + std::to_string(vertices.size()) + " vertices; a simplex has at most 4");
   for (const Value& each : vertices) {
     gjk::Vertex<double> vertex;
     read(each, {}, vertex);
@@ -121,7 +122,7 @@ inline void read(const Value& value, const How&, gjk::Simplex<double>& simplex) 
 inline void read(const Value& value, const How&, std::vector<gjk::ProofNumber>& numbers) {
   expect(value, Kind::list, "a list of numbers with their expressions");
   for (const Value& each : value.children()) {
-    if (numbers.size() == 4) each.fail("is a fifth number; a proof has at most four");
+    if (numbers.size() == 4) return each.fail("is a fifth number; a proof has at most four");
     read(each, {}, numbers.emplace_back());
   }
 }
@@ -129,11 +130,11 @@ inline void read(const Value& value, const How&, std::vector<gjk::ProofNumber>& 
 inline void read(const Value& value, const How&, gjk::IndexPairs& pairs) {
   expect(value, Kind::list, "a list of pairs of indices [i, j]");
   for (const Value& each : value.children()) {
-    if (pairs.size() == 4) each.fail("is a fifth pair; a simplex has at most four vertices");
+    if (pairs.size() == 4) return each.fail("is a fifth pair; a simplex has at most four vertices");
     expect(each, Kind::list, "a pair of indices [i, j]");
     const std::vector<Value> both = each.children();
     if (both.size() != 2)
-      each.fail("expected a pair of indices [i, j], found a list of " + std::to_string(both.size()));
+      return each.fail("expected a pair of indices [i, j], found a list of " + std::to_string(both.size()));
     gjk::IndexPair pair;
     read(both[0], {Meaning::position}, pair.a);
     read(both[1], {Meaning::position}, pair.b);
@@ -202,7 +203,6 @@ inline std::vector<gjk::Roles> candidates(const gjk::Roles&) { return {"ABC", "A
 /// The words that the program has for a field are looked up; there are no others.
 template <class R>
 void understand(const Value& value, const auto& field, R& record) {
-  expect(value, Kind::string, "a string");
   const std::string text = sentence(value);
   for (const auto& candidate : candidates(record.*field.member)) {
     record.*field.member = candidate;

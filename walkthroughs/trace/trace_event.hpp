@@ -6,7 +6,7 @@
 
 namespace walkthroughs {
 
-/// Returns: the event of a line, which says its scene besides. Requires: an object. Errors: DocumentError.
+/// Returns: the event of a line, which says its scene besides. Requires: an object. What is wrong is complained about.
 gjk::Event<double> read_event(const Value& line);
 
 }  // namespace walkthroughs

@@ -18,15 +18,15 @@ using namespace reading;
 /// Takes the lines of a trace one by one, counted from 1.
 class TraceReader {
  public:
-  /// Errors: DocumentError. Requires: no complaint so far.
+  /// Where the line is wrong it is complained about, and not taken. Requires: no complaint so far.
   void read(const Value& line) {
-    if (!file_.has_value()) {
-      file_.emplace().walkthrough = read_header(line);
-      file_->traces.emplace_back();
-    } else {
+    if (file_.has_value()) {
       read_next_event(line);
+    } else if (Walkthrough walkthrough = read_header(line); line.is_good()) {
+      file_.emplace().walkthrough = std::move(walkthrough);
+      file_->traces.emplace_back();
     }
-    ++lines_;
+    if (line.is_good()) ++lines_;
   }
 
   /// Returns: what is wrong with the lines so far, which end there where `is_cut_off`; empty where nothing is.
@@ -48,11 +48,11 @@ class TraceReader {
   /// Requires: the last one is what its search says.
   void begin_next_scene() { file_->traces.emplace_back(); }
 
-  /// Requires: nothing is wrong. Errors: DocumentError.
-  TraceFile result() {
+  /// Requires: nothing is wrong with the lines.
+  Reading<TraceFile> result() {
     file_->traces.pop_back();
-    require_close_up();
-    return std::move(*file_);
+    std::optional<Complaint> complaint = objection_to_close_up();
+    return {std::move(*file_), std::move(complaint)};
   }
 
  private:
@@ -66,26 +66,29 @@ class TraceReader {
 
   void read_next_event(const Value& line) {
     expect(line, Kind::object, "an object that holds one event");
-    if (is_complete()) line.fail("nothing may follow: all searches have finished");
+    if (is_complete()) return line.fail("nothing may follow: all searches have finished");
     const Value name = member(line, "scene");
     expect(name, Kind::string, "a string");
     if (name.text() != scene().name)
       name.fail("is " + in_quotes(name.text()) + ", but the search of the scene " + in_quotes(scene().name) +
                 " has not finished");
-    file_->traces.back()(read_event(line));
+    if (!line.is_good()) return;
+    const gjk::Event<double> event = read_event(line);
+    if (line.is_good()) file_->traces.back()(event);
   }
 
   /// The move that close-ups show must be in both searches, and the crossing test applied to it.
-  void require_close_up() const {
-    if (!file_->walkthrough.close_up) return;
+  std::optional<Complaint> objection_to_close_up() const {
+    if (!file_->walkthrough.close_up) return std::nullopt;
     const int shown = file_->walkthrough.close_up->iteration;
     for (const Trace& trace : file_->traces)
       if (std::ranges::none_of(trace.events, [&](const gjk::Event<double>& event) {
             const auto* crossing = std::get_if<gjk::CrossingTested<double>>(&event);
             return crossing && crossing->iteration == shown && crossing->value;
           }))
-        throw DocumentError(1, "presentation.close_up.iteration",
-                            "there is no crossing test in iteration " + std::to_string(shown) + " of every scene");
+        return Complaint{1, "presentation.close_up.iteration",
+                         "there is no crossing test in iteration " + std::to_string(shown) + " of every scene"};
+    return std::nullopt;
   }
 
   std::optional<TraceFile> file_;  ///< with a trace more than there are scenes once all have finished
@@ -96,21 +99,10 @@ class TraceReader {
 std::string read_line(std::string_view text, bool is_ended, TraceReader& reader) {
   if (text.find_first_not_of(" \t\r") == std::string_view::npos)
     return "is empty; a trace has an event on each line: " + trace_advice;
-  const auto said = [](const DocumentError& error) {
-    return error.key + (error.key.empty() ? "" : ": ") + error.what();
-  };
-  std::optional<Document> document;
-  try {
-    document.emplace(text, Document::Comments::refused);
-  } catch (const DocumentError& error) {
-    return is_ended ? said(error) : "the line ends in the middle, so the trace is cut off; " + trace_advice;
-  }
-  try {
-    reader.read(document->root());
-  } catch (const DocumentError& error) {
-    return said(error);
-  }
-  return "";
+  const Document document(text, Document::Comments::refused);
+  if (document.complaint() && !is_ended) return "the line ends in the middle, so the trace is cut off; " + trace_advice;
+  if (!document.complaint()) reader.read(document.root());
+  return document.complaint() ? document.complaint()->text() : "";
 }
 
 /// Returns: what is wrong with the first line that is; empty where none is.
@@ -137,11 +129,9 @@ TraceFile parse_trace(std::string_view text, const std::string& file_name) {
   TraceReader reader;
   if (const std::string complaint = read_lines(text, reader); !complaint.empty())
     throw TraceError(file_name + ":" + complaint);
-  try {
-    return reader.result();
-  } catch (const DocumentError& error) {
-    throw TraceError(file_name + ":" + std::to_string(error.line) + ": " + error.key + ": " + error.what());
-  }
+  auto [file, complaint] = reader.result();
+  if (complaint) throw TraceError(file_name + ":" + std::to_string(complaint->line) + ": " + complaint->text());
+  return std::move(file);
 }
 
 TraceFile read_trace(const std::filesystem::path& file) {

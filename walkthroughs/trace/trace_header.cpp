@@ -21,9 +21,9 @@ static void read(const Value& value, const How&, Dimension& dimension) {
 }
 
 static void read(const Value& value, const How& how, Eigen::Matrix3d& rotation) {
-  expect(value, Kind::list, "a matrix of three rows");
+  if (!expect(value, Kind::list, "a matrix of three rows")) return;
   const std::vector<Value> rows = value.children();
-  if (rows.size() != 3) value.fail("expected three rows, found " + std::to_string(rows.size()));
+  if (rows.size() != 3) return value.fail("expected three rows, found " + std::to_string(rows.size()));
   for (int row = 0; row < 3; ++row)
     rotation.row(row) = Space{Dimension::space}.point(rows[static_cast<std::size_t>(row)]);
   const Scalar scalar = how.space->numbers == Numbers::floats ? Scalar::binary32 : Scalar::binary64;
@@ -36,7 +36,7 @@ static void read(const Value& value, const How& how, Eigen::Matrix3d& rotation) 
 }
 
 static void read(const Value& value, const How& how, Object& object) {
-  expect_object(value, object_keys(), "an object with a shape");
+  if (!expect_object(value, object_keys(), "an object with a shape")) return;
   object.form = read_shape(value, *how.space);
   object.name = words(member(value, "name"), scene_limits::name);
   if (const auto pose = value.member("pose")) read(*pose, how, object.pose);
@@ -58,6 +58,7 @@ static void read(const Value& value, const How&, Scene& scene) {
   const Space space{.dimension = dimension_of(value), .numbers = numbers_of(scalar_of(value))};
   read_record(value, {.space = &space}, scene);
   certified_of(value, scene.a, scene.b);
+  if (!value.is_good()) return;
   scene = in_its_scalar(std::move(scene));
   if (scene.mistake) require_usual_search(member(value, "mistake"), scene);
 }
@@ -65,7 +66,7 @@ static void read(const Value& value, const How&, Scene& scene) {
 static void read(const Value& value, const How& how, std::vector<Remark>& remarks) {
   expect(value, Kind::list, "a list of remarks");
   for (const Value& each : value.children()) {
-    if (remarks.size() == trace_limits::remarks) each.fail("is one remark too many; there may be 100");
+    if (remarks.size() == trace_limits::remarks) return each.fail("is one remark too many; there may be 100");
     read(each, how, remarks.emplace_back());
   }
 }
@@ -80,7 +81,10 @@ std::vector<Scene> read_scenes(const Value& value) {
   expect(value, Kind::list, "a list of scenes");
   std::vector<Scene> scenes;
   for (const Value& each : value.children()) {
-    if (scenes.size() == 2) each.fail("is a third scene; a walkthrough has at most two");
+    if (scenes.size() == 2) {
+      each.fail("is a third scene; a walkthrough has at most two");
+      break;
+    }
     read(each, {}, scenes.emplace_back());
   }
   if (scenes.size() == 2 && scenes[0].name == scenes[1].name)
@@ -93,7 +97,7 @@ void require_letters_for_corners(const Value& naming, const std::vector<Scene>& 
   for (const Scene& scene : scenes) {
     const std::size_t a = vertices_of(scene.a).size(), b = vertices_of(scene.b).size();
     if (scene.dimension != Dimension::plane || a == 0 || b == 0)
-      naming.fail("'corners' needs point sets in the plane; others have no corners to name: write 'roles'");
+      return naming.fail("'corners' needs point sets in the plane; others have no corners to name: write 'roles'");
     if (a > trace_limits::differences / b || difference_hull(scene).corners.size() > trace_limits::corners)
       naming.fail("'corners' has letters for 26 corners, and this difference has more: write 'roles'");
   }
@@ -101,6 +105,7 @@ void require_letters_for_corners(const Value& naming, const std::vector<Scene>& 
 
 void read_presentation(const Value& value, Walkthrough& walkthrough) {
   read_record(value, {}, walkthrough);
+  if (!value.is_good()) return;
   const Value layout = member(value, "layout");
   if (walkthrough.naming == Naming::corners) require_letters_for_corners(member(value, "naming"), walkthrough.scenes);
   const std::size_t scenes = walkthrough.layout == Layout::search ? 1 : 2;

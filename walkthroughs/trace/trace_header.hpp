@@ -6,7 +6,7 @@
 
 namespace walkthroughs {
 
-/// Returns: the walkthrough, its remarks among the rest; nothing in it computes. Errors: DocumentError.
+/// Returns: the walkthrough, its remarks among the rest; nothing in it computes. Where it is none it is complained about.
 Walkthrough read_header(const Value& root);
 
 }  // namespace walkthroughs

@@ -1,6 +1,6 @@
 /// The values that the first line of a trace and its events have in common.
 ///
-/// Errors of all functions: DocumentError.
+/// They complain about what is not as expected, as those of scene_values.hpp do.
 #pragma once
 
 #include <string>

@@ -15,7 +15,6 @@ namespace study {
 namespace {
 
 using walkthroughs::Document;
-using walkthroughs::DocumentError;
 using walkthroughs::Value;
 using Kind = Document::Kind;
 
@@ -174,16 +173,15 @@ ProgramAnswer answer_in(const Value& root, const Pair& pair) {
 
 }  // namespace
 
-ProgramAnswer read_answer(std::string_view line, const Pair& pair) try {
+ProgramAnswer read_answer(std::string_view line, const Pair& pair) {
   const std::size_t first = line.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {.why = "a blank line"};
   const std::string_view words = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
   if (words == "True" || words == "False")
     return {.why = std::string(words) + " is no JSON: write true or false, in Python print(json.dumps(answer))"};
   const Document document = Document::of_line(line);
+  if (document.complaint()) return {.why = "no JSON: " + document.complaint()->reason};
   return answer_in(document.root(), pair);
-} catch (const DocumentError& error) {
-  return {.why = "no JSON: " + std::string(error.what())};
 }
 
 }  // namespace study

@@ -5,23 +5,21 @@
 #include "tests/study/judge/kept_corpus_text.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "walkthroughs/query/query_pair.hpp"
-#include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {
 namespace {
 
 using walkthroughs::Document;
-using walkthroughs::DocumentError;
 
 Body body_of(const walkthroughs::reading::ObjectAsWritten& object, const std::string& key) {
   if (object.pose)
-    throw DocumentError(1, key + ".pose", "is not judged, as it would round; give the object where it is");
+    throw std::invalid_argument(key + ".pose: is not judged, as it would round; give the object where it is");
   const auto body = [&](const auto& shape) -> Body {
     if constexpr (std::constructible_from<Body, decltype(shape)>)
       return shape;
     else
-      throw DocumentError(1, key, "is a sum, which the oracle cannot judge; give points, a sphere or a cylinder");
+      throw std::invalid_argument(key + ": is a sum, which the oracle cannot judge; give points, a sphere or a cylinder");
   };
   return std::visit(body, object.form);
 }
@@ -33,9 +31,14 @@ std::string text_of(const walkthroughs::Value& root, const char* key, const std:
 
 }  // namespace
 
+void require_good(const Document& document) {
+  if (document.complaint()) throw std::invalid_argument(document.complaint()->text());
+}
+
 NamedPair pair_of_line(std::string_view line, const std::string& name) {
   const walkthroughs::QueryOptions any_magnitude{.evidence = walkthroughs::QueryEvidence::certificate};
-  const walkthroughs::PairAsWritten written = walkthroughs::read_pair(line, any_magnitude);
+  const auto [written, complaint] = walkthroughs::read_pair(line, any_magnitude);
+  if (complaint) throw std::invalid_argument(complaint->text());
   const Document document = Document::of_line(line);
   NamedPair named{text_of(document.root(), "name", name),
                   text_of(document.root(), "family", "yours"),
@@ -53,8 +56,6 @@ void for_each_line(std::string_view text, const std::string& file,
     };
     try {
       use(line, number);
-    } catch (const DocumentError& error) {
-      fail((error.key.empty() ? "" : error.key + ": ") + error.what());
     } catch (const std::invalid_argument& error) {
       fail(error.what());
     }

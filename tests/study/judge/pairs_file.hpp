@@ -8,15 +8,19 @@
 #include <vector>
 
 #include "tests/study/corpus/answered_pair.hpp"
+#include "walkthroughs/text/document.hpp"
 
 namespace study {
 
+/// Errors: std::invalid_argument where anybody has complained about it.
+void require_good(const walkthroughs::Document& document);
+
 /// Returns: the pair of that line. `name`: where the line says none.
-/// Errors: walkthroughs::DocumentError; std::invalid_argument where the oracle cannot judge it.
+/// Errors: std::invalid_argument, also where the oracle cannot judge it.
 NamedPair pair_of_line(std::string_view line, const std::string& name);
 
 /// Calls `use(line, number)` with each line, counted from 1. Errors: walkthroughs::InputError, which names `file` and line, in
-/// place of a DocumentError or a std::invalid_argument of `use`.
+/// place of a std::invalid_argument of `use`.
 void for_each_line(std::string_view text, const std::string& file,
                    const std::function<void(std::string_view, std::size_t)>& use);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/study/judge/pairs_file.hpp"
 #include "walkthroughs/text/document.hpp"
@@ -18,8 +19,8 @@ using Kind = Document::Kind;
 Vec vec_in(const Value& value) {
   const std::vector<Value> numbers = value.children();
   if (!value.is(Kind::list) || numbers.size() != 3) value.fail("must be [x, y, z]");
-  Vec v;
-  for (std::size_t i = 0; i < 3; ++i) {
+  Vec v = Vec::Zero();
+  for (std::size_t i = 0; i < 3 && value.is_good(); ++i) {
     if (!numbers[i].is(Kind::number)) numbers[i].fail("must be a number");
     v[static_cast<Eigen::Index>(i)] = numbers[i].number();
   }
@@ -41,7 +42,7 @@ Vec direction_in(const Value& value) {
 
 ToldStep step_in(const Value& root) {
   const auto direction = root.member("direction"), simplex = root.member("simplex");
-  if (!direction || !simplex) root.fail("a step has a \"direction\" and a \"simplex\"");
+  if (!direction || !simplex) throw std::invalid_argument("a step has a \"direction\" and a \"simplex\"");
   ToldStep step{direction_in(*direction), {}};
   const std::vector<Value> points = simplex->children();
   if (!simplex->is(Kind::list) || points.empty() || points.size() > 4)
@@ -57,19 +58,21 @@ bool is_of_points(const NamedPair& named) {
 /// What one line adds.
 void add_line(std::string_view line, std::size_t number, std::vector<ToldRun>& runs) {
   const Document document = Document::of_line(line);
+  require_good(document);
   const Value root = document.root();
   if (root.member("a")) {
     runs.push_back({pair_of_line(line, "line-" + std::to_string(number)), {}, {}});
-    if (!is_of_points(runs.back().named)) root.fail("only searches in sets of points can be followed");
+    if (!is_of_points(runs.back().named)) throw std::invalid_argument("only searches in sets of points can be followed");
     return;
   }
-  if (runs.empty()) root.fail("the first line must be a pair {\"a\": …, \"b\": …}");
+  if (runs.empty()) throw std::invalid_argument("the first line must be a pair {\"a\": …, \"b\": …}");
   ToldRun& run = runs.back();
-  if (run.said) root.fail("comes after the answer; the next search begins with its pair");
+  if (run.said) throw std::invalid_argument("comes after the answer; the next search begins with its pair");
   if (const ProgramAnswer answer = read_answer(line, run.named.pair); answer.said != Said::nothing)
     run.said = answer.said;
   else
     run.steps.push_back(step_in(root));
+  require_good(document);
 }
 
 /// Whether each step that adds a vertex to others has it first, and two steps at least do so.
