@@ -72,9 +72,11 @@ class Replay {
 
 }  // namespace
 
+void advance(Moment& now, const gjk::Event<double>& event) { std::visit(Replay(now), event); }
+
 Moment replay(const Trace& trace, std::size_t count) {
   Moment now;
-  for (std::size_t i = 0; i < count; ++i) std::visit(Replay(now), trace.events[i]);
+  for (std::size_t i = 0; i < count; ++i) advance(now, trace.events[i]);
   return now;
 }
 

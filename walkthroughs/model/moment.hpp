@@ -44,6 +44,9 @@ struct Moment {
   double scale = 1;  ///< of its points, where they are drawn in a unit of their own; its numbers stay the trace's
 };
 
+/// Makes the moment before an event that after it.
+void advance(Moment& now, const gjk::Event<double>& event);
+
 /// Returns: the moment after the first `count` events. Requires: count <= trace.events.size().
 Moment replay(const Trace& trace, std::size_t count);
 

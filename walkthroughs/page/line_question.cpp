@@ -4,7 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
@@ -39,10 +38,8 @@ struct LinesRun {
 
 /// What a search says of what it has done last in a frame; nothing where that is nothing, or without a fact.
 std::optional<Frame> said_in(const Story& story, const Frame& frame, std::size_t scene) {
-  const Telling& telling = story.tellings[scene];
-  const std::size_t event = frame.events[scene].last;
-  std::optional<Frame> told = caption(telling.trace.events[event], story, telling, replay(telling.trace, event + 1));
-  return told && !told->facts.empty() ? told : std::nullopt;
+  const std::optional<Frame>& said = story.tellings[scene].said[frame.events[scene].last];
+  return said && !said->facts.empty() ? said : std::nullopt;
 }
 
 /// Returns: what both say of the same thing, the mistaken search and the right one: the first of which they have different numbers.

@@ -9,7 +9,6 @@
 #include "walkthroughs/page/practice.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
-#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
@@ -35,8 +34,7 @@ Focus focus_of_search(const Story& story, std::size_t index, std::size_t scene) 
   if (story.tellings.size() == 1) return frame.focus;
   const Telling& telling = story.tellings[scene];
   for (std::size_t e = frame.events[scene].last + 1; e-- > 0;)
-    if (const auto told = caption(telling.trace.events[e], story, telling, replay(telling.trace, e + 1)))
-      return told->focus;
+    if (telling.said[e]) return telling.said[e]->focus;
   return frame.focus;
 }
 

@@ -1,59 +1,47 @@
 #include "walkthroughs/page/practice.hpp"
 
 #include <algorithm>
-#include <variant>
-#include <vector>
+#include <array>
+#include <string_view>
 
-#include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/page/index_entry.hpp"
-#include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs {
 namespace {
 
-using Kind = Decision::Kind;
-
-/// A walkthrough of regions, with the decisions that its search makes, and those that it is about.
+/// The walkthroughs of regions in which a search decides so: the one that is about it, and another.
 struct Practice {
-  std::string name;
-  std::vector<Decision> made, told;
+  int simplex_size;
+  std::string_view found;  ///< as Decision has it
+  std::array<std::string_view, 2> walkthroughs;
 };
 
-int iteration_of(const gjk::Event<double>& event) {
-  return std::visit(
-      [](const auto& each) {
-        if constexpr (requires { each.iteration; }) return static_cast<int>(each.iteration);
-        return 0;
-      },
-      event);
-}
-
-/// Whether its name says that it is about such a simplex; a crossing test is about none.
-bool is_about(const Walkthrough& w, const Decision& decision) {
-  return decision.simplex_size == 0 ||
-         w.name.starts_with("regions/" + std::to_string(decision.simplex_size - 1) + "-simplex-");
-}
-
-std::vector<Practice> practices() {
-  std::vector<Practice> all;
-  for (const Walkthrough& w : catalogue()) {
-    if (!w.region_case) continue;
-    const Story story = tell(w);
-    Practice practice{w.name, {}, {}};
-    for (const Question& question : questions_of(story)) {
-      const auto& event = story.tellings[question.scene].trace.events[question.event];
-      practice.made.push_back(question.decision);
-      if (is_about(w, question.decision) && iteration_of(event) == told_iteration(w))
-        practice.told.push_back(question.decision);
-    }
-    all.push_back(std::move(practice));
-  }
-  return all;
-}
+constexpr Practice practices[] = {
+    {0, "crossed", {"1-simplex-r3", "1-simplex-r4"}},
+    {0, "not crossed", {"1-simplex-r2-cannot-happen", "2-simplex-r2-cannot-happen"}},
+    {1, "A != 0", {"0-simplex-elsewhere", "0-simplex-a-is-origin"}},
+    {1, "A = 0", {"0-simplex-a-is-origin", "0-simplex-elsewhere"}},
+    {2, "AB != 0", {"1-simplex-r3", "1-simplex-r4"}},
+    {2, "AB = 0", {"1-simplex-on-segment", "1-simplex-a-is-origin"}},
+    {3, "AB > 0", {"2-simplex-r3", "2-simplex-r4-cannot-happen"}},
+    {3, "AC > 0", {"2-simplex-r7", "2-simplex-r6-cannot-happen"}},
+    {3, "ABC > 0", {"2-simplex-r1-above", "2-simplex-r1-below"}},
+    {3, "ABC < 0", {"2-simplex-r1-below", "2-simplex-r1-above"}},
+    {3, "ABC = 0", {"2-simplex-r1-in-plane", "2-simplex-on-edge"}},
+    {4, "ABC > 0", {"3-simplex-face-abc", "3-simplex-face-abc-edge-ac"}},
+    {4, "ABC AB > 0", {"3-simplex-face-abc-edge-ab", "3-simplex-face-abc"}},
+    {4, "ABC AC > 0", {"3-simplex-face-abc-edge-ac", "3-simplex-face-abc"}},
+    {4, "ACD > 0", {"3-simplex-face-acd", "3-simplex-in-plane-of-face"}},
+    {4, "ACD AC > 0", {"3-simplex-face-acd-edge-ac", "3-simplex-face-acd"}},
+    {4, "ACD AD > 0", {"3-simplex-face-acd-edge-ad", "3-simplex-face-acd"}},
+    {4, "ADB > 0", {"3-simplex-face-adb", "3-simplex-face-adb-edge-ab"}},
+    {4, "ADB AB > 0", {"3-simplex-face-adb-edge-ab", "3-simplex-face-adb"}},
+    {4, "ADB AD > 0", {"3-simplex-face-adb-edge-ad", "3-simplex-face-adb"}},
+    {4, "ABCD > 0", {"3-simplex-inside", "3-simplex-on-face"}},
+};
 
 /// The face or feature in words of Decision::found.
-std::string first_word(const std::string& found) { return found.substr(0, found.find(' ')); }
+std::string_view first_word(std::string_view found) { return found.substr(0, found.find(' ')); }
 
 /// That of M1 is about no region.
 std::string practice_for_mistake(const std::string& word) {
@@ -65,22 +53,18 @@ std::string practice_for_mistake(const std::string& word) {
 }  // namespace
 
 std::string practice_for(const Decision& decision, const std::string& but) {
-  if (decision.kind == Kind::line) return practice_for_mistake(decision.found);
-  static const std::vector<Practice> all = practices();
+  if (decision.kind == Decision::Kind::line) return practice_for_mistake(decision.found);
   const auto find = [&](const auto& is_likewise) {
-    const auto found =
-        std::ranges::find_if(all, [&](const Practice& each) { return each.name != but && is_likewise(each); });
-    return found == all.end() ? "" : found->name;
+    return std::ranges::find_if(practices, [&](const Practice& each) {
+      return each.simplex_size == decision.simplex_size && is_likewise(each.found);
+    });
   };
-  const auto is_alike = [&](const Decision& other) {
-    return other.kind == decision.kind && other.simplex_size == decision.simplex_size &&
-           first_word(other.found) == first_word(decision.found);
-  };
-  for (const std::string& name : {find([&](const Practice& each) { return std::ranges::count(each.told, decision); }),
-                                  find([&](const Practice& each) { return std::ranges::any_of(each.told, is_alike); }),
-                                  find([&](const Practice& each) { return std::ranges::count(each.made, decision); })})
-    if (!name.empty()) return name;
-  return "";
+  auto found = find([&](std::string_view it) { return it == decision.found; });
+  if (found == std::end(practices))
+    found = find([&](std::string_view it) { return first_word(it) == first_word(decision.found); });
+  if (found == std::end(practices)) return "";
+  const std::string first = "regions/" + std::string(found->walkthroughs[0]);
+  return first == but ? "regions/" + std::string(found->walkthroughs[1]) : first;
 }
 
 }  // namespace walkthroughs

@@ -7,7 +7,6 @@
 
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/page/line_question.hpp"
-#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/captions_of_proof.hpp"
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
@@ -90,8 +89,7 @@ class Iteration {
  public:
   /// `tests`: the place of the first region test that was made; the following ones are looked for.
   Iteration(const Story& story, std::size_t scene, std::size_t tests)
-      : story_(story),
-        scene_(scene),
+      : scene_(scene),
         telling_(story.tellings[scene]),
         events_(telling_.trace.events),
         first_(tests),
@@ -142,7 +140,7 @@ class Iteration {
   Fact fact_of(const Region& region) const {
     const auto behind = static_cast<std::size_t>(now_.regions.data() + now_.regions.size() - &region);
     const std::size_t at = end_ - behind;
-    return caption(events_[at], story_, telling_, replay(telling_.trace, at + 1))->facts[0];
+    return telling_.said[at]->facts[0];
   }
   std::string value_of(const Region& region) const { return fact_of(region).text; }
 
@@ -315,14 +313,11 @@ class Iteration {
   std::optional<Question> of_direction() const {
     if (size_ < 3 || !direction()) return std::nullopt;
     const std::string right = names_.translate(direction()->expression);
-    const std::string why =
-        value_of(*last_chosen()) + "; " +
-        caption(events_[direction_at()], story_, telling_, replay(telling_.trace, direction_at() + 1))->facts[0].text;
+    const std::string why = value_of(*last_chosen()) + "; " + telling_.said[direction_at()]->facts[0].text;
     return asked(decision(Kind::direction), scene_, direction_at(), "Along which formula does the search go on?",
                  ways(right, why, [&](const Way& way) { return names_.translate(way.direction); }), right);
   }
 
-  const Story& story_;
   const std::size_t scene_;
   const Telling& telling_;
   const std::vector<gjk::Event<double>>& events_;
@@ -339,8 +334,7 @@ std::optional<Question> of_crossing(const Story& story, std::size_t scene, std::
   const Telling& telling = story.tellings[scene];
   const auto& event = std::get<gjk::CrossingTested<double>>(telling.trace.events[at]);
   if (!event.value) return std::nullopt;
-  const std::string why =
-      caption(telling.trace.events[at], story, telling, replay(telling.trace, at + 1))->facts[0].text;
+  const std::string why = telling.said[at]->facts[0].text;
   const bool is_crossed = event.verdict == gjk::Crossing::crossed;
   const std::string yes = "yes, or just reached", no = "no";
   return asked({Kind::crossing, 0, is_crossed ? "crossed" : "not crossed"}, scene, at, "Was the origin crossed?",

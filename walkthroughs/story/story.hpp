@@ -64,6 +64,7 @@ struct Telling {
   Trace trace;
   LabelledHull hull;  ///< where corners have names
   Panels panels;
+  std::vector<std::optional<Frame>> said = {};  ///< of each event what caption() says
 };
 
 /// A walkthrough with everything its frames need. Made once; frames and pictures only read it.

@@ -21,6 +21,15 @@ Telling tell_scene(const Walkthrough& walkthrough, const Scene& scene, Trace tra
   return telling;
 }
 
+/// Says once what there is to say of each event.
+void say(const Story& story, Telling& telling) {
+  Moment now;
+  for (const gjk::Event<double>& event : telling.trace.events) {
+    advance(now, event);
+    telling.said.push_back(caption(event, story, telling, now));
+  }
+}
+
 /// One scene, told from the first event to the last. Where the search has come back to where it was before, the frame about its
 /// last direction says so.
 void tell_whole_search(Story& story) {
@@ -30,13 +39,15 @@ void tell_whole_search(Story& story) {
   const auto end = std::ranges::find_if(events, is_end);
   const std::optional<int> cycle_start = std::get<gjk::Finished<double>>(*end).result.cycle_start;
   const bool begins_late = story.walkthrough.begins_with_the_guess;
-  for (std::size_t i = begins_late ? static_cast<std::size_t>(end - events.begin()) : 0; i < events.size(); ++i) {
-    Moment now = replay(telling.trace, i + 1);
-    std::optional<Frame> frame = caption(events[i], story, telling, now);
-    if (!frame) continue;
+  const std::size_t first = begins_late ? static_cast<std::size_t>(end - events.begin()) : 0;
+  Moment now;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    advance(now, events[i]);
+    std::optional<Frame> frame = telling.said[i];
+    if (!frame || i < first) continue;
     const bool is_back = cycle_start && end - events.begin() == static_cast<std::ptrdiff_t>(i) + 1;
     if (is_back) frame = repetition(std::move(*frame), *cycle_start - 1);
-    frame->moments = {std::move(now)};
+    frame->moments = {now};
     frame->events = {{0, i}};
     story.frames.push_back(std::move(*frame));
   }
@@ -55,10 +66,9 @@ std::size_t find_event(const Trace& trace, int iteration) {
 /// Returns: what a frame would say about event `at` of that scene; nothing where it says nothing.
 std::optional<Frame> frame_of(const Story& story, std::size_t scene, std::size_t at) {
   const Telling& telling = story.tellings[scene];
-  Moment now = replay(telling.trace, at + 1);
-  std::optional<Frame> frame = caption(telling.trace.events[at], story, telling, now);
+  std::optional<Frame> frame = telling.said[at];
   if (!frame) return std::nullopt;
-  frame->moments = {std::move(now)};
+  frame->moments = {replay(telling.trace, at + 1)};
   frame->events = {{0, at}};
   return frame;
 }
@@ -307,6 +317,7 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
   Story story{walkthrough, {}, remarks_of(walkthrough, traces), {}, {}};
   for (std::size_t s = 0; s < walkthrough.scenes.size(); ++s)
     story.tellings.push_back(tell_scene(walkthrough, walkthrough.scenes[s], std::move(traces[s])));
+  for (Telling& telling : story.tellings) say(story, telling);
   switch (walkthrough.layout) {
     case Layout::search: tell_whole_search(story); break;
     case Layout::close_ups: tell_move(story, walkthrough.close_up.value()); break;

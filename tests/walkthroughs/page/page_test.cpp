@@ -223,7 +223,9 @@ TEST_CASE("A page has its files beside it and asks for them, or holds what is in
     CHECK(count(whole, "=\"" + name + "\"") == 0);
     if (name != story_file) CHECK(count(whole, content) == 1);
   }
+  const std::size_t calls = story.tellings[0].scene.a.support_calls;
   CHECK(page_files(story, pictures, {}).size() == 1);
+  CHECK(story.tellings[0].scene.a.support_calls == calls);  // a page runs no search
 }
 
 TEST_CASE("Without scripts each step has its picture and its caption") {
