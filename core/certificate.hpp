@@ -64,16 +64,16 @@ inline Status claim_of(const Certificate& certificate) {
 
 /// What an answer was proven by.
 enum class Proof {
-  direction,      ///< that of the first search separates the sets by more than all that was rounded (C1)
-  tetrahedron,    ///< that of the first search holds the origin, by more than all that was rounded (C2)
-  second_search,  ///< the signs that the second search took (C3)
+  direction,       ///< that of the first search separates the sets by more than all that was rounded (C1)
+  tetrahedron,     ///< that of the first search holds the origin, by more than all that was rounded (C2)
+  exact_fallback,  ///< the signs that the exact fallback took (C3)
 };
 
 constexpr std::string_view to_string(Proof proof) {
   switch (proof) {
     case Proof::direction: return "direction";
     case Proof::tetrahedron: return "tetrahedron";
-    case Proof::second_search: return "second-search";
+    case Proof::exact_fallback: return "second-search";
   }
   return "";
 }
@@ -81,9 +81,9 @@ constexpr std::string_view to_string(Proof proof) {
 struct CertifiedResult {
   Status status = Status::undecided;  ///< never that, once it is returned
   Certificate certificate;
-  Proof proof = Proof::second_search;
-  int iterations = 0;         ///< of the first search
-  int second_iterations = 0;  ///< of the second; 0 where there was none
+  Proof proof = Proof::exact_fallback;
+  int iterations = 0;           ///< of the first search
+  int fallback_iterations = 0;  ///< of the second; 0 where there was none
   friend bool operator==(const CertifiedResult&, const CertifiedResult&) = default;
 };
 

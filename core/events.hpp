@@ -186,30 +186,30 @@ struct Finished {
 
 // -- Of certified_collision() (certified/certified.hpp), after those of its first search ----------------------------------------
 //
-// Its second search also tells VertexAdded, SupportFound where it asks the support functions, and DirectionChosen; its
+// Its exact fallback also tells VertexAdded, SupportFound where it asks the support functions, and DirectionChosen; its
 // iterations count on from those of the first. Directions are rounded there, what is decided with them is not.
 
 /// A number that a proof rests on.
-struct ProofNumber {
+struct FilterValue {
   Expression expression;  ///< "−w·d", "C·(B×A)"
   double value = 0;
-  friend bool operator==(const ProofNumber&, const ProofNumber&) = default;
+  friend bool operator==(const FilterValue&, const FilterValue&) = default;
 };
 
 /// It was tried to prove what the first search had found in the numbers of that search (C1, C2 of certified/certified.hpp). The proof
 /// holds where all numbers are larger than `bound`, or all are smaller than -bound; of a direction the one larger.
 template <class S>
-struct ProofTried {
+struct FilterTried {
   int iteration = 0;
   Proof proof = Proof::direction;
-  std::vector<ProofNumber> numbers =
+  std::vector<FilterValue> numbers =
       {};            ///< none where the proof needs what was not found, or other numbers than these
   double bound = 0;  ///< more than all that was rounded
   bool holds = false;
-  friend bool operator==(const ProofTried&, const ProofTried&) = default;
+  friend bool operator==(const FilterTried&, const FilterTried&) = default;
 };
 
-/// The second search goes by the sign of a polynomial in the coordinates.
+/// The exact fallback goes by the sign of a polynomial in the coordinates.
 template <class S>
 struct SignTaken {
   int iteration = 0;
@@ -246,7 +246,7 @@ struct Certified {
 
 template <class S>
 using Event = std::variant<SearchStarted<S>, SupportFound<S>, CrossingTested<S>, VertexAdded<S>, RegionTested<S>,
-                           SimplexReduced<S>, DirectionChosen<S>, Finished<S>, ProofTried<S>, SignTaken<S>,
+                           SimplexReduced<S>, DirectionChosen<S>, Finished<S>, FilterTried<S>, SignTaken<S>,
                            FeatureKept<S>, Certified<S>>;
 
 /// An observer is called with each event as it happens. Anything that takes an Event will do.
@@ -258,7 +258,7 @@ concept Observer = std::invocable<T&, SearchStarted<S>> && std::invocable<T&, Su
 
 /// That of certified_collision() is called with these, too.
 template <class T, class S>
-concept CertifiedObserver = Observer<T, S> && std::invocable<T&, ProofTried<S>> && std::invocable<T&, SignTaken<S>> &&
+concept CertifiedObserver = Observer<T, S> && std::invocable<T&, FilterTried<S>> && std::invocable<T&, SignTaken<S>> &&
     std::invocable<T&, FeatureKept<S>> && std::invocable<T&, Certified<S>>;
 
 /// The default observer. Events meant for it are never made.

@@ -1,18 +1,31 @@
-/// Collision tests of sets of points whose answer is proven: never wrong, never undecided. Needs Eigen and, for whole numbers
-/// of any length, Boost.Multiprecision (headers, kept by others; nothing else of the core needs it).
+/// Collision tests whose answer is proven: exact geometric computation by filtered predicates. This header is the one to begin with.
 ///
 ///     const gjk::CertifiedResult result = gjk::certified_collision(set_a, set_b);
 ///     result.status;        // intersecting or separated
 ///     result.certificate;   // why: see certificate.hpp; holds() of check.hpp multiplies it out
 ///
+/// | sets                         | call                          | answer                                                  |
+/// |------------------------------|-------------------------------|---------------------------------------------------------|
+/// | hulls of points              | certified_collision()         | never wrong, never undecided; with a certificate        |
+/// | balls, among them and points | certified_status(), balls.hpp | never wrong, never undecided                            |
+/// | all else, posed shapes too   | certified_shapes(), shapes.hpp| never wrong; undecided near contact, with a bound on it |
+///
+/// How: collision() runs in S. What it finds, a separating axis or a tetrahedron around the origin, is tried against a static
+/// error bound (filter.hpp). Where that does not suffice the exact fallback (exact_fallback.hpp) searches for the min-norm point, like Wolfe's
+/// algorithm, by signs that are exact: dynamic error bounds first, whole numbers of any length where these leave a doubt. The filter costs
+/// a few products; of random pairs some ten in a million need the fallback, of touching ones all, which then take five times as long
+/// (measured: tests/study/results/certified.md).
+///
+/// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers, kept by others; nothing else of the core needs it).
+///
 /// What is proven, under which assumptions, as numbered properties; the tests quote them. The assumptions: IEEE arithmetic,
 /// rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no harm.)
-///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see DirectionProof.
+///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see SeparationFilter.
 ///  C2. Four points are a proof where four determinants are larger than 64uM³, M being the largest coordinate of the points:
-///      see TetrahedronProof. One of them may be the difference of the means of the sets, which is known less well: larger than
+///      see ContainmentFilter. One of them may be the difference of the means of the sets, which is known less well: larger than
 ///      64uM³ + 8(n_A r_A + n_B r_B)uM², see error_of_mean().
-///  C3. Each sign that the second search goes by is that of the exact number: see exact_fallback.hpp.
-///  C4. The second search ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
+///  C3. Each sign that the exact fallback goes by is that of the exact number: see exact_fallback.hpp.
+///  C4. The exact fallback ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
 ///      feature that is kept, and there are finitely many of them.
 ///  C5. Whatever the first search does, wrong rules included, costs time and never truth: of it only points of the difference and
 ///      one direction with its farthest point are taken, and what they prove is looked at anew. Of a search that starts inside
@@ -80,7 +93,8 @@ CertifiedResult prove(const Result<S>& guess, const PointSet<S>& a, const PointS
   result.iterations = guess.iterations;
   tell.enter_iteration(guess.iterations);
   if (guess.separation) {
-    const DirectionProof<S> proof(guess.separation->direction, guess.separation->support_value, a.extent(), b.extent());
+    const SeparationFilter<S> proof(guess.separation->direction, guess.separation->support_value, a.extent(),
+                                    b.extent());
     tell([&] { return proof.told(); });
     if (proof.holds()) {
       result.status = Status::separated;
@@ -92,7 +106,7 @@ CertifiedResult prove(const Result<S>& guess, const PointSet<S>& a, const PointS
   const Simplex<S>& simplex = guess.simplex;
   if (simplex.size() == 4) {
     const double mean_error = options.inside ? error_of_start(simplex, a, b) : 0;
-    const TetrahedronProof<S> proof(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w, mean_error);
+    const ContainmentFilter<S> proof(simplex[0].w, simplex[1].w, simplex[2].w, simplex[3].w, mean_error);
     tell([&] { return proof.told(); });
     if (proof.holds()) {
       result.status = Status::intersecting;
@@ -101,11 +115,11 @@ CertifiedResult prove(const Result<S>& guess, const PointSet<S>& a, const PointS
       return result;
     }
   } else if (!guess.separation) {
-    tell([] { return ProofTried<S>{.proof = Proof::tetrahedron}; });
+    tell([] { return FilterTried<S>{.proof = Proof::tetrahedron}; });
   }
   IndexPairs found;
   add_found_vertices(found, simplex);
-  search_again(a, b, found, tell, result);
+  decide_exactly(a, b, found, tell, result);
   return result;
 }
 
@@ -119,7 +133,7 @@ CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Option
 /// Do the convex hulls of two sets of points have a point in common? Asked by collision() with any rules; what it finds is
 /// proven in S, and where that fails decided anew, exactly. No iteration limit, no tolerance; touching is intersecting.
 ///
-/// `observer`: is told the events of collision(), then the proofs, the second search and the end. Nothing is made for one that
+/// `observer`: is told the events of collision(), then the proofs, the exact fallback and the end. Nothing is made for one that
 /// is not there. collision() finds a cycle at once where somebody listens: of a pair that goes round the numbers of iterations
 /// and the certificate may then be others.
 /// Requires: finite coordinates; any S but float and double would need its own bounds.
@@ -136,7 +150,7 @@ requires((std::same_as<S, float> ||
     detail::OneRun<S, Listener> run(observer);
     const CertifiedResult result = detail::certify<S, Rules>(a, b, options, run);
     detail::Teller tell(run, options.crossing_test);
-    tell.enter_iteration(result.iterations + result.second_iterations);
+    tell.enter_iteration(result.iterations + result.fallback_iterations);
     tell([&] { return Certified<S>{.result = result}; });
     return result;
   } else {

@@ -1,4 +1,4 @@
-/// The exact fallback of certified.hpp, a second search (in the field: the min-norm point, Wolfe 1976): it walks to the feature of the difference of two sets of points that is nearest to the
+/// The exact fallback of certified.hpp, the exact fallback (in the field: the min-norm point, Wolfe 1976): it walks to the feature of the difference of two sets of points that is nearest to the
 /// origin, or into the origin, and each of its decisions is exact (C3, C4). Signs are taken of doubles that know their error, and
 /// of whole numbers where that leaves a doubt. Needs Eigen and Boost.Multiprecision.
 #pragma once
@@ -142,7 +142,7 @@ Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
 template <class S, class Obs = const NobodyListens>
 class ExactSimplex {
  public:
-  explicit ExactSimplex(const ExactDifference<S>& difference, const SecondTeller<S, Obs>& tell = {})
+  explicit ExactSimplex(const ExactDifference<S>& difference, const FallbackTeller<S, Obs>& tell = {})
       : difference_(difference), tell_(tell) {}
 
   const IndexPairs& vertices() const { return vertices_; }
@@ -186,7 +186,7 @@ class ExactSimplex {
     return quick.has_certain_sign() ? sign_of(quick) : sign_of(polynomial(whole()));
   }
 
-  const SecondTeller<S, Obs>& tell() const { return tell_; }
+  const FallbackTeller<S, Obs>& tell() const { return tell_; }
 
   // -- As nearest_with_A() asks
 
@@ -257,7 +257,7 @@ class ExactSimplex {
   }
 
  private:
-  static constexpr bool tells = SecondTeller<S, Obs>::somebody_listens;
+  static constexpr bool tells = FallbackTeller<S, Obs>::somebody_listens;
 
   /// `component`: what the component of an axis is called.
   template <class VectorOf, class Component>
@@ -291,7 +291,7 @@ class ExactSimplex {
   }
 
   const ExactDifference<S>& difference_;
-  SecondTeller<S, Obs> tell_;
+  FallbackTeller<S, Obs> tell_;
   IndexPairs vertices_;
   FromA<Bounded> bounded_;
   mutable std::optional<FromA<Whole>> whole_;
@@ -378,7 +378,7 @@ class AlongDirection {
   }
 
   void tell(IndexPair vertex, const Expression& what, const Bounded& w_d, const Whole* exact = nullptr) const {
-    if constexpr (SecondTeller<S, Obs>::somebody_listens)
+    if constexpr (FallbackTeller<S, Obs>::somebody_listens)
       from_.tell().sign([&] { return SignWords{what}; },
                         {power_ + difference_.exponent(), difference_.powers(from_.degree_of_direction() + 1).whole},
                         w_d, exact, difference_.vertex(vertex));
@@ -485,13 +485,13 @@ class AlongDirection {
 /// Walks to the feature of the difference that is nearest to the origin, or into the origin. Each vertex that it adds brings
 /// it nearer (C4), each decision is exact (C3). `offered`: at least one vertex, to begin with; good ones save scans.
 template <class S, class Obs>
-[[gnu::noinline]] void search_again(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered,
-                                    Teller<Obs>& tell, CertifiedResult& result) {
+[[gnu::noinline]] void decide_exactly(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered,
+                                      Teller<Obs>& tell, CertifiedResult& result) {
   const ExactDifference<S> difference(a, b);
-  ExactSimplex<S, Obs> simplex(difference, SecondTeller<S, Obs>(tell));
+  ExactSimplex<S, Obs> simplex(difference, FallbackTeller<S, Obs>(tell));
   IndexPair next = offered[0];
   while (true) {
-    tell.enter_iteration(result.iterations + ++result.second_iterations);
+    tell.enter_iteration(result.iterations + ++result.fallback_iterations);
     simplex.add(next);
     tell([&] { return VertexAdded<S>{.simplex = difference.simplex(simplex.vertices())}; });
     const IndexPairs before = simplex.vertices();

@@ -32,23 +32,23 @@ struct Range<float> {
 /// one that is farther in both scans, and of w·d), each by half the least denormal number; where s is not tiny they are far below
 /// the 6u·s left over; and where s is not huge, nothing overflows.
 template <class S>
-class DirectionProof {
+class SeparationFilter {
  public:
-  DirectionProof(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, const Vec3<S>& extent_b)
+  SeparationFilter(const Vec3<S>& d, const S& support_value, const Vec3<S>& extent_a, const Vec3<S>& extent_b)
       : gap_(-static_cast<double>(support_value)),
         s_((extent_a.template cast<double>() + extent_b.template cast<double>())
                .dot(d.template cast<double>().cwiseAbs())) {}
 
-  bool holds() const { return gap_ > bound() && can_be_tried(); }
-  ProofTried<S> told() const {
-    ProofTried<S> event{.proof = Proof::direction, .bound = bound(), .holds = holds()};
-    if (can_be_tried()) event.numbers = {{"−w·d", gap_}};
+  bool holds() const { return gap_ > bound() && is_applicable(); }
+  FilterTried<S> told() const {
+    FilterTried<S> event{.proof = Proof::direction, .bound = bound(), .holds = holds()};
+    if (is_applicable()) event.numbers = {{"−w·d", gap_}};
     return event;
   }
 
  private:
   double bound() const { return 16 * roundoff_of<S> * s_; }
-  bool can_be_tried() const { return s_ > Range<S>::least_reach && s_ < Range<S>::largest_reach; }
+  bool is_applicable() const { return s_ > Range<S>::least_reach && s_ < Range<S>::largest_reach; }
 
   double gap_, s_;
 };
@@ -64,13 +64,13 @@ class DirectionProof {
 /// `mean_error`: how far the components of one of the points may be off beside that, see error_of_mean(). Each product has one
 /// of them at most, times M²: 6M² is the error that it makes, and 8M² is asked for.
 template <class S>
-class TetrahedronProof {
+class ContainmentFilter {
  public:
-  TetrahedronProof(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d, double mean_error = 0) {
+  ContainmentFilter(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d, double mean_error = 0) {
     const auto size_ab = a.cwiseAbs().cwiseMax(b.cwiseAbs()), size_cd = c.cwiseAbs().cwiseMax(d.cwiseAbs());
     const double M = static_cast<double>(size_ab.cwiseMax(size_cd).maxCoeff());
-    can_be_tried_ = M > Range<S>::least_norm && M < Range<S>::largest_norm;
-    if (!can_be_tried_) return;
+    is_applicable_ = M > Range<S>::least_norm && M < Range<S>::largest_norm;
+    if (!is_applicable_) return;
     error_ = (64 * roundoff_of<S> * M + 8 * mean_error) * (M * M);
     const Vec3<S> cd = c.cross(d), ab = a.cross(b);
     bcd_ = static_cast<double>(b.dot(cd)), acd_ = static_cast<double>(a.dot(cd));
@@ -78,23 +78,23 @@ class TetrahedronProof {
   }
 
   bool holds() const {
-    return can_be_tried_ && ((bcd_ > error_ && acd_ < -error_ && abd_ > error_ && abc_ < -error_) ||
-                             (bcd_ < -error_ && acd_ > error_ && abd_ < -error_ && abc_ > error_));
+    return is_applicable_ && ((bcd_ > error_ && acd_ < -error_ && abd_ > error_ && abc_ < -error_) ||
+                              (bcd_ < -error_ && acd_ > error_ && abd_ < -error_ && abc_ > error_));
   }
   /// Of the simplex [D, C, B, A].
-  ProofTried<S> told() const {
-    ProofTried<S> event{.proof = Proof::tetrahedron, .bound = error_, .holds = holds()};
-    if (can_be_tried_) event.numbers = {{"C·(B×A)", bcd_}, {"D·(A×B)", -acd_}, {"A·(D×C)", abd_}, {"B·(C×D)", -abc_}};
+  FilterTried<S> told() const {
+    FilterTried<S> event{.proof = Proof::tetrahedron, .bound = error_, .holds = holds()};
+    if (is_applicable_) event.numbers = {{"C·(B×A)", bcd_}, {"D·(A×B)", -acd_}, {"A·(D×C)", abd_}, {"B·(C×D)", -abc_}};
     return event;
   }
 
  private:
-  bool can_be_tried_ = false;
+  bool is_applicable_ = false;
   double error_ = 0, bcd_ = 0, acd_ = 0, abd_ = 0, abc_ = 0;
 };
 
 /// C2. Returns: by how much the components of the mean of n points of that extent may be off, see PointSet::mean(). What terms
-/// of u² add is less than what TetrahedronProof asks for beyond, if nu is at most a quarter; and a denormal quotient is off by
+/// of u² add is less than what ContainmentFilter asks for beyond, if nu is at most a quarter; and a denormal quotient is off by
 /// less than the least number, which is nothing beside what M has to be.
 template <class S>
 double error_of_mean(std::size_t n, S extent) {

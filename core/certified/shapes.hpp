@@ -54,12 +54,12 @@ template <class S>
 /// power of two near the shapes' size: so no product of three is beyond all doubles, or lost below them, however large or small
 /// the shapes are. What a coordinate loses below the least double there is nothing beside ε.
 template <class S, class A, class B>
-class DoubtfulDifference {
+class BoundedDifference {
  public:
   /// ε: w = a − b is rounded by u|w|, and w·d/|d| or the height of a triangle is off by 6.5u|w| at most: 3u for the product, 2.5u
   /// for the length, 1u for the quotient; how far it reaches with ε (C9) is a sum, rounded by another u. All in doubles.
-  DoubtfulDifference(const A& a, const B& b) : a_(a), b_(b) {
-    const Doubt of_a = doubt(a), of_b = doubt(b);
+  BoundedDifference(const A& a, const B& b) : a_(a), b_(b) {
+    const SupportError of_a = support_error(a), of_b = support_error(b);
     if (const double largest = std::max({of_a.size, of_b.size, of_a.error, of_b.error}); std::isfinite(largest))
       exponent_ = std::ilogb(largest);
     size_ = in_units(of_a.size) + in_units(of_b.size);
@@ -320,9 +320,9 @@ double distance_at_most(Difference& difference, double nearness) {
 /// Requires: finite shapes. S, float or double, is what their points are computed in.
 /// Errors: std::runtime_error as certified_collision(); what a support function throws passes through.
 template <class S = double, class A, class B>
-requires DoubtfulShape<A, S> && DoubtfulShape<B, S> ShapesResult certified_shapes(const A& a, const B& b) {
+requires BoundedShape<A, S> && BoundedShape<B, S> ShapesResult certified_shapes(const A& a, const B& b) {
   detail::expect_usual_arithmetic();
-  detail::DoubtfulDifference<S, A, B> difference(a, b);
+  detail::BoundedDifference<S, A, B> difference(a, b);
   ShapesResult result;
   if (!std::isfinite(difference.error())) {
     result.gap = difference.error();

@@ -1,11 +1,11 @@
 /// How well the support functions of shapes.hpp know their points: what proofs about shapes whose points are computed rest on.
 ///
-///  C6. For a shape and Doubt{size, error} = doubt(shape): the shape lies within `size` of the origin; and for every direction d
+///  C6. For a shape and SupportError{size, error} = support_error(shape): the shape lies within `size` of the origin; and for every direction d
 ///      whose largest component is between 2^-10 and 2^10, near_support(shape, d) is within `error` of a point of the shape, and
 ///      no point of the shape lies farther along d by more than error·|d|.
 ///
 /// A shape is what its numbers say, as they are stored: the rotation of a pose by its matrix, not by an angle. u is half the
-/// epsilon of S; terms of u² are far below what each bound leaves over, and so is what overflows not, see Doubt.
+/// epsilon of S; terms of u² are far below what each bound leaves over, and so is what overflows not, see SupportError.
 #pragma once
 
 #include <concepts>
@@ -15,13 +15,13 @@
 
 namespace gjk {
 
-struct Doubt {
+struct SupportError {
   double size = 0;
   double error = 0;  ///< infinite where products might overflow
 
   /// Adds what underflow loses, some ten times half the least number, and leaves room for how this itself was rounded.
   template <class S>
-  static Doubt of(double size, double in_roundings) {
+  static SupportError of(double size, double in_roundings) {
     constexpr double u = std::numeric_limits<S>::epsilon() / 2.0, most = std::numeric_limits<S>::max() * 0x1p-20;
     const double error = u * in_roundings + 16 * static_cast<double>(std::numeric_limits<S>::denorm_min());
     return {size, size < most ? error : std::numeric_limits<double>::infinity()};
@@ -42,9 +42,9 @@ double sum_of_sizes(const Vec3<S>& v) {
 
 /// A point is given, not computed. It may be the wrong one: products p·d of two points are off by 3u|p||d| each.
 template <class S>
-Doubt doubt(const PointSet<S>& points) {
+SupportError support_error(const PointSet<S>& points) {
   const double size = detail::sum_of_sizes(points.extent());
-  return Doubt::of<S>(size, 8 * size);
+  return SupportError::of<S>(size, 8 * size);
 }
 template <class S>
 Vec3<S> near_support(const PointSet<S>& points, const Vec3<S>& d) {
@@ -56,9 +56,9 @@ Vec3<S> near_support(const PointSet<S>& points, const Vec3<S>& d) {
 /// c + r d/|d|. The components of d divided by the largest turn it by u, and the point by ur. The norm is off by 2.5u of it, the
 /// quotient by 1u, the product by 1u; their sum is rounded by u(|c| + r). Together 6.5ur + u|c|.
 template <class S>
-Doubt doubt(const Sphere<S>& ball) {
+SupportError support_error(const Sphere<S>& ball) {
   const double center = detail::sum_of_sizes(ball.center()), r = static_cast<double>(ball.radius());
-  return Doubt::of<S>(center + r, 8 * r + 2 * center);
+  return SupportError::of<S>(center + r, 8 * r + 2 * center);
 }
 template <class S>
 Vec3<S> near_support(const Sphere<S>& ball, const Vec3<S>& d) {
@@ -78,10 +78,10 @@ Vec3<S> near_support(const Sphere<S>& ball, const Vec3<S>& d) {
 /// The error of a×s turns the way to the rim, which costs less than 4ur. Where a×s is no longer than 16u in any component, it is
 /// at most 35u long: there near_support() takes the middle of the cap, which costs 35ur. Together with the above 54ur + 19uH.
 template <class S>
-Doubt doubt(const Cylinder<S>& can) {
+SupportError support_error(const Cylinder<S>& can) {
   const double center = detail::sum_of_sizes(can.center()), r = static_cast<double>(can.radius());
   const double H = static_cast<double>(can.height()) / 2;
-  return Doubt::of<S>(center + r + H, 64 * (r + H) + 4 * center);
+  return SupportError::of<S>(center + r + H, 64 * (r + H) + 4 * center);
 }
 template <class S>
 Vec3<S> near_support(const Cylinder<S>& can, const Vec3<S>& d) {
@@ -98,12 +98,12 @@ Vec3<S> near_support(const Cylinder<S>& can, const Vec3<S>& d) {
 /// moved it is rounded by u(|x| + |t|). The direction turned back is as much off, 3√3u|d|, and so is what it finds, twice, for
 /// a point and the one that would be farther. Together 17u·size + u|t|, and the error of the shape at rest.
 template <class S, class A>
-Doubt doubt(const Posed<S, A>& posed) {
+SupportError support_error(const Posed<S, A>& posed) {
   const Eigen::Matrix<double, 3, 3> R = posed.pose().rotation.template cast<double>();
   const auto off = (R.transpose() * R - Eigen::Matrix<double, 3, 3>::Identity()).cwiseAbs().maxCoeff();
-  const Doubt rest = doubt(posed.shape());
+  const SupportError rest = support_error(posed.shape());
   const double way = detail::sum_of_sizes(posed.pose().translation), stretched = 1.002;
-  Doubt moved = Doubt::of<S>(stretched * rest.size + way, 18 * rest.size + 2 * way);
+  SupportError moved = SupportError::of<S>(stretched * rest.size + way, 18 * rest.size + 2 * way);
   moved.error += stretched * rest.error;
   if (!(off < 1e-3)) moved.error = std::numeric_limits<double>::infinity();
   return moved;
@@ -115,9 +115,9 @@ Vec3<S> near_support(const Posed<S, A>& posed, const Vec3<S>& d) {
 
 /// Two points are added, which rounds by u of their sizes.
 template <class S, class A, class B>
-Doubt doubt(const MinkowskiSum<S, A, B>& sum) {
-  const Doubt a = doubt(sum.a()), b = doubt(sum.b());
-  Doubt both = Doubt::of<S>(a.size + b.size, 2 * (a.size + b.size));
+SupportError support_error(const MinkowskiSum<S, A, B>& sum) {
+  const SupportError a = support_error(sum.a()), b = support_error(sum.b());
+  SupportError both = SupportError::of<S>(a.size + b.size, 2 * (a.size + b.size));
   both.error += a.error + b.error;
   return both;
 }
@@ -128,8 +128,8 @@ Vec3<S> near_support(const MinkowskiSum<S, A, B>& sum, const Vec3<S>& d) {
 
 /// A shape whose points are known that well.
 template <class T, class S>
-concept DoubtfulShape = requires(const T& shape, const Vec3<S>& d) {
-  { doubt(shape) } -> std::same_as<Doubt>;
+concept BoundedShape = requires(const T& shape, const Vec3<S>& d) {
+  { support_error(shape) } -> std::same_as<SupportError>;
   { near_support(shape, d) } -> std::convertible_to<Vec3<S>>;
 };
 

@@ -1,4 +1,4 @@
-/// What the second search of certified_collision() tells, in which words. Nothing here decides anything.
+/// What the exact fallback of certified_collision() tells, in which words. Nothing here decides anything.
 #pragma once
 
 #include <algorithm>
@@ -72,14 +72,14 @@ class OneRun {
   std::vector<Vec3<S>> found_;
 };
 
-/// Tells what a second search does; each sign once a simplex, however often it is asked for.
+/// Tells what the exact fallback does; each sign once a simplex, however often it is asked for.
 template <class S, class Obs = const NobodyListens>
-class SecondTeller {
+class FallbackTeller {
  public:
   static constexpr bool somebody_listens = Teller<Obs>::somebody_listens;
 
-  SecondTeller() requires(!somebody_listens) = default;
-  explicit SecondTeller(Teller<Obs>& tell) : tell_(&tell) {}
+  FallbackTeller() requires(!somebody_listens) = default;
+  explicit FallbackTeller(Teller<Obs>& tell) : tell_(&tell) {}
 
   template <class MakeEvent>
   void operator()(MakeEvent&& make) const {

@@ -10,19 +10,19 @@ template <class S>
 class AnyDoubtful {
  public:
   template <class A>
-  requires(!std::same_as<A, AnyDoubtful> && DoubtfulShape<A, S>) AnyDoubtful(const A& shape)
+  requires(!std::same_as<A, AnyDoubtful> && BoundedShape<A, S>) AnyDoubtful(const A& shape)
       : shape_(&shape), doubt_(gjk_doubt(shape)), near_support_([](const void* any, const Vec3<S>& d) {
           return Vec3<S>(near_support(*static_cast<const A*>(any), d));
         }) {}
 
-  friend Doubt doubt(const AnyDoubtful& s) { return s.doubt_; }
+  friend SupportError support_error(const AnyDoubtful& s) { return s.doubt_; }
   friend Vec3<S> near_support(const AnyDoubtful& s, const Vec3<S>& d) { return s.near_support_(s.shape_, d); }
 
  private:
-  static Doubt gjk_doubt(const auto& shape) { return doubt(shape); }
+  static SupportError gjk_doubt(const auto& shape) { return support_error(shape); }
 
   const void* shape_;
-  Doubt doubt_;
+  SupportError doubt_;
   Vec3<S> (*near_support_)(const void*, const Vec3<S>&);
 };
 

@@ -59,7 +59,7 @@ TEST_CASE("A vertex is new where neither search has found its place before", "[c
     std::vector<Vec3<double>> found;
     bool is_second = false;
     for (const Event<double>& event : told(pair)) {
-      is_second |= std::holds_alternative<ProofTried<double>>(event);
+      is_second |= std::holds_alternative<FilterTried<double>>(event);
       const auto* support = std::get_if<SupportFound<double>>(&event);
       if (!support) continue;
       const Vec3<double>& w = support->vertex.w;

@@ -1,11 +1,10 @@
 // The bounds that the second search of certified_collision() goes by where it need not look exactly, each where it stands: of
 // what may be lost of a coordinate, of a direction, and by a scan along it.
-#include "core/certified/exact_fallback.hpp"
-
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "core/certified/exact_fallback.hpp"
 #include "tests/core/certified_support.hpp"
 
 namespace gjk::test {
@@ -133,7 +132,7 @@ bool is_known_from_scan(const std::vector<S>& a, const std::vector<S>& b) {
   const auto events = told<S>(pair, {.first_direction = {0, 1, 0}, .iteration_limit = 1});
   const CertifiedResult result = std::get<Certified<S>>(events.back()).result;
   REQUIRE(result.status == Status::separated);
-  REQUIRE(result.proof == Proof::second_search);
+  REQUIRE(result.proof == Proof::exact_fallback);
   for (const auto& sign : events_of_kind<SignTaken<S>>(events))
     if (sign.expression == "max w·d") return sign.exact.empty();
   FAIL("no scan");

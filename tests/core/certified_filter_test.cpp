@@ -20,10 +20,10 @@ TEMPLATE_TEST_CASE("C1: w·d = -16u·s is no proof, the next number is one", "[c
   using V = Vec3<S>;
   const V d(-1, 2, -4), extent_a(1, 2, 3), extent_b(4, 5, 6);
   const S bound = static_cast<S>(-16 * u<S> * (5 + 14 + 36));
-  REQUIRE_FALSE(detail::DirectionProof<S>(d, bound, extent_a, extent_b).holds());
-  REQUIRE(detail::DirectionProof<S>(d, below(bound), extent_a, extent_b).holds());
-  REQUIRE_FALSE(detail::DirectionProof<S>(d, -bound, extent_a, extent_b).holds());
-  REQUIRE_FALSE(detail::DirectionProof<S>(d, S(55), extent_a, extent_b).holds());
+  REQUIRE_FALSE(detail::SeparationFilter<S>(d, bound, extent_a, extent_b).holds());
+  REQUIRE(detail::SeparationFilter<S>(d, below(bound), extent_a, extent_b).holds());
+  REQUIRE_FALSE(detail::SeparationFilter<S>(d, -bound, extent_a, extent_b).holds());
+  REQUIRE_FALSE(detail::SeparationFilter<S>(d, S(55), extent_a, extent_b).holds());
 }
 
 TEMPLATE_TEST_CASE("C1: a far point of either set makes a direction no proof", "[certified]", float, double) {
@@ -31,16 +31,16 @@ TEMPLATE_TEST_CASE("C1: a far point of either set makes a direction no proof", "
   using V = Vec3<S>;
   const V p(1, 0, 0), q(1 + 17 * std::numeric_limits<S>::epsilon(), 0, 0);
   REQUIRE(proven(pair_of<S>({p}, {q})).proof == Proof::direction);
-  REQUIRE(proven(pair_of<S>({p, V(-99, 0, 0)}, {q})).proof == Proof::second_search);
-  REQUIRE(proven(pair_of<S>({p}, {q, V(99, 0, 0)})).proof == Proof::second_search);
+  REQUIRE(proven(pair_of<S>({p, V(-99, 0, 0)}, {q})).proof == Proof::exact_fallback);
+  REQUIRE(proven(pair_of<S>({p}, {q, V(99, 0, 0)})).proof == Proof::exact_fallback);
 }
 
 /// s is the product of `reach` and `d`, and w·d is far beyond the bound.
 template <class S>
 bool proves_at(S reach, S d) {
   using V = Vec3<S>;
-  return detail::DirectionProof<S>(V(0, d, 0), static_cast<S>(-static_cast<double>(reach) * d / 4), V(0, reach, 0),
-                                   V(9, 0, 9))
+  return detail::SeparationFilter<S>(V(0, d, 0), static_cast<S>(-static_cast<double>(reach) * d / 4), V(0, reach, 0),
+                                     V(9, 0, 9))
       .holds();
 }
 
@@ -61,11 +61,11 @@ TEMPLATE_TEST_CASE("C1: what is infinite or not a number proves nothing", "[cert
   using V = Vec3<S>;
   const S infinity = std::numeric_limits<S>::infinity(), nan = std::numeric_limits<S>::quiet_NaN();
   const V one(1, 1, 1);
-  REQUIRE(detail::DirectionProof<S>(one, -1, one, one).holds());
-  REQUIRE_FALSE(detail::DirectionProof<S>(V(1, infinity, 1), -1, one, one).holds());
-  REQUIRE_FALSE(detail::DirectionProof<S>(V(1, nan, 1), -1, one, one).holds());
-  REQUIRE_FALSE(detail::DirectionProof<S>(one, nan, one, one).holds());
-  REQUIRE_FALSE(detail::DirectionProof<S>(one, -1, V(1, 1, infinity), one).holds());
+  REQUIRE(detail::SeparationFilter<S>(one, -1, one, one).holds());
+  REQUIRE_FALSE(detail::SeparationFilter<S>(V(1, infinity, 1), -1, one, one).holds());
+  REQUIRE_FALSE(detail::SeparationFilter<S>(V(1, nan, 1), -1, one, one).holds());
+  REQUIRE_FALSE(detail::SeparationFilter<S>(one, nan, one, one).holds());
+  REQUIRE_FALSE(detail::SeparationFilter<S>(one, -1, V(1, 1, infinity), one).holds());
 }
 
 // -- C2 ---------------------------------------------------------------------------------------------------------------
@@ -79,8 +79,8 @@ bool enclose(const Corners<S>& corners) {
   std::array<std::size_t, 4> order{0, 1, 2, 3};
   int yes = 0;
   do {
-    yes +=
-        detail::TetrahedronProof<S>(corners[order[0]], corners[order[1]], corners[order[2]], corners[order[3]]).holds();
+    yes += detail::ContainmentFilter<S>(corners[order[0]], corners[order[1]], corners[order[2]], corners[order[3]])
+               .holds();
   } while (std::next_permutation(order.begin(), order.end()));
   REQUIRE((yes == 0 || yes == 24));
   return yes == 24;
@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE("C2: where a mean is off by δ, a determinant of 64uM³ + 8δ
   const S bound = static_cast<S>(64 * u<S> + 8 * delta);
   const auto enclose_with = [=](S z, S M) {
     const Corners<S> corners = around_origin<S>(M, M, z);
-    return detail::TetrahedronProof<S>(corners[0], M * corners[1], M * corners[2], M * corners[3], delta * double(M))
+    return detail::ContainmentFilter<S>(corners[0], M * corners[1], M * corners[2], M * corners[3], delta * double(M))
         .holds();
   };
   for (const S M : {S(1), S(4)}) {
@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE("C2: where a mean is off by δ, a determinant of 64uM³ + 8δ
     REQUIRE(enclose_with(above(bound * M), M));
   }
   const auto [a, b, c, d] = around_origin<S>();
-  REQUIRE_FALSE(detail::TetrahedronProof<S>(a, b, c, d, std::numeric_limits<double>::infinity()).holds());
+  REQUIRE_FALSE(detail::ContainmentFilter<S>(a, b, c, d, std::numeric_limits<double>::infinity()).holds());
 }
 
 TEMPLATE_TEST_CASE("C2: the mean of n points is known to nur, of a quarter of 1/u points and no more", "[certified]",
@@ -203,7 +203,7 @@ TEST_CASE("C2: points are neither so near that what underflows counts nor so far
 TEST_CASE("C2: of a proof that cannot be tried neither numbers nor a bound are told", "[certified]") {
   const auto told = [](double length) {
     const Corners<double> corners = around_origin<double>(length, length, length);
-    return detail::TetrahedronProof<double>(corners[0], corners[1], corners[2], corners[3]).told();
+    return detail::ContainmentFilter<double>(corners[0], corners[1], corners[2], corners[3]).told();
   };
   CHECK(told(0x1p330).numbers.empty());
   CHECK(told(0x1p330).bound == 0);

@@ -1,9 +1,8 @@
 /// certified_shapes(): shapes whose points are known to ε. Never wrong, and decided but where they all but touch.
-#include "core/certified/shapes.hpp"
-
 #include <map>
 #include <stdexcept>
 
+#include "core/certified/shapes.hpp"
 #include "tests/core/any_doubtful.hpp"
 #include "tests/core/certified_support.hpp"
 #include "tests/core/support.hpp"
@@ -21,7 +20,9 @@ struct Short {
   Cylinder<double> can;
   double error;
 };
-Doubt doubt(const Short& s) { return {gjk::doubt(s.can).size + s.error, gjk::doubt(s.can).error + s.error}; }
+SupportError support_error(const Short& s) {
+  return {gjk::support_error(s.can).size + s.error, gjk::support_error(s.can).error + s.error};
+}
 V near_support(const Short& s, const V& d) { return gjk::near_support(s.can, d) - s.error * d.normalized(); }
 
 /// Points that are each said to be off by `error`; and are, to that length, in a direction of its own each time.
@@ -31,7 +32,9 @@ struct Blurred {
   bool is_off = false;
   mutable Dice dice{7474};
 };
-Doubt doubt(const Blurred& blurred) { return {gjk::doubt(blurred.points).size + blurred.error, blurred.error}; }
+SupportError support_error(const Blurred& blurred) {
+  return {gjk::support_error(blurred.points).size + blurred.error, blurred.error};
+}
 V near_support(const Blurred& blurred, const V& d) {
   if (!d.allFinite() || d == V::Zero())
     throw std::logic_error("a support function is asked along what is no direction");
@@ -62,7 +65,7 @@ struct SideOfCube {
   /// Returns: ε, a millionth greater: what it must be deeper or farther away than.
   double needed() const {
     const Any any_box(box), any_point(point);
-    const detail::DoubtfulDifference<double, Any, Any> difference(any_box, any_point);
+    const detail::BoundedDifference<double, Any, Any> difference(any_box, any_point);
     return difference.unscaled(difference.error() * (1 + 0x1p-20));
   }
 
@@ -303,7 +306,7 @@ TEST_CASE("C7 to C9: shapes of any size are answered as those of size 1", "[cert
 TEST_CASE("C9: a length that is rounded in the units of the shapes is rounded up", "[certified]") {
   const PointSet<double> point({V(0x1p-1060, 0, 0)});  // a least number is 2^-14 of the unit
   const Any small(point);
-  const detail::DoubtfulDifference<double, Any, Any> difference(small, small);
+  const detail::BoundedDifference<double, Any, Any> difference(small, small);
   for (const double least : {100.2, 100.5, 100.7, 101.0, 101.5})
     CHECK(difference.unscaled(std::ldexp(least, -14)) == std::ldexp(std::ceil(least), -1074));
 }
@@ -311,7 +314,7 @@ TEST_CASE("C9: a length that is rounded in the units of the shapes is rounded up
 TEST_CASE("C8: a difference grown by a ball is known worse, by 16 roundings of its radius", "[certified]") {
   const PointSet<double> set({V(1, 0, 0)});
   const Any point(set);
-  const detail::DoubtfulDifference<double, Any, Any> difference(point, point);
+  const detail::BoundedDifference<double, Any, Any> difference(point, point);
   for (const double radius : {0.5, 1.0, 1024.0})
     CHECK(difference.error(radius) - difference.error() == Approx(16 * 0x1p-53 * radius));
 }

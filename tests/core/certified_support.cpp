@@ -9,8 +9,8 @@ CertifiedResult examined(const CertifiedResult& result, const Pair<S>& pair) {
   REQUIRE(result.status != Status::undecided);
   REQUIRE(claim_of(result.certificate) == result.status);
   REQUIRE(holds(result.certificate, pair.a, pair.b));
-  REQUIRE((result.second_iterations > 0) == (result.proof == Proof::second_search));
-  REQUIRE(result.second_iterations <= 12);  // a seen maximum, 9, with slack
+  REQUIRE((result.fallback_iterations > 0) == (result.proof == Proof::exact_fallback));
+  REQUIRE(result.fallback_iterations <= 12);  // a seen maximum, 9, with slack
   return result;
 }
 

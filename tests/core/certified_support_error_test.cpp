@@ -1,10 +1,9 @@
 /// C6: how well support functions know their points, against numbers of a hundred digits.
-#include "core/certified/support_error.hpp"
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <functional>
 #include <vector>
 
+#include "core/certified/support_error.hpp"
 #include "tests/core/any_doubtful.hpp"
 #include "tests/core/support.hpp"
 #include "tests/kit/catch.hpp"
@@ -144,7 +143,7 @@ struct Needed {
 
 template <class S>
 void look(const AnyDoubtful<S>& shape, const Truth& truth, const Vec3<S>& d, Needed& needed) {
-  const Doubt known = doubt(shape);
+  const SupportError known = support_error(shape);
   const LongVec p = exactly(near_support(shape, d)), along = exactly(d);
   const Long error(known.error), short_by = (truth.reach(along) - dot(p, along)) / length(along);
   REQUIRE(truth.distance(p) <= error);
@@ -236,30 +235,30 @@ TEST_CASE("C6: what a matrix turns that is no rotation is not known", "[certifie
   Pose<double> pose;
   const PointSet<double> point({Vec3<double>(1, 0, 0)});
   pose.rotation(0, 0) = std::sqrt(1 + 0.999e-3);
-  REQUIRE(std::isfinite(doubt(Posed<double, PointSet<double>>(point, pose)).error));
+  REQUIRE(std::isfinite(support_error(Posed<double, PointSet<double>>(point, pose)).error));
   pose.rotation(0, 0) = std::sqrt(1 + 1.001e-3);
-  REQUIRE(std::isinf(doubt(Posed<double, PointSet<double>>(point, pose)).error));
+  REQUIRE(std::isinf(support_error(Posed<double, PointSet<double>>(point, pose)).error));
 }
 
 TEST_CASE("C6: how many roundings each shape is given, as its derivation ends", "[certified]") {
   using V = Vec3<double>;
   constexpr double u = 0x1p-53, lost = 16 * 0x1p-1074;
-  const auto is = [](const Doubt& known, double size, double error) {
+  const auto is = [](const SupportError& known, double size, double error) {
     CHECK(known.size == size);
     CHECK(known.error == error);
   };
   const Sphere<double> ball(V(1, -2, 3), 2);
   const Cylinder<double> can(V(1, 0, -1), V(0, 0, 1), 3, 4);
-  is(doubt(PointSet<double>({V(3, 0, 0), V(-4, 5, 0)})), 9, 8 * 9 * u + lost);
-  is(doubt(ball), 6 + 2, (8 * 2 + 2 * 6) * u + lost);
-  is(doubt(can), 2 + 3 + 2, (64 * (3 + 2) + 4 * 2) * u + lost);
-  is(doubt(MinkowskiSum<double, Sphere<double>, Cylinder<double>>(ball, can)), 8 + 7,
-     2 * (8 + 7) * u + lost + (doubt(ball).error + doubt(can).error));
+  is(support_error(PointSet<double>({V(3, 0, 0), V(-4, 5, 0)})), 9, 8 * 9 * u + lost);
+  is(support_error(ball), 6 + 2, (8 * 2 + 2 * 6) * u + lost);
+  is(support_error(can), 2 + 3 + 2, (64 * (3 + 2) + 4 * 2) * u + lost);
+  is(support_error(MinkowskiSum<double, Sphere<double>, Cylinder<double>>(ball, can)), 8 + 7,
+     2 * (8 + 7) * u + lost + (support_error(ball).error + support_error(can).error));
   Pose<double> pose;
   pose.translation = V(1, 2, -3);
   const double stretched = 1.002;
-  is(doubt(Posed<double, Sphere<double>>(ball, pose)), stretched * 8 + 6,
-     (18 * 8 + 2 * 6) * u + lost + stretched * doubt(ball).error);
+  is(support_error(Posed<double, Sphere<double>>(ball, pose)), stretched * 8 + 6,
+     (18 * 8 + 2 * 6) * u + lost + stretched * support_error(ball).error);
 }
 
 TEMPLATE_TEST_CASE("C6: a sum reaches as far as both, and lies where their points do", "[certified]", float, double) {
@@ -271,11 +270,11 @@ TEMPLATE_TEST_CASE("C6: a sum reaches as far as both, and lies where their point
     const Cylinder<S> can(any_vector<S>(dice) * S(30), axis, S(1), S(0.5));
     const MinkowskiSum<S, Sphere<S>, Cylinder<S>> sum(ball, can);
     const LongVec along = exactly(d), p = exactly(near_support(sum, d));
-    const Long error(doubt(sum).error), reach = truth_of(ball).reach(along) + truth_of(can, axis).reach(along);
+    const Long error(support_error(sum).error), reach = truth_of(ball).reach(along) + truth_of(can, axis).reach(along);
     REQUIRE(reach - dot(p, along) <= error * length(along));
     const LongVec rounded = minus(minus(p, exactly(near_support(ball, d))), exactly(near_support(can, d)));
-    REQUIRE(length(rounded) <= error - Long(doubt(ball).error) - Long(doubt(can).error));
-    REQUIRE(reach <= Long(doubt(sum).size) * length(along));
+    REQUIRE(length(rounded) <= error - Long(support_error(ball).error) - Long(support_error(can).error));
+    REQUIRE(reach <= Long(support_error(sum).size) * length(along));
   }
 }
 
@@ -284,7 +283,7 @@ TEMPLATE_TEST_CASE(
     "[certified]", float, double) {
   using S = TestType;
   const S most = std::numeric_limits<S>::max() * S(0x1p-20), least = std::numeric_limits<S>::denorm_min();
-  const auto error = [](S size) { return doubt(PointSet<S>({Vec3<S>(size, 0, 0)})).error; };
+  const auto error = [](S size) { return support_error(PointSet<S>({Vec3<S>(size, 0, 0)})).error; };
   REQUIRE(std::isinf(error(most)));
   REQUIRE(std::isfinite(error(std::nextafter(most, S(0)))));
   REQUIRE(error(least) >= 16 * static_cast<double>(least));

@@ -211,7 +211,7 @@ TEMPLATE_TEST_CASE("Point sets of a crowded lattice are proven, in each way", "[
   REQUIRE(seen[Status::separated] > 200);
   REQUIRE(proofs[Proof::direction] > 50);
   REQUIRE(proofs[Proof::tetrahedron] > 20);
-  REQUIRE(proofs[Proof::second_search] > 100);
+  REQUIRE(proofs[Proof::exact_fallback] > 100);
 }
 
 TEMPLATE_TEST_CASE(
@@ -297,7 +297,7 @@ TEST_CASE("C5: the answer is proven with wrong rules, and with any options", "[c
       for (const Options<double>& options : odd_options()) {
         INFO("pair " << i << ", limit " << options.iteration_limit << ", d " << options.first_direction.transpose());
         const auto result = examined(certified_collision<double, Wrong>(pair.a, pair.b, options), pair);
-        second_searches += result.proof == Proof::second_search;
+        second_searches += result.proof == Proof::exact_fallback;
       }
     }
     REQUIRE(second_searches > 100);
@@ -342,7 +342,7 @@ TEMPLATE_TEST_CASE(
     const Result<TestType> plain = asked<TestType>(pair.a, pair.b);
     REQUIRE(result.status == plain.status);
     REQUIRE(result.iterations == plain.iterations);
-    REQUIRE(result.second_iterations == 0);
+    REQUIRE(result.fallback_iterations == 0);
     if (plain.separation) {
       REQUIRE(result.proof == Proof::direction);
       const SeparatingDirection found{plain.separation->direction.template cast<double>()};

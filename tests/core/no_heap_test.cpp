@@ -55,7 +55,7 @@ TEST_CASE("The certified call allocates nothing for ordinary numbers, whatever p
     REQUIRE(from_inside.status == result.status);
     ++proofs[result.proof];
   }
-  for (const Proof proof : {Proof::direction, Proof::tetrahedron, Proof::second_search}) REQUIRE(proofs[proof] > 50);
+  for (const Proof proof : {Proof::direction, Proof::tetrahedron, Proof::exact_fallback}) REQUIRE(proofs[proof] > 50);
 }
 
 }  // namespace

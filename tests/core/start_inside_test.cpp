@@ -133,7 +133,7 @@ TEMPLATE_TEST_CASE(
   }
   REQUIRE(by_mean > 50);
   REQUIRE(proofs[Proof::direction] > 50);
-  REQUIRE(proofs[Proof::second_search] > 20);
+  REQUIRE(proofs[Proof::exact_fallback] > 20);
 }
 
 TEST_CASE("Inside: where means are known no better than the sets are deep in each other, the second search decides",
@@ -148,7 +148,7 @@ TEST_CASE("Inside: where means are known no better than the sets are deep in eac
   const Pair<double> pair = pair_of<double>(a, b);
   const CertifiedResult result = proven(pair, inside_means(pair));
   REQUIRE(result.status == Status::intersecting);
-  REQUIRE(result.proof == Proof::second_search);
+  REQUIRE(result.proof == Proof::exact_fallback);
   REQUIRE(proven(pair).proof == Proof::tetrahedron);
 }
 

@@ -203,14 +203,14 @@ struct FieldsOf<gjk::Finished<S>> {
 };
 
 template <>
-struct FieldsOf<gjk::ProofNumber> {
-  using R = gjk::ProofNumber;
+struct FieldsOf<gjk::FilterValue> {
+  using R = gjk::FilterValue;
   static constexpr std::tuple list{Field("expression", &R::expression), Field("value", &R::value)};
 };
 
 template <class S>
-struct FieldsOf<gjk::ProofTried<S>> {
-  using R = gjk::ProofTried<S>;
+struct FieldsOf<gjk::FilterTried<S>> {
+  using R = gjk::FilterTried<S>;
   static constexpr std::string_view event = "proof-tried";
   static constexpr std::tuple list{Field("proof", &R::proof), Field("numbers", &R::numbers), Field("bound", &R::bound),
                                    Field("holds", &R::holds)};
@@ -246,7 +246,7 @@ struct FieldsOf<gjk::CertifiedResult> {
   using R = gjk::CertifiedResult;
   static constexpr std::tuple list{Field("status", &R::status), Field("certificate", &R::certificate),
                                    Field("proof", &R::proof), Field("iterations", &R::iterations, Meaning::iterations),
-                                   Field("second_iterations", &R::second_iterations, Meaning::iterations)};
+                                   Field("second_iterations", &R::fallback_iterations, Meaning::iterations)};
 };
 
 template <class S>

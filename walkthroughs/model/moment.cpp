@@ -25,7 +25,7 @@ class Replay {
   }
   void operator()(const gjk::CrossingTested<double>& event) { now.crossing = event; }
   void operator()(const gjk::VertexAdded<double>& event) {
-    if (now.proof) begin_second_iteration(event);
+    if (now.proof) begin_fallback_iteration(event);
     now.added = true;
     now.before = now.processed;
     now.simplex = now.processed = event.simplex;
@@ -42,7 +42,7 @@ class Replay {
     now.found.reset();
   }
   void operator()(const gjk::Finished<double>& event) { now.result = event.result; }
-  void operator()(const gjk::ProofTried<double>& event) { now.proof = event; }
+  void operator()(const gjk::FilterTried<double>& event) { now.proof = event; }
   void operator()(const gjk::SignTaken<double>& event) { now.signs.push_back(event); }
   void operator()(const gjk::FeatureKept<double>& event) {
     now.kept = event;
@@ -54,9 +54,9 @@ class Replay {
   Moment& now;
 
   /// Nothing is left of the first search but where it has been.
-  void begin_second_iteration(const gjk::VertexAdded<double>& event) {
+  void begin_fallback_iteration(const gjk::VertexAdded<double>& event) {
     if (now.result) now.guess = now.result->status;
-    now.is_second_search = true;
+    now.in_exact_fallback = true;
     now.iteration = event.iteration;
     now.result.reset();
     now.crossing.reset();

@@ -35,11 +35,11 @@ struct Moment {
   std::optional<gjk::SimplexReduced<double>> reduction;  ///< of this iteration
   std::optional<gjk::Result<double>> result;
   // Of a search whose answer is proven.
-  std::optional<gjk::ProofTried<double>> proof;  ///< the last that was tried
-  bool is_second_search = false;                 ///< which follows where none holds; `result` is empty again then
-  std::optional<gjk::Status> guess;              ///< what the first search had found, once the second has begun
-  std::vector<gjk::SignTaken<double>> signs;     ///< of this iteration of the second search
-  std::optional<gjk::FeatureKept<double>> kept;  ///< of that iteration
+  std::optional<gjk::FilterTried<double>> proof;  ///< the last that was tried
+  bool in_exact_fallback = false;                 ///< which follows where none holds; `result` is empty again then
+  std::optional<gjk::Status> guess;               ///< what the first search had found, once the second has begun
+  std::vector<gjk::SignTaken<double>> signs;      ///< of this iteration of the exact fallback
+  std::optional<gjk::FeatureKept<double>> kept;   ///< of that iteration
   std::optional<gjk::CertifiedResult> certified;
   double scale = 1;  ///< of its points, where they are drawn in a unit of their own; its numbers stay the trace's
 };

@@ -74,7 +74,7 @@ struct Scene {
   RuleSet rules = RuleSet::as_intended;
   ZeroTest zero_test = ZeroTest::exact;
   Scalar scalar = Scalar::binary64;  ///< binary32: every number of the scene is a float, see in_float()
-  bool certified = false;  ///< proven, and where that fails decided by a second search; by certified_collision()
+  bool certified = false;  ///< proven, and where that fails decided by the exact fallback; by certified_collision()
   std::optional<Mistake> mistake = {};  ///< that the search makes on purpose; only with what mistaken() leaves as usual
 };
 

@@ -331,7 +331,7 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
 
 /// Whether the search has ended in front of the origin.
 bool shows_gap(const Moment& now) {
-  if (now.certified && now.is_second_search) return now.certified->status == gjk::Status::separated;
+  if (now.certified && now.in_exact_fallback) return now.certified->status == gjk::Status::separated;
   return now.result && now.result->separation;
 }
 

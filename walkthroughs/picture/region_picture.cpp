@@ -124,7 +124,7 @@ class RegionPicture {
     const bool neither = now && now->verdict == Verdict::rejected && now->feature == Roles{Role::A, P};
     draw({beyond(Q), areas[6], find(face, {Role::A, Q})});
     draw({beyond(P), areas[2], find(face, {Role::A, P})});
-    const std::string above = shown_.now.is_second_search ? "" : "above ";  // which may lie below
+    const std::string above = shown_.now.in_exact_fallback ? "" : "above ";  // which may lie below
     draw({above + shown_.names.sorted(face), areas[0], neither ? find({}, face) : nullptr});
     foot_of_origin();
   }

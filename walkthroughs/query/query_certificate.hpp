@@ -5,8 +5,8 @@
 #include <string_view>
 #include <variant>
 
-#include "core/certified/check.hpp"
 #include "core/certified/certified.hpp"
+#include "core/certified/check.hpp"
 #include "core/certified/shapes.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_options.hpp"
@@ -88,7 +88,7 @@ void write_answer(const gjk::CertifiedResult& result, const CertificateWriter<S>
   std::string& out = writer.out;
   out.append("{\"status\":\"").append(words_of::of(words_of::status, result.status));
   out.append("\",\"iterations\":").append(std::to_string(result.iterations));
-  out.append(",\"second_iterations\":").append(std::to_string(result.second_iterations));
+  out.append(",\"second_iterations\":").append(std::to_string(result.fallback_iterations));
   out.append(",\"proof\":\"").append(to_string(result.proof)).append("\",\"certificate\":{");
   std::visit(writer, result.certificate);
   out += "}}\n";

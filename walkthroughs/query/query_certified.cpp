@@ -3,11 +3,11 @@
 #include <optional>
 #include <variant>
 
-#include "core/certified/certified.hpp"
 #include "core/certified/balls.hpp"
+#include "core/certified/certified.hpp"
 #include "core/certified/shapes.hpp"
 #include "walkthroughs/query/query_certificate.hpp"
-#include "walkthroughs/query/query_doubt.hpp"
+#include "walkthroughs/query/query_support_error.hpp"
 
 namespace walkthroughs {
 namespace {

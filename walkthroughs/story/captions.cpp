@@ -74,7 +74,7 @@ class Captions {
                         vec(event.vertex.w),
                     name, vec(event.vertex.w)}};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
-    if (now_.is_second_search)
+    if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "none of the vertices that the first search ended with reaches across"});
     return frame;
   }
@@ -118,7 +118,7 @@ class Captions {
 
   /// Corners keep their names, so there is nothing to tell; roles move on.
   std::optional<Frame> operator()(const gjk::VertexAdded<double>& event) const {
-    if (now_.is_second_search && event.simplex.size() == 1) return second_start();
+    if (now_.in_exact_fallback && event.simplex.size() == 1) return second_start();
     if (walkthrough_.naming == Naming::corners || event.simplex.size() == 1) return std::nullopt;
     const std::string newest = names_.of(event.simplex.point(gjk::Role::A));
     return frame_about(Focus::added,
@@ -165,7 +165,7 @@ class Captions {
     Frame frame = frame_about(Focus::direction,
                               "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
                               {{Mark::none, direction_told(event), "d", vec(event.direction)}});
-    if (now_.is_second_search)
+    if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "where d is rounded, what is decided along it is not"});
     else if (now_.simplex.size() == 3 && !now_.reduction)
       frame.facts.push_back({Mark::none, "the simplex stays " + names_.list(now_.simplex) +
@@ -185,7 +185,7 @@ class Captions {
     return frame;
   }
 
-  std::optional<Frame> operator()(const gjk::ProofTried<double>& event) const {
+  std::optional<Frame> operator()(const gjk::FilterTried<double>& event) const {
     return caption_of(event, names_, now_);
   }
   std::optional<Frame> operator()(const gjk::SignTaken<double>& event) const {
@@ -202,7 +202,7 @@ class Captions {
   /// The second search takes one of the first where that reaches far enough, and asks no support function then.
   std::vector<Fact> facts_of_newest(const std::string& newest) const {
     std::vector<Fact> facts{{Mark::none, lettered_anew()}};
-    if (now_.is_second_search && !now_.found)
+    if (now_.in_exact_fallback && !now_.found)
       facts.push_back({Mark::none, (walkthrough_.naming == Naming::roles ? "P" : newest) +
                                        " is a vertex of the first search: along d it reaches the origin, or farther"});
     return facts;
@@ -211,8 +211,8 @@ class Captions {
   /// The second search doubles or halves a direction as often as it likes.
   std::string direction_told(const gjk::DirectionChosen<double>& event) const {
     const std::string expression = names_.translate(event.expression);
-    return now_.is_second_search ? "d = " + vec(event.direction) + ", a multiple of " + expression
-                                 : "d = " + expression + " = " + vec(event.direction);
+    return now_.in_exact_fallback ? "d = " + vec(event.direction) + ", a multiple of " + expression
+                                  : "d = " + expression + " = " + vec(event.direction);
   }
 
   Frame second_start() const {

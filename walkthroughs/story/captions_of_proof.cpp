@@ -32,11 +32,11 @@ std::string derived(int roundings, const std::string& what) {
 
 const std::string undecided = "the answer may be right or wrong: a second search decides";
 
-Frame caption_of_direction(const gjk::ProofTried<double>& event, const Names& names) {
+Frame caption_of_direction(const gjk::FilterTried<double>& event, const Names& names) {
   if (event.numbers.empty())
     return frame_about(Focus::proof,
                        "The direction cannot be proven in these numbers: some are too large or too small");
-  const gjk::ProofNumber& gap = event.numbers[0];
+  const gjk::FilterValue& gap = event.numbers[0];
   const std::string numbers = name_of(gap, names) + " = " + short_number(gap.value);
   const std::string bound = derived(16, "sum that points of this size can make along d");
   if (event.holds)
@@ -50,7 +50,7 @@ Frame caption_of_direction(const gjk::ProofTried<double>& event, const Names& na
                       {Mark::none, undecided}});
 }
 
-Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& names, const Moment& now) {
+Frame caption_of_tetrahedron(const gjk::FilterTried<double>& event, const Names& names, const Moment& now) {
   if (event.numbers.empty() && now.simplex.size() < 4) {
     if (now.result && now.result->status == gjk::Status::undecided)
       return frame_about(Focus::proof, "There is nothing to prove: the first search has no answer",
@@ -64,7 +64,7 @@ Frame caption_of_tetrahedron(const gjk::ProofTried<double>& event, const Names& 
     return frame_about(Focus::proof,
                        "The tetrahedron cannot be proven in these numbers: some are too large or too small");
   std::string list;
-  for (const gjk::ProofNumber& each : event.numbers)
+  for (const gjk::FilterValue& each : event.numbers)
     list += (list.empty() ? "" : ", ") + name_of(each, names) + " = " + short_number(each.value);
   const std::string bound = short_number(event.bound);
   if (event.holds)
@@ -133,7 +133,7 @@ std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names
   return name_of(sign, names) + " = " + with_error(sign) + sign_words(sign.sign);
 }
 
-std::optional<Frame> caption_of(const gjk::ProofTried<double>& event, const Names& names, const Moment& now) {
+std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Names& names, const Moment& now) {
   return event.proof == gjk::Proof::direction ? caption_of_direction(event, names)
                                               : caption_of_tetrahedron(event, names, now);
 }

@@ -8,7 +8,7 @@
 namespace walkthroughs {
 
 // Returns: a frame with caption and facts but without moments; nothing where another frame tells it. `now`: after the event.
-std::optional<Frame> caption_of(const gjk::ProofTried<double>& event, const Names& names, const Moment& now);
+std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Names& names, const Moment& now);
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, Dimension dimension);
 std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now);
 std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names& names, const Moment& now,

@@ -203,7 +203,7 @@ std::vector<DecisionView> decision_views(const Moment& now, Focus focus) {
   const bool is_gap = focus == Focus::end && now.result->separation && now.found && now.crossing;
   if (focus == Focus::crossing || is_gap) return view_of_crossing(now);
   if (focus == Focus::kept) return views_of_kept(now);
-  if (!is_about_processed(focus) || now.is_second_search) return {};
+  if (!is_about_processed(focus) || now.in_exact_fallback) return {};
   if (focus == Focus::region && is_about_edge(now.regions.back()))
     return view_of_segment(now, now.regions.back().feature);
   switch (now.processed.size()) {

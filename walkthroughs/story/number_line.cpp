@@ -40,12 +40,12 @@ Approximate approximate(const std::string& fraction) {
   return x;
 }
 
-NumberLine line_of(const gjk::ProofTried<double>& proof, const Names& names) {
+NumberLine line_of(const gjk::FilterTried<double>& proof, const Names& names) {
   NumberLine line{.numbers = {},
                   .low = -proof.bound,
                   .high = proof.bound,
                   .meaning = "±" + short_number(proof.bound) + ": so much may be rounding"};
-  for (const gjk::ProofNumber& each : proof.numbers)
+  for (const gjk::FilterValue& each : proof.numbers)
     line.numbers.push_back({name_of(each, names), short_number(each.value), each.value});
   return line;
 }
@@ -98,7 +98,7 @@ std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
   return sign.face.empty() ? name : name + " (" + names.sorted(sign.face) + ")";
 }
 
-std::string name_of(const gjk::ProofNumber& number, const Names& names) {
+std::string name_of(const gjk::FilterValue& number, const Names& names) {
   return number.expression.form == gjk::Expression::Form::gap ? "−P·d" : names.translate(number.expression);
 }
 

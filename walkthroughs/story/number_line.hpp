@@ -28,7 +28,7 @@ struct NumberLine {
 std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Names& names);
 
 /// Returns: "−P·d", by the names of pictures, in which the point w that was found along d is P.
-std::string name_of(const gjk::ProofNumber& number, const Names& names);
+std::string name_of(const gjk::FilterValue& number, const Names& names);
 
 /// The same of a sign: "E·d" where the point has that name, "the largest P·d", of ABn·AO also the face in whose plane ABn is.
 std::string name_of(const gjk::SignTaken<double>& sign, const Names& names);

@@ -231,7 +231,7 @@ const std::vector<CodeLine>& algorithm(int number, RuleSet rules) {
 }
 
 int running_algorithm(const Moment& now, Focus focus) {
-  if (now.is_second_search || now.certified || focus == Focus::proof) return certifying;
+  if (now.in_exact_fallback || now.certified || focus == Focus::proof) return certifying;
   const bool processing =
       focus == Focus::region || focus == Focus::reduction || focus == Focus::direction || focus == Focus::repetition;
   return processing ? now.processed.size() + 1 : 1;

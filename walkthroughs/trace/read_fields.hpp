@@ -119,7 +119,7 @@ inline void read(const Value& value, const How&, gjk::Simplex<double>& simplex) 
   }
 }
 
-inline void read(const Value& value, const How&, std::vector<gjk::ProofNumber>& numbers) {
+inline void read(const Value& value, const How&, std::vector<gjk::FilterValue>& numbers) {
   expect(value, Kind::list, "a list of numbers with their expressions");
   for (const Value& each : value.children()) {
     if (numbers.size() == 4) return each.fail("is a fifth number; a proof has at most four");

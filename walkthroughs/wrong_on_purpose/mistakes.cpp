@@ -52,7 +52,7 @@ constexpr std::array<PairsToNotice, 3> shown_by(PairsToNotice triangles, PairsTo
 }
 
 /// The last columns are how many random triangles, tetrahedra and triangles on a grid show the mistake: as the study has measured them
-/// (tests/study/results/claims.md, with which a test compares them).
+/// (tests/study/results/claims-mistakes.csv, with which a test compares them).
 constexpr std::array<Description, 21> mistakes{{
     {Mistake::wrong_side_of_b, "m1-wrong-side-of-b", "support(B, d) in place of support(B, −d) (Eq. 8)", "2.4", "", m1,
      shown_by(10, 4, 8)},

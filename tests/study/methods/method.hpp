@@ -26,7 +26,7 @@ inline constexpr std::size_t answers = 5;
 struct Outcome {
   Answer answer;
   int iterations;
-  int second_iterations = 0;  ///< of the second search of a certified query
+  int fallback_iterations = 0;  ///< of the second search of a certified query
   int returned =
       0;  ///< at the limit: the iteration that began in a state (simplex and direction) in which an earlier one had begun
 };

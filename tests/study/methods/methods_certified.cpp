@@ -2,9 +2,9 @@
 #include <string>
 #include <variant>
 
-#include "core/certified/check.hpp"
-#include "core/certified/certified.hpp"
 #include "core/certified/balls.hpp"
+#include "core/certified/certified.hpp"
+#include "core/certified/check.hpp"
 #include "core/certified/shapes.hpp"
 #include "tests/study/methods/methods_of_scalar.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 /// What every certified answer tells.
 struct Proven {
   gjk::Status status;
-  int iterations, second_iterations;
+  int iterations, fallback_iterations;
 };
 
 /// Balls are decided exactly, without telling how often points were looked for; where points are computed an answer may be in
@@ -44,7 +44,7 @@ struct AskingCertified {
   static Outcome ask(const Question& question, int) {
     gjk::Options<S> options;
     const Proven found = proven(question, options);
-    return {answer_of(found.status), found.iterations, found.second_iterations};
+    return {answer_of(found.status), found.iterations, found.fallback_iterations};
   }
 
   static std::chrono::nanoseconds time(std::span<const Question* const> questions, int) {
@@ -73,7 +73,7 @@ struct AskingCertified {
     const auto *const a = std::get_if<Set>(&q.a), *const b = std::get_if<Set>(&q.b);
     if (!a || !b) return std::visit(AskingShapes<S>(), q.a, q.b);
     const gjk::CertifiedResult result = result_of(q, *a, *b, options);
-    return {result.status, result.iterations, result.second_iterations};
+    return {result.status, result.iterations, result.fallback_iterations};
   }
 };
 

@@ -1,6 +1,6 @@
 /// Certified answers as methods of the study.
-#include "core/certified/check.hpp"
 #include "core/certified/certified.hpp"
+#include "core/certified/check.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/study/methods/certified.hpp"
 #include "tests/study/support.hpp"
@@ -31,8 +31,8 @@ TEST_CASE("Certified answers about all families are right, and about points they
       CHECK(counts.undecided == counts.in_doubt);
       if (!is_round || row.scalar == "double") CHECK(counts.undecided == 0);
       CHECK(row.tally.certificates == (is_round || counts.pairs == 0 ? 0 : 5));
-      CHECK(total(row.tally.second_iterations) == counts.pairs);
-      if (is_round) CHECK(row.tally.second_iterations == Histogram{40});
+      CHECK(total(row.tally.fallback_iterations) == counts.pairs);
+      if (is_round) CHECK(row.tally.fallback_iterations == Histogram{40});
       CHECK(row.alone.one_search.queries + row.alone.two_searches.queries == counts.pairs);
       if (counts.pairs > 0) CHECK(row.timings.at(no_limit).queries == counts.pairs);
     }

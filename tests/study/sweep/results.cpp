@@ -45,7 +45,7 @@ std::string iterations_csv(const Plan& plan, const std::vector<Row>& rows) {
     text += csv_line(setting_of(row), "hits", csv_text(counts.hit_iterations)) +
             csv_line(setting_of(row), "misses", csv_text(counts.miss_iterations));
     if (is_certified(row.rules))
-      text += csv_line(setting_of(row), "second searches", csv_text(row.tally.second_iterations));
+      text += csv_line(setting_of(row), "second searches", csv_text(row.tally.fallback_iterations));
   }
   return text;
 }

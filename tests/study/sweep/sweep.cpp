@@ -108,8 +108,8 @@ class Asker {
     tally.certificates += holds.has_value();
     tally.false_certificates += holds == false;
     if (!is_certified(method.rules)) return;
-    count(tally.second_iterations, outcome.second_iterations);
-    cell.alone += time_alone(method, *view.question, outcome.second_iterations > 0, index, cell.alone.slowest);
+    count(tally.fallback_iterations, outcome.fallback_iterations);
+    cell.alone += time_alone(method, *view.question, outcome.fallback_iterations > 0, index, cell.alone.slowest);
   } catch (const std::exception&) {
     ++cell.tally.exceptions;
   }

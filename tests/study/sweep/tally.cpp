@@ -49,7 +49,7 @@ Tally& Tally::operator+=(const Tally& more) {
     for (std::size_t answer = 0; answer < answers; ++answer) add(queries[truth][answer], more.queries[truth][answer]);
   for (std::size_t proof = 0; proof < proofs; ++proof) proven[proof] += more.proven[proof];
   add(returns, more.returns);
-  add(second_iterations, more.second_iterations);
+  add(fallback_iterations, more.fallback_iterations);
   for (const auto counter : {&Tally::out_of_range, &Tally::not_askable, &Tally::truth_changed, &Tally::exceptions,
                              &Tally::certificates, &Tally::false_certificates})
     this->*counter += more.*counter;

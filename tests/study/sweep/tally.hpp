@@ -29,7 +29,7 @@ struct Tally {
   std::uint64_t not_askable = 0;    ///< not asked: the scalar has no such shape
   std::uint64_t truth_changed = 0;  ///< rounding to the scalar made the sets touch, or parted them
   std::uint64_t exceptions = 0;     ///< the query threw
-  Histogram second_iterations;      ///< of certified queries, in their second search; 0 where they needed none
+  Histogram fallback_iterations;    ///< of certified queries, in their second search; 0 where they needed none
   std::uint64_t certificates = 0, false_certificates = 0;  ///< multiplied out in fractions; of these, which do not hold
 
   void count(const Judgement& judgement, const Outcome& outcome);

@@ -33,7 +33,7 @@ TEST_CASE("Every answer of certified/... is the true one, and proven as its name
     CHECK(result.status == exact_answer(without_circles));
     CHECK(result.proof == (each->name.ends_with("/separation")    ? Proof::direction
                            : each->name.ends_with("/tetrahedron") ? Proof::tetrahedron
-                                                                  : Proof::second_search));
+                                                                  : Proof::exact_fallback));
   }
 }
 

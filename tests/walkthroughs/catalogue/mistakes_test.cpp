@@ -2,6 +2,8 @@
 
 #include "walkthroughs/catalogue/mistakes.hpp"
 
+#include <cmath>
+#include <map>
 #include <sstream>
 
 #include "tests/kit/catch.hpp"
@@ -62,6 +64,13 @@ std::vector<const Walkthrough*> about_mistakes() {
   std::vector<const Walkthrough*> all = find_walkthroughs("mistakes");
   std::erase_if(all, [](const Walkthrough* w) { return w->layout == Layout::diagrams; });
   return all;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream row(line);
+  for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+  return cells;
 }
 
 std::string without_subscripts(std::string text) {
@@ -141,23 +150,31 @@ TEST_CASE("Of each mistake one thing is asked: the line, and one choice has it")
 
 // -- How long they survive --------------------------------------------------------------------------------------------
 
-TEST_CASE("How many pairs it takes to notice a mistake is what stands in the study's results") {
-  std::istringstream claims(bytes_of(kit::source("tests/study/results/claims.md")));
+/// Returns: of how many pairs at least one shows a mistake in 95 of 100 tests, to two digits.
+double pairs_to_see(double share) {
+  const double pairs = share >= 1 ? 1 : std::ceil(std::log(0.05) / std::log1p(-share));
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(pairs)) - 1));
+  return std::floor(pairs / unit + 0.5) * unit;
+}
+
+TEST_CASE("How many pairs it takes to notice a mistake is what the study has counted") {
+  std::istringstream counts(bytes_of(kit::source("tests/study/results/claims-mistakes.csv")));
+  const std::map<std::string, TestPairs> kinds{{"triangles", TestPairs::triangles},
+                                               {"tetrahedra", TestPairs::tetrahedra},
+                                               {"grid", TestPairs::grid_triangles}};
   std::size_t rows = 0;
-  for (std::string line; std::getline(claims, line);) {
-    std::vector<std::string> cells;
-    std::istringstream row(line);
-    for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell);
-    if (cells.size() != 9 || rows == wrong_on_purpose::all().size() ||
-        cells[1] != " M" + std::to_string(rows + 1) + " ")
-      continue;
-    for (const TestPairs pairs : {TestPairs::triangles, TestPairs::tetrahedra, TestPairs::grid_triangles}) {
-      const PairsToNotice needed = pairs_to_notice(static_cast<Mistake>(rows), pairs);
-      const std::string text = needed.is_more ? needed.text() : needed.text().substr(std::string("about ").size());
-      INFO(line);
-      CHECK((cells[6 + static_cast<std::size_t>(pairs)] + " ").starts_with(" " + text + " "));
-    }
+  for (std::string line; std::getline(counts, line);) {
+    const auto cells = cells_of(line);
+    const auto kind = kinds.find(cells[0]);
+    if (kind == kinds.end()) continue;
+    const auto mistake = static_cast<Mistake>(std::stoi(cells[1].substr(1)) - 1);
+    const double asked = std::stod(cells[cells.size() - 11]), fails = std::stod(cells[cells.size() - 10]);
+    constexpr double z = 1.959964;  // Wilson's interval of 95 in 100, where none has failed
+    const PairsToNotice needed = pairs_to_notice(mistake, kind->second);
+    INFO(line);
+    CHECK(needed.is_more == (fails == 0));
+    CHECK(needed.count == pairs_to_see(fails == 0 ? z * z / (asked + z * z) : fails / asked));
     ++rows;
   }
-  CHECK(rows == wrong_on_purpose::all().size());
+  CHECK(rows == 3 * wrong_on_purpose::all().size());
 }

@@ -25,7 +25,7 @@ void after_each(Check check) {
         const Trace trace = run(scene);
         for (std::size_t i = 0; i < trace.events.size(); ++i) {
           const auto* event = std::get_if<E<double>>(&trace.events[i]);
-          if (!event || replay(trace, i + 1).is_second_search) continue;
+          if (!event || replay(trace, i + 1).in_exact_fallback) continue;
           INFO(w.name << ", " << rules.name << ", event " << i);
           check(*event, replay(trace, i + 1), rules.value);
         }

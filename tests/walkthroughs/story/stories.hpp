@@ -27,7 +27,7 @@ inline std::optional<Focus> focus_of(const gjk::Event<double>& event, Naming nam
     std::optional<Focus> operator()(const gjk::SimplexReduced<double>&) { return Focus::reduction; }
     std::optional<Focus> operator()(const gjk::DirectionChosen<double>&) { return Focus::direction; }
     std::optional<Focus> operator()(const gjk::Finished<double>&) { return Focus::end; }
-    std::optional<Focus> operator()(const gjk::ProofTried<double>&) { return {}; }  // these four: certified_test.cpp
+    std::optional<Focus> operator()(const gjk::FilterTried<double>&) { return {}; }  // these four: certified_test.cpp
     std::optional<Focus> operator()(const gjk::SignTaken<double>&) { return {}; }
     std::optional<Focus> operator()(const gjk::FeatureKept<double>&) { return {}; }
     std::optional<Focus> operator()(const gjk::Certified<double>&) { return {}; }

@@ -148,7 +148,7 @@ struct CheckLine {
     check_same(json.at("separation").at("direction"), e.result.separation->direction);
     check_same(json.at("separation").at("support_value"), e.result.separation->support_value);
   }
-  void operator()(const gjk::ProofTried<double>& e) const {
+  void operator()(const gjk::FilterTried<double>& e) const {
     CHECK(json.at("event") == "proof-tried");
     CHECK(json.at("proof") == std::string(gjk::to_string(e.proof)));
     REQUIRE(json.at("numbers").size() == e.numbers.size());
@@ -185,7 +185,7 @@ struct CheckLine {
     CHECK(json.at("status") == std::string(gjk::to_string(e.result.status)));
     CHECK(json.at("proof") == std::string(gjk::to_string(e.result.proof)));
     CHECK(json.at("iterations") == e.result.iterations);
-    CHECK(json.at("second_iterations") == e.result.second_iterations);
+    CHECK(json.at("second_iterations") == e.result.fallback_iterations);
     const Json& certificate = json.at("certificate");
     CHECK(certificate.size() == 1);
     const auto check_pairs = [](const Json& list, const gjk::IndexPairs& pairs) {

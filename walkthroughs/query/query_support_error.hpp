@@ -7,19 +7,19 @@
 namespace walkthroughs {
 
 template <class S>
-gjk::Doubt doubt(const Asked<S>& asked);
+gjk::SupportError support_error(const Asked<S>& asked);
 
 template <class S>
-gjk::Doubt doubt(const AskedSum<S>& asked) {
-  return gjk::doubt(asked.sum());
+gjk::SupportError support_error(const AskedSum<S>& asked) {
+  return gjk::support_error(asked.sum());
 }
 template <class S>
-gjk::Doubt doubt(const Asked<S>& asked) {
-  return std::visit([](const auto& form) { return doubt(form); }, asked.form());
+gjk::SupportError support_error(const Asked<S>& asked) {
+  return std::visit([](const auto& form) { return support_error(form); }, asked.form());
 }
 template <class S>
-gjk::Doubt doubt(const QueryObject<S>& object) {
-  return std::visit([](const auto& shape) { return doubt(shape); }, object.shape());
+gjk::SupportError support_error(const QueryObject<S>& object) {
+  return std::visit([](const auto& shape) { return support_error(shape); }, object.shape());
 }
 
 template <class S>
