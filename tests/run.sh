@@ -65,10 +65,10 @@ quick() {
   timed "running" test_in build --label-exclude "full|long"
 }
 
-# libcgal-dev finds the truth that the study measures against; gnuplot-nox draws its pictures.
+# libcgal-dev and libgmp-dev find the truth that the study measures against; gnuplot-nox draws its pictures.
 # libbenchmark-dev: the benchmarks are compiled. strace lets single calls of the system fail, as on a full disk.
 # dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system.
-full_packages="catch2 python3 python3-jsonschema chromium chromium-driver python3-selenium tidy poppler-utils libcgal-dev \
+full_packages="libgmp-dev catch2 python3 python3-jsonschema chromium chromium-driver python3-selenium tidy poppler-utils libcgal-dev \
   gnuplot-nox libbenchmark-dev strace dpkg-dev file mmdebstrap python3-yaml"
 
 full() {

@@ -2,12 +2,12 @@
 # shellcheck shell=sh
 
 # libosmesa6-dev and libegl-dev are two ways to draw; libegl-mesa0 is what EGL draws with when the program runs.
-# libboost-dev and libgmp-dev: the exact fractions of gjkstep query; libsimdjson-dev: its lines, at full speed.
+# libboost-dev: exact fractions; libsimdjson-dev: its lines, at full speed.
 # libcairo2-dev: sheets as PDF and frames as SVG, from the library that most programs of Debian print with.
 # libfribidi-dev: titles and names in Hebrew and Arabic run from right to left.
 program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libegl-dev libegl-mesa0 libgl-dev \
 libpng-dev libdeflate-dev libfreetype-dev fonts-dejavu-core nlohmann-json3-dev libsimdjson-dev libcli11-dev \
-libqhull-dev libfribidi-dev libcairo2-dev libboost-dev libgmp-dev"
+libqhull-dev libfribidi-dev libcairo2-dev libboost-dev"
 
 stop() {
   printf '%s: %s\n' "$0" "$1" >&2

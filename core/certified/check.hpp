@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -10,13 +9,11 @@
 #include <vector>
 
 #include "../certificate.hpp"
+#include "fraction.hpp"
 
 namespace gjk {
 namespace detail {
 
-/// Exact. Every finite double is one.
-using Fraction =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 using Fractions = std::vector<Fraction>;
 
 inline Fraction dot(const Fractions& u, const Fractions& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
@@ -141,7 +138,7 @@ std::optional<detail::Fractions> weights_of(const CommonSimplex& certificate, co
 template <class S>
 bool holds(const CommonSimplex& certificate, const PointSet<S>& a, const PointSet<S>& b) {
   const auto weights = weights_of(certificate, a, b);
-  return weights && std::all_of(weights->begin(), weights->end(), [](const detail::Fraction& x) { return x >= 0; });
+  return weights && std::all_of(weights->begin(), weights->end(), [](const Fraction& x) { return x >= 0; });
 }
 
 template <class S>

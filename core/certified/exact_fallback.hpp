@@ -1,6 +1,6 @@
-/// The exact fallback of certified.hpp, the exact fallback (in the field: the min-norm point, Wolfe 1976): it walks to the feature of the difference of two sets of points that is nearest to the
-/// origin, or into the origin, and each of its decisions is exact (C3, C4). Signs are taken of doubles that know their error, and
-/// of whole numbers where that leaves a doubt. Needs Eigen and Boost.Multiprecision.
+/// The exact fallback of certified.hpp, a search for the min-norm point (Wolfe 1976): it walks to the feature of the difference of two
+/// sets of points that is nearest to the origin, or into the origin, and each of its decisions is exact (C3, C4). Signs are taken of
+/// doubles that know their error, and of whole numbers where that leaves a doubt. Needs Eigen and Boost.Multiprecision.
 #pragma once
 
 #include <algorithm>

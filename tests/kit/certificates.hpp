@@ -61,7 +61,7 @@ bool exact_numbers_hold(const nlohmann::json& written, const gjk::PointSet<S>& a
   if (written.contains("direction")) return gjk::detail::separates(fractions_in(written["direction"]), a, b);
   const auto pairs = index_pairs_in(written["simplex"]);
   const auto weights = fractions_in(written["weights"]), point = fractions_in(written["point"]);
-  gjk::detail::Fraction sum = 0;
+  gjk::Fraction sum = 0;
   for (const auto& weight : weights) {
     if (weight < 0) return false;
     sum += weight;

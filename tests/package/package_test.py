@@ -283,7 +283,7 @@ class DebianPackage(InAFolder):
                   build_folder / "CPackConfig.cmake")
         package, = self.folder.glob("gjkstep_*.deb")
         depends = self.done("dpkg-deb", "--field", package, "Depends")
-        for needed in ("fonts-dejavu-core", "libeigen3-dev", "libc6", "libpng16", "libfreetype6", "libgmp10"):
+        for needed in ("fonts-dejavu-core", "libeigen3-dev", "libc6", "libpng16", "libfreetype6"):
             self.assertIn(needed, depends)
         self.assertRegex(depends, "libosmesa6|libegl1")
         self.done("dpkg-deb", "--extract", package, self.prefix)

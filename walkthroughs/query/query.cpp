@@ -31,7 +31,7 @@ void answer(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
     case QueryScalar::binary32: return answer_in<float>(std::move(pair), query, out);
     case QueryScalar::binary64: return answer_in<double>(std::move(pair), query, out);
     case QueryScalar::long_double: return answer_in<long double>(std::move(pair), query, out);
-    case QueryScalar::exact: return answer_in<Exact>(std::move(pair), query, out);
+    case QueryScalar::exact: return answer_in<gjk::Fraction>(std::move(pair), query, out);
   }
 }
 

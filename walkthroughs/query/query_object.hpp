@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "core/shapes.hpp"
-#include "walkthroughs/model/exact_number.hpp"
+#include "core/certified/fraction.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/scene_object.hpp"
 

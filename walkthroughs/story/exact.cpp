@@ -7,35 +7,35 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/certified/fraction.hpp"
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
-#include "walkthroughs/model/exact_number.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
 namespace {
 
-using Vec = gjk::Vec3<Exact>;
-using ExactTrace = gjk::Trace<Exact>;
+using Vec = gjk::Vec3<gjk::Fraction>;
+using ExactTrace = gjk::Trace<gjk::Fraction>;
 
 // -- The search -------------------------------------------------------------------------------------------------------
 
-Vec exact(const Point& p) { return {Exact(p.x()), Exact(p.y()), Exact(p.z())}; }
+Vec exact(const Point& p) { return {gjk::Fraction(p.x()), gjk::Fraction(p.y()), gjk::Fraction(p.z())}; }
 
-gjk::PointSet<Exact> exact(const Object& object) {
+gjk::PointSet<gjk::Fraction> exact(const Object& object) {
   std::vector<Vec> vertices;
   for (const Point& p : vertices_of(object)) vertices.push_back(exact(p));
-  return gjk::PointSet<Exact>(std::move(vertices));
+  return gjk::PointSet<gjk::Fraction>(std::move(vertices));
 }
 
 ExactTrace run_exactly(const Scene& scene) {
-  const gjk::Options<Exact> options{.first_direction = exact(scene.options.first_direction),
-                                    .iteration_limit = scene.options.iteration_limit,
-                                    .crossing_test = scene.options.crossing_test};
+  const gjk::Options<gjk::Fraction> options{.first_direction = exact(scene.options.first_direction),
+                                            .iteration_limit = scene.options.iteration_limit,
+                                            .crossing_test = scene.options.crossing_test};
   ExactTrace trace;
   gjk::with_rules<gjk::ExactZeroTest>(scene.rules, [&]<class Rules>() {
-    gjk::collision<Exact, Rules>(exact(scene.a), exact(scene.b), options, trace);
+    gjk::collision<gjk::Fraction, Rules>(exact(scene.a), exact(scene.b), options, trace);
   });
   return trace;
 }
@@ -82,7 +82,7 @@ std::size_t first_other_decision(const Trace& trace, const ExactTrace& exactly) 
 // -- Numbers ----------------------------------------------------------------------------------------------------------
 
 /// As number() of words.hpp, for numbers that no double holds too.
-std::string written(const Exact& x) {
+std::string written(const gjk::Fraction& x) {
   const double near = x.convert_to<double>();
   if (x == 0 || std::isnormal(near)) return number(near);
   using Decimal = boost::multiprecision::cpp_dec_float_50;
@@ -106,7 +106,7 @@ std::string written(const Vec& v, Dimension dimension) {
 
 /// A place, to six digits and in any case to a hundredth.
 std::string place(const Vec& v, Dimension dimension) {
-  const auto rounded = [](const Exact& x) {
+  const auto rounded = [](const gjk::Fraction& x) {
     const double near = x.convert_to<double>();
     return std::abs(near) < 1e4 || std::abs(near) >= 1e12 ? written(x) : fixed(near);
   };
@@ -114,18 +114,18 @@ std::string place(const Vec& v, Dimension dimension) {
   return text + (dimension == Dimension::plane ? ")" : ", " + rounded(v.z()) + ")");
 }
 
-Exact largest(const Vec& v) {
-  Exact most = 0;
-  for (const Exact& x : v) most = std::max(most, Exact(abs(x)));
+gjk::Fraction largest(const Vec& v) {
+  gjk::Fraction most = 0;
+  for (const gjk::Fraction& x : v) most = std::max(most, gjk::Fraction(abs(x)));
   return most;
 }
 
 /// Returns: n/|d|.
-std::string quotient_with_length(const Exact& n, const Vec& d) {
-  const Exact scale = largest(d);  // so that no square of a double over- or underflows
+std::string quotient_with_length(const gjk::Fraction& n, const Vec& d) {
+  const gjk::Fraction scale = largest(d);  // so that no square of a double over- or underflows
   Point scaled;
-  for (int i = 0; i < 3; ++i) scaled[i] = Exact(d[i] / scale).convert_to<double>();
-  return written(Exact(n / scale / Exact(scaled.norm())));
+  for (int i = 0; i < 3; ++i) scaled[i] = gjk::Fraction(d[i] / scale).convert_to<double>();
+  return written(gjk::Fraction(n / scale / gjk::Fraction(scaled.norm())));
 }
 
 // -- The first wrong decision -----------------------------------------------------------------------------------------
@@ -138,23 +138,23 @@ class ExactFinding {
   ExactFinding(const Scene& scene, const gjk::Event<double>& rounded)
       : dimension_(scene.dimension), rounded_(rounded) {}
 
-  Remark operator()(const gjk::SupportFound<Exact>& e) const {
+  Remark operator()(const gjk::SupportFound<gjk::Fraction>& e) const {
     const auto& found = std::get<gjk::SupportFound<double>>(rounded_).vertex;
     const Vec taken = exact(found.a.point) - exact(found.b.point);
     return {.at = Remark::At::support_found,
             .iteration = e.iteration,
             .text = {},
-            .fact = exactly + ("P·d = " + written(Exact(taken.dot(e.direction)))) + ", but " +
-                    written(e.vertex.w, dimension_) + "·d = " + written(Exact(e.vertex.w.dot(e.direction)))};
+            .fact = exactly + ("P·d = " + written(gjk::Fraction(taken.dot(e.direction)))) + ", but " +
+                    written(e.vertex.w, dimension_) + "·d = " + written(gjk::Fraction(e.vertex.w.dot(e.direction)))};
   }
-  Remark operator()(const gjk::CrossingTested<Exact>& e) const {
+  Remark operator()(const gjk::CrossingTested<gjk::Fraction>& e) const {
     return {.at = Remark::At::crossing_tested,
             .iteration = e.iteration,
             .text = {},
             .fact = exactly + ("P·d = " + written(e.value.value()))};
   }
-  Remark operator()(const gjk::RegionTested<Exact>& e) const {
-    const Exact* value = std::get_if<Exact>(&e.value);
+  Remark operator()(const gjk::RegionTested<gjk::Fraction>& e) const {
+    const gjk::Fraction* value = std::get_if<gjk::Fraction>(&e.value);
     return {.at = Remark::At::region_tested,
             .iteration = e.iteration,
             .text = {},
@@ -162,7 +162,7 @@ class ExactFinding {
             .fact = exactly + to_string(e.expression) + " = " +
                     (value ? written(*value) : written(std::get<Vec>(e.value), dimension_))};
   }
-  Remark operator()(const gjk::DirectionChosen<Exact>& e) const {
+  Remark operator()(const gjk::DirectionChosen<gjk::Fraction>& e) const {
     return {.at = Remark::At::direction_chosen,
             .iteration = e.iteration,
             .text = {},
@@ -181,10 +181,10 @@ class ExactFinding {
 // -- The truth --------------------------------------------------------------------------------------------------------
 
 /// Returns: the coordinates of the origin in terms of the vertices, newest first. Requires: a simplex that contains it and is not flat.
-std::vector<Exact> coordinates_of_origin(const gjk::Simplex<Exact>& simplex) {
+std::vector<gjk::Fraction> coordinates_of_origin(const gjk::Simplex<gjk::Fraction>& simplex) {
   const auto to = [&](gjk::Role role) { return Vec(simplex.point(role) - simplex.point(gjk::Role::A)); };
   const Vec AO = -simplex.point(gjk::Role::A);
-  std::vector<Exact> coordinates{1};
+  std::vector<gjk::Fraction> coordinates{1};
   if (simplex.size() == 2) {
     const Vec AB = to(gjk::Role::B);
     coordinates.push_back(AO.dot(AB) / AB.dot(AB));
@@ -193,15 +193,15 @@ std::vector<Exact> coordinates_of_origin(const gjk::Simplex<Exact>& simplex) {
     for (const Vec& area : {AO.cross(AC), AB.cross(AO)}) coordinates.push_back(area.dot(n) / n.dot(n));
   } else if (simplex.size() == 4) {
     const Vec AB = to(gjk::Role::B), AC = to(gjk::Role::C), AD = to(gjk::Role::D);
-    const Exact volume = AB.dot(AC.cross(AD));
+    const gjk::Fraction volume = AB.dot(AC.cross(AD));
     for (const Vec& area : {AC.cross(AD), AD.cross(AB), AB.cross(AC)}) coordinates.push_back(AO.dot(area) / volume);
   }
   for (std::size_t i = 1; i < coordinates.size(); ++i) coordinates[0] -= coordinates[i];
   return coordinates;
 }
 
-Vec shared_point(const gjk::Simplex<Exact>& simplex) {
-  const std::vector<Exact> coordinates = coordinates_of_origin(simplex);
+Vec shared_point(const gjk::Simplex<gjk::Fraction>& simplex) {
+  const std::vector<gjk::Fraction> coordinates = coordinates_of_origin(simplex);
   Vec point = Vec::Zero();
   for (std::size_t i = 0; i < coordinates.size(); ++i) {
     const Vec& a = simplex[static_cast<gjk::Role>(i)].a.point;
@@ -210,7 +210,7 @@ Vec shared_point(const gjk::Simplex<Exact>& simplex) {
   return point;
 }
 
-std::string truth(const gjk::Result<Exact>& result, Dimension dimension) {
+std::string truth(const gjk::Result<gjk::Fraction>& result, Dimension dimension) {
   if (result.status == gjk::Status::intersecting)
     return "in truth both objects hold the point " + place(shared_point(result.simplex), dimension);
   if (result.status == gjk::Status::separated)
@@ -219,8 +219,8 @@ std::string truth(const gjk::Result<Exact>& result, Dimension dimension) {
   throw std::logic_error("exact arithmetic finds no answer");
 }
 
-const gjk::Result<Exact>& result_of(const ExactTrace& trace) {
-  return std::get<gjk::Finished<Exact>>(trace.events.back()).result;
+const gjk::Result<gjk::Fraction>& result_of(const ExactTrace& trace) {
+  return std::get<gjk::Finished<gjk::Fraction>>(trace.events.back()).result;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "walkthroughs/model/exact_number.hpp"
+#include "core/certified/fraction.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/names.hpp"
@@ -290,7 +290,7 @@ AnyShape read_shape(const Value& object, const Space& space, int sums_around) {
   if (!value.is_good()) return shape;
   for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
     if (value.key() != ShapeRow<Shape>::key) return;
-    if (space.numbers == Numbers::fractions && !CanBeAsked<typename ShapeRow<Shape>::template In<Exact>>)
+    if (space.numbers == Numbers::fractions && !CanBeAsked<typename ShapeRow<Shape>::template In<gjk::Fraction>>)
       object.fail("a " + std::string(ShapeRow<Shape>::kind) +
                   " cannot be asked in exact numbers, because its points need square roots; give points, or "
                   "choose another --scalar");

@@ -9,7 +9,7 @@
 #include "tests/study/pairs/over_pairs.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
 #include "tests/study/truth/oracle.hpp"
-#include "walkthroughs/model/exact_number.hpp"
+#include "tests/study/truth/exact_number.hpp"
 
 namespace study {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using moller_1997::Distances;
 using moller_1997::Triangle;
 using moller_1997::triangle_of;
-using Exact = walkthroughs::Exact;
+using Exact = study::Exact;
 
 template <class S>
 struct Triangles {

@@ -7,12 +7,12 @@
 #include "tests/kit/catch.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
 #include "tests/study/truth/oracle.hpp"
-#include "walkthroughs/model/exact_number.hpp"
+#include "tests/study/truth/exact_number.hpp"
 
 namespace study::moller_1997 {
 namespace {
 
-using Exact = walkthroughs::Exact;
+using Exact = study::Exact;
 
 template <class S>
 Finding<S> found(const Points& first, const Points& second, Distances treatment = Distances::as_computed) {

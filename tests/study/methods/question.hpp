@@ -11,13 +11,13 @@
 #include "core/gjk.hpp"
 #include "core/shapes.hpp"
 #include "tests/study/pairs/pair.hpp"
-#include "walkthroughs/model/exact_number.hpp"
+#include "tests/study/truth/exact_number.hpp"
 #include "walkthroughs/model/first_direction.hpp"
 
 namespace study {
 
 /// Fractions of whole numbers of any length. Without expression templates: Eigen's own are enough.
-using Exact = walkthroughs::Exact;
+using Exact = study::Exact;
 
 /// The shapes of core/ that bodies turn into in S, those that S can ask about.
 template <class S>

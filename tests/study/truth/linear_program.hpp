@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "tests/study/pairs/pair.hpp"
-#include "walkthroughs/model/exact_number.hpp"
+#include "tests/study/truth/exact_number.hpp"
 
 namespace study {
 
 /// Exact: a fraction of whole numbers of any length.
-using Rational = walkthroughs::Exact;
+using Rational = study::Exact;
 using RationalVec = std::array<Rational, 3>;
 
 /// The weight of one of a list's points in a convex combination.

@@ -5,12 +5,12 @@
 #include <limits>
 #include <vector>
 
-#include "walkthroughs/model/exact_number.hpp"
+#include "tests/study/truth/exact_number.hpp"
 
 namespace study {
 namespace {
 
-using Rational = walkthroughs::Exact;
+using Rational = study::Exact;
 
 /// A value, and how large the terms were that it is a sum of: its error is at most a few roundings of `terms`.
 struct Estimate {

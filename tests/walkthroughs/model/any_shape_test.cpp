@@ -2,10 +2,10 @@
 
 #include "walkthroughs/model/any_shape.hpp"
 
+#include "core/certified/fraction.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/model/exact_number.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;
@@ -94,7 +94,9 @@ TEST_CASE(
     const Point d = point_at_random(dice);
     CHECK(Asked<double>(sum).support(d).point == Asked<double>(all_of_them).support(d).point);
     const auto in_fractions = [&](const AnyShape& shape) {
-      return Asked<Exact>(converted<Exact>(shape, Cast<Exact>{})).support(d.cast<Exact>()).point;
+      return Asked<gjk::Fraction>(converted<gjk::Fraction>(shape, Cast<gjk::Fraction>{}))
+          .support(d.cast<gjk::Fraction>())
+          .point;
     };
     CHECK(in_fractions(sum) == in_fractions(all_of_them));
     const auto result = [&](const AnyShape& shape) {
@@ -138,7 +140,9 @@ TEST_CASE("Converting turns each number by what it is") {
 }
 
 TEST_CASE("A shape whose points need square roots cannot be asked in fractions, a sum of such neither") {
-  const auto ask = [](const AnyShape& shape) { Asked<Exact> asked(converted<Exact>(shape, Cast<Exact>{})); };
+  const auto ask = [](const AnyShape& shape) {
+    Asked<gjk::Fraction> asked(converted<gjk::Fraction>(shape, Cast<gjk::Fraction>{}));
+  };
   CHECK_NOTHROW(ask(Sum{{Points{{1, 2, 3}}, Points{{4, 5, 6}}}}));
   CHECK_THROWS_AS(ask(can()), CannotBeAsked);
   CHECK_THROWS_AS(ask(Sum{{Points{{1, 2, 3}}, Ball{{0, 0, 0}, 1}}}), CannotBeAsked);

@@ -1,0 +1,13 @@
+/// The number that does not round. Needs Boost.Multiprecision.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace gjk {
+
+/// Fractions without limit; every finite float is one. Expression templates are off, because Eigen keeps what a function of the scalar
+/// returns.
+using Fraction =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+
+}  // namespace gjk
