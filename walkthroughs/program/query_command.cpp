@@ -25,14 +25,21 @@
 namespace walkthroughs {
 namespace {
 
-constexpr const char* footer =
+/// Returns: the shapes, a line each.
+std::string shapes_in_lines() {
+  std::string lines;
+  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
+    using Row = ShapeRow<Shape>;
+    lines.append("  {\"").append(Row::key).append("\": ").append(Row::example).append("}\n");
+  });
+  return lines;
+}
+
+const std::string footer =
     R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
 ('gjkstep scene --example'), a point [x, y] means [x, y, 0], and a pair may say "dimension": 2; one of
-  {"points": [[x, y, z], ...]}
-  {"sphere": {"center": [x, y, z], "radius": r}}
-  {"cylinder": {"center": [x, y, z], "axis": [x, y, z], "radius": r, "height": h}}
-  {"sum": [SHAPE, SHAPE]}, two of these four: all points x + y
-with a "pose" and a "name" if you like; exact takes points and their sums only. Eager rules and --start between search
+)" + shapes_in_lines() +
+    R"(with a "pose" and a "name" if you like; exact takes points, boxes and their sums only. Eager rules and --start between search
 first from the center of a, for points their mean, to that of b; the others along +x. A number is read as the nearest
 double and then converted. A line may have 16 MiB, and end in CR LF. What it says of the pair as a whole, "name", "family",
 "answer", "notes" and "source", is not looked at.

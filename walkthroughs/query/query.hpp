@@ -1,4 +1,4 @@
-/// One query at a time: JSON Lines in, JSON Lines out. query_help says what a line holds.
+/// One query at a time: JSON Lines in, JSON Lines out. `gjkstep query --help` says what a line holds.
 ///
 ///     {"a":{"points":[[0,0,0],[1,0,0],[0,1,0]]},"b":{"sphere":{"center":[3,0,0],"radius":1}}}
 ///     {"status":"separated","iterations":2,"reason":"origin-not-crossed","evidence":{"direction":[…],…}}
