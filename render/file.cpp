@@ -168,12 +168,12 @@ class OldFile {
     struct stat status;
     if (::fstat(descriptor_, &status) != 0) fail_of_disk();
     if (!S_ISREG(status.st_mode))
-      fail(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file", "put a file in its place");
+      fail(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file", "name a file");
     return static_cast<std::uintmax_t>(status.st_size);
   }
   [[noreturn]] void fail_of_disk() const { fail(reason(errno), "check the disk"); }
   [[noreturn]] void fail_too_large(std::uintmax_t most) const {
-    fail("it is larger than " + in_words(most), "put a smaller file in its place");
+    fail("it is larger than " + in_words(most), "give a smaller one");
   }
   [[noreturn]] void fail(const std::string& why, const std::string& what_to_do) const {
     throw ReadError("cannot read " + path_.string() + ": " + why + "; " + what_to_do);

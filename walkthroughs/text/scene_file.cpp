@@ -142,7 +142,7 @@ SceneFile parse_scene(std::string_view text, const std::string& file_name) {
 
 SceneFile read_scene(const std::filesystem::path& file) {
   try {
-    return parse_scene(read_text(file, {"scene file", scene_limits::bytes}), file.string());
+    return parse_scene(read_text(file, scene_limits::bytes), file.string());
   } catch (const SceneError&) {
     throw;
   } catch (const InputError& error) {

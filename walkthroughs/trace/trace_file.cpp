@@ -137,7 +137,7 @@ TraceFile parse_trace(std::string_view text, const std::string& file_name) {
 TraceFile read_trace(const std::filesystem::path& file) {
   std::string text;
   try {
-    text = read_text(file, {"trace", trace_limits::bytes});
+    text = read_text(file, trace_limits::bytes);
   } catch (const InputError& error) {
     throw TraceError(error.what());
   }

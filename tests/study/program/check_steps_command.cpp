@@ -94,7 +94,7 @@ void run(const CheckStepsCommand& asked) {
   const bool reads_file = file != standard_input;
   const std::string name = reads_file ? file : "standard input";
   const std::string text =
-      reads_file ? walkthroughs::read_text(file, {"file of steps", largest_file}) : read_standard_input();
+      reads_file ? walkthroughs::read_text(file, largest_file) : read_standard_input();
   const std::vector<ToldRun> runs = read_told_runs(text, name);
   if (std::ranges::all_of(runs, [](const ToldRun& run) { return run.steps.empty(); }))
     throw walkthroughs::InputError(name + ": no search tells a step; write one a line before the answer: " +

@@ -69,7 +69,7 @@ struct JudgeCommand {
 };
 
 std::vector<NamedPair> JudgeCommand::chosen_pairs() const {
-  if (pairs) return read_pairs(walkthroughs::read_text(*pairs, {"file of pairs", largest_file}), *pairs);
+  if (pairs) return read_pairs(walkthroughs::read_text(*pairs, largest_file), *pairs);
   std::vector<NamedPair> all;
   if (!makes_pairs) all = kept_pairs();
   for (const Family* const family : makes_pairs ? families_called(families) : std::vector<const Family*>())

@@ -67,7 +67,7 @@ TEST_CASE("judge: what gjkstep-study pairs writes is judged, and pairs that are 
   const Outcome outcome = run("judge --pairs " + pairs + " -- " + quoted(kit::program()) + " query");
   CHECK(has(outcome.out, "of 8 pairs") != has(outcome.out, "wrong: 8 pairs"));
   check_failure("judge --pairs " + in(folder, "bad.jsonl") + " -- cat", 3, {"bad.jsonl:1: ", "b"});
-  check_failure("judge --pairs " + in(folder, "nowhere") + " -- cat", 3, {"nowhere: cannot be read"});
+  check_failure("judge --pairs " + in(folder, "nowhere") + " -- cat", 3, {"cannot read ", "nowhere: "});
   check_failure("judge --pairs " + pairs + " --count 3 -- cat", 2, {"--count"});
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("judge: what cannot be done is told with what to write instead", "[jud
            {"judge --html " + std::string(300, 'x') + " -- cat", 5, "File name too long"},
            {"check-steps - </dev/null", 3, "standard input: is empty"},
            {"check-steps", 2, "FILE"},
-           {"check-steps /nowhere", 3, "nowhere: cannot be read"},
+           {"check-steps /nowhere", 3, "nowhere: No such file"},
            {"check-steps /dev/zero", 3, "is not a regular file"},
        })
     check_failure(arguments, exit_code, {said});

@@ -358,7 +358,7 @@ TEST_CASE("A file that is larger than a trace may be is refused", "[trace-file]"
     read_trace(long_trace.path);
     FAIL("was read");
   } catch (const TraceError& error) {
-    CHECK(std::string(error.what()).ends_with("is larger than 64 MiB; a trace has no need for so much"));
+    CHECK(std::string(error.what()).ends_with("it is larger than 64 MiB; give a smaller one"));
   }
 }
 
