@@ -76,8 +76,9 @@ class OnlyEigen(InAFolder):
 
     def test_installed(self):
         self.install()
-        self.assertEqual({file.name for file in top.glob("core/*.hpp")},
-                         {file.name for file in self.prefix.glob("include/gjkstep/*")})
+        installed = self.prefix / "include/gjkstep"
+        self.assertEqual({file.relative_to(top / "core") for file in top.glob("core/**/*.hpp")},
+                         {file.relative_to(installed) for file in installed.glob("**/*.*")})
         where = f"-DCMAKE_PREFIX_PATH={self.prefix}"
         self.check_eigen_is_asked_for(where)
         self.check_build(where)

@@ -191,7 +191,7 @@ constexpr std::string_view name_pattern =
 Json header() {
   const Json properties{
       {"schema", {{"const", "gjkstep-trace"}}},
-      {"version", {{"const", trace_version}}},
+      {"version", one_of(std::array{oldest_trace_version, trace_version})},
       {"walkthrough",
        described("Names a folder of pictures.", {{"type", "string"}, {"pattern", name_pattern}, {"maxLength", 200}})},
       {"scalar", {{"const", "double"}}},

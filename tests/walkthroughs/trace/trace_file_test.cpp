@@ -187,9 +187,10 @@ std::vector<std::string> texts_to_change() {
 /// did not find may reach farther.
 bool is_free(const std::string& path, const OrderedJson& line) {
   const auto has = [&](const char* part) { return path.find(part) != std::string::npos; };
-  return line.contains("schema") && (path == "/walkthrough" || has("/presentation/") || path.ends_with("/name") ||
-                                     has("/points/") || has("/iteration_limit") || has("/dimension") || has("/rules") ||
-                                     has("/cylinder/axis/0"));  // along x: its multiples are the same axis
+  return line.contains("schema") &&
+         (path == "/walkthrough" || path == "/version" || has("/presentation/") || path.ends_with("/name") ||
+          has("/points/") || has("/iteration_limit") || has("/dimension") || has("/rules") ||
+          has("/cylinder/axis/0"));  // along x: its multiples are the same axis
 }
 
 /// Each word that a trace has at that key.
