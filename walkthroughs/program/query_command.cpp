@@ -29,18 +29,6 @@
 namespace walkthroughs {
 namespace {
 
-struct QueryCommand {
-  std::string scalar = "double", rules = "as-intended", zero_test = "exact";
-  int max_iterations = 20;
-  std::optional<std::string> start, first_direction;
-  bool certified = false, fractions = false;
-
-  /// Returns: the exit code: 0, or 3 where a line was bad (told on standard error; the others are answered).
-  /// Errors: UsageError; InputError where standard input cannot be read; render::FileError where standard output cannot be
-  /// written.
-  int run() const;
-};
-
 constexpr const char* footer =
     R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
 ('gjkstep scene --example'), a point [x, y] means [x, y, 0], and a pair may say "dimension": 2; one of
@@ -132,6 +120,18 @@ Point first_direction_in(const std::string& text, QueryScalar scalar) {
                      " is infinite or 0 in floats; only the ratios of its numbers count: bring them nearer to 1");
   return direction;
 }
+
+struct QueryCommand {
+  std::string scalar = "double", rules = "as-intended", zero_test = "exact";
+  int max_iterations = 20;
+  std::optional<std::string> start, first_direction;
+  bool certified = false, fractions = false;
+
+  /// Returns: the exit code: 0, or 3 where a line was bad (told on standard error; the others are answered).
+  /// Errors: UsageError; InputError where standard input cannot be read; render::FileError where standard output cannot be
+  /// written.
+  int run() const;
+};
 
 /// Errors: UsageError.
 QueryOptions options_of(const QueryCommand& query) {
