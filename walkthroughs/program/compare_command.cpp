@@ -1,21 +1,36 @@
-#include "walkthroughs/program/compare_command.hpp"
+// gjkstep compare: are two pictures, or two folders of pictures, the same?
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "render/compare_report.hpp"
 #include "render/file.hpp"
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs {
 namespace {
+
+struct CompareCommand {
+  std::string expected, actual;
+  std::optional<std::string> report;  ///< folder to write index.html to
+  bool force = false;
+
+  /// Returns: the exit code: 0 the same, 1 different, 3 a picture cannot be read (told on standard error).
+  /// Errors: UsageError; render::ReadError where a side is not there; render::FileError where the report cannot be
+  /// written.
+  int run() const;
+};
 
 namespace fs = std::filesystem;
 
@@ -161,13 +176,14 @@ int CompareCommand::run() const {
   return tally.exit_code();
 }
 
-CLI::App* add_compare_command(CLI::App& app, CompareCommand& compare) {
+Command add_compare_command(CLI::App& app) {
+  const auto compare = std::make_shared<CompareCommand>();
   CLI::App* const command = app.add_subcommand("compare", "are two pictures, or two folders of pictures, the same?");
-  command->add_option("EXPECTED", compare.expected, "PNG file, or folder of them and of folders")->required();
-  command->add_option("ACTUAL", compare.actual, "what to compare it with: as EXPECTED a file or a folder")->required();
-  command->add_option("--report", compare.report,
+  command->add_option("EXPECTED", compare->expected, "PNG file, or folder of them and of folders")->required();
+  command->add_option("ACTUAL", compare->actual, "what to compare it with: as EXPECTED a file or a folder")->required();
+  command->add_option("--report", compare->report,
                       "folder to write index.html to: a page that shows what differs, and how to accept it");
-  add_force_flag(*command, compare.force);
+  add_force_flag(*command, compare->force);
   command->footer(
       "Decoded pixels are compared, transparent ones on white, of animations the first picture. A pixel is off when a\n"
       "channel differs by more than 2. Pictures pass when at most 8 pixels are off (in large pictures: one in 50,000;\n"
@@ -175,7 +191,7 @@ CLI::App* add_compare_command(CLI::App& app, CompareCommand& compare) {
       "file that one side lacks is a difference, and links are followed. If a folder holds rendered-by.json,\n"
       "an object of strings, the report shows it.\n"
       "Exit codes: 0 the same, 1 different, 2 wrong usage, 3 a picture cannot be read, 5 cannot write.");
-  return command;
+  return {command, [compare] { return compare->run(); }};
 }
 
 }  // namespace walkthroughs

@@ -43,8 +43,9 @@ ExitCode code_of_this_exception() {
 }
 
 /// Returns: what it says. A thread that cannot be started says no more than "Resource temporarily unavailable".
-std::string what_failed(const std::system_error& error) {
-  if (error.code() != std::errc::resource_unavailable_try_again) return error.what();
+std::string what_failed(const std::exception& error) {
+  const auto* const of_system = dynamic_cast<const std::system_error*>(&error);
+  if (of_system == nullptr || of_system->code() != std::errc::resource_unavailable_try_again) return error.what();
   return "a thread cannot be started; allow more processes (ulimit -u), or more memory (ulimit -v)";
 }
 
@@ -101,13 +102,9 @@ int exit_code_of(const std::string& program, const std::string& if_out_of_memory
     output.finish();  // what was said before the error
     std::cerr << program << ": out of memory; " << if_out_of_memory << render::memory_limit() << '\n';
     return unexpected;
-  } catch (const std::system_error& error) {
-    output.finish();
-    std::cerr << program << ": " << message_line(what_failed(error)) << '\n';
-    return code_of_this_exception();
   } catch (const std::exception& error) {
     output.finish();
-    std::cerr << program << ": " << message_line(error.what()) << '\n';
+    std::cerr << program << ": " << message_line(what_failed(error)) << '\n';
     return code_of_this_exception();
   }
 }

@@ -1,19 +1,17 @@
 // gjkstep: watch GJK decide. Reads the command line, calls the rest, turns failures into exit codes.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "render/offscreen_context.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/compare_command.hpp"
+#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/exit_code.hpp"
-#include "walkthroughs/program/list_command.hpp"
-#include "walkthroughs/program/query_command.hpp"
-#include "walkthroughs/program/render_command.hpp"
-#include "walkthroughs/program/scene_command.hpp"
-#include "walkthroughs/program/trace_command.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/printable.hpp"
 
@@ -64,19 +62,12 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   bool version = false;
   app.add_flag("--version", version, "print the version and the OpenGL renderer");
-  walkthroughs::RenderCommand render;
-  walkthroughs::add_backend_option(app, render.gl);
-  walkthroughs::ListCommand list;
-  CLI::App* const list_command = walkthroughs::add_list_command(app, list);
-  CLI::App* const render_command = walkthroughs::add_render_command(app, render);
-  walkthroughs::TraceCommand trace;
-  CLI::App* const trace_command = walkthroughs::add_trace_command(app, trace);
-  walkthroughs::SceneCommand scene;
-  CLI::App* const scene_command = walkthroughs::add_scene_command(app, scene);
-  walkthroughs::CompareCommand compare;
-  CLI::App* const compare_command = walkthroughs::add_compare_command(app, compare);
-  walkthroughs::QueryCommand query;
-  CLI::App* const query_command = walkthroughs::add_query_command(app, query);
+  std::optional<std::string> gl;
+  walkthroughs::add_backend_option(app, gl);
+  const std::vector<walkthroughs::Command> commands = {
+      walkthroughs::add_list_command(app),    walkthroughs::add_render_command(app, gl),
+      walkthroughs::add_trace_command(app),   walkthroughs::add_scene_command(app),
+      walkthroughs::add_compare_command(app), walkthroughs::add_query_command(app)};
 
   try {
     app.parse(argc, argv);
@@ -86,28 +77,14 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(what_was_wrong(app, error));
   }
-  int answer = walkthroughs::ok;
-  if (version && !app.get_subcommands().empty())
-    throw UsageError("--version stands alone; leave it out, or '" + app.get_subcommands().front()->get_name() + "'");
-  if (render.gl && !version && !*render_command && !app.get_subcommands().empty())
-    throw UsageError("--gl: '" + app.get_subcommands().front()->get_name() + "' draws nothing; leave --gl out");
-  if (version)
-    print_version(render.gl);
-  else if (*list_command)
-    list.run();
-  else if (*render_command)
-    render.run();
-  else if (*trace_command)
-    trace.run();
-  else if (*scene_command)
-    scene.run();
-  else if (*compare_command)
-    answer = compare.run();
-  else if (*query_command)
-    answer = query.run();
-  else
-    throw UsageError("what to do? 'gjkstep --help' shows the commands");
-  return answer;
+  const auto chosen = std::ranges::find_if(commands, [](const auto& each) { return each.words->parsed(); });
+  const std::string name = chosen == commands.end() ? "" : chosen->words->get_name();
+  if (version && !name.empty()) throw UsageError("--version stands alone; leave it out, or '" + name + "'");
+  if (gl && !name.empty() && name != "render") throw UsageError("--gl: '" + name + "' draws nothing; leave --gl out");
+  if (!version && name.empty()) throw UsageError("what to do? 'gjkstep --help' shows the commands");
+  if (!version) return chosen->run();
+  print_version(gl);
+  return walkthroughs::ok;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "walkthroughs/program/query_command.hpp"
+// gjkstep query: pairs of objects on standard input, answers on standard output.
 
 #include <poll.h>
 #include <unistd.h>
@@ -8,11 +8,15 @@
 #include <cerrno>
 #include <cstring>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/program/standard_output.hpp"
@@ -124,6 +128,18 @@ Point first_direction_in(const std::string& text, QueryScalar scalar) {
   return direction;
 }
 
+struct QueryCommand {
+  std::string scalar = "double", rules = "as-intended", zero_test = "exact";
+  int max_iterations = 20;
+  std::optional<std::string> start, first_direction;
+  bool certified = false, fractions = false;
+
+  /// Returns: the exit code: 0, or 3 where a line was bad (told on standard error; the others are answered).
+  /// Errors: UsageError; InputError where standard input cannot be read; render::FileError where standard output cannot be
+  /// written.
+  int run() const;
+};
+
 /// Errors: UsageError.
 QueryOptions options_of(const QueryCommand& query) {
   QueryOptions options{.scalar = choice<QueryScalar>("--scalar", query.scalar, query_scalars),
@@ -154,32 +170,33 @@ int QueryCommand::run() const {
   return bad_lines;
 }
 
-CLI::App* add_query_command(CLI::App& app, QueryCommand& query) {
+Command add_query_command(CLI::App& app) {
+  const auto query = std::make_shared<QueryCommand>();
   CLI::App* const command =
       app.add_subcommand("query", "answer pairs of objects: one pair a line in, one answer a line out");
-  command->add_option("--scalar", query.scalar, "compute in float, double, long-double or exact fractions")
+  command->add_option("--scalar", query->scalar, "compute in float, double, long-double or exact fractions")
       ->capture_default_str();
-  command->add_option("--rules", query.rules, words_and_meanings(gjk::rule_sets))->capture_default_str();
-  command->add_option("--zero-test", query.zero_test, words_and_meanings(gjk::zero_tests))->capture_default_str();
+  command->add_option("--rules", query->rules, words_and_meanings(gjk::rule_sets))->capture_default_str();
+  command->add_option("--zero-test", query->zero_test, words_and_meanings(gjk::zero_tests))->capture_default_str();
   expect_number(
-      command->add_option("--max-iterations", query.max_iterations, "so many at most; then the answer is undecided")
+      command->add_option("--max-iterations", query->max_iterations, "so many at most; then the answer is undecided")
           ->capture_default_str(),
       1, scene_limits::iterations);
   CLI::Option* const start = command->add_option(
-      "--start", query.start,
+      "--start", query->start,
       "search first between: from the center of a to that of b, as eager rules do anyway; or start inside: with the "
       "difference of the centers as the first vertex");
   CLI::Option* const first_direction =
-      command->add_option("--first-direction", query.first_direction, "search first along x,y,z")->excludes(start);
+      command->add_option("--first-direction", query->first_direction, "search first along x,y,z")->excludes(start);
   expect_direction(first_direction);
-  CLI::Option* const certified = command->add_flag("--certified", query.certified,
+  CLI::Option* const certified = command->add_flag("--certified", query->certified,
                                                    "prove each answer, with a certificate where it is about points");
   command
-      ->add_flag("--fractions", query.fractions,
+      ->add_flag("--fractions", query->fractions,
                  "write certificates in exact fractions, with what it takes to check them")
       ->needs(certified);
   command->footer(footer);
-  return command;
+  return {command, [query] { return query->run(); }};
 }
 
 }  // namespace walkthroughs

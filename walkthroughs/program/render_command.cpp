@@ -1,4 +1,4 @@
-#include "walkthroughs/program/render_command.hpp"
+// gjkstep render: which walkthroughs, how large, in which colours, and where to.
 
 #include <unistd.h>
 
@@ -8,8 +8,11 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "render/file.hpp"
 #include "render/rendered_by.hpp"
@@ -24,6 +27,7 @@
 #include "walkthroughs/output/strip.hpp"
 #include "walkthroughs/picture/movie.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/missing_letters.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
@@ -38,6 +42,37 @@
 
 namespace walkthroughs {
 namespace {
+
+struct RenderCommand {
+  std::vector<std::string> names;
+  std::vector<std::string> traces;  ///< files
+  bool all = false;
+  bool strip = false;
+  bool apng = false;
+  std::string page;   ///< "beside" or "single"; empty: none
+  std::string sheet;  ///< "one" picture, or a paper such as "a4-across"; empty: none
+  bool no_captions = false, no_values = false;
+  std::optional<std::string> letters;
+  bool rendered_by = false;
+  bool force = false;
+  int turns = 0;
+  double frame_time = 2;
+  std::string format = "png";
+  std::string detail = "decision";
+  std::string theme = "report";
+  std::string out = "out";
+  std::optional<std::string> frames;
+  std::optional<std::string> gl;
+  std::optional<std::string> size;
+  std::optional<double> text_scale;  ///< of the theme, if nothing else is said
+  std::optional<std::string> movie;
+  std::optional<std::string> captions;
+
+  /// Writes the files and tells of each on standard output. Everything that can be wrong with the words of the command is
+  /// found before the first file is written.
+  /// Errors: UsageError, and those of whatever it calls.
+  void run() const;
+};
 
 /// The walkthroughs that the words of a command choose, each once, in the order named. Keeps those that files describe.
 class Selection {
@@ -398,79 +433,84 @@ class Rendering {
 
 void RenderCommand::run() const { Rendering(*this).run(); }
 
-CLI::App* add_render_command(CLI::App& app, RenderCommand& render) {
+Command add_render_command(CLI::App& app, std::optional<std::string>& gl) {
+  const auto render = std::make_shared<RenderCommand>();
   CLI::App* const command = app.add_subcommand("render", "write the frames OUT/NAME/000.png, 001.png, ...");
-  command->add_option("NAME", render.names, "walkthroughs to render, folders of them, or scene files (.json)");
+  command->add_option("NAME", render->names, "walkthroughs to render, folders of them, or scene files (.json)");
   command
-      ->add_option("--from-trace", render.traces,
+      ->add_option("--from-trace", render->traces,
                    "file that 'gjkstep trace' wrote: its frames are drawn without a search; may be repeated")
       ->type_name("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--all", render.all, "render every walkthrough");
-  command->add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
+  command->add_flag("--all", render->all, "render every walkthrough");
+  command->add_flag("--strip", render->strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
   command
-      ->add_flag("--sheet{one}", render.sheet,
+      ->add_flag("--sheet{one}", render->sheet,
                  "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
                  "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched")
       ->check(CLI::IsMember({"one", "a4", "letter", "a4-across", "letter-across"}));
   command
-      ->add_option("--format", render.format,
+      ->add_option("--format", render->format,
                    "svg: OUT/NAME/000.svg, 001.svg, ... as well, which stay sharp however much they are enlarged")
       ->check(CLI::IsMember({"png", "svg"}))
       ->capture_default_str();
-  command->add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
+  command->add_flag("--apng", render->apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
   command
-      ->add_flag("--page{beside}", render.page,
+      ->add_flag("--page{beside}", render->page,
                  "write OUT/NAME/index.html as well, to step through in a browser, and OUT/index.html over all; "
                  "--page=single puts pictures, style, script and events into each")
       ->check(CLI::IsMember({"beside", "single"}));
-  command->add_option("--movie", render.movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif")
+  command->add_option("--movie", render->movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif")
       ->check(CLI::IsMember({"mp4", "gif"}));
   expect_number(
       command
-          ->add_option("--frame-time", render.frame_time,
+          ->add_option("--frame-time", render->frame_time,
                        "seconds for which animation and movie show a frame; the last one is shown twice as long")
           ->capture_default_str(),
       0.02, 60.0);
-  command->add_option("--detail", render.detail, "a frame for each decision, or for each step (iteration)")
+  command->add_option("--detail", render->detail, "a frame for each decision, or for each step (iteration)")
       ->check(CLI::IsMember({"decision", "step"}))
       ->capture_default_str();
-  command->add_option("--frames", render.frames,
+  command->add_option("--frames", render->frames,
                       "a choice of frames, numbered anew: steps such as 4,10,18 or 3-7, and kinds: " + frame_kinds());
   command
-      ->add_option("--theme", render.theme,
+      ->add_option("--theme", render->theme,
                    "colours and weights: for a report, for slides with larger text, or on a dark ground")
       ->check(CLI::IsMember({"report", "slides", "dark"}))
       ->capture_default_str();
   expect_number(
       command
-          ->add_option("--turn", render.turns,
+          ->add_option("--turn", render->turns,
                        "further views of each frame of a scene in space, from all around: 000-turn-1.png, ...")
           ->capture_default_str(),
       0, 72);
-  command->add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
+  command->add_flag("--no-captions", render->no_captions, "draw the panels only, for use in a document");
   command
-      ->add_option("--letters", render.letters,
+      ->add_option("--letters", render->letters,
                    "'fixed': each vertex keeps its letter; 'roles': A is always the newest")
       ->check(CLI::IsMember({"roles", "fixed"}));
-  command->add_flag("--no-values", render.no_values, "leave the numbers that decide out of the panels, for questions");
-  command->add_option("--captions", render.captions,
+  command->add_flag("--no-values", render->no_values, "leave the numbers that decide out of the panels, for questions");
+  command->add_option("--captions", render->captions,
                       "JSON file to write: caption, description and events of each frame");
-  command->add_flag("--rendered-by", render.rendered_by,
+  command->add_flag("--rendered-by", render->rendered_by,
                     "write OUT/rendered-by.json as well: what drew the pictures; 'gjkstep compare' shows it");
-  command->add_option("--out", render.out, "folder to write to")->capture_default_str();
-  add_force_flag(*command, render.force);
-  command->add_option("--size", render.size,
+  command->add_option("--out", render->out, "folder to write to")->capture_default_str();
+  add_force_flag(*command, render->force);
+  command->add_option("--size", render->size,
                       "width and height in pixels; if not given, what the scene file says, or 1280x720");
   expect_number(command->add_option(
-                    "--text-scale", render.text_scale,
+                    "--text-scale", render->text_scale,
                     "all text so many times as large, and the pictures in what room is left; if not given, what the "
                     "scene file says, else 1, for slides " +
                         number_text(render::themes::slides.text)),
                 render::least_text_scale, render::most_text_scale);
-  add_backend_option(*command, render.gl);
-  return command;
+  add_backend_option(*command, gl);
+  return {command, [render, &gl] {
+            render->gl = gl;
+            render->run();
+            return ok;
+          }};
 }
 
 }  // namespace walkthroughs

@@ -1,12 +1,27 @@
-#include "walkthroughs/program/scene_command.hpp"
+// gjkstep scene: files with scenes of one's own.
 
 #include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
 
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
 namespace walkthroughs {
+namespace {
+
+struct SceneCommand {
+  bool example = false;
+  std::optional<std::string> check;
+
+  /// Errors: UsageError; InputError where the file is not a scene.
+  void run() const;
+};
+
+}  // namespace
 
 void SceneCommand::run() const {
   if (example) {
@@ -21,11 +36,16 @@ void SceneCommand::run() const {
   }
 }
 
-CLI::App* add_scene_command(CLI::App& app, SceneCommand& scene) {
+Command add_scene_command(CLI::App& app) {
+  const auto scene = std::make_shared<SceneCommand>();
   CLI::App* const command = app.add_subcommand("scene", "files with scenes of your own");
-  CLI::Option* const example = command->add_flag("--example", scene.example, "print a scene file that shows every key");
-  command->add_option("--check", scene.check, "read this scene file and say what it declares")->excludes(example);
-  return command;
+  CLI::Option* const example =
+      command->add_flag("--example", scene->example, "print a scene file that shows every key");
+  command->add_option("--check", scene->check, "read this scene file and say what it declares")->excludes(example);
+  return {command, [scene] {
+            scene->run();
+            return ok;
+          }};
 }
 
 }  // namespace walkthroughs

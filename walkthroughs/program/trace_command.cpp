@@ -1,15 +1,26 @@
-#include "walkthroughs/program/trace_command.hpp"
+// gjkstep trace: the events of a walkthrough or a scene file as JSON Lines.
 
 #include <iostream>
+#include <memory>
+#include <string>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs {
 namespace {
+
+struct TraceCommand {
+  bool schema = false;
+  std::string name;
+
+  /// Errors: UsageError; InputError where a scene file cannot be read.
+  void run() const;
+};
 
 void write_trace(const std::string& name) {
   if (is_scene_file(name)) {
@@ -36,11 +47,15 @@ void TraceCommand::run() const {
     write_trace(name);
 }
 
-CLI::App* add_trace_command(CLI::App& app, TraceCommand& trace) {
+Command add_trace_command(CLI::App& app) {
+  const auto trace = std::make_shared<TraceCommand>();
   CLI::App* const command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
-  CLI::Option* const name = command->add_option("NAME", trace.name, "walkthrough or scene file (.json) to trace");
-  command->add_flag("--schema", trace.schema, "print the JSON Schema of one line of a trace")->excludes(name);
-  return command;
+  CLI::Option* const name = command->add_option("NAME", trace->name, "walkthrough or scene file (.json) to trace");
+  command->add_flag("--schema", trace->schema, "print the JSON Schema of one line of a trace")->excludes(name);
+  return {command, [trace] {
+            trace->run();
+            return ok;
+          }};
 }
 
 }  // namespace walkthroughs

@@ -8,7 +8,6 @@
 #include "render/json_text.hpp"
 #include "walkthroughs/query/query_certified.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
-#include "walkthroughs/query/query_object.hpp"
 #include "walkthroughs/query/query_pair.hpp"
 
 namespace walkthroughs {
