@@ -39,7 +39,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/output/studio.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-/// Whatever a scene file holds: it is read and can be run and told, or it is turned away with a SceneError.
+/// Whatever a scene file holds: it is read and can be run and told, or it is turned away with a InputError.
 ///
 ///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
 ///     ninja -C build/fuzz scene-file-fuzz
@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::ostringstream out;
     walkthroughs::write_traces(out, file.walkthrough);
     require(out.good());
-  } catch (const walkthroughs::SceneError& error) {
+  } catch (const walkthroughs::InputError& error) {
     require(std::string_view(error.what()).starts_with("fuzz.json:"));
   }
   return 0;

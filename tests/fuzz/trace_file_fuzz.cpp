@@ -1,5 +1,5 @@
 /// Whatever a trace holds: it is read, told and laid out, or it is turned away
-/// with a TraceError that names the line.
+/// with a InputError that names the line.
 ///
 ///     cmake -S . -B build/fuzz -G Ninja -DGJKSTEP_FUZZ=ON -DCMAKE_CXX_COMPILER=clang++
 ///     ninja -C build/fuzz trace-file-fuzz
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(!story.frames.empty());
     lay_out(story, 0, font);
     lay_out(story, story.frames.size() - 1, font);
-  } catch (const walkthroughs::TraceError& error) {
+  } catch (const walkthroughs::InputError& error) {
     const std::string_view said = error.what();
     require(said.starts_with("fuzz.jsonl:") && said.size() < 2000);
     require('1' <= said[11] && said[11] <= '9');

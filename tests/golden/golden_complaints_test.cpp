@@ -112,7 +112,7 @@ std::string complaint_about_scene(const std::string& text) {
   try {
     parse_scene(text, "scene.json");
     return "read";
-  } catch (const SceneError& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/output/studio.hpp"
 
 namespace golden {
 

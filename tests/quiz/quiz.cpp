@@ -10,7 +10,7 @@
 
 #include "render/file.hpp"
 #include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/output/studio.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/story/storyboard.hpp"

@@ -11,7 +11,7 @@
 
 #include "render/worker.hpp"
 #include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/output/studio.hpp"
 
 namespace walkthroughs {
 

@@ -25,7 +25,7 @@
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
 #include "walkthroughs/output/strip.hpp"
-#include "walkthroughs/picture/movie.hpp"
+#include "walkthroughs/output/movie.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/missing_letters.hpp"
@@ -189,7 +189,7 @@ class Rendering {
   Sinks sinks_for(const Selection& selection, Written& written) const {
     const auto report_frame = [this, &written](const std::filesystem::path& file, const Story& story,
                                                std::size_t index) {
-      const FrameFile frame{file, story, index};
+      const FrameFile frame{file.string(), story, index};
       if (command_.captions) written.frames.push_back(frame);
       report(frame);
     };
@@ -380,7 +380,7 @@ class Rendering {
   static void report(const FrameFile& frame) {
     const std::size_t count = frame.story.frames.size();
     progress("");
-    std::cout << printable(frame.file.string()) << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
+    std::cout << printable(frame.file) << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
     if (frame.index + 1 < count)
       progress(frame.story.walkthrough.name + ": frame " + std::to_string(frame.index + 1) + " of " +
                std::to_string(count));

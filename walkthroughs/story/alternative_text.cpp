@@ -95,7 +95,7 @@ Json json(const FrameFile& item) {
   for (const Fact& fact : frame.facts) facts.push_back(plain(fact.text));
   for (std::size_t s = 0; s < frame.events.size(); ++s)
     events[item.story.walkthrough.scenes[s].name] = {frame.events[s].first, frame.events[s].last};
-  return {{"file", item.file.string()},
+  return {{"file", item.file},
           {"walkthrough", item.story.walkthrough.name},
           {"caption", plain(frame.caption)},
           {"facts", facts},

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,7 @@ std::string alternative_text(const Story& story, std::size_t index);
 
 /// One frame that was written to a file.
 struct FrameFile {
-  std::filesystem::path file;
+  std::string file;
   const Story& story;
   std::size_t index;
 };

@@ -1,4 +1,4 @@
-/// Objects as scene files and queries write them: a shape, and perhaps a name and a pose. scene_file.hpp says what each may
+/// Objects as scene files and queries write them: a shape, and perhaps a name and a pose. scene_text.hpp says what each may
 /// hold.
 #pragma once
 

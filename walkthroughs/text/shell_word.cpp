@@ -45,8 +45,8 @@ std::string shell_quoted(std::string_view text) {
   return quoted + "'";
 }
 
-std::string shell_word(const std::filesystem::path& path) {
-  return shell_quoted(path.string().starts_with('-') ? "./" + path.string() : path.string());
+std::string shell_word(const std::string& path) {
+  return shell_quoted(path.starts_with('-') ? "./" + path : path);
 }
 
 }  // namespace walkthroughs

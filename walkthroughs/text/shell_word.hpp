@@ -1,7 +1,6 @@
 /// Paths in commands that readers may copy.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -11,6 +10,6 @@ namespace walkthroughs {
 std::string shell_quoted(std::string_view text);
 
 /// Returns: `path` as one word of a shell, and not an option.
-std::string shell_word(const std::filesystem::path& path);
+std::string shell_word(const std::string& path);
 
 }  // namespace walkthroughs

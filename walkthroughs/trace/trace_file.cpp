@@ -128,20 +128,14 @@ std::string read_lines(std::string_view text, TraceReader& reader) {
 TraceFile parse_trace(std::string_view text, const std::string& file_name) {
   TraceReader reader;
   if (const std::string complaint = read_lines(text, reader); !complaint.empty())
-    throw TraceError(file_name + ":" + complaint);
+    throw InputError(file_name + ":" + complaint);
   auto [file, complaint] = reader.result();
-  if (complaint) throw TraceError(file_name + ":" + std::to_string(complaint->line) + ": " + complaint->text());
+  if (complaint) throw InputError(file_name + ":" + std::to_string(complaint->line) + ": " + complaint->text());
   return std::move(file);
 }
 
 TraceFile read_trace(const std::filesystem::path& file) {
-  std::string text;
-  try {
-    text = read_text(file, trace_limits::bytes);
-  } catch (const InputError& error) {
-    throw TraceError(error.what());
-  }
-  return parse_trace(text, file.string());
+  return parse_trace(read_text(file, trace_limits::bytes), file.string());
 }
 
 }  // namespace walkthroughs

@@ -12,21 +12,16 @@
 
 namespace walkthroughs {
 
-/// A trace cannot be read, or contradicts itself. what(): "FILE:LINE: KEY: reason; what to do", or without KEY.
-struct TraceError : InputError {
-  using InputError::InputError;
-};
-
 /// What storyboard.hpp's tell() needs to draw the frames that the writer of the trace would have drawn.
 struct TraceFile {
   Walkthrough walkthrough;
   std::vector<Trace> traces;  ///< one for each scene
 };
 
-/// Errors: TraceError, about the first line that is wrong. Reads regular files of at most trace_limits::bytes.
+/// Errors: InputError, about the first line that is wrong, or of a trace that contradicts itself. Reads regular files of at most trace_limits::bytes.
 TraceFile read_trace(const std::filesystem::path& file);
 
-/// `file_name`: stands in errors; nothing is read from there. Errors: TraceError.
+/// `file_name`: stands in errors; nothing is read from there. Errors: InputError.
 TraceFile parse_trace(std::string_view text, const std::string& file_name);
 
 }  // namespace walkthroughs

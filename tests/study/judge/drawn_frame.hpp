@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/image.hpp"
-#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/output/studio.hpp"
 #include "walkthroughs/story/story.hpp"
 
 namespace study {

@@ -173,7 +173,7 @@ TEST_CASE("A trace says its scalar and zero test, where they are not the usual o
   const Walkthrough read = parse_trace(text, "trace.jsonl").walkthrough;
   CHECK(read.scenes[0].scalar == Scalar::binary32);
   CHECK(read.scenes[0].zero_test == ZeroTest::relative);
-  CHECK_THROWS_AS(parse_trace(changed(text, zero_test, R"("zero_test":"exact")"), "trace.jsonl"), TraceError);
+  CHECK_THROWS_AS(parse_trace(changed(text, zero_test, R"("zero_test":"exact")"), "trace.jsonl"), InputError);
   const std::string in_float = trace_text(walkthrough("failures/coplanar-askew"));
-  CHECK_THROWS_AS(parse_trace(changed(in_float, scalar, R"("scalar":"double")"), "trace.jsonl"), TraceError);
+  CHECK_THROWS_AS(parse_trace(changed(in_float, scalar, R"("scalar":"double")"), "trace.jsonl"), InputError);
 }

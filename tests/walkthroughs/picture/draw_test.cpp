@@ -8,7 +8,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/places.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/picture/studio.hpp"
+#include "walkthroughs/output/studio.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

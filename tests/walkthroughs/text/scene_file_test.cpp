@@ -224,7 +224,7 @@ TEST_CASE("A scene is read from its file, which errors name", "[scene-file]") {
 
 // -- The corpus of the fuzzer -----------------------------------------------------------------------------------------
 
-TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned away as a SceneError", "[scene-file]") {
+TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned away as a InputError", "[scene-file]") {
   int read = 0, turned_away = 0;
   for (const auto& entry : fs::directory_iterator(kit::source("tests/fuzz/scenes"))) {
     const std::string file = entry.path().filename().string();
@@ -238,7 +238,7 @@ TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned 
       CHECK(told.str().find("\"finished\"") != std::string::npos);
       CHECK_FALSE(file.starts_with("bad-"));
       ++read;
-    } catch (const SceneError& error) {
+    } catch (const InputError& error) {
       CHECK(std::string(error.what()).starts_with(file + ":"));
       CHECK(file.starts_with("bad-"));
       ++turned_away;

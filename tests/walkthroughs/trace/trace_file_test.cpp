@@ -358,7 +358,7 @@ TEST_CASE("A file that is larger than a trace may be is refused", "[trace-file]"
   try {
     read_trace(long_trace.path);
     FAIL("was read");
-  } catch (const TraceError& error) {
+  } catch (const InputError& error) {
     CHECK(std::string(error.what()).ends_with("it is larger than 64 MiB; give a smaller one"));
   }
 }

@@ -24,7 +24,7 @@ inline std::string trace_text(const Walkthrough& w) {
 inline std::string complaint_about_trace(const std::string& text) {
   try {
     parse_trace(text, "bad.jsonl");
-  } catch (const TraceError& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
   return "read";

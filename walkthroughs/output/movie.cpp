@@ -1,4 +1,4 @@
-#include "walkthroughs/picture/movie.hpp"
+#include "walkthroughs/output/movie.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,0 +1,205 @@
+#include "walkthroughs/text/scene_text.hpp"
+
+#include "render/color.hpp"
+#include "walkthroughs/model/number_text.hpp"
+#include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/document.hpp"
+#include "walkthroughs/text/names.hpp"
+#include "walkthroughs/text/picture_size.hpp"
+#include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
+#include "walkthroughs/text/scene_object.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using namespace reading;
+
+// -- Objects -----------------------------------------------------------------------------------------------------------
+
+Object scene_object(const Value& value, const Space& space, Scalar scalar) {
+  ObjectAsWritten written = read_object(value, space);
+  AnyShape form = with_directions_divided(written.form, scalar);
+  return {.name = std::move(written.name), .form = std::move(form), .pose = written.pose.value_or(Pose{})};
+}
+
+/// Objects without a name are called what they are; two of a kind are told apart.
+void name_the_nameless(Object& a, Object& b, const Space& space) {
+  const std::string kind_of_a = kind_of(a.form, space.dimension), kind_of_b = kind_of(b.form, space.dimension);
+  const bool alike = kind_of_a == kind_of_b;
+  if (a.name.empty()) a.name = kind_of_a + (alike ? " a" : "");
+  if (b.name.empty()) b.name = kind_of_b + (alike ? " b" : "");
+}
+
+// -- The rest ---------------------------------------------------------------------------------------------------------
+
+gjk::Options<double> read_options(const Value& root, const Space& space) {
+  gjk::Options<double> options;
+  if (const auto first = root.member("first_direction")) options.first_direction = space.first_direction(*first);
+  if (const auto limit = root.member("iteration_limit"))
+    options.iteration_limit = whole_number(*limit, 1, scene_limits::iterations);
+  if (const auto test = root.member("crossing_test"))
+    options.crossing_test = static_cast<gjk::CrossingTest>(choice(*test, words_of::crossing_test));
+  return options;
+}
+
+RuleSet read_rules(const Value& root) {
+  const auto rules = root.member("rules");
+  return rules ? static_cast<RuleSet>(choice(*rules, words_of::rules)) : RuleSet::as_intended;
+}
+
+ZeroTest read_zero_test(const Value& root) {
+  const auto test = root.member("zero_test");
+  return test ? static_cast<ZeroTest>(choice(*test, words_of::zero_test)) : ZeroTest::exact;
+}
+
+std::optional<render::Size> read_size(const Value& root) {
+  const auto value = root.member("size");
+  if (!value) return std::nullopt;
+  const std::string expected = "expected \"1280x720\" or [1280, 720], each from " + std::to_string(render::min_pixels) +
+                               " to " + std::to_string(render::max_pixels);
+  if (value->is(Kind::string)) {
+    const auto size = size_in(value->text());
+    if (!size) value->fail(expected + ", found " + in_quotes(value->text()));
+    return size;
+  }
+  if (!value->is(Kind::list)) value->fail(expected + ", found " + std::string(value->description()));
+  const std::vector<Value> sides = value->children();
+  if (sides.size() != 2) {
+    value->fail(expected + ", found a list of " + std::to_string(sides.size()));
+    return std::nullopt;
+  }
+  const auto side = [](const Value& v) { return whole_number(v, render::min_pixels, render::max_pixels); };
+  return render::Size{side(sides[0]), side(sides[1])};
+}
+
+std::optional<double> read_text_scale(const Value& root) {
+  const auto value = root.member("text_scale");
+  if (!value) return std::nullopt;
+  const double scale = number(*value);
+  if (scale < render::least_text_scale || scale > render::most_text_scale)
+    value->fail("expected a number from " + number_text(render::least_text_scale) + " to " +
+                number_text(render::most_text_scale) + ", found " + number_text(scale));
+  return scale;
+}
+
+Naming read_letters(const Value& root) {
+  const auto value = root.member("letters");
+  return value && choice(*value, words_of::letters) == 1 ? Naming::fixed : Naming::roles;
+}
+
+SceneFile read_root(const Value& root, const std::string& file_name) {
+  expect_object(root,
+                {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
+                 "zero_test", "scalar", "certified", "panels", "letters", "size", "text_scale"},
+                "an object { ... } that holds the scene");
+  const auto title = root.member("title");
+  const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
+  const Scalar scalar = scalar_of(root);
+  const Space space{.dimension = dimension_of(root), .numbers = numbers_of(scalar)};
+  Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
+  Object b = scene_object(required(root, "b", "give the second object"), space, scalar);
+  if (!root.is_good()) return {};
+  name_the_nameless(a, b, space);
+  const gjk::Options<double> options = read_options(root, space);
+  const RuleSet rules = read_rules(root);
+  const ZeroTest zero_test = read_zero_test(root);
+  const bool certified = certified_of(root, a, b);
+  Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified};
+  if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
+    scene = from_center_to_center(std::move(scene));
+  const auto panels_given = root.member("panels");
+  const Panels panels = panels_given ? panels_in(*panels_given) : Panels{};
+  const std::optional<render::Size> size = read_size(root);
+  const std::optional<double> text_scale = read_text_scale(root);
+
+  SceneFile file;
+  file.size = size;
+  file.text_scale = text_scale;
+  file.walkthrough.name = name_from_file(file_name);
+  file.walkthrough.title = file.walkthrough.summary = heading;
+  file.walkthrough.source = "scene file";
+  file.walkthrough.layout = Layout::search;
+  file.walkthrough.panels = panels;
+  file.walkthrough.naming = read_letters(root);
+  if (root.is_good()) file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
+  return file;
+}
+
+}  // namespace
+
+Reading<SceneFile> scene_in(std::string_view text, const std::string& file_name) {
+  const Document document(text);
+  SceneFile file = read_root(document.root(), file_name);
+  return {std::move(file), document.complaint()};
+}
+
+std::string example_scene() {
+  std::string shapes;
+  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
+    using Row = ShapeRow<Shape>;
+    shapes.append("    //   \"").append(Row::key).append("\": ").append(Row::example).append("\n");
+  });
+  return R"(// A scene for gjkstep. Only a and b must be there; everything else shows its default or an alternative.
+{
+  "title": "A can beside a tilted box",  // without it: the name of the file
+  "dimension": 3,                        // 2: the plane; points are [x, y], spheres are discs
+
+  // The two objects. Each has one shape.
+  "a": {
+    "name": "box",  // as captions call it
+    "points": [     // their convex hull; the order does not matter
+      [-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1],
+      [-1, -1,  1], [1, -1,  1], [1, 1,  1], [-1, 1,  1]
+    ],
+    "pose": {  // first turned about the origin, then moved
+      "rotation": {"axis": [1, 1, 0], "degrees": 30},
+      "translation": [2.5, 0.5, 0]
+    }
+  },
+  "b": {
+    "name": "can",
+    "cylinder": {"center": [0, 0, 0], "axis": [0, 0, 1], "radius": 1, "height": 2}
+    // One of these, in its place; a sum is each point of one shape plus each of the other:
+)" + shapes +
+         R"(  },
+
+  // How the algorithm runs.
+  "first_direction": [1, 0, 0],  // left out, "eager" goes from the center of a to that of b
+  "iteration_limit": 20,
+  "crossing_test": "on",   // "off": go on until there are no new points
+  "rules": "as-intended",  // "as-printed": Algorithm 1 read literally, with its mistake; "eager": P·d < 0 ends
+                           // the search at the first point, too; "complete": keeps what is nearest to the origin,
+                           // no region skipped by history; goes round only where numbers round
+  "zero_test": "exact",    // "relative": products that rounding may have made count as zero
+  "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
+  "certified": false,      // true: the answer is proven, and where doubles cannot do that, found anew by a second
+                           // search; of objects that are points, without a pose
+
+  // What is shown beside the search. What is left out is not computed. "close-up" magnifies what is around the origin
+  // in all pictures of tests; without it only where marks would cover each other.
+  "panels": ["objects", "hull", "algorithm", "decision"],
+  "letters": "roles",  // A is always the newest vertex; "fixed": each keeps its letter for the whole search
+  "size": "1280x720",      // or [1280, 720]; pixels
+  "text_scale": 1          // 0.75 to 1.5: all text so many times as large
+}
+)";
+}
+
+std::string summary(const SceneFile& file) {
+  const Walkthrough& walkthrough = file.walkthrough;
+  const Scene& scene = walkthrough.scenes.front();
+  const auto object = [&](const Object& o) { return "'" + o.name + "' (" + described(o.form, scene.dimension) + ")"; };
+  std::string panels;
+  if (walkthrough.panels.objects) panels += ", objects";
+  if (walkthrough.panels.hull) panels += ", hull";
+  if (walkthrough.panels.algorithm) panels += ", algorithm";
+  if (walkthrough.panels.decision && scene.dimension == Dimension::space) panels += ", decision";
+  if (walkthrough.panels.close_up) panels += ", close-up";
+  return "'" + walkthrough.title + "', " + (scene.dimension == Dimension::plane ? "plane" : "space") + ", " +
+         object(scene.a) + " and " + object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
+         (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") +
+         (scene.certified ? ", certified" : "") + ", panels: search" + panels;
+}
+
+}  // namespace walkthroughs
