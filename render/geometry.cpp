@@ -63,6 +63,13 @@ std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradie
   return kept;
 }
 
+std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Box& box) {
+  std::vector<Vec2> part = clip_polygon(polygon, {1, 0}, -box.min.x());
+  part = clip_polygon(part, {-1, 0}, box.max.x());
+  part = clip_polygon(part, {0, 1}, -box.min.y());
+  return clip_polygon(part, {0, -1}, box.max.y());
+}
+
 // Douglas and Peucker (1973).
 std::vector<Vec2> simplified(std::span<const Vec2> polygon, double tolerance) {
   std::vector<Vec2> needed;

@@ -56,6 +56,8 @@ double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to);
 
 /// Returns: the part of a convex polygon where `gradient`·p + `offset` >= 0.
 std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradient, double offset);
+/// Returns: the part of a convex polygon that lies in `box`.
+std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Box& box);
 
 /// Returns: corners of a polygon, so many that none of the others lies farther than `tolerance` from the lines between them.
 std::vector<Vec2> simplified(std::span<const Vec2> polygon, double tolerance);

@@ -89,14 +89,6 @@ bool contains(std::span<const Vec2> corners, const Box& box) {
          contains(corners, {box.max.x(), box.min.y()});
 }
 
-/// Returns: the part of a convex polygon that lies in `box`, a rectangle along the axes.
-std::vector<Vec2> convex_part(std::vector<Vec2> polygon, const Box& box) {
-  polygon = clip_polygon(polygon, {1, 0}, -box.min.x());
-  polygon = clip_polygon(polygon, {-1, 0}, box.max.x());
-  polygon = clip_polygon(polygon, {0, 1}, -box.min.y());
-  return clip_polygon(polygon, {0, -1}, box.max.y());
-}
-
 Vec2 middle_of(std::span<const Vec2> corners) {
   Vec2 middle = Vec2::Zero();
   for (const Vec2& corner : corners) middle += corner / static_cast<double>(corners.size());
@@ -206,7 +198,7 @@ void Panel::hatch(std::span<const Vec2> corners, double spacing, const Stroke& s
   const std::vector<Vec2> page = to_page(corners);
   const bool finite = std::ranges::all_of(page, [](const Vec2& corner) { return corner.allFinite(); });
   if (!finite || !(spacing >= min_grid_spacing)) return;  // closer together they would be a grey area
-  const std::vector<Vec2> area = convex_part(page, frame_);
+  const std::vector<Vec2> area = clip_polygon(page, frame_);
   if (area.empty()) return;
   const auto level = [](const Vec2& p) { return p.x() + p.y(); };
   const Vec2& lowest = *std::ranges::min_element(area, {}, level);

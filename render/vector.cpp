@@ -70,13 +70,8 @@ class Drawing {
   Drawing(cairo_t* cairo, const Canvas& canvas) : cairo_(cairo), canvas_(canvas) {}
 
   void operator()(const shape::Polygon& polygon) {
-    const Box box = surroundings();
-    std::vector<Vec2> corners = canvas_.to_pixels(polygon.corners);
-    corners = clip_polygon(corners, Vec2::UnitX(), -box.min.x());
-    corners = clip_polygon(corners, -Vec2::UnitX(), box.max.x());
-    corners = clip_polygon(corners, Vec2::UnitY(), -box.min.y());
-    corners = clip_polygon(corners, -Vec2::UnitY(), box.max.y());
-    for (const Vec2& corner : corners) cairo_line_to(cairo_, corner.x(), corner.y());
+    for (const Vec2& corner : clip_polygon(canvas_.to_pixels(polygon.corners), surroundings()))
+      cairo_line_to(cairo_, corner.x(), corner.y());
     set_color(polygon.fill);
     cairo_fill(cairo_);
   }

@@ -128,16 +128,19 @@ def sentences_read(root):
                     yield f"{file.relative_to(root).as_posix()}:{number} reads a sentence: {line.strip()}"
 
 
-def captions_made(root):
-    """Lines that make a caption where a story has it already."""
+def told_again(root):
+    """Lines that make a caption or run a search where a story has these already."""
     for file in sorted((root / "walkthroughs").rglob("*.cpp")):
         name, text = file.relative_to(root).as_posix(), file.read_text()
-        if name not in ("walkthroughs/story/storyboard.cpp", "walkthroughs/story/captions.cpp") and "story/captions.hpp" in text:
-            yield f"{name} includes story/captions.hpp: what is said of each event is in Telling::said"
+        made = len(re.findall(r"(?<![\w.>])caption\(", text))
+        if name != "walkthroughs/story/captions.cpp" and made > (name == "walkthroughs/story/storyboard.cpp"):
+            yield f"{name} makes a caption: what is said of each event is in Telling::said"
+        if name.startswith("walkthroughs/page/") and re.search(r"(?<![\w.>])(tell|run)\(", text):
+            yield f"{name} runs a search: its story has done that"
 
 
 def problems(root):
-    edges, found = [], missing_in_map(root) + list(boost_elsewhere(root)) + list(sentences_read(root)) + list(captions_made(root))
+    edges, found = [], missing_in_map(root) + list(boost_elsewhere(root)) + list(sentences_read(root)) + list(told_again(root))
     for file, included, is_there in includes(root):
         if not is_there:
             found.append(f"{file} includes {included}, which is not there")

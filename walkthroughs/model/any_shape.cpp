@@ -42,6 +42,15 @@ std::string kind_of(const AnyShape& shape, Dimension dimension) {
   return kind;
 }
 
+std::string shapes_in_lines(const std::string& before, const std::string& after) {
+  std::string lines;
+  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
+    using Row = ShapeRow<Shape>;
+    lines.append(before + "\"").append(Row::key).append("\": ").append(Row::example).append(after + "\n");
+  });
+  return lines;
+}
+
 std::string described(const AnyShape& shape, Dimension dimension) { return std::visit(Description{dimension}, shape); }
 
 }  // namespace walkthroughs

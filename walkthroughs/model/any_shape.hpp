@@ -357,6 +357,9 @@ std::string kind_of(const AnyShape& shape, Dimension dimension);
 /// Returns: the same with the number of points: "sum of 3 points and a disc".
 std::string described(const AnyShape& shape, Dimension dimension);
 
+/// Returns: an example of each shape as files have it, a line each: "sphere": {"center": [0, 0, 0], "radius": 1}.
+std::string shapes_in_lines(const std::string& before, const std::string& after);
+
 // -- Asking -----------------------------------------------------------------------------------------------------------
 
 template <class Shape>

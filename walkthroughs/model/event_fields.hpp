@@ -18,7 +18,7 @@
 
 namespace walkthroughs {
 
-/// What a text or a whole number says, where its type does not tell.
+/// What a text, a whole number or a vector says, where its type does not tell.
 enum class Meaning { plain, name, title, sentence, direction, simplex_size, iterations, position, sign, power, limit };
 
 /// One field of a record R.

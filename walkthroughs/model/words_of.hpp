@@ -2,10 +2,10 @@
 /// is its enumerator.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "walkthroughs/model/walkthrough.hpp"
 
@@ -51,9 +51,9 @@ constexpr const auto& all(Scalar) { return scalar; }
 constexpr const auto& all(Layout) { return layout; }
 constexpr const auto& all(Naming) { return naming; }
 constexpr const auto& all(Remark::At) { return remark_at; }
-inline auto all(Mistake) {
-  std::array<std::string_view, 21> words;
-  std::ranges::transform(wrong_on_purpose::all(), words.begin(), &wrong_on_purpose::Description::word);
+inline std::vector<std::string_view> all(Mistake) {
+  std::vector<std::string_view> words;
+  for (const wrong_on_purpose::Description& each : wrong_on_purpose::all()) words.push_back(each.word);
   return words;
 }
 

@@ -99,6 +99,15 @@ Canvas head_and_foot(const StagedStory& story, const PaperSize& paper, const std
   return canvas;
 }
 
+void add_heads_and_feet(PaperSheet& sheet, const StagedStory& story, const PaperSize& paper, const Style& style,
+                        render::Font& font) {
+  for (std::size_t page = 0; page < sheet.pages.size(); ++page) {
+    const std::string number = "page " + std::to_string(page + 1) + " of " + std::to_string(sheet.pages.size());
+    const Canvas& around = sheet.canvases.emplace_back(head_and_foot(story, paper, number, style, font));
+    sheet.pages[page].push_back({&around, {{0, 0}, {paper.width, paper.height}}, {0, 0}, 1});
+  }
+}
+
 }  // namespace
 
 std::optional<PaperSize> paper_named(const std::string& name) {
@@ -144,11 +153,7 @@ PaperSheet paper_sheet(const StagedStory& story, const Look& look, const PaperSi
     }
     top += height + gap;
   }
-  for (std::size_t page = 0; page < sheet.pages.size(); ++page) {
-    const std::string number = "page " + std::to_string(page + 1) + " of " + std::to_string(sheet.pages.size());
-    const Canvas& around = sheet.canvases.emplace_back(head_and_foot(story, paper, number, look.style, font));
-    sheet.pages[page].push_back({&around, {{0, 0}, {paper.width, paper.height}}, {0, 0}, 1});
-  }
+  add_heads_and_feet(sheet, story, paper, look.style, font);
   return sheet;
 }
 

@@ -1,7 +1,5 @@
 #include "walkthroughs/program/missing_letters.hpp"
 
-#include <cstdio>
-
 #include "render/utf8.hpp"
 #include "walkthroughs/text/printable.hpp"
 
@@ -11,9 +9,8 @@ namespace {
 constexpr std::size_t most_named = 8;
 
 std::string name_of(char32_t code) {
-  char text[16];
-  std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(code));
-  return is_printable(code) ? render::utf8_of(code) + " (" + text + ")" : text;
+  const std::string name = code_point_name(code);
+  return is_printable(code) ? render::utf8_of(code) + " (" + name + ")" : name;
 }
 
 }  // namespace

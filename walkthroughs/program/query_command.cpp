@@ -29,21 +29,11 @@
 namespace walkthroughs {
 namespace {
 
-/// Returns: the shapes, a line each.
-std::string shapes_in_lines() {
-  std::string lines;
-  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
-    using Row = ShapeRow<Shape>;
-    lines.append("  {\"").append(Row::key).append("\": ").append(Row::example).append("}\n");
-  });
-  return lines;
-}
-
-const std::string footer =
-    R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
+std::string footer() {
+  return R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
 ('gjkstep scene --example'), a point [x, y] means [x, y, 0], and a pair may say "dimension": 2; one of
-)" + shapes_in_lines() +
-    R"(with a "pose" and a "name" if you like; exact takes points, boxes and their sums only. Eager rules and --start between search
+)" + shapes_in_lines("  {", "}") +
+         R"(with a "pose" and a "name" if you like; exact takes points, boxes and their sums only. Eager rules and --start between search
 first from the center of a, for points their mean, to that of b; the others along +x. A number is read as the nearest
 double and then converted. A line may have 16 MiB, and end in CR LF. What it says of the pair as a whole, "name", "family",
 "answer", "notes" and "source", is not looked at.
@@ -75,6 +65,7 @@ of sums and of what a pose moves are computed, and known to some roundings:
 A bad line, also a blank one, gives {"error": "...", "line": n}, and the others are answered.
 Answers are written before more is read, so a program may ask one pair and wait.
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
+}
 
 enum Answer { all_answered = 0, bad_lines = 3 };
 
@@ -195,7 +186,7 @@ Command add_query_command(CLI::App& app) {
       ->add_flag("--fractions", query->fractions,
                  "write certificates in exact fractions, with what it takes to check them")
       ->needs(certified);
-  command->footer(footer);
+  command->footer(footer());
   return {command, [query] { return query->run(); }};
 }
 

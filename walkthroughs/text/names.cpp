@@ -1,7 +1,6 @@
 #include "walkthroughs/text/names.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include "render/utf8.hpp"
@@ -26,12 +25,6 @@ bool may_begin_a_name(char32_t c) {
 }
 
 bool may_be_in_a_name(char32_t c) { return may_begin_a_name(c) || c == '.'; }
-
-std::string code_point_name(char32_t c) {
-  char text[16];
-  std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(c));
-  return text;
-}
 
 }  // namespace
 

@@ -68,6 +68,12 @@ bool is_printable(char32_t c) { return !is_in(never_seen, c) && !is_in(shaping, 
 
 bool is_part_of_words(char32_t c) { return is_printable(c) || is_in(shaping, c); }
 
+std::string code_point_name(char32_t code_point) {
+  char text[16];
+  std::snprintf(text, sizeof text, "U+%04X", static_cast<unsigned>(code_point));
+  return text;
+}
+
 std::optional<std::size_t> first_not_utf_8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const render::Letter letter = render::first_letter(text.substr(at));

@@ -19,6 +19,9 @@ bool is_printable(char32_t code_point);
 /// Returns: whether words may have it: what is printable, and what joins letters or chooses their variant.
 bool is_part_of_words(char32_t code_point);
 
+/// Returns: "U+00E4".
+std::string code_point_name(char32_t code_point);
+
 /// Returns: where the first byte is that is not UTF-8; nothing where all are.
 std::optional<std::size_t> first_not_utf_8(std::string_view text);
 

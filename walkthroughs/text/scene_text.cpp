@@ -38,19 +38,8 @@ gjk::Options<double> read_options(const Value& root, const Space& space) {
   if (const auto first = root.member("first_direction")) options.first_direction = space.first_direction(*first);
   if (const auto limit = root.member("iteration_limit"))
     options.iteration_limit = whole_number(*limit, 1, scene_limits::iterations);
-  if (const auto test = root.member("crossing_test"))
-    options.crossing_test = static_cast<gjk::CrossingTest>(choice(*test, words_of::crossing_test));
+  options.crossing_test = chosen(root, "crossing_test", options.crossing_test);
   return options;
-}
-
-RuleSet read_rules(const Value& root) {
-  const auto rules = root.member("rules");
-  return rules ? static_cast<RuleSet>(choice(*rules, words_of::rules)) : RuleSet::as_intended;
-}
-
-ZeroTest read_zero_test(const Value& root) {
-  const auto test = root.member("zero_test");
-  return test ? static_cast<ZeroTest>(choice(*test, words_of::zero_test)) : ZeroTest::exact;
 }
 
 std::optional<render::Size> read_size(const Value& root) {
@@ -95,15 +84,15 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
-  const Scalar scalar = scalar_of(root);
+  const auto scalar = chosen(root, "scalar", Scalar::binary64);
   const Space space{.dimension = dimension_of(root), .numbers = numbers_of(scalar)};
   Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
   Object b = scene_object(required(root, "b", "give the second object"), space, scalar);
   if (!root.is_good()) return {};
   name_the_nameless(a, b, space);
   const gjk::Options<double> options = read_options(root, space);
-  const RuleSet rules = read_rules(root);
-  const ZeroTest zero_test = read_zero_test(root);
+  const auto rules = chosen(root, "rules", RuleSet::as_intended);
+  const auto zero_test = chosen(root, "zero_test", ZeroTest::exact);
   const bool certified = certified_of(root, a, b);
   Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified};
   if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
@@ -135,11 +124,6 @@ Reading<SceneFile> scene_in(std::string_view text, const std::string& file_name)
 }
 
 std::string example_scene() {
-  std::string shapes;
-  for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
-    using Row = ShapeRow<Shape>;
-    shapes.append("    //   \"").append(Row::key).append("\": ").append(Row::example).append("\n");
-  });
   return R"(// A scene for gjkstep. Only a and b must be there; everything else shows its default or an alternative.
 {
   "title": "A can beside a tilted box",  // without it: the name of the file
@@ -161,7 +145,7 @@ std::string example_scene() {
     "name": "can",
     "cylinder": {"center": [0, 0, 0], "axis": [0, 0, 1], "radius": 1, "height": 2}
     // One of these, in its place; a sum is each point of one shape plus each of the other:
-)" + shapes +
+)" + shapes_in_lines("    //   ", "") +
          R"(  },
 
   // How the algorithm runs.

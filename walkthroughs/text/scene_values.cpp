@@ -6,7 +6,6 @@
 
 #include "core/certified/fraction.hpp"
 #include "walkthroughs/model/number_text.hpp"
-#include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/printable.hpp"
@@ -343,11 +342,6 @@ gjk::Vec3<float> direction_in_float(const Point& direction) {
   const int exponent = std::ilogb(direction.cwiseAbs().maxCoeff());
   const auto scaled = [=](double x) { return static_cast<float>(std::scalbn(x, -exponent)); };
   return {scaled(direction.x()), scaled(direction.y()), scaled(direction.z())};
-}
-
-Scalar scalar_of(const Value& declared) {
-  const auto scalar = declared.member("scalar");
-  return scalar ? static_cast<Scalar>(choice(*scalar, words_of::scalar)) : Scalar::binary64;
 }
 
 bool certified_of(const Value& declared, const Object& a, const Object& b) {

@@ -10,6 +10,7 @@
 
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
+#include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/document.hpp"
 
 namespace walkthroughs::reading {
@@ -33,6 +34,12 @@ double number(const Value& value);
 int whole_number(const Value& value, int low, int high);
 /// Returns: the position of the word in `words`.
 std::size_t choice(const Value& value, std::span<const std::string_view> words);
+/// Returns: what `declared` says with that key; `otherwise` where there is none.
+template <class E>
+E chosen(const Value& declared, std::string_view key, E otherwise) {
+  const auto value = declared.member(key);
+  return value ? static_cast<E>(choice(*value, words_of::all(otherwise))) : otherwise;
+}
 /// Returns: a printable text that is not blank.
 std::string words(const Value& value, std::size_t longest);
 
@@ -90,8 +97,6 @@ Panels panels_in(const Value& list);
 /// Returns: the direction in floats. Only the ratios matter: where floats have no such powers of two, another is taken.
 gjk::Vec3<float> direction_in_float(const Point& direction);
 
-/// Returns: what `declared` says with its key "scalar"; double where there is none.
-Scalar scalar_of(const Value& declared);
 /// Returns: what `declared` says with its key "certified": whether the answer about its "a" and "b" is proven. Refused where
 /// it cannot be.
 bool certified_of(const Value& declared, const Object& a, const Object& b);

@@ -55,7 +55,7 @@ static void require_usual_search(const Value& mistake, const Scene& scene) {
 
 static void read(const Value& value, const How&, Scene& scene) {
   expect(value, Kind::object, "an object that describes a scene");
-  const Space space{.dimension = dimension_of(value), .numbers = numbers_of(scalar_of(value))};
+  const Space space{.dimension = dimension_of(value), .numbers = numbers_of(chosen(value, "scalar", Scalar::binary64))};
   read_record(value, {.space = &space}, scene);
   certified_of(value, scene.a, scene.b);
   if (!value.is_good()) return;

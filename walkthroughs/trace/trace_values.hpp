@@ -19,12 +19,6 @@ inline const std::string trace_advice =
 
 inline Value member(const Value& object, std::string_view key) { return required(object, key, trace_advice); }
 
-/// Returns: the enumerator of that word.
-template <class E, std::size_t count>
-E enumerator(const Value& value, const std::array<std::string_view, count>& known) {
-  return static_cast<E>(choice(value, known));
-}
-
 inline std::string sentence(const Value& value) { return words(value, trace_limits::words); }
 
 inline int iteration(const Value& value) { return whole_number(value, 0, scene_limits::iterations); }
