@@ -221,10 +221,8 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   // Bits a sample; RGB; the only compression and kind of filters that there is; row after row.
   put(header, std::array<std::uint8_t, 5>{8, 2, 0, 0, 0});
 
-  Bytes png(png_signature.begin(), png_signature.end());
-  put_png_chunk(png, "IHDR", header);
-  put_png_text(png, "Title", text.title);
-  put_png_text(png, "Description", text.description);
+  Bytes png;
+  begin_png(png, header, text.title, text.description);
   put_png_chunk(png, "IDAT", compressed(unfiltered_rows(image)));
   put_png_chunk(png, "IEND", {});
   return png;
