@@ -60,11 +60,12 @@ void Frames::add(const std::shared_ptr<const StagedStory>& story, const Output& 
       };
       renderer.write(folder / png, Renderer::png(renderer.draw(frame), text), tell(written_));
       if (svg_written_)
-        renderer.write(folder / svg, [bytes = encode_svg(frame, text)] { return bytes; }, tell(svg_written_));
+        renderer.write(
+            folder / svg, [bytes = encode_svg(frame, text)] { return bytes; }, tell(svg_written_));
       written.insert({png, svg});
     }
   }
-  renderer.then([=, files = files(w), title = w.title] { remove_outputs(folder, files, title, written); });
+  renderer.then([=, files = files(w)] { remove_outputs(folder, files, written); });
 }
 
 }  // namespace walkthroughs
