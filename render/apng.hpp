@@ -6,34 +6,19 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
 #include "render/image.hpp"
 
 namespace render {
 
-/// Keeps the compressed pictures only. After every add() it is a whole file.
-class Animation {
- public:
-  explicit Animation(PngText text) : text_(std::move(text)) {}
-
-  /// Adds a picture at the end, shown for `seconds`, rounded to milliseconds (above a minute: to hundredths).
-  /// Requires: `png` is what encode_png() returned; 0 <= seconds <= 600.
-  /// Errors: std::invalid_argument where its size is not that of the first picture.
-  void add(std::span<const std::uint8_t> png, double seconds);
-
-  std::size_t frames() const { return frames_; }
-  /// Returns: the file: runs through the pictures for ever. Empty before the first add().
-  std::span<const std::uint8_t> bytes() const { return bytes_; }
-
- private:
-  void begin(std::span<const std::uint8_t> header);
-
-  PngText text_;
-  std::vector<std::uint8_t> bytes_;
-  std::size_t frames_ = 0, counts_at_ = 0;  // where the chunk that counts the frames begins
-  std::uint32_t sequence_ = 0;
-};
+/// Returns: a file that runs through `count` pictures for ever. `png` is asked once for each, in order, for what encode_png()
+/// returned; `seconds` for how long it is shown, rounded to milliseconds (above a minute: to hundredths).
+/// Requires: count >= 1; 0 <= seconds <= 600.
+/// Errors: std::invalid_argument where a picture has not the size of the first one.
+std::vector<std::uint8_t> encode_apng(std::size_t count,
+                                      const std::function<std::vector<std::uint8_t>(std::size_t index)>& png,
+                                      const std::function<double(std::size_t index)>& seconds, const PngText& text);
 
 }  // namespace render

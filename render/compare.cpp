@@ -10,64 +10,56 @@ namespace {
 
 constexpr int channels = 3;
 
-/// Groups of pixels that hang together by an edge or a corner, found row by row. Runs of neighbours in a row are joined
-/// to the runs of the row above that they touch; groups that meet become one (union-find).
+/// Groups of pixels that hang together by an edge or a corner, found row by row: a pixel is of the group of those beside and
+/// above it, and groups that meet become one (union-find).
 class Groups {
  public:
-  /// The pixels `from`, …, `to` of the current row are off. Runs come from left to right and do not touch.
-  void add_run(int from, int to) {
-    std::size_t group = sizes_.size();
-    parents_.push_back(group);
-    sizes_.push_back(to - from + 1);
-    while (passed_ < above_.size() && above_[passed_].to + 1 < from) ++passed_;
-    for (std::size_t i = passed_; i < above_.size() && above_[i].from <= to + 1; ++i)
-      group = join(group, above_[i].group);
-    largest_ = std::max(largest_, sizes_[group]);
-    row_.push_back({from, to, group});
+  explicit Groups(int width) : above_(static_cast<std::size_t>(width) + 2), row_(above_) {}
+
+  /// The pixel `x` of the current row is off. Pixels come from left to right.
+  void add(int x) {
+    const auto at = static_cast<std::size_t>(x) + 1;
+    std::size_t group = none;
+    for (const std::size_t near : {row_[at - 1], above_[at - 1], above_[at], above_[at + 1]})
+      if (near != none) group = join(group, root(near));
+    if (group == none) {
+      group = parents_.size();
+      parents_.push_back(group);
+      sizes_.push_back(0);
+    }
+    row_[at] = group;
+    largest_ = std::max(largest_, ++sizes_[group]);
   }
 
   void end_row() {
     above_.swap(row_);
-    row_.clear();
-    passed_ = 0;
+    std::ranges::fill(row_, none);
   }
 
   std::int64_t largest() const { return largest_; }
 
  private:
-  struct Run {
-    int from, to;
-    std::size_t group;
-  };
+  static constexpr std::size_t none = 0;
 
   std::size_t root(std::size_t group) {
     while (parents_[group] != group) group = parents_[group] = parents_[parents_[group]];
     return group;
   }
 
-  /// Requires: `one` is a root. Returns: the root of both.
+  /// Requires: roots; the first may be none. Returns: the root of both.
   std::size_t join(std::size_t one, std::size_t other) {
-    other = root(other);
-    if (one == other) return one;
+    if (one == other || one == none) return other;
     if (sizes_[one] < sizes_[other]) std::swap(one, other);
     parents_[other] = one;
     sizes_[one] += sizes_[other];
     return one;
   }
 
-  std::vector<std::size_t> parents_;
-  std::vector<std::int64_t> sizes_;  // of the groups that are their own parents
-  std::vector<Run> above_, row_;
-  std::size_t passed_ = 0;  // runs above that end left of the current run, and of all that come
+  std::vector<std::size_t> above_, row_;  // the group of each pixel, and none before the first and after the last
+  std::vector<std::size_t> parents_{none};
+  std::vector<std::int64_t> sizes_{0};  // of the groups that are their own parents
   std::int64_t largest_ = 0;
 };
-
-void enclose(PixelBox& box, int from_x, int to_x, int y, bool first) {
-  if (first) box = {from_x, y, to_x, y};
-  box.min_x = std::min(box.min_x, from_x);
-  box.max_x = std::max(box.max_x, to_x);
-  box.max_y = y;
-}
 
 int pixel_difference(const std::uint8_t* one, const std::uint8_t* other) {
   int most = 0;
@@ -78,19 +70,13 @@ int pixel_difference(const std::uint8_t* one, const std::uint8_t* other) {
 /// Counts the pixels of one row: histogram, off and box of `found`, and its groups.
 void compare_row(const Image& expected, const Image& actual, int y, Groups& groups, Comparison& found) {
   const std::uint8_t *e = expected.row(y), *a = actual.row(y);
-  const int width = expected.size().width;
-  int run = 0;  // pixels that are off, just left of x
-  for (int x = 0; x <= width; ++x) {
-    const int most = x < width ? pixel_difference(e + channels * x, a + channels * x) : 0;
-    if (x < width) ++found.histogram[static_cast<std::size_t>(most)];
-    if (most > found.tolerance.channel) {
-      ++run;
-    } else if (run > 0) {
-      groups.add_run(x - run, x - 1);
-      enclose(found.box, x - run, x - 1, y, found.off == 0);
-      found.off += run;
-      run = 0;
-    }
+  for (int x = 0; x < expected.size().width; ++x) {
+    const int most = pixel_difference(e + channels * x, a + channels * x);
+    ++found.histogram[static_cast<std::size_t>(most)];
+    if (most <= found.tolerance.channel) continue;
+    groups.add(x);
+    if (found.off++ == 0) found.box = {x, y, x, y};
+    found.box = {std::min(found.box.min_x, x), found.box.min_y, std::max(found.box.max_x, x), y};
   }
   groups.end_row();
 }
@@ -139,7 +125,7 @@ Comparison compare(const Image& expected, const Image& actual, const Tolerance& 
     return found;
   }
   found.allowed = tolerance.allowed(found.expected);
-  Groups groups;
+  Groups groups(found.expected.width);
   for (int y = 0; y < found.expected.height; ++y) compare_row(expected, actual, y, groups, found);
   found.largest_group = groups.largest();
   found.verdict = verdict_of(found);

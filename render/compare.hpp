@@ -63,7 +63,7 @@ struct Comparison {
 };
 
 /// Passes where at most `tolerance.allowed()` pixels are off and no 8-connected group of them is larger than
-/// `tolerance.group`. Memory: besides the pictures, a few words for each run of pixels that are off.
+/// `tolerance.group`. Memory: besides the pictures, a few words for each pixel of a row and for each group.
 /// Errors: std::invalid_argument where `tolerance` is not the usual one and gives no reason.
 Comparison compare(const Image& expected, const Image& actual, const Tolerance& tolerance = {});
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <system_error>
 
-#include "render/limits.hpp"
+#include "render/file.hpp"
 
 namespace render {
 namespace {

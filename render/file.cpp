@@ -1,9 +1,11 @@
 #include "render/file.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -129,28 +131,22 @@ class OldFile {
   OldFile(const OldFile&) = delete;
   OldFile& operator=(const OldFile&) = delete;
 
-  /// Returns: all bytes. It may have grown since its size was asked for, and files of /proc do not tell theirs.
   std::vector<std::uint8_t> read(std::uintmax_t most) const {
     if (size() > most) fail_too_large(most);
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size()) + 1);  // one more, to see the end
-    for (std::size_t count = 0;;) {
-      if (count == bytes.size()) bytes.resize(count + (1 << 16));
-      const std::size_t more = read_into(std::span(bytes).subspan(count));
-      count += more;
-      if (count > most) fail_too_large(most);
-      if (more > 0) continue;
-      bytes.resize(count);
-      return bytes;
-    }
+    std::vector<std::uint8_t> bytes = read_beginning(most + 1);
+    if (bytes.size() > most) fail_too_large(most);
+    return bytes;
   }
 
-  /// Returns: the first bytes, `most` of them at most.
-  std::vector<std::uint8_t> read_beginning(std::size_t most) const {
-    size();  // which no pipe has
-    std::vector<std::uint8_t> bytes(most);
+  /// Returns: the first bytes, `most` of them at most. It may have grown since its size was asked for, and files of /proc do
+  /// not tell theirs.
+  std::vector<std::uint8_t> read_beginning(std::uintmax_t most) const {
+    std::vector<std::uint8_t> bytes(std::min(most, size() + 1));  // one more, to see the end
     std::size_t count = 0;
-    for (std::size_t more = 1; more > 0 && count < most; count += more)
-      more = read_into(std::span(bytes).subspan(count));
+    while (const std::size_t more = read_into(std::span(bytes).subspan(count))) {
+      count += more;
+      if (count == bytes.size()) bytes.resize(std::min<std::uintmax_t>(most, count + (1 << 16)));
+    }
     bytes.resize(count);
     return bytes;
   }
@@ -219,6 +215,12 @@ std::vector<std::uint8_t> read_file(const fs::path& path, std::uintmax_t most) {
 
 std::vector<std::uint8_t> read_beginning(const fs::path& path, std::size_t most) {
   return OldFile(path).read_beginning(most);
+}
+
+std::string memory_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return "";
+  return "; only " + std::to_string(limit.rlim_cur >> 20) + " MiB of memory are allowed (ulimit -v), try with more";
 }
 
 }  // namespace render

@@ -1,4 +1,4 @@
-/// Whole files in, whole files out.
+/// Whole files in, whole files out; and how much memory there is for them.
 #pragma once
 
 #include <cstddef>
@@ -46,5 +46,9 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
 
 /// Returns: the first bytes of the file, `most` of them at most. Errors: ReadError, also where it is no regular file.
 std::vector<std::uint8_t> read_beginning(const std::filesystem::path& path, std::size_t most);
+
+/// Returns: how much memory `ulimit -v` allows and that more may help, as the end of a message about what failed for want
+/// of memory; nothing where it allows any amount.
+std::string memory_limit();
 
 }  // namespace render

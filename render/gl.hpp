@@ -28,7 +28,6 @@ struct Gl {
 
   // State and errors
   PFNGLGETERRORPROC get_error = load("glGetError");
-  PFNGLFINISHPROC finish = load("glFinish");
   PFNGLENABLEPROC enable = load("glEnable");
   PFNGLBLENDFUNCSEPARATEPROC blend_func_separate = load("glBlendFuncSeparate");
   PFNGLVIEWPORTPROC viewport = load("glViewport");

@@ -60,8 +60,7 @@ void write_png(const std::filesystem::path& path, const Image& image, const PngT
 /// Errors: ReadError where that is no PNG, damaged anywhere, cut off, or larger than max_image_side.
 Image decode_png(std::span<const std::uint8_t> png, const std::string& name);
 
-/// Returns: the picture in the file, as decode_png(). Errors: ReadError, as read_file() and decode_png(), and where the file
-/// is larger than pictures of that size can be, which is found without reading it.
+/// Returns: the picture in the file, as decode_png(); what is no picture is not read as a whole. Errors: ReadError, as read_file() and decode_png().
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace render

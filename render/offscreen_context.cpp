@@ -7,8 +7,7 @@
 #include <cstdlib>
 #include <initializer_list>
 
-#include "render/context_backend.hpp"
-#include "render/limits.hpp"
+#include "render/file.hpp"
 
 namespace render {
 namespace {
@@ -51,23 +50,6 @@ void refuse_wrong_settings() {
     require(loaded, {});
 }
 
-/// OpenGL calls go to the one current context of their thread, whichever backend has made it. The backends cannot be
-/// asked: each of them knows only its own.
-class OnlyOneInThread {
- public:
-  OnlyOneInThread() {
-    if (taken_)
-      throw ContextError("this thread has an OpenGL context already: destroy it first, or use another thread");
-    taken_ = true;
-  }
-  ~OnlyOneInThread() { taken_ = false; }
-  OnlyOneInThread(const OnlyOneInThread&) = delete;
-  OnlyOneInThread& operator=(const OnlyOneInThread&) = delete;
-
- private:
-  static inline thread_local bool taken_ = false;
-};
-
 }  // namespace
 
 std::span<const Backend> all_backends() { return all; }
@@ -92,39 +74,39 @@ std::string suspects() {
   return set + memory_limit();
 }
 
-struct OffscreenContext::Impl {
-  OnlyOneInThread only_one;
-  const BuiltIn& backend;
-  std::unique_ptr<CurrentContext> context = backend.make();
+CurrentContext::CurrentContext() {
+  if (taken_) throw ContextError("this thread has an OpenGL context already: destroy it first, or use another thread");
+  taken_ = true;
+}
 
-  GlFunction function(const char* name) const {
-    if (const GlFunction found = context->function(name)) return found;
-    throw ContextError(std::string("the OpenGL driver has no ") + name + suspects());
-  }
-  /// Returns: what OpenGL says of itself, or nothing.
-  std::string text(GLenum name) const {
-    const auto* const said = reinterpret_cast<PFNGLGETSTRINGPROC>(function("glGetString"))(name);
-    return said == nullptr ? "" : reinterpret_cast<const char*>(said);
-  }
-};
+CurrentContext::~CurrentContext() { taken_ = false; }
 
 OffscreenContext::OffscreenContext(Backend backend) {
   const BuiltIn& chosen = find(backend);
   refuse_wrong_settings();
-  impl_.reset(new Impl{.only_one = {}, .backend = chosen});
-  const std::string renderer = impl_->text(GL_RENDERER);
+  title_ = chosen.title;
+  context_ = chosen.make();
+  const std::string renderer = text(GL_RENDERER);
   if (!renderer.starts_with("llvmpipe")) {
-    throw ContextError(std::string(chosen.title) + " would draw with '" + renderer +
+    throw ContextError(std::string(title_) + " would draw with '" + renderer +
                        "', whose pixels are others than those of Mesa's llvmpipe" + suspects());
   }
 }
 
 OffscreenContext::~OffscreenContext() = default;
 
-GlFunction OffscreenContext::function(const char* name) const { return impl_->function(name); }
+GlFunction OffscreenContext::function(const char* name) const {
+  if (const GlFunction found = context_->function(name)) return found;
+  throw ContextError(std::string("the OpenGL driver has no ") + name + suspects());
+}
+
+std::string OffscreenContext::text(unsigned name) const {
+  const auto* const said = reinterpret_cast<PFNGLGETSTRINGPROC>(function("glGetString"))(name);
+  return said == nullptr ? "" : reinterpret_cast<const char*>(said);
+}
 
 std::string OffscreenContext::description() const {
-  return impl_->text(GL_RENDERER) + ", OpenGL " + impl_->text(GL_VERSION) + ", " + std::string(impl_->backend.title);
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION) + ", " + std::string(title_);
 }
 
 }  // namespace render

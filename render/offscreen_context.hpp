@@ -3,8 +3,9 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
-#include "render/backend.hpp"
+#include "render/context_backend.hpp"
 
 namespace render {
 
@@ -29,8 +30,11 @@ class OffscreenContext {
   std::string description() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  /// Returns: what OpenGL says of itself, or nothing.
+  std::string text(unsigned name) const;
+
+  std::string_view title_;
+  std::unique_ptr<CurrentContext> context_;
 };
 
 }  // namespace render

@@ -35,7 +35,10 @@ void put_png_chunk(Bytes& png, std::string_view type, std::span<const std::uint8
   put_32(png, libdeflate_crc32(0, png.data() + begin, png.size() - begin));
 }
 
-void put_png_text(Bytes& png, std::string_view keyword, std::string_view text) {
+namespace {
+
+/// ASCII as tEXt, which every reader shows; anything else as iTXt, which is UTF-8.
+void put_text(Bytes& png, std::string_view keyword, std::string_view text) {
   if (text.empty()) return;
   const bool is_ascii = std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
   Bytes data;
@@ -43,6 +46,15 @@ void put_png_text(Bytes& png, std::string_view keyword, std::string_view text) {
   data.insert(data.end(), is_ascii ? 1 : 5, 0);  // of iTXt: not compressed, no language, no translated keyword
   put(data, text);
   put_png_chunk(png, is_ascii ? "tEXt" : "iTXt", data);
+}
+
+}  // namespace
+
+void begin_png(Bytes& png, std::span<const std::uint8_t> header, std::string_view title, std::string_view description) {
+  put(png, png_signature);
+  put_png_chunk(png, "IHDR", header);
+  put_text(png, "Title", title);
+  put_text(png, "Description", description);
 }
 
 }  // namespace render

@@ -37,7 +37,7 @@ void put_32(Bytes& bytes, std::uint32_t value);
 /// Appends a chunk: length, type, data, and the checksum of type and data.
 void put_png_chunk(Bytes& png, std::string_view type, std::span<const std::uint8_t> data);
 
-/// Appends a text: ASCII as tEXt, which every reader shows; anything else as iTXt, which is UTF-8. Nothing where it is empty.
-void put_png_text(Bytes& png, std::string_view keyword, std::string_view text);
+/// Appends what comes first: signature, header and texts, which are not stored where they are empty.
+void begin_png(Bytes& png, std::span<const std::uint8_t> header, std::string_view title, std::string_view description);
 
 }  // namespace render

@@ -72,24 +72,17 @@ struct Object {
   Delete remove_;
 };
 
-std::string status_name(GLenum status) {
-  switch (status) {
-    case GL_FRAMEBUFFER_UNDEFINED: return "GL_FRAMEBUFFER_UNDEFINED";
+/// Returns: what OpenGL calls a status or an error.
+std::string name_of(GLenum code) {
+  switch (code) {
     case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
-    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT: return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT";
     case GL_FRAMEBUFFER_UNSUPPORTED: return "GL_FRAMEBUFFER_UNSUPPORTED";
-    default: return "status " + std::to_string(status);
-  }
-}
-
-std::string error_name(GLenum error) {
-  switch (error) {
     case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
     case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
     case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
     case GL_INVALID_FRAMEBUFFER_OPERATION: return "GL_INVALID_FRAMEBUFFER_OPERATION";
     case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
-    default: return "error " + std::to_string(error);
+    default: return "code " + std::to_string(code);
   }
 }
 
@@ -194,7 +187,7 @@ void Rasterizer::Impl::resize(Size wanted) {
   if (status != GL_FRAMEBUFFER_COMPLETE) {
     size = {};
     gl.get_error();  // thrown with this one; the next drawing starts without it
-    throw ContextError("no framebuffer of " + describe(wanted) + ": " + status_name(status) + suspects());
+    throw ContextError("no framebuffer of " + describe(wanted) + ": " + name_of(status) + suspects());
   }
   gl.viewport(0, 0, wanted.width, wanted.height);
   gl.uniform2f(gl.get_uniform_location(program, "pixels_to_clip"), 2.0f / static_cast<float>(wanted.width),
@@ -234,14 +227,14 @@ Image Rasterizer::Impl::read_back() {
 void Rasterizer::Impl::check_errors(const char* step) {
   const GLenum error = gl.get_error();
   if (error != GL_NO_ERROR) {
-    throw ContextError(std::string("OpenGL reports ") + error_name(error) + " on " + step + suspects());
+    throw ContextError(std::string("OpenGL reports ") + name_of(error) + " on " + step + suspects());
   }
 }
 
 Rasterizer::Rasterizer(OffscreenContext& context) : impl_(std::make_unique<Impl>(context)) {}
 Rasterizer::~Rasterizer() = default;
 
-void Rasterizer::start_drawing(const Canvas& canvas) {
+Image Rasterizer::draw(const Canvas& canvas) {
   const Size size = canvas.pixels();
   const auto allowed = [](int side) { return side >= min_pixels && side <= max_pixels; };
   if (!allowed(size.width) || !allowed(size.height)) {
@@ -252,22 +245,9 @@ void Rasterizer::start_drawing(const Canvas& canvas) {
   const Triangles triangles = triangles_of(canvas);
   impl_->upload(triangles, canvas.font());
   impl_->draw_runs(triangles, canvas.background());
-}
-
-void Rasterizer::finish_drawing(const Canvas& canvas) {
-  start_drawing(canvas);
-  impl_->gl.finish();
-}
-
-Image Rasterizer::read_back() {
   Image image = impl_->read_back();
   impl_->check_errors("drawing");
   return image;
-}
-
-Image Rasterizer::draw(const Canvas& canvas) {
-  start_drawing(canvas);
-  return read_back();
 }
 
 }  // namespace render

@@ -23,14 +23,7 @@ class Rasterizer {
   /// OpenGL reports an error.
   Image draw(const Canvas& canvas);
 
-  /// The two halves of draw(), to be timed apart: after finish_drawing() all pixels are there, then read_back() fetches
-  /// them. Errors: as draw().
-  void finish_drawing(const Canvas& canvas);
-  Image read_back();
-
  private:
-  void start_drawing(const Canvas& canvas);
-
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

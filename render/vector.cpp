@@ -11,8 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "render/file.hpp"
 #include "render/html.hpp"
-#include "render/limits.hpp"
 #include "render/utf8.hpp"
 
 namespace render {

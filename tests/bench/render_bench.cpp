@@ -1,12 +1,12 @@
 /// What does a picture cost? At 1280x720: the start of the OpenGL context, the first frame, then each frame split into
-/// laying out (captions, labels, triangles), drawing, reading back and PNG. Medians; milliseconds. And the whole program:
+/// laying out (captions, labels, triangles), drawing, with reading back, and PNG. Medians; milliseconds. And the whole program:
 ///
 ///     build/gjkstep-render-bench
 ///     /usr/bin/time -f "%e s, %M kB" build/gjkstep render --all --out pictures
 ///
 /// On two processors (Debian 12, llvmpipe of Mesa 22.3.6): context 8 ms, first frame 14 ms; a frame in the plane
-/// (figure-4-left) 0.6 to lay out, 3.8 to draw, 0.6 to read back, 10.6 as PNG; one in space (regions/2-simplex-r1-above)
-/// 0.7, 3.9, 0.6, 10.8. All 932 pictures 11.1 s, of which libpng alone takes 9.8. Memory 96 MB for 3 pictures, 107 MB for all.
+/// (figure-4-left) 0.6 to lay out, 4.4 to draw, 10.6 as PNG; one in space (regions/2-simplex-r1-above)
+/// 0.7, 4.5, 10.8. All 932 pictures 11.1 s, of which libpng alone takes 9.8. Memory 96 MB for 3 pictures, 107 MB for all.
 ///
 /// First frame of two sets of 1,250, 10,000 and 100,000 points: on a ball 18, 40, 229 ms; in a ball 98, 78, 405, as few
 /// enough corners have faces; on a circle 14, 26, 127. The growth is that of reading and searching them.
@@ -38,8 +38,8 @@
 #include "render/image.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
-#include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace {
@@ -64,7 +64,7 @@ double median(std::vector<double> values) {
 
 /// Milliseconds for one frame.
 struct Cost {
-  Milliseconds layout = 0, draw = 0, read_back = 0, png = 0;
+  Milliseconds layout = 0, draw = 0, png = 0;
 };
 
 Cost cost_of(const StagedStory& story, std::size_t index, walkthroughs::Studio& studio) {
@@ -73,12 +73,10 @@ Cost cost_of(const StagedStory& story, std::size_t index, walkthroughs::Studio& 
   render::Canvas canvas(size, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
   walkthroughs::draw_frame(canvas, story, index, look);
   const Milliseconds laid_out = now();
-  studio.rasterizer.finish_drawing(canvas);
+  const render::Image image = studio.rasterizer.draw(canvas);
   const Milliseconds drawn = now();
-  const render::Image image = studio.rasterizer.read_back();
-  const Milliseconds read = now();
   render::encode_png(image, {});
-  return {laid_out - start, drawn - laid_out, read - drawn, now() - read};
+  return {laid_out - start, drawn - laid_out, now() - drawn};
 }
 
 void print_frames(const Walkthrough& walkthrough, walkthroughs::Studio& studio) {
@@ -91,8 +89,8 @@ void print_frames(const Walkthrough& walkthrough, walkthroughs::Studio& studio) 
     for (const Cost& cost : costs) values.push_back(cost.*part);
     return median(values);
   };
-  std::printf("%-28s %8zu %8.2f %8.2f %10.2f %8.2f\n", walkthrough.name.c_str(), story.frames.size(),
-              middle(&Cost::layout), middle(&Cost::draw), middle(&Cost::read_back), middle(&Cost::png));
+  std::printf("%-28s %8zu %8.2f %8.2f %8.2f\n", walkthrough.name.c_str(), story.frames.size(), middle(&Cost::layout),
+              middle(&Cost::draw), middle(&Cost::png));
 }
 
 /// Returns: the first walkthrough in space, or null.
@@ -112,8 +110,7 @@ void print_start() {
   const Milliseconds started = now();
   const Cost cost =
       cost_of(StagedStory(walkthroughs::tell(*walkthroughs::find_walkthrough("figure-4-left"))), 0, studio);
-  std::printf("context start %.1f ms, first frame %.1f ms\n\n", started - start,
-              cost.layout + cost.draw + cost.read_back);
+  std::printf("context start %.1f ms, first frame %.1f ms\n\n", started - start, cost.layout + cost.draw);
 }
 
 // -- Many points ------------------------------------------------------------------------------------------------------
@@ -148,7 +145,7 @@ Milliseconds first_frame_of(const std::string& where, int count, walkthroughs::S
   const StagedStory story(walkthroughs::tell(walkthrough));
   const Milliseconds staged = now();
   const Cost cost = cost_of(story, 0, studio);
-  return staged - start + cost.layout + cost.draw + cost.read_back;
+  return staged - start + cost.layout + cost.draw;
 }
 
 /// A bar a row, so that a line is seen as one: its length doubles with the points.
@@ -169,7 +166,7 @@ void print_curve(walkthroughs::Studio& studio) {
 int main() {
   print_start();
   walkthroughs::Studio studio;
-  std::printf("%-28s %8s %8s %8s %10s %8s\n", "ms per frame", "frames", "layout", "draw", "read back", "PNG");
+  std::printf("%-28s %8s %8s %8s %8s\n", "ms per frame", "frames", "layout", "draw", "PNG");
   print_frames(*walkthroughs::find_walkthrough("figure-4-left"), studio);
   if (const Walkthrough* const w = in_space()) print_frames(*w, studio);
   print_curve(studio);

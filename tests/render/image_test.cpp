@@ -123,27 +123,6 @@ TEST_CASE("reading: missing, a folder, empty, not a PNG") {
   }
 }
 
-TEST_CASE("reading: a file larger than its pixels can need is refused without being read, an animation has more") {
-  const Folder folder;
-  const fs::path path = folder / "a.png";
-  const auto stored = [&](const std::string& bytes, std::uintmax_t size) {
-    kit::write(path, bytes);
-    fs::resize_file(path, size << 20);  // with a hole, which takes no room
-    return error_of_reading(path);
-  };
-  write_png(path, gradient({30, 20}), {});
-  const std::string whole = bytes_of(path), header = whole.substr(0, 33), rest = whole.substr(33);
-  const auto animated = [&](std::uint32_t pictures) {
-    return header + chunk("acTL", big_endian(pictures) + big_endian(0)) + rest;
-  };
-  REQUIRE(stored(whole, 65) == "cannot read " + path.string() +
-                                   ": it has 65 MiB, and its 30x20 pixels need 64 MiB at most; replace it with an "
-                                   "undamaged PNG file");
-  REQUIRE(kit::has(stored(animated(1), 65), "need 64 MiB at most"));
-  REQUIRE(stored(animated(10'000), 65).empty());
-  REQUIRE(kit::has(stored("no picture", 65), "it is not a PNG file"));
-}
-
 TEST_CASE("a PNG that is cut off anywhere is told so, also where all pixels are there") {
   const std::vector<std::uint8_t> whole = encode_png(gradient({30, 30}), {"title", ""});
   for (std::size_t size = 1; size < whole.size(); ++size) {

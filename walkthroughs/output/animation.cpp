@@ -1,20 +1,18 @@
-#include "walkthroughs/output/animation.hpp"
-
 #include "render/apng.hpp"
 #include "walkthroughs/output/frames.hpp"
-#include "walkthroughs/output/manifest.hpp"
 
 namespace walkthroughs {
 
-void AnimatedPng::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
-  renderer.then([story, folder = folder_of(output, story->walkthrough), seconds = seconds_, written = written_] {
-    render::Animation animation({story->walkthrough.title, story->walkthrough.summary});
-    const std::size_t count = story->frames.size();
-    for (std::size_t i = 0; i < count; ++i)
-      animation.add(written_picture(folder, i), seconds * (i + 1 == count ? last_frame_times : 1));
-    write_output(folder / "animation.png", animation.bytes());
-    written(folder / "animation.png", *story);
-  });
+OneFile animated_png(double seconds, FileWritten written) {
+  const auto make = [seconds](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer&) {
+    return [=, folder = folder_of(output, story->walkthrough)] {
+      const std::size_t count = story->frames.size();
+      const auto png = [&](std::size_t i) { return written_picture(folder, i); };
+      const auto shown = [&](std::size_t i) { return seconds * (i + 1 == count ? last_frame_times : 1); };
+      return render::encode_apng(count, png, shown, text_of(story->walkthrough));
+    };
+  };
+  return {"animation.png", make, std::move(written)};
 }
 
 }  // namespace walkthroughs

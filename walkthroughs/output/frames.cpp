@@ -27,16 +27,10 @@ std::string picture_name(std::size_t index, int turn, const char* extension) {
   return name + (turn == 0 ? "" : "-turn-" + std::to_string(turn)) + extension;
 }
 
-std::vector<std::uint8_t> read_back(const fs::path& file) {
-  try {
-    return render::read_file(file);
-  } catch (const render::ReadError& error) {
-    throw render::FileError(error.what());
-  }
-}
-
-std::vector<std::uint8_t> written_picture(const fs::path& folder, std::size_t index, int turn) {
-  return read_back(folder / picture_name(index, turn));
+std::vector<std::uint8_t> written_picture(const fs::path& folder, std::size_t index, int turn) try {
+  return render::read_file(folder / picture_name(index, turn));
+} catch (const render::ReadError& error) {
+  throw render::FileError(error.what());
 }
 
 int turns_of(const Walkthrough& walkthrough, const Output& output) { return in_space(walkthrough) ? output.turns : 0; }
@@ -64,12 +58,14 @@ void Frames::add(const std::shared_ptr<const StagedStory>& story, const Output& 
       const auto tell = [story, i](const FrameWritten& whom) {
         return [=](const fs::path& file) { whom(file, *story, i); };
       };
-      renderer.write(folder / png, renderer.draw(frame), text, tell(written_));
-      if (svg_written_) renderer.write(folder / svg, encode_svg(frame, text), tell(svg_written_));
+      renderer.write(folder / png, Renderer::png(renderer.draw(frame), text), tell(written_));
+      if (svg_written_)
+        renderer.write(
+            folder / svg, [bytes = encode_svg(frame, text)] { return bytes; }, tell(svg_written_));
       written.insert({png, svg});
     }
   }
-  renderer.then([=, files = files(w), title = w.title] { remove_outputs(folder, files, title, written); });
+  renderer.then([=, files = files(w)] { remove_outputs(folder, files, written); });
 }
 
 }  // namespace walkthroughs

@@ -15,11 +15,8 @@ namespace walkthroughs {
 /// Returns: what the picture of a frame is called: "007.png", "007-turn-1.svg"; `turn` 0 is the usual view.
 std::string picture_name(std::size_t index, int turn = 0, const char* extension = ".png");
 
-/// Returns: a file that a format has written before, for those that hold it as well.
+/// Returns: a picture that Frames has written to that folder, for formats that hold it as well.
 /// Errors: render::FileError: what has just been written is not there any more, which no input is to blame for.
-std::vector<std::uint8_t> read_back(const std::filesystem::path& file);
-
-/// Returns: a picture that Frames has written to that folder. Errors: as read_back().
 std::vector<std::uint8_t> written_picture(const std::filesystem::path& folder, std::size_t index, int turn = 0);
 
 /// Returns: how many further views each frame of a walkthrough gets: none where no scene is in space.

@@ -11,10 +11,8 @@
 #include <map>
 #include <sstream>
 #include <system_error>
-#include <utility>
 
 #include "render/file.hpp"
-#include "render/png_chunk.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -39,31 +37,6 @@ std::string name_in_place(std::string name) {
   constexpr std::string_view unfinished = ".unfinished";
   if (name.ends_with(unfinished)) name.erase(name.size() - unfinished.size());
   return name;
-}
-
-// ---------------------------------------------------------------------------------------------- marks
-
-/// Returns: the title in a picture; empty where it has none.
-std::string_view title_of(Bytes png) {
-  using namespace std::string_view_literals;
-  if (!text_of(png).starts_with(text_of(render::png_signature))) return "";
-  png = png.subspan(render::png_signature.size());
-  while (const auto chunk = render::take_png_chunk(png)) {
-    const std::string_view data = text_of(chunk->data);
-    for (const auto& [type, key] : {std::pair("tEXt"sv, "Title\0"sv), std::pair("iTXt"sv, "Title\0\0\0\0\0"sv)})
-      if (chunk->type == type && data.starts_with(key)) return data.substr(key.size());
-  }
-  return "";
-}
-
-/// Whether an earlier version, which kept no manifest, has made it.
-bool bears_our_mark(Bytes bytes, const std::string& title) {
-  const std::string_view beginning = text_of(bytes).substr(0, 1 << 12);
-  if (beginning.find("<meta name=\"generator\" content=\"gjkstep\">") != std::string_view::npos) return true;
-  const std::string_view found = title_of(bytes);
-  const std::size_t step = found.rfind(", step ");
-  return (step != std::string_view::npos && fits(", step # of #", found.substr(step))) ||
-         (!title.empty() && found == title);
 }
 
 // ---------------------------------------------------------------------------------------------- lines
@@ -99,11 +72,10 @@ class Manifest {
     }
   }
 
-  bool is_ours(const std::string& name, const std::string& title) const {
-    const std::vector<std::uint8_t> bytes = content_of(folder_ / name);
+  bool is_ours(const std::string& name) const {
     const auto lines = lines_.find(name_in_place(name));
-    return lines == lines_.end() ? bears_our_mark(bytes, title)
-                                 : std::ranges::count(lines->second, line_of(lines->first, bytes)) > 0;
+    return lines != lines_.end() &&
+           std::ranges::count(lines->second, line_of(lines->first, content_of(folder_ / name))) > 0;
   }
 
   /// Returns: its text without lines about files that are gone, or that were replaced. A file that was changed keeps its lines.
@@ -208,22 +180,21 @@ void write_output(const fs::path& file, std::string_view text) {
   write_output(file, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-void remove_outputs(const fs::path& folder, const std::vector<std::string>& patterns, const std::string& title,
+void remove_outputs(const fs::path& folder, const std::vector<std::string>& patterns,
                     const std::set<std::string>& kept) {
   const Lock lock(folder);
   const Manifest manifest(folder);
   std::error_code ignored;
   for (const std::string& name : fitting_names(folder, patterns))
-    if (!kept.contains(name_in_place(name)) && is_file(folder / name) && manifest.is_ours(name, title))
+    if (!kept.contains(name_in_place(name)) && is_file(folder / name) && manifest.is_ours(name))
       fs::remove(folder / name, ignored);
 }
 
-std::vector<fs::path> files_of_others(const fs::path& folder, const std::vector<std::string>& patterns,
-                                      const std::string& title) {
+std::vector<fs::path> files_of_others(const fs::path& folder, const std::vector<std::string>& patterns) {
   const Manifest manifest(folder);
   std::vector<fs::path> found;
   for (const std::string& name : fitting_names(folder, patterns))
-    if (is_file(folder / name) && !manifest.is_ours(name, title)) found.push_back(folder / name);
+    if (is_file(folder / name) && !manifest.is_ours(name)) found.push_back(folder / name);
   return found;
 }
 
@@ -231,7 +202,7 @@ std::vector<fs::path> files_of_others(const fs::path& file) {
   const Manifest manifest(file.parent_path());
   std::vector<fs::path> found{file, file.string() + ".unfinished"};
   std::erase_if(found,
-                [&](const fs::path& each) { return !is_file(each) || manifest.is_ours(each.filename().string(), ""); });
+                [&](const fs::path& each) { return !is_file(each) || manifest.is_ours(each.filename().string()); });
   return found;
 }
 

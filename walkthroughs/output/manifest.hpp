@@ -11,8 +11,8 @@
 
 namespace walkthroughs {
 
-/// Lines "CRC-32 size name" about the files beside it. A file is ours as long as one of the lines of its name fits it, and
-/// where there is none a picture or a page that bears our mark, as those of earlier versions do. Other lines count for nothing, and stay.
+/// Lines "CRC-32 size name" about the files beside it. A file is ours as long as one of the lines of its name fits it. Other lines
+/// count for nothing, and stay.
 inline constexpr const char* manifest_file = ".gjkstep";
 
 /// Whether a pattern such as ###-turn-#.png fits the name of a file: each # is a digit, the last of a row of them one or more, and
@@ -24,15 +24,15 @@ bool fits(std::string_view pattern, std::string_view name);
 void write_output(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 void write_output(const std::filesystem::path& file, std::string_view text);
 
-/// Removes what is ours in `folder` and fits one of the patterns, but for what is `kept`. `title`: see files_of_others().
+/// Removes what is ours in `folder` and fits one of the patterns, but for what is `kept`.
 void remove_outputs(const std::filesystem::path& folder, const std::vector<std::string>& patterns,
-                    const std::string& title = "", const std::set<std::string>& kept = {});
+                    const std::set<std::string>& kept = {});
 
 /// Returns: the files in `folder` whose names fit one of the patterns and that would be lost where one of that name is written or
-/// removed: those that are not ours. `title`: of the pictures there that show no step.
+/// removed: those that are not ours.
 /// Errors: render::FileError where the folder cannot be looked into.
 std::vector<std::filesystem::path> files_of_others(const std::filesystem::path& folder,
-                                                   const std::vector<std::string>& patterns, const std::string& title);
+                                                   const std::vector<std::string>& patterns);
 
 /// The same of one file.
 std::vector<std::filesystem::path> files_of_others(const std::filesystem::path& file);

@@ -140,7 +140,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
       if (std::ranges::count(names, name)) write_output(folder / name, content);
       kept.insert(name);
     }
-    remove_outputs(folder, names, "", kept);
+    remove_outputs(folder, names, kept);
     written(folder / page_file, *story);
   });
 }

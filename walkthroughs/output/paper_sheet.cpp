@@ -157,13 +157,14 @@ PaperSheet paper_sheet(const StagedStory& story, const Look& look, const PaperSi
   return sheet;
 }
 
-void PaperSheets::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
-  const PaperSheet sheet = paper_sheet(*story, output.look, paper_, larger_text_, renderer.font());
-  if (sheet.letters < least_points) too_small_(*story, sheet.letters);
-  renderer.write(folder_of(output, story->walkthrough) / "sheet.pdf",
-                 encode_pdf(sheet.pages, paper_, output.look.style.theme.paper,
-                            {story->walkthrough.title, story->walkthrough.summary}),
-                 [written = written_, story](const std::filesystem::path& file) { written(file, *story); });
+OneFile paper_sheets(PaperSize paper, bool larger_text, TooSmall too_small, FileWritten written) {
+  const auto make = [=](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
+    const PaperSheet sheet = paper_sheet(*story, output.look, paper, larger_text, renderer.font());
+    if (sheet.letters < least_points) too_small(*story, sheet.letters);
+    const render::Color color = output.look.style.theme.paper;
+    return [pdf = encode_pdf(sheet.pages, paper, color, text_of(story->walkthrough))] { return pdf; };
+  };
+  return {"sheet.pdf", make, std::move(written)};
 }
 
 }  // namespace walkthroughs

@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "render/vector.hpp"
@@ -34,22 +33,10 @@ struct PaperSheet {
 PaperSheet paper_sheet(const StagedStory& story, const Look& look, const render::PaperSize& paper, bool larger_text,
                        render::Font& font);
 
-/// FOLDER/NAME/sheet.pdf, as paper_sheet() lays it out.
-class PaperSheets : public Sink {
- public:
-  /// Told where letters are smaller than they should be, and how large they are, in points.
-  using TooSmall = std::function<void(const Story& story, double points)>;
+/// Told where letters are smaller than they should be, and how large they are, in points.
+using TooSmall = std::function<void(const Story& story, double points)>;
 
-  PaperSheets(render::PaperSize paper, bool larger_text, TooSmall too_small, FileWritten written)
-      : paper_(paper), larger_text_(larger_text), too_small_(std::move(too_small)), written_(std::move(written)) {}
-  std::vector<std::string> files(const Walkthrough&) const override { return {"sheet.pdf"}; }
-  void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
-
- private:
-  render::PaperSize paper_;
-  bool larger_text_;
-  TooSmall too_small_;
-  FileWritten written_;
-};
+/// sheet.pdf, as paper_sheet() lays it out.
+OneFile paper_sheets(render::PaperSize paper, bool larger_text, TooSmall too_small, FileWritten written);
 
 }  // namespace walkthroughs

@@ -1,8 +1,12 @@
 #include "walkthroughs/output/renderer.hpp"
 
+#include <algorithm>
+#include <future>
+#include <thread>
+#include <utility>
+
 #include "render/file.hpp"
 #include "render/image.hpp"
-#include "render/limits.hpp"
 #include "walkthroughs/output/manifest.hpp"
 
 namespace walkthroughs {
@@ -32,21 +36,45 @@ render::Canvas Renderer::frame(const StagedStory& story, std::size_t index, cons
   return frame;
 }
 
-void Renderer::write(fs::path file, render::Image image, render::PngText text, Written written) {
-  writer_.prepare([file = std::move(file), image = std::move(image), text = std::move(text),
-                   written = std::move(written)]() -> render::Worker::Job {
-    return [=, png = render::encode_png(image, text)] {
-      write_output(file, png);
-      written(file);
-    };
+Renderer::Content Renderer::png(render::Image image, render::PngText text) {
+  // Where the system gives no further thread, it is encoded in its turn.
+  const auto beside = std::launch::async | std::launch::deferred;
+  const std::shared_future<std::vector<std::uint8_t>> encoded = std::async(
+      beside, [image = std::move(image), text = std::move(text)] { return render::encode_png(image, text); });
+  return [encoded] { return encoded.get(); };
+}
+
+void Renderer::write(fs::path file, Content content, Written written) {
+  then([file = std::move(file), content = std::move(content), written = std::move(written)] {
+    write_output(file, content());
+    written(file);
   });
 }
 
-void Renderer::write(fs::path file, std::vector<std::uint8_t> bytes, Written written) {
-  then([=, file = std::move(file), bytes = std::move(bytes), written = std::move(written)] {
-    write_output(file, bytes);
-    written(file);
-  });
+void Renderer::then(std::function<void()> job) {
+  const std::size_t most_waiting = 2 + std::max(1u, std::thread::hardware_concurrency());
+  while (jobs_.size() >= most_waiting) do_next();
+  jobs_.push_back(std::move(job));
+}
+
+void Renderer::finish() {
+  while (!jobs_.empty()) do_next();
+}
+
+void Renderer::do_next() try {
+  const std::function<void()> job = std::move(jobs_.front());
+  jobs_.pop_front();
+  job();
+} catch (...) {
+  jobs_.clear();
+  throw;
+}
+
+Renderer::~Renderer() {
+  try {
+    finish();
+  } catch (...) {
+  }
 }
 
 }  // namespace walkthroughs

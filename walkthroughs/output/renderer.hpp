@@ -1,17 +1,15 @@
 /// Draws pictures and writes them, and what else a format is made of, in the order in which it is asked for.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
-#include <thread>
-#include <utility>
 #include <vector>
 
-#include "render/worker.hpp"
-#include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/picture/draw.hpp"
 
 namespace walkthroughs {
 
@@ -30,17 +28,23 @@ render::Size pixels_of(render::Size page, const Output& output);
 /// Returns: the folder FOLDER/NAME of what is written of a walkthrough, which is there. Errors: render::FileError.
 std::filesystem::path folder_of(const Output& output, const Walkthrough& walkthrough);
 
-/// Draws on the thread that calls and encodes on further ones, as many as there are processors, so that the next picture is
-/// drawn while the last ones are compressed. Files are written, and told of there, in the order in which they were asked for.
-/// A few pictures are in memory at a time, however many there are.
+/// Draws on the thread that calls, and encodes on others, so that the next picture is drawn while the last ones are
+/// compressed. Files are written, and told of, in the order in which they were asked for, each when there is no more room
+/// for others that wait. A few pictures are in memory at a time, however many there are.
 /// Errors of all functions: render::FileError, also of files asked for earlier; render::ContextError. Files asked for
 /// before the one that could not be written are there, later ones are not.
 class Renderer {
  public:
+  /// Makes the bytes of a file, when it is its turn.
+  using Content = std::function<std::vector<std::uint8_t>()>;
   using Written = std::function<void(const std::filesystem::path& file)>;
 
   /// `studio` must outlive the renderer.
   explicit Renderer(Studio& studio) : studio_(studio) {}
+  /// Writes what was asked for; errors are lost. Call finish() to see them.
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
 
   /// Returns: a canvas for a picture of `page`.
   render::Canvas canvas(render::Size page, const Output& output);
@@ -50,19 +54,20 @@ class Renderer {
   /// What pictures are lettered with.
   render::Font& font() { return studio_.font; }
 
-  /// Asks for a picture in a file, or for any other bytes. `written` is told when it is there.
-  void write(std::filesystem::path file, render::Image image, render::PngText text, Written written);
-  void write(std::filesystem::path file, std::vector<std::uint8_t> bytes, Written written);
-  /// Asks for something else to be done, when all that was asked for before is written, where it is written.
-  void then(std::function<void()> job) { writer_.post(std::move(job)); }
+  /// Returns: the picture as PNG, which is encoded from now on, beside others.
+  static Content png(render::Image image, render::PngText text);
+  /// Asks for a file. `written` is told when it is there.
+  void write(std::filesystem::path file, Content content, Written written);
+  /// Asks for something else to be done, when all that was asked for before is written.
+  void then(std::function<void()> job);
   /// Returns when all files are written.
-  void finish() { writer_.finish(); }
+  void finish();
 
  private:
-  static std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+  void do_next();
 
   Studio& studio_;
-  render::Worker writer_{2 + processors(), processors()};
+  std::deque<std::function<void()>> jobs_;
 };
 
 }  // namespace walkthroughs

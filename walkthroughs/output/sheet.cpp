@@ -4,7 +4,6 @@
 
 #include "render/file.hpp"
 #include "render/image.hpp"
-#include "render/limits.hpp"
 
 namespace walkthroughs {
 
@@ -25,18 +24,19 @@ SheetLayout sheet_layout(int count, const Output& output) {
   }
 }
 
-void Sheet::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
-  const Walkthrough& w = story->walkthrough;
-  const SheetLayout layout = sheet_layout(static_cast<int>(story->frames.size()), output);
-  Output small = output;
-  small.size = layout.frame;
-  render::Image sheet(layout.size());
-  sheet.fill(output.look.style.theme.faint);
-  for (int i = 0; i < layout.count; ++i)
-    sheet.paste(renderer.draw(renderer.frame(*story, static_cast<std::size_t>(i), small)), layout.left(i),
-                layout.top(i));
-  renderer.write(folder_of(output, w) / "sheet.png", std::move(sheet), {w.title, w.summary},
-                 [written = written_, story](const std::filesystem::path& file) { written(file, *story); });
+OneFile sheet(FileWritten written) {
+  const auto make = [](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
+    const SheetLayout layout = sheet_layout(static_cast<int>(story->frames.size()), output);
+    Output small = output;
+    small.size = layout.frame;
+    render::Image sheet(layout.size());
+    sheet.fill(output.look.style.theme.faint);
+    for (int i = 0; i < layout.count; ++i)
+      sheet.paste(renderer.draw(renderer.frame(*story, static_cast<std::size_t>(i), small)), layout.left(i),
+                  layout.top(i));
+    return Renderer::png(std::move(sheet), text_of(story->walkthrough));
+  };
+  return {"sheet.png", make, std::move(written)};
 }
 
 }  // namespace walkthroughs

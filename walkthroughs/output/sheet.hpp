@@ -1,10 +1,6 @@
 /// All frames in one picture, as on a contact sheet.
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "walkthroughs/output/sink.hpp"
 
 namespace walkthroughs {
@@ -30,15 +26,7 @@ struct SheetLayout {
 /// Errors: render::FileError where even the smallest do not fit, which takes 400,000 of them.
 SheetLayout sheet_layout(int count, const Output& output);
 
-/// FOLDER/NAME/sheet.png, all frames in reading order, each drawn anew, as sheet_layout() says.
-class Sheet : public Sink {
- public:
-  explicit Sheet(FileWritten written) : written_(std::move(written)) {}
-  std::vector<std::string> files(const Walkthrough&) const override { return {"sheet.png"}; }
-  void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override;
-
- private:
-  FileWritten written_;
-};
+/// sheet.png: all frames in reading order, each drawn anew, as sheet_layout() says.
+OneFile sheet(FileWritten written);
 
 }  // namespace walkthroughs

@@ -1,10 +1,11 @@
-/// The formats that walkthroughs are written in: each is a sink for stories, in a file of its own.
+/// The formats that walkthroughs are written in: each is a sink for stories, in a source file of its own.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "walkthroughs/output/renderer.hpp"
@@ -25,5 +26,38 @@ class Sink {
   /// of those that were given the story before them. Errors: those of Renderer.
   virtual void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) = 0;
 };
+
+/// FOLDER/NAME/FILE.
+class OneFile : public Sink {
+ public:
+  /// Returns: what makes the file.
+  using Make = std::function<Renderer::Content(const std::shared_ptr<const StagedStory>& story, const Output& output,
+                                               Renderer& renderer)>;
+
+  OneFile(std::string name, Make make, FileWritten written)
+      : name_(std::move(name)), make_(std::move(make)), written_(std::move(written)) {}
+  std::vector<std::string> files(const Walkthrough&) const override { return {name_}; }
+  void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override {
+    renderer.write(folder_of(output, story->walkthrough) / name_, make_(story, output, renderer),
+                   [story, written = written_](const std::filesystem::path& file) { written(file, *story); });
+  }
+
+ private:
+  std::string name_;
+  Make make_;
+  FileWritten written_;
+};
+
+/// Returns: what pictures of the whole walkthrough say of themselves.
+inline render::PngText text_of(const Walkthrough& walkthrough) { return {walkthrough.title, walkthrough.summary}; }
+
+/// strip.png: the whole walkthrough in one wide picture, as draw_strip() draws it.
+OneFile strip(FileWritten written);
+
+inline constexpr double last_frame_times = 2;  // how much longer the last frame of an animation is shown
+
+/// animation.png: all frames as an animated PNG, which shows each for so many seconds, the last one `last_frame_times` as
+/// long. Joins the files of Frames, which must be given the story before.
+OneFile animated_png(double seconds, FileWritten written);
 
 }  // namespace walkthroughs

@@ -10,10 +10,9 @@
 #include <new>
 #include <system_error>
 
-#include "render/backend.hpp"
 #include "render/file.hpp"
 #include "render/font.hpp"
-#include "render/limits.hpp"
+#include "render/offscreen_context.hpp"
 #include "walkthroughs/program/standard_output.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"

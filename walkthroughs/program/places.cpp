@@ -89,9 +89,8 @@ void Places::write(const fs::path& file, const std::string& what) {
   files_.emplace_back(file, what);
 }
 
-void Places::write_into(const fs::path& folder, const std::vector<std::string>& names, const std::string& what,
-                        const std::string& title) {
-  folders_.push_back({resolved(folder), folder, names, what, title});
+void Places::write_into(const fs::path& folder, const std::vector<std::string>& names, const std::string& what) {
+  folders_.push_back({resolved(folder), folder, names, what});
 }
 
 void Places::read_standard_input() {
@@ -138,7 +137,7 @@ void Places::expect_no_loss(Others others, const std::string& elsewhere) const {
   std::vector<fs::path> lost;
   for (const auto& [file, what] : files_) std::ranges::copy(files_of_others(file), std::back_inserter(lost));
   for (const Folder& folder : folders_)
-    std::ranges::copy(files_of_others(folder.spelt, folder.names, folder.title), std::back_inserter(lost));
+    std::ranges::copy(files_of_others(folder.spelt, folder.names), std::back_inserter(lost));
   if (others == Others::overwritten)
     std::ranges::for_each(lost, adopt);
   else if (!lost.empty())

@@ -23,9 +23,8 @@ class Places {
   /// A file that is written later by whoever reads what is printed.
   void reserve(const std::filesystem::path& file, const std::string& what);
   /// A folder in which files are written, or removed, whose names fit those patterns (see fits()): nothing else of the run may
-  /// be one of them there. `title`: of its pictures.
-  void write_into(const std::filesystem::path& folder, const std::vector<std::string>& names, const std::string& what,
-                  const std::string& title = "");
+  /// be one of them there.
+  void write_into(const std::filesystem::path& folder, const std::vector<std::string>& names, const std::string& what);
   /// Standard input, or standard output, where it is a file.
   void read_standard_input();
   void write_standard_output();
@@ -43,7 +42,7 @@ class Places {
   struct Folder {
     std::filesystem::path place, spelt;
     std::vector<std::string> names;
-    std::string what, title;
+    std::string what;
   };
 
   static void add(std::vector<Place>& places, const std::filesystem::path& file, const std::string& what);

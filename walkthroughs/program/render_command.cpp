@@ -18,14 +18,12 @@
 #include "render/rendered_by.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/number_text.hpp"
-#include "walkthroughs/output/animation.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
+#include "walkthroughs/output/movie.hpp"
 #include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
-#include "walkthroughs/output/strip.hpp"
-#include "walkthroughs/output/movie.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/missing_letters.hpp"
@@ -201,11 +199,12 @@ class Rendering {
     };
     Sinks sinks;
     sinks.push_back(std::make_unique<Frames>(report_frame, is_asked_for_svg() ? FrameWritten(report_svg) : nullptr));
-    if (command_.apng) sinks.push_back(std::make_unique<AnimatedPng>(command_.frame_time, report_file));
-    if (command_.strip) sinks.push_back(std::make_unique<Strip>(report_file));
-    if (command_.sheet == "one") sinks.push_back(std::make_unique<Sheet>(report_file));
+    if (command_.apng) sinks.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time, report_file)));
+    if (command_.strip) sinks.push_back(std::make_unique<OneFile>(strip(report_file)));
+    if (command_.sheet == "one") sinks.push_back(std::make_unique<OneFile>(sheet(report_file)));
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
-      sinks.push_back(std::make_unique<PaperSheets>(*paper, !command_.text_scale, note_small_letters, report_file));
+      sinks.push_back(
+          std::make_unique<OneFile>(paper_sheets(*paper, !command_.text_scale, note_small_letters, report_file)));
     if (is_asked_for_pages())
       sinks.push_back(std::make_unique<Pages>(
           PagesWanted{pictures_of_pages(), command_.out, options_of_pictures(), origins_of(selection)}, report_file));
@@ -263,7 +262,7 @@ class Rendering {
     for (const std::string& file : command_.traces) places.read(file, "the trace " + file);
     for (const Selection::Chosen& each : selection.chosen()) {
       const Walkthrough& w = *each.walkthrough;
-      places.write_into(folder / w.name, files_of(w, sinks), "the pictures of " + w.name, w.title);
+      places.write_into(folder / w.name, files_of(w, sinks), "the pictures of " + w.name);
       if (command_.movie) places.reserve(folder / w.name / ("animation." + *command_.movie), "the film of " + w.name);
     }
     if (command_.rendered_by) places.write(folder / render::rendered_by_file, "what --rendered-by notes");

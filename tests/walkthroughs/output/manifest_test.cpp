@@ -1,11 +1,10 @@
-// What the program knows to be its own: by the manifest of a folder, and of earlier versions by marks.
+// What the program knows to be its own, by the manifest of a folder.
 
 #include "walkthroughs/output/manifest.hpp"
 
 #include <filesystem>
 #include <thread>
 
-#include "render/image.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/folder.hpp"
 #include "tests/kit/text.hpp"
@@ -17,12 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_ours(const fs::path& file) { return files_of_others(file).empty(); }
-
-bool is_picture_of_ours(const render::PngText& text) {
-  const Folder folder;
-  render::write_png(folder / "strip.png", render::Image({16, 16}), text);
-  return files_of_others(folder.path(), {"strip.png"}, "The title").empty();
-}
 
 std::string manifest_of(const Folder& folder) { return bytes_of(folder / manifest_file); }
 
@@ -77,28 +70,12 @@ TEST_CASE("Links and files that cannot be read are of others until they are adop
   fs::create_directories(folder / "000.png/inside");
   CHECK(is_ours(folder / "000.png"));
   fs::create_symlink("nowhere", folder / "001.png");
-  CHECK(files_of_others(folder.path(), {"###.png"}, "") == std::vector{folder / "001.png"});
+  CHECK(files_of_others(folder.path(), {"###.png"}) == std::vector{folder / "001.png"});
   adopt(folder / "001.png");
   CHECK(is_ours(folder / "001.png"));
   remove_outputs(folder.path(), {"###.png"});
   CHECK_FALSE(fs::is_symlink(folder / "001.png"));
   CHECK(fs::exists(folder / "000.png/inside"));
-}
-
-TEST_CASE("Without a line about them pictures with our titles and our pages are ours, and nothing else is") {
-  for (const std::string title : {"The title, step 1 of 12", "Der Würfel, step 3 of 3", "The title"})
-    CHECK(is_picture_of_ours({title, "description"}));
-  for (const std::string title : {"", "Another title", "The title, step 1", "The title, step 1 of 12 years"})
-    CHECK_FALSE(is_picture_of_ours({title, "The title, step 1 of 12"}));
-  const Folder folder;
-  CHECK_FALSE(is_ours(kit::write(folder / "a.html", "<title>mine</title>")));
-  CHECK_FALSE(is_ours(kit::write(folder / "a.json", "{}")));
-  CHECK_FALSE(is_ours(kit::write(folder / "empty", "")));
-  const fs::path page = kit::write(folder / "index.html", "<meta name=\"generator\" content=\"gjkstep\">");
-  CHECK(is_ours(page));
-  write_output(page, "<meta name=\"generator\" content=\"gjkstep\">new");
-  kit::write(page, "<meta name=\"generator\" content=\"gjkstep\">changed");
-  CHECK_FALSE(is_ours(page));
 }
 
 TEST_CASE("Where a run was killed before it replaced a file the old one and the new one are ours") {
@@ -111,7 +88,7 @@ TEST_CASE("Where a run was killed before it replaced a file the old one and the 
   CHECK(is_ours(file));
   kit::write(beside, "mine");
   CHECK(files_of_others(file) == std::vector{beside});
-  CHECK(files_of_others(folder.path(), {"a.json"}, "") == std::vector{beside});
+  CHECK(files_of_others(folder.path(), {"a.json"}) == std::vector{beside});
 }
 
 TEST_CASE(
@@ -155,8 +132,8 @@ TEST_CASE("Removed is what fits, is ours and is not kept") {
   for (const char* name : {"000.png", "001.png", "050.png", "notes.txt"}) write_output(folder / name, "ours");
   kit::write(folder / "002.png", "mine");
   kit::write(folder / "050.png", "changed");
-  render::write_png(folder / "003.png", render::Image({16, 16}), {"An earlier version's, step 4 of 4", ""});
-  remove_outputs(folder.path(), {"###.png"}, "", {"000.png"});
+  write_output(folder / "003.png", "ours");
+  remove_outputs(folder.path(), {"###.png"}, {"000.png"});
   CHECK(kit::listing(folder.path()) == std::vector<std::string>{"000.png", "002.png", "050.png", "notes.txt"});
 }
 
@@ -172,6 +149,6 @@ TEST_CASE("Runs that write to one folder at once, and tidy it, know all files of
   std::thread other(run, "other");
   run("one");
   other.join();
-  CHECK(files_of_others(folder.path(), {"###.png"}, "").empty());
+  CHECK(files_of_others(folder.path(), {"###.png"}).empty());
   CHECK(kit::lines(manifest_of(folder)).size() == 3);
 }

@@ -1,11 +1,12 @@
+#include <algorithm>
 #include <optional>
+#include <thread>
 
 #include "render/image.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/output/animation.hpp"
 #include "walkthroughs/output/manifest.hpp"
 
 using namespace walkthroughs;
@@ -38,12 +39,10 @@ TEST_CASE("Files are written and reported in the order asked for, whatever their
     files.push_back(file.lexically_relative(folder.path()).string());
   };
   Frames frames([&](const fs::path& file, const Story& story, std::size_t) { add(file, story); });
-  AnimatedPng animation(1, add);
-  Strip strip(add);
-  Sheet sheet(add);
+  OneFile animation = animated_png(1, add), in_a_strip = strip(add), on_a_sheet = sheet(add);
   for (const char* name : {"figure-5", "figure-4-right"}) {
     const auto story = std::make_shared<const StagedStory>(tell(walkthrough(name)));  // here gone before all is written
-    for (Sink* sink : std::initializer_list<Sink*>{&frames, &animation, &strip, &sheet})
+    for (Sink* sink : std::initializer_list<Sink*>{&frames, &animation, &in_a_strip, &on_a_sheet})
       sink->add(story, {folder.path(), small}, renderer);
   }
   renderer.finish();
@@ -106,6 +105,28 @@ TEST_CASE("A file that cannot be written is reported once, those before it are t
   CHECK(listing(folder.path()) == std::vector<std::string>{"figure-4-right/000.png", "figure-4-right/001.png"});
 }
 
+TEST_CASE("What is asked for waits until there is no more room, is done in order, and no more after an error") {
+  Studio studio;
+  std::vector<int> done;
+  int asked = 0;
+  const auto ask = [&](Renderer& renderer) {
+    renderer.then([&, i = asked++] {
+      if (i == 50) throw render::FileError("disk full");
+      done.push_back(i);
+    });
+  };
+  Renderer renderer(studio);
+  while (asked < 50) ask(renderer);
+  const std::size_t most_waiting = 2 + std::max(1u, std::thread::hardware_concurrency());
+  CHECK(done.size() + most_waiting == 50);
+  ask(renderer);
+  ask(renderer);
+  CHECK_THROWS_WITH(renderer.finish(), "disk full");
+  renderer.finish();
+  CHECK(done.size() == 50);
+  CHECK(std::ranges::is_sorted(done));
+}
+
 TEST_CASE("A renderer that goes before it has finished has written what it was asked for") {
   const Folder folder;
   Studio studio;
@@ -120,7 +141,7 @@ TEST_CASE("A renderer that goes before it has finished has written what it was a
 TEST_CASE("An animation of frames that are not there is an error of writing, not of reading what a user has named") {
   const Folder folder;
   Studio studio;
-  AnimatedPng animation(1, [](const fs::path&, const Story&) {});
+  OneFile animation = animated_png(1, [](const fs::path&, const Story&) {});
   const auto add = [&] {
     write(animation, StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio);
   };

@@ -5,7 +5,6 @@
 
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/sheet.hpp"
-#include "walkthroughs/output/strip.hpp"
 
 namespace walkthroughs::test {
 
@@ -24,20 +23,20 @@ inline void render_frames(const StagedStory& story, const Output& output, Studio
 }
 
 /// Returns: the file.
-template <class Picture>
-std::filesystem::path write_picture(const StagedStory& story, const Output& output, Studio& studio) {
+inline std::filesystem::path write_picture(OneFile (*format)(FileWritten), const StagedStory& story,
+                                           const Output& output, Studio& studio) {
   std::filesystem::path file;
-  Picture picture([&](const std::filesystem::path& written, const Story&) { file = written; });
+  OneFile picture = format([&](const std::filesystem::path& written, const Story&) { file = written; });
   write(picture, story, output, studio);
   return file;
 }
 
 inline std::filesystem::path render_strip(const StagedStory& story, const Output& output, Studio& studio) {
-  return write_picture<Strip>(story, output, studio);
+  return write_picture(strip, story, output, studio);
 }
 
 inline std::filesystem::path render_sheet(const StagedStory& story, const Output& output, Studio& studio) {
-  return write_picture<Sheet>(story, output, studio);
+  return write_picture(sheet, story, output, studio);
 }
 
 }  // namespace walkthroughs::test

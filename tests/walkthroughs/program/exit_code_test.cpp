@@ -12,7 +12,7 @@
 #include <new>
 #include <system_error>
 
-#include "render/limits.hpp"
+#include "render/file.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
