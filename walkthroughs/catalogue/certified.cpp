@@ -6,7 +6,7 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/cycles.hpp"
-#include "walkthroughs/catalogue/figure_4_objects.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 
 namespace walkthroughs {
 namespace {

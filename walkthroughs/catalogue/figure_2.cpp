@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/catalogue/figure_2_pins.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/outlines.hpp"

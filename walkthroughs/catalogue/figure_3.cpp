@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/catalogue/figure_3_objects.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/outlines.hpp"
 #include "walkthroughs/picture/panel_title.hpp"

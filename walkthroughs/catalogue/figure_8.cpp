@@ -4,7 +4,7 @@
 #include <map>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/story/words.hpp"
 

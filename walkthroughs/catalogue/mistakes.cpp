@@ -1,7 +1,5 @@
 // Each mistake on a pair on which it shows: small whole numbers, in the plane where there is such a pair.
 
-#include "walkthroughs/catalogue/mistakes.hpp"
-
 #include <algorithm>
 #include <utility>
 
