@@ -33,7 +33,7 @@ std::vector<Walkthrough> figures_6_and_7();
 Walkthrough figure_8();
 std::vector<Walkthrough> regions();
 std::vector<Walkthrough> vehicle_and_threat();
-std::vector<Walkthrough> cycles();
+std::vector<Walkthrough> endless_searches();
 std::vector<Walkthrough> other_rules();
 std::vector<Walkthrough> failures();
 std::vector<Walkthrough> certified_answers();

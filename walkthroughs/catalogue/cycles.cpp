@@ -40,7 +40,7 @@ Scene cycling_together(const std::string& name) {
           .dimension = Dimension::space};
 }
 
-std::vector<Walkthrough> cycles() {
+std::vector<Walkthrough> endless_searches() {
   return {about(cycling_apart("cycle-separated"), "Apart, and the search goes round in a circle",
                 "a pair that does not intersect, on which the search never ends by itself",
                 "these objects do not intersect, which it would never find out"),
