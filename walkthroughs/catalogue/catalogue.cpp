@@ -13,7 +13,8 @@ std::vector<Walkthrough> all_walkthroughs() {
   append(figures_4_and_5());
   append(figures_6_and_7());
   append({figure_8()});
-  for (const auto family : {regions, vehicle_and_threat, endless_searches, other_rules, failures, certified_answers})
+  for (const auto family :
+       {region_cases, vehicle_and_threat, endless_searches, other_rules, failures, certified_answers})
     append(family());
   append({mistakes_survival()});
   append(mistakes());

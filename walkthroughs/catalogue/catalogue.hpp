@@ -31,7 +31,7 @@ Walkthrough figure_3();
 std::vector<Walkthrough> figures_4_and_5();
 std::vector<Walkthrough> figures_6_and_7();
 Walkthrough figure_8();
-std::vector<Walkthrough> regions();
+std::vector<Walkthrough> region_cases();
 std::vector<Walkthrough> vehicle_and_threat();
 std::vector<Walkthrough> endless_searches();
 std::vector<Walkthrough> other_rules();

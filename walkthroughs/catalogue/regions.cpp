@@ -402,7 +402,7 @@ Walkthrough region_walkthrough(int dimension_of_simplex, RegionRow row) {
 
 }  // namespace
 
-std::vector<Walkthrough> regions() {
+std::vector<Walkthrough> region_cases() {
   using Rows = std::vector<RegionRow> (*)();
   const std::vector<Rows> by_dimension[] = {
       {at_vertex},
