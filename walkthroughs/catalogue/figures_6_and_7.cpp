@@ -87,8 +87,7 @@ std::vector<Diagram> figure_6_diagrams() {
   const Sketch sketch{figure_6_simplex(), figure_6_window()};
   const std::string where =
       "The segment from B, lower left, to A, upper right, and the lines at right angles to it through both ends. R1 "
-      "lies "
-      "beyond B, R2 beyond A, R3 above the segment and R4 below it. ";
+      "lies beyond B, R2 beyond A, R3 above the segment and R4 below it. ";
   return {Diagram{"Around the segment AB the origin may lie in any of four regions.",
                   {"R1 beyond B, R2 beyond A, R3 and R4 on the two sides; A is the newest vertex"},
                   where,
@@ -182,10 +181,8 @@ std::vector<Diagram> figure_7_diagrams() {
   const TriangleSketch sketch{{figure_7_simplex(), figure_7_window()}};
   const std::string where =
       "A triangle, A on top, B lower left, C lower right, and the lines at right angles to its sides through their "
-      "ends. "
-      "R1 is the inside, R2 lies beyond A, R3 beyond AB, R4 beyond B, R5 beyond BC, R6 beyond C and R7 beyond AC. "
-      "Arrows "
-      "from the middles of AB and AC, named ABn and ACn, point outward. ";
+      "ends. R1 is the inside, R2 lies beyond A, R3 beyond AB, R4 beyond B, R5 beyond BC, R6 beyond C and R7 beyond "
+      "AC. Arrows from the middles of AB and AC, named ABn and ACn, point outward. ";
   return {Diagram{"Around the triangle ABC the origin may lie in any of seven regions.",
                   {"R1 inside, above and below the paper too; R2, R4, R6 beyond A, B, C;",
                    "R3, R5, R7 beyond the sides AB, BC, AC; A is the newest vertex",

@@ -1,8 +1,7 @@
-#include "walkthroughs/picture/number_line_panel.hpp"
-
 #include <algorithm>
 
 #include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -132,11 +131,10 @@ class NumberLinePicture {
 
 }  // namespace
 
-int draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
+void draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
   draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?", shown.style,
                    key_of(line, shown.style));
   NumberLinePicture(canvas, below_title(frame, shown.style), line, shown).draw();
-  return 0;
 }
 
 }  // namespace walkthroughs
