@@ -28,8 +28,8 @@ constexpr double title_top = 18, below_title_line = 24;  // around the line of t
 constexpr double share_of_space = 0.4, decision_margin = 34;
 constexpr double line_pitch = 30;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double most_page_units =
-    1e12;  // from the zero of a scene to its points, so that these are placed to a thousandth
+/// From the zero of a scene to its points, so that these are placed to a thousandth.
+constexpr double most_page_units = 1e12;
 constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
 constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
 
@@ -230,9 +230,9 @@ int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, const
   const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, rows),
                        panel_box(middle + panel_gap / 2, right_margin, rows)};
   const auto view = [&](std::size_t s, const Lens& lens, double scale) {
-    const Bounds box =
-        bounds_of_scene(story, s, story.frames.size() - 1, lens);  // of the last frame, so that nothing jumps
-    return fit(box, below_title(boxes[s], look.style).grown(-difference_margin), scale);
+    const std::size_t last = story.frames.size() - 1;  // of which the bounds are, so that nothing jumps
+    return fit(bounds_of_scene(story, s, last, lens), below_title(boxes[s], look.style).grown(-difference_margin),
+               scale);
   };
   const Lens lenses[] = {turned(story.stages[0].lens, look.turn), turned(story.stages[1].lens, look.turn)};
   const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());

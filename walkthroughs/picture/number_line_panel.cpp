@@ -22,11 +22,8 @@ constexpr double gap_to_band = 8;     // of a name that may stand beside it
 class Scale {
  public:
   Scale(const NumberLine& line, const Box& room) : left_(room.min.x()), width_(room.width()) {
-    low_ = std::min(0.0, line.low), high_ = std::max(0.0, line.high);
-    for (const NumberLine::Number& each : line.numbers) {
-      low_ = std::min(low_, each.value);
-      high_ = std::max(high_, each.value);
-    }
+    const auto [least, most] = std::ranges::minmax(line.numbers, {}, &NumberLine::Number::value);
+    low_ = std::min({0.0, line.low, least.value}), high_ = std::max({0.0, line.high, most.value});
     const double more = room_at_ends * (high_ / 2 - low_ / 2);
     if (!(more > 0)) low_ = -1, high_ = 1;
     low_ -= 2 * more, high_ += 2 * more;

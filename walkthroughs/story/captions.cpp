@@ -123,18 +123,17 @@ class Captions {
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == Verdict::skipped) return std::nullopt;
     Frame frame = frame_about(Focus::region, region_caption(event) + gone_on_as_if(event), {decision(event)});
+    const auto tell = [&](const std::string& text) { frame.facts.push_back({Mark::none, text}); };
     if (event.formula.form == gjk::Expression::Form::product)  // not an edge itself
-      frame.facts.push_back({Mark::none, names_.translate(event.expression.X) + " = " +
-                                             names_.translate(event.formula) + " = " +
-                                             vector(*event.normal, Dimension::space)});
+      tell(names_.translate(event.expression.X) + " = " + names_.translate(event.formula) + " = " +
+           vector(*event.normal, Dimension::space));
     if (event.simplex_size == 1 && walkthrough_.naming == Naming::roles)
-      frame.facts.push_back({Mark::none, "P is the first vertex of the simplex, and called A there"});
+      tell("P is the first vertex of the simplex, and called A there");
     if (label_of(event) == gjk::RegionLabel::R3_or_R4)
-      frame.facts.push_back({Mark::none, names_.translate(event.expression) +
-                                             " points toward the origin in both, so they need not be told apart"});
+      tell(names_.translate(event.expression) + " points toward the origin in both, so they need not be told apart");
     if (event.feature.size() == 4 && !is_complete())
-      frame.facts.push_back({Mark::none, "not asked: " + names_.sorted("AB") + ", " + names_.sorted("AC") + ", " +
-                                             names_.sorted("AD") + ": the origin lies above none of their faces"});
+      tell("not asked: " + names_.sorted("AB") + ", " + names_.sorted("AC") + ", " + names_.sorted("AD") +
+           ": the origin lies above none of their faces");
     append_skipped(frame.facts);
     return frame;
   }
@@ -368,23 +367,21 @@ class Captions {
 
   /// What a reader needs to check the answer: the tests that the last simplex passed, or the separating direction.
   void append_evidence(const gjk::Result<double>& result, std::vector<Fact>& facts) const {
+    const auto tell = [&](const std::string& text) { facts.push_back({Mark::none, text}); };
     if (result.reason == gjk::Reason::no_new_vertex)
-      facts.push_back({Mark::none, "the search has run out of points: " + names_.of(now_.found->w) + " is not new"});
-    if (result.reason == gjk::Reason::iteration_limit) facts.push_back({Mark::none, "the iteration limit is reached"});
+      tell("the search has run out of points: " + names_.of(now_.found->w) + " is not new");
+    if (result.reason == gjk::Reason::iteration_limit) tell("the iteration limit is reached");
     if (result.cycle_start)
-      facts.push_back({Mark::none, "it would go round for ever: iteration " + std::to_string(result.iterations + 1) +
-                                       " would begin as iteration " + std::to_string(*result.cycle_start) + " did"});
-    if (result.reason == gjk::Reason::unusable_direction)
-      facts.push_back({Mark::none, "the search direction is zero or not finite"});
+      tell("it would go round for ever: iteration " + std::to_string(result.iterations + 1) +
+           " would begin as iteration " + std::to_string(*result.cycle_start) + " did");
+    if (result.reason == gjk::Reason::unusable_direction) tell("the search direction is zero or not finite");
     if (result.separation)
-      facts.push_back({Mark::none, "with d = " + vec(result.separation->direction) + ": w·d ≤ " +
-                                       names_.of(result.separation->vertex.w) +
-                                       "·d = " + number(result.separation->support_value) + " < 0 for every w" +
-                                       (in_float() ? ", as far as floats tell" : "")});
+      tell("with d = " + vec(result.separation->direction) + ": w·d ≤ " + names_.of(result.separation->vertex.w) +
+           "·d = " + number(result.separation->support_value) + " < 0 for every w" +
+           (in_float() ? ", as far as floats tell" : ""));
     if (result.status != gjk::Status::intersecting) return;
     if (is_complete() && now_.regions.back().feature.size() == 4)
-      return facts.push_back(
-          {Mark::none, "no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it"});
+      return tell("no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it");
     for (const auto& region : now_.regions)
       if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});
   }
