@@ -8,26 +8,16 @@ namespace walkthroughs {
 namespace {
 
 std::vector<Walkthrough> all_walkthroughs() {
-  std::vector<Walkthrough> all = {figure_1(),
-                                  figure_2(),
-                                  figure_3(),
-                                  figure_4(),
-                                  figure_4_left(),
-                                  figure_4_right(),
-                                  figure_4_right_no_crossing_test(),
-                                  figure_5(),
-                                  figure_6(),
-                                  figure_7(),
-                                  figure_8()};
-  for (const auto& folder : {regions_of_0_simplex(), regions_of_1_simplex(), regions_of_2_simplex(),
-                             regions_of_3_simplex(), vehicle_and_threat()})
-    all.insert(all.end(), folder.begin(), folder.end());
-  for (const Walkthrough& each : {cycle_separated(), cycle_intersecting()}) all.push_back(each);
-  for (const Walkthrough& each : complete_rules()) all.push_back(each);
-  for (const Walkthrough& each : {as_printed_spheres(), eager_between_centers()}) all.push_back(each);
-  for (const auto& folder : {failures(), certified_answers()}) all.insert(all.end(), folder.begin(), folder.end());
-  all.push_back(mistakes_survival());
-  for (const Walkthrough& each : mistakes()) all.push_back(each);
+  std::vector<Walkthrough> all{figure_1(), figure_2(), figure_3()};
+  const auto append = [&](const std::vector<Walkthrough>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  append(figures_4_and_5());
+  append(figures_6_and_7());
+  append({figure_8()});
+  for (const auto family :
+       {region_cases, vehicle_and_threat, endless_searches, other_rules, failures, certified_answers})
+    append(family());
+  append({mistakes_survival()});
+  append(mistakes());
   return all;
 }
 

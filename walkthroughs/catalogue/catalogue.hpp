@@ -1,4 +1,4 @@
-/// All walkthroughs of the program, each made in a file of its name.
+/// All walkthroughs of the program.
 #pragma once
 
 #include <string>
@@ -24,30 +24,24 @@ std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word);
 /// Returns: the name of the walkthrough that is spelled most like `name`, with or without its folder.
 std::string nearest_name(std::string_view name);
 
+// The walkthroughs by their families, each made in a file of its name.
 Walkthrough figure_1();
 Walkthrough figure_2();
 Walkthrough figure_3();
-Walkthrough figure_4();
-Walkthrough figure_4_left();
-Walkthrough figure_4_right();
-Walkthrough figure_4_right_no_crossing_test();
-Walkthrough figure_5();
-Walkthrough figure_6();
-Walkthrough figure_7();
+std::vector<Walkthrough> figures_4_and_5();
+std::vector<Walkthrough> figures_6_and_7();
 Walkthrough figure_8();
-std::vector<Walkthrough> regions_of_0_simplex();
-std::vector<Walkthrough> regions_of_1_simplex();
-std::vector<Walkthrough> regions_of_2_simplex();
-std::vector<Walkthrough> regions_of_3_simplex();
+std::vector<Walkthrough> region_cases();
 std::vector<Walkthrough> vehicle_and_threat();
-Walkthrough cycle_separated();
-Walkthrough cycle_intersecting();
-std::vector<Walkthrough> complete_rules();
-Walkthrough as_printed_spheres();
-Walkthrough eager_between_centers();
+std::vector<Walkthrough> endless_searches();
+std::vector<Walkthrough> other_rules();
 std::vector<Walkthrough> failures();
 std::vector<Walkthrough> certified_answers();
 Walkthrough mistakes_survival();
 std::vector<Walkthrough> mistakes();
+
+/// Returns: a search with a mistake in it, beside the report's, "mistakes/m14-order-below-triangle": the scene searched with that
+/// mistake, and as the report has it. Requires: a scene without a mistake, whose rules are the report's as intended.
+Walkthrough beside_the_report(Mistake mistake, Scene right);
 
 }  // namespace walkthroughs

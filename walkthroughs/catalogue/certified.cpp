@@ -6,7 +6,7 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/cycles.hpp"
-#include "walkthroughs/catalogue/figure_4_objects.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -49,9 +49,10 @@ Scene corner_on_an_edge(double higher) {
           .b = {"triangle b", points({{1.5, 0.5 + higher, 0}, {3, 3, 0}, {0, 2.5, 0}})}};
 }
 
-Scene of_failure(const std::string& name) {
+/// What comes after the failure of that name.
+Walkthrough what_happens_next(const Words& told) {
   for (const Walkthrough& each : failures())
-    if (each.name == "failures/" + name) return each.scenes[0];
+    if (each.name == "failures/" + told.name) return what_happens_next(told, each.scenes[0]);
   throw std::logic_error("there is no failure of that name");
 }
 
@@ -73,20 +74,15 @@ std::vector<Walkthrough> certified_answers() {
              "the least that a double can be higher, and the answer is another"},
             corner_on_an_edge(least)),
       what_happens_next({"vanished-product", "A product too small for a float, and what is true",
-                         "failures/vanished-product: the guess is no proof, and the second search finds them apart"},
-                        of_failure("vanished-product")),
+                         "failures/vanished-product: the guess is no proof, and the second search finds them apart"}),
       what_happens_next({"overflowed-product", "A product too large for a float, and what is true",
-                         "failures/overflowed-product: undecided, and the second search finds a common point"},
-                        of_failure("overflowed-product")),
+                         "failures/overflowed-product: undecided, and the second search finds a common point"}),
       what_happens_next({"beyond-an-edge", "A sign that should be zero, and what is true",
-                         "failures/beyond-an-edge: the sign in doubt is taken of whole numbers, and is 0"},
-                        of_failure("beyond-an-edge")),
+                         "failures/beyond-an-edge: the sign in doubt is taken of whole numbers, and is 0"}),
       what_happens_next({"coplanar-askew", "Triangles in one tilted plane, and what is true",
-                         "failures/coplanar-askew: the gap is nothing but rounding"},
-                        of_failure("coplanar-askew")),
+                         "failures/coplanar-askew: the gap is nothing but rounding"}),
       what_happens_next({"far-from-the-origin", "Far from the origin, and what is true",
-                         "failures/far-from-the-origin: a farthest point was missed, and is found"},
-                        of_failure("far-from-the-origin")),
+                         "failures/far-from-the-origin: a farthest point was missed, and is found"}),
       what_happens_next({"cycle-separated", "After the circle: apart",
                          "cycle-separated: the second search comes nearer with every step, and ends"},
                         cycling_apart("")),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 namespace walkthroughs {
 namespace {
@@ -29,9 +30,8 @@ double border(const PlanarSet& set, const Chord& chord, double in, double out) {
 }
 
 bool leaves(const PlanarSet& set, const Chord& chord) {
-  for (int i = 0; i < samples; ++i)
-    if (!set.contains(chord.at(fraction_of(i)))) return true;
-  return false;
+  return std::ranges::any_of(std::views::iota(0, samples),
+                             [&](int i) { return !set.contains(chord.at(fraction_of(i))); });
 }
 
 std::vector<Interval> parts_outside(const PlanarSet& set, const Chord& chord) {

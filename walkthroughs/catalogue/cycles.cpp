@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* why_how_often_and_what_helps =
     "Algorithms 4 and 5 take the first edge or face that sees the origin, not the nearest: nothing keeps the search "
-    "from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help; the complete "
-    "rules end, but where numbers round; a certified answer always does";
+    "from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help; the "
+    "complete rules end, but where numbers round; a certified answer always does";
 
 Walkthrough about(const Scene& scene, const std::string& title, const std::string& summary, const std::string& ending) {
   return {.name = scene.name,
@@ -39,16 +39,13 @@ Scene cycling_together(const std::string& name) {
           .dimension = Dimension::space};
 }
 
-Walkthrough cycle_separated() {
-  return about(cycling_apart("cycle-separated"), "Apart, and the search goes round in a circle",
-               "a pair that does not intersect, on which the search never ends by itself",
-               "these objects do not intersect, which it would never find out");
-}
-
-Walkthrough cycle_intersecting() {
-  return about(cycling_together("cycle-intersecting"), "Together, and the search goes round in a circle",
-               "a pair that does intersect, which the report's limit would answer with \"no collision\"",
-               "at its limit Algorithm 1 answers \"no collision\", but these objects do intersect");
+std::vector<Walkthrough> endless_searches() {
+  return {about(cycling_apart("cycle-separated"), "Apart, and the search goes round in a circle",
+                "a pair that does not intersect, on which the search never ends by itself",
+                "these objects do not intersect, which it would never find out"),
+          about(cycling_together("cycle-intersecting"), "Together, and the search goes round in a circle",
+                "a pair that does intersect, which the report's limit would answer with \"no collision\"",
+                "at its limit Algorithm 1 answers \"no collision\", but these objects do intersect")};
 }
 
 }  // namespace walkthroughs

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/catalogue/figure_1_sets.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 
 namespace walkthroughs {
@@ -114,12 +114,10 @@ std::vector<Diagram> figure_1_diagrams() {
   diagram.caption = "A set is convex if the line between any two of its points stays inside.";
   for (const Part& part : parts) diagram.facts.push_back(tried(part));
   diagram.description =
-      "Three sets side by side, each with a chord from P1 to P2. The chord of the solid disk is solid from end to end: "
-      "it stays inside. The chord of the circle is dashed all along: it runs through the empty middle. The chord of "
-      "the "
-      "crescent is solid in both horns and dashed across the gap between them. A ring marks a point of each dashed "
-      "part "
-      "that is not in the set.";
+      "Three sets side by side, each with a chord from P1 to P2. The chord of the solid disk is solid from end to "
+      "end: it stays inside. The chord of the circle is dashed all along: it runs through the empty middle. The "
+      "chord of the crescent is solid in both horns and dashed across the gap between them. A ring marks a point of "
+      "each dashed part that is not in the set.";
   diagram.draw = [parts](render::Canvas& canvas, const render::Box& box, const Style& style) {
     const std::vector<render::Box> frames = side_by_side(box, static_cast<int>(parts.size()));
     int crowded = 0;

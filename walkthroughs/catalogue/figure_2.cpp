@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/catalogue/figure_2_pins.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
-#include "walkthroughs/picture/outlines.hpp"
+#include "walkthroughs/picture/lens.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -81,11 +81,7 @@ void name_parts(Panel& panel, const Pinboard& board, Band band, const Style& sty
 }
 
 int draw_board(render::Canvas& canvas, const render::Box& box, const Style& style, const Pinboard& board, Band band) {
-  Vec2 low = board.stretched.front(), high = low;
-  for (const Vec2& p : board.stretched) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = Bounds(board.stretched);
   const render::Box room = draw_panel_title(canvas, box, "the plane, with a pin at each point", style);
   Panel panel(canvas, room, render::View::fit(low, high, room.grown(-margin), any_scale));
   draw_band(panel, board, band, style);

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/catalogue/figure_3_objects.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
-#include "walkthroughs/picture/outlines.hpp"
+#include "walkthroughs/picture/lens.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -24,12 +24,6 @@ const Vec2 objects_low(-3.15, -2.4), objects_high(3.15, 2.4), difference_low(-5.
 const Point plus_x(1, 0, 0);
 
 Vec2 plane(const Point& p) { return p.head<2>(); }
-
-std::vector<Vec2> plane(const std::vector<Point>& points) {
-  std::vector<Vec2> out;
-  for (const Point& p : points) out.push_back(plane(p));
-  return out;
-}
 
 /// Everything that the three frames show.
 struct Example {
@@ -66,8 +60,8 @@ void draw_supports(Panel& panel, const Example& example, const Style& style) {
   const Vec2 c = plane(example.farthest.a.point), d = plane(example.farthest.b.point);
   draw_level(panel, c.x(), style);
   draw_level(panel, d.x(), style);
-  draw_farthest(panel, plane(example.C.points()), c, style);
-  draw_farthest(panel, plane(example.D.points()), d, style);
+  draw_farthest(panel, Lens{}(example.C.points()), c, style);
+  draw_farthest(panel, Lens{}(example.D.points()), d, style);
   draw_arrow(panel, c, 1, "+x", style);
   draw_arrow(panel, d, -1, "−x", style);
   panel.label(c, {-1, 0.25}, "support(C, +x)", style.small_label(), 10);
@@ -79,7 +73,7 @@ int draw_sets(render::Canvas& canvas, const render::Box& frame, const Style& sty
   const render::Box room = draw_panel_title(canvas, frame, "the triangles C and D", style);
   Panel panel(canvas, room, render::View::fit(objects_low, objects_high, room.grown(-margin), scale));
   panel.grid(1, style.grid);
-  const std::vector<Vec2> c = plane(example.C.points()), d = plane(example.D.points());
+  const std::vector<Vec2> c = Lens{}(example.C.points()), d = Lens{}(example.D.points());
   panel.polygon(c, style.object_a_fill);
   panel.outline(c, style.object_a);
   panel.polygon(d, style.object_b_fill);

@@ -4,8 +4,9 @@
 #include <map>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/picture/lens.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -61,11 +62,7 @@ struct Sketch {
       if (test.normal) found.push_back({to_string(test.feature), to_string(test.formula), test.normal->normalized()});
     return found;
   }
-  std::vector<Vec2> project(const std::vector<Point>& points) const {
-    std::vector<Vec2> out;
-    for (const Point& p : points) out.push_back(camera(p));
-    return out;
-  }
+  std::vector<Vec2> project(const std::vector<Point>& points) const { return Lens{camera}(points); }
   /// Returns: the regions beyond the features that are ruled out.
   std::vector<std::vector<HalfSpace>> ruled_out() const {
     std::vector<std::vector<HalfSpace>> regions;
@@ -266,8 +263,7 @@ std::vector<Diagram> figure_8_diagrams() {
   const Sketch sketch;
   const std::string solid =
       "A tetrahedron seen from the side: A on top, C lower left and D lower right in front, B at the back, hidden by "
-      "the "
-      "face ACD, with its three edges dashed. ";
+      "the face ACD, with its three edges dashed. ";
   return {
       Diagram{"The 3-simplex ABCD: A lies above the plane of BCD, B behind the face ACD.",
               {normals_in_words(sketch), "A lies in the direction of BC×BD; A is the newest vertex"},

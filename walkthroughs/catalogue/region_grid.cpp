@@ -141,16 +141,9 @@ Window Window::with_margin() const {
 
 RegionGrid::RegionGrid(const Window& window, int columns, int rows, const std::function<std::string(const Point&)>& ask)
     : window_(window), columns_(columns), rows_(rows) {
-  kinds_.reserve(static_cast<std::size_t>(columns * rows));
+  texts_.reserve(static_cast<std::size_t>(columns * rows));
   for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) kinds_.push_back(kind_of(ask(middle(column, row))));
-}
-
-std::size_t RegionGrid::kind_of(const std::string& text) {
-  const auto known = std::ranges::find(texts_, text);
-  if (known != texts_.end()) return static_cast<std::size_t>(known - texts_.begin());
-  texts_.push_back(text);
-  return texts_.size() - 1;
+    for (int column = 0; column < columns; ++column) texts_.push_back(ask(middle(column, row)));
 }
 
 Point RegionGrid::middle(int column, int row) const {
@@ -159,35 +152,27 @@ Point RegionGrid::middle(int column, int row) const {
           window_.height};
 }
 
-const std::string& RegionGrid::at(int column, int row) const {
-  return texts_[kinds_[static_cast<std::size_t>(row * columns_ + column)]];
+Vec2 RegionGrid::corner(int column, int row) const {
+  const Vec2 size = window_.high - window_.low;
+  return {window_.low.x() + size.x() * column / columns_, window_.low.y() + size.y() * row / rows_};
 }
 
-std::vector<RegionGrid::Run> RegionGrid::runs_of(int row) const {
-  std::vector<Run> runs;
-  for (int column = 0; column < columns_; ++column) {
-    const std::size_t kind = kinds_[static_cast<std::size_t>(row * columns_ + column)];
-    if (runs.empty() || runs.back().kind != kind)
-      runs.push_back({column, column, kind});
-    else
-      runs.back().last = column;
-  }
-  return runs;
+const std::string& RegionGrid::at(int column, int row) const {
+  return texts_[static_cast<std::size_t>(row * columns_ + column)];
+}
+
+bool RegionGrid::are_alike(int row, int other) const {
+  return std::equal(&at(0, row), &at(0, row) + columns_, &at(0, other));
 }
 
 std::vector<RegionGrid::Block> RegionGrid::blocks() const {
-  const Vec2 size = window_.high - window_.low;
-  const auto corner = [&](int column, int row) {
-    return Vec2(window_.low.x() + size.x() * column / columns_, window_.low.y() + size.y() * row / rows_);
-  };
   std::vector<Block> blocks;
-  for (int row = 0; row < rows_;) {
-    const std::vector<Run> runs = runs_of(row);
-    int next = row + 1;
-    while (next < rows_ && runs_of(next) == runs) ++next;
-    for (const Run& run : runs)
-      blocks.push_back({corner(run.first, row), corner(run.last + 1, next), texts_[run.kind]});
-    row = next;
+  for (int row = 0, above = 0; row < rows_; row = above) {
+    for (above = row + 1; above < rows_ && are_alike(row, above);) ++above;
+    for (int column = 0, next = 0; column < columns_; column = next) {
+      for (next = column + 1; next < columns_ && at(next, row) == at(column, row);) ++next;
+      blocks.push_back({corner(column, row), corner(next, above), at(column, row)});
+    }
   }
   return blocks;
 }

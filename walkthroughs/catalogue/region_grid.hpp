@@ -90,18 +90,13 @@ class RegionGrid {
   std::vector<Block> blocks() const;
 
  private:
-  struct Run {
-    int first, last;  // columns
-    std::size_t kind;
-    friend bool operator==(const Run&, const Run&) = default;
-  };
-  std::vector<Run> runs_of(int row) const;
-  std::size_t kind_of(const std::string& text);
+  /// Returns: where a cell begins; of the cell behind the last where that ends.
+  render::Vec2 corner(int column, int row) const;
+  bool are_alike(int row, int other) const;
 
   Window window_;
   int columns_, rows_;
-  std::vector<std::string> texts_;
-  std::vector<std::size_t> kinds_;  // of the cells, row by row from below: indices of texts_
+  std::vector<std::string> texts_;  // of the cells, row by row from below
 };
 
 /// Returns: the grid of the algorithm's answers. `cell`: about how wide a cell is, in scene units.

@@ -9,16 +9,10 @@ namespace {
 
 /// A vehicle 6 long and 2.4 wide, its front sloped; x is forward, z up.
 Object vehicle() {
-  return {"vehicle", points({{-3, -1.2, 0.3},
-                             {-3, 1.2, 0.3},
-                             {2.4, -1.2, 0.3},
-                             {2.4, 1.2, 0.3},
-                             {-2.8, -1, 1.6},
-                             {-2.8, 1, 1.6},
-                             {1, -1, 1.6},
-                             {1, 1, 1.6},
-                             {3, -1, 0.8},
-                             {3, 1, 0.8}})};
+  const std::vector<Point> corners = {{-3, -1.2, 0.3}, {-3, 1.2, 0.3}, {2.4, -1.2, 0.3}, {2.4, 1.2, 0.3},
+                                      {-2.8, -1, 1.6}, {-2.8, 1, 1.6}, {1, -1, 1.6},     {1, 1, 1.6},
+                                      {3, -1, 0.8},    {3, 1, 0.8}};
+  return {"vehicle", points(corners)};
 }
 
 /// A rod that flies along its own x axis, pitched down and turned, its middle at `at`.

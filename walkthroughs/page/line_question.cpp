@@ -1,9 +1,8 @@
-#include "walkthroughs/page/line_question.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <variant>
 
+#include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 

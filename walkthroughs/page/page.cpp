@@ -6,7 +6,6 @@
 
 #include "render/html.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/page/practice.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
@@ -74,17 +73,9 @@ std::string kind_of(Focus focus) {
   }
 }
 
-std::string name_of(Fact::Mark mark) {
-  switch (mark) {
-    case Fact::Mark::yes: return "yes";
-    case Fact::Mark::no: return "no";
-    case Fact::Mark::skipped: return "skipped";
-    case Fact::Mark::answer: return "answer";
-    case Fact::Mark::truth: return "truth";
-    case Fact::Mark::none: return "";
-  }
-  return "";
-}
+/// In the order of Fact::Mark, and of Decision::Kind.
+constexpr const char* names_of_marks[] = {"", "yes", "no", "skipped", "answer", "truth"};
+constexpr const char* names_of_kinds[] = {"crossing", "region", "vertices", "direction", "line"};
 
 /// What runs in a search while a frame is shown: the lines of the algorithm as [indent, text], each listing once; which
 /// of them, and what came of each test.
@@ -120,7 +111,8 @@ PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_
     data["simplex"] = story.names(index, 0).list(frame.moments[0].simplex);
   if (const std::string kind = kind_of(frame.focus); !kind.empty()) data["kind"] = kind;
   for (const char* list : {"facts", "pictures", "words", "code", "events"}) data[list] = PageJson::array();
-  for (const Fact& fact : frame.facts) data["facts"].push_back({name_of(fact.mark), place_in(texts, fact.text)});
+  for (const Fact& fact : frame.facts)
+    data["facts"].push_back({names_of_marks[static_cast<int>(fact.mark)], place_in(texts, fact.text)});
   for (int turn = 0; turn <= pictures.turns; ++turn) data["pictures"].push_back(pictures.url(index, turn));
   for (const std::string& sentence : picture_in_words(story, index)) data["words"].push_back(place_in(texts, sentence));
   for (const std::size_t scene : scenes_with_code(story, index))
@@ -145,24 +137,13 @@ std::optional<std::size_t> answering_frame(const Story& story, const Question& q
   return std::nullopt;
 }
 
-std::string kind_of(Decision::Kind kind) {
-  switch (kind) {
-    case Decision::Kind::crossing: return "crossing";
-    case Decision::Kind::region: return "region";
-    case Decision::Kind::vertices: return "vertices";
-    case Decision::Kind::direction: return "direction";
-    case Decision::Kind::line: return "line";
-  }
-  return "";
-}
-
 /// `practice`: where one practises what it is about, as [title, URL].
 PageJson question_data(const Question& question, std::size_t frame, std::size_t practice, PageJson& texts) {
   PageJson choices = PageJson::array();
   for (const Choice& choice : question.choices)
     choices.push_back({place_in(texts, choice.text), place_in(texts, choice.reason), place_in(texts, choice.hint)});
   return {{"before", frame},
-          {"kind", kind_of(question.decision.kind)},
+          {"kind", names_of_kinds[static_cast<int>(question.decision.kind)]},
           {"text", place_in(texts, question.text)},
           {"choices", choices},
           {"right", question.right},

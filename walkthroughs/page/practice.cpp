@@ -1,9 +1,8 @@
-#include "walkthroughs/page/practice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs {

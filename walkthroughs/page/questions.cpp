@@ -6,8 +6,7 @@
 #include <variant>
 
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/page/line_question.hpp"
-#include "walkthroughs/story/captions_of_proof.hpp"
+#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 

@@ -1,9 +1,8 @@
-#include "walkthroughs/picture/algorithm_panel.hpp"
-
 #include <algorithm>
 #include <limits>
 
 #include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
 namespace walkthroughs {

@@ -9,7 +9,6 @@
 
 #include "walkthroughs/model/farthest_face.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
-#include "walkthroughs/picture/hull_faces.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -22,12 +21,6 @@ constexpr std::size_t most_differences = 20'000;  // more vertices could not be 
 constexpr std::size_t most_in_outline = 360;      // corners that are drawn all
 constexpr double alike = 1e-6;                    // radians, and parts of an object's size
 constexpr double least_corner = 1e-5;  // of more, those that stand out so far, in parts of the outline's size
-
-std::vector<Vec2> through(const Lens& lens, const std::vector<Point>& points) {
-  std::vector<Vec2> picture;
-  for (const Point& p : points) picture.push_back(lens(p));
-  return picture;
-}
 
 double angle_of(int step, int steps) { return 2 * std::numbers::pi * step / steps; }
 
@@ -92,8 +85,7 @@ Body only_outline(std::vector<Point> vertices) { return {std::move(vertices), {}
 Body polytope(std::vector<Point> vertices, Dimension dimension) {
   if (dimension == Dimension::plane) {
     Body flat;
-    for (const Vec2& corner : convex_hull(through(Lens{}, vertices)))
-      flat.vertices.emplace_back(corner.x(), corner.y(), 0);
+    for (const Vec2& corner : convex_hull(Lens{}(vertices))) flat.vertices.emplace_back(corner.x(), corner.y(), 0);
     return flat;
   }
   const std::optional<std::vector<Point>> fewer = without_inner_points(vertices);
@@ -183,12 +175,7 @@ struct OutlineOf {
 /// Returns: an outline as it is; where it has very many corners, without those that no picture is large enough for.
 std::vector<Vec2> seen(std::vector<Vec2> hull) {
   if (hull.size() <= most_in_outline) return hull;
-  Vec2 low = hull[0], high = hull[0];
-  for (const Vec2& corner : hull) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
-  }
-  return render::simplified(hull, least_corner * (high - low).maxCoeff());
+  return render::simplified(hull, least_corner * Bounds(hull).size());
 }
 
 // -- What is flat of a round object -----------------------------------------------------------------------------------
@@ -334,12 +321,12 @@ Body body_of_difference(const Scene& scene, const Body& a, const Body& b) {
 }
 
 std::vector<Vec2> outline(const Object& object, const Body& body, const Lens& lens) {
-  if (!body.vertices.empty()) return seen(convex_hull(through(lens, body.vertices)));
+  if (!body.vertices.empty()) return seen(convex_hull(lens(body.vertices)));
   return seen(visit_shape(OutlineOf{object.pose, lens}, object.form));
 }
 
 std::vector<Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens) {
-  if (!body.vertices.empty()) return seen(convex_hull(through(lens, body.vertices)));
+  if (!body.vertices.empty()) return seen(convex_hull(lens(body.vertices)));
   const AskedObject<double> a(scene.a), b(scene.b);
   const gjk::MinkowskiDifference<double, AskedObject<double>, AskedObject<double>> difference(a, b);
   std::vector<Vec2> farthest;

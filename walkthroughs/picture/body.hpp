@@ -40,4 +40,7 @@ std::vector<render::Vec2> outline(const Object& object, const Body& body, const 
 /// Returns: the outline of the difference in the picture. Asks the support functions where `body` is empty.
 std::vector<render::Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens);
 
+/// Qhull. Returns: the faces of the hull of points in space, coplanar triangles joined; none where the points are flat.
+std::vector<render::Face> hull_faces(const std::vector<Point>& points);
+
 }  // namespace walkthroughs

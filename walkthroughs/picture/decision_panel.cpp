@@ -1,12 +1,11 @@
-#include "walkthroughs/picture/decision_panel.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/inset.hpp"
-#include "walkthroughs/picture/key.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
 
@@ -67,23 +66,19 @@ class DecisionPicture {
   }
 
   Bounds bounds() const {
-    Bounds box{at_origin(), at_origin()};
-    const auto add = [&](const Vec2& p) { box = {box.low.cwiseMin(p), box.high.cwiseMax(p)}; };
-    for (const Vec2& p : corners()) add(p);
-    if (view_.kind == Kind::true_shape) {  // room for the regions around
-      const Vec2 around = 0.1 * (box.high - box.low);
-      box = {box.low - around, box.high + around};
-    }
-    if (view_.kind == Kind::crossing) add({0, -0.15 * box.high.y()});  // room for the product
+    Bounds box(at_origin());
+    for (const Vec2& p : corners()) box.add(p);
+    if (view_.kind == Kind::true_shape) box.grow(0.1 * (box.high - box.low));  // room for the regions around
+    if (view_.kind == Kind::crossing) box.add({0, -0.15 * box.high.y()});      // room for the product
     if (view_.kind != Kind::edge_on) return box;
-    add({box.low.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
+    box.add({box.low.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
     if (!is_alone_) return box;
     const double width = box.high.x() - box.low.x();
     for (const double side : {-0.22, 0.18})
-      add({box.low.x(), side * width});  // so that an empty side is seen to be empty
+      box.add({box.low.x(), side * width});  // so that an empty side is seen to be empty
     if (has_fourth() && lens_.plane.stretch.y() == 1) {
       const Vec2 at = lens_(vertex(shown_, fourth(view_.face)));
-      if (std::abs(at.y()) <= deepest * width) add(at);
+      if (std::abs(at.y()) <= deepest * width) box.add(at);
     }
     return box;
   }
@@ -158,19 +153,12 @@ class DecisionPicture {
     return inset_of(at_origin(), edges, edges, below_title(frame_, style_), view, shown_.telling.panels.close_up);
   }
 
+  /// Of what is looked at, through this view's plane.
   void regions(Pencil& pencil) {
-    const Shown shown = with_lens();
-    const bool is_along = !shown_.now.regions.empty() && asks_along_edge(shown_.now.regions.back());
-    if (is_along)
-      draw_sides_along(pencil, shown, view_.face);
-    else if (view_.kind == Kind::segment && is_of_larger())
-      return;
-    else if (view_.kind == Kind::segment)
-      draw_regions_of_segment(pencil, shown);
-    else if (shown_.now.processed.size() == 3)
-      draw_regions_of_triangle(pencil, shown);
-    else
-      draw_regions_of_face(pencil, shown, view_.face);
+    draw_regions_in_plane(
+        pencil,
+        {shown_.telling, shown_.stage, shown_.now, shown_.names, shown_.focus, lens_, in_plane_, shown_.values, false},
+        view_.face);
   }
 
   void mark_origin(render::Panel& panel) {
@@ -199,11 +187,14 @@ class DecisionPicture {
       case Kind::segment: return "plane of " + face + " and O";
       case Kind::true_shape:
         return face + ", true shape, down " + shown_.names.translate(gjk::NamedVector::normal(view_.face));
-      case Kind::edge_on:
-        if (view_.is_left_behind())
-          return face + " edge-on: left behind" + stretched(", heights ↕", lens_.plane.stretch.y());
-        return face + (frame_.width() < narrow ? stretched(", ↕", lens_.plane.stretch.y())
-                                               : " edge-on" + stretched(", heights ↕", lens_.plane.stretch.y()));
+      case Kind::edge_on: {
+        const bool is_narrow = frame_.width() < narrow && !view_.is_left_behind();
+        return face +
+               (view_.is_left_behind() ? " edge-on: left behind"
+                : is_narrow            ? ""
+                                       : " edge-on") +
+               stretched(is_narrow ? ", ↕" : ", heights ↕", lens_.plane.stretch.y());
+      }
     }
     return "";
   }
@@ -281,12 +272,6 @@ class DecisionPicture {
     edges(pencil.panel());
     vertices(pencil);
     name_origin(pencil.panel(), at_origin() - middle_of(corners()));
-  }
-
-  /// What is looked at, through this view's plane.
-  Shown with_lens() const {
-    return {shown_.telling, shown_.stage, shown_.now,    shown_.names, shown_.focus,
-            lens_,          in_plane_,    shown_.values, false};
   }
 
   void edge_on(Pencil& pencil) {
@@ -382,8 +367,7 @@ class DecisionPicture {
     panel.label(tip * 0.8, {0, 1}, "d", label(style_.direction.color, render::Weight::bold));
     if (shown_.values)  // beside the supporting line, on the origin's side
       panel.label(foot / 2, {-0.3 * at.x(), -std::abs(at.x())}, product_with_d(), style_.small_label(), 12);
-    panel.disc(at, style_.point_radius + 2, style_.theme.paper);
-    panel.disc(at, style_.point_radius, shown_.now.added ? style_.theme.green : style_.theme.vermillion);
+    draw_point(panel, at, shown_.now.added ? style_.theme.green : style_.theme.vermillion, style_);
     panel.circle(at, style_.point_radius + 5, {style_.theme.ink, 2.5});
     panel.label(at, at, shown_.names.of(P), label(style_.theme.ink, render::Weight::bold));
     panel.plus(Vec2::Zero(), 8, style_.origin);

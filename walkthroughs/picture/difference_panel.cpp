@@ -1,11 +1,8 @@
-#include "walkthroughs/picture/difference_panel.hpp"
-
 #include <algorithm>
 
-#include "walkthroughs/picture/decision_panel.hpp"
 #include "walkthroughs/picture/inset.hpp"
-#include "walkthroughs/picture/key.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
 
@@ -266,48 +263,6 @@ class DifferencePicture {
   const Vec2 center_;
 };
 
-std::vector<Vec2> corners_of(const render::Box& box) {
-  return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
-}
-
-Bounds bounds(const std::vector<Vec2>& points) {
-  Bounds box{points.front(), points.front()};
-  for (const Vec2& p : points) box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
-  return box;
-}
-
-}  // namespace
-
-Bounds bounds_of_difference(const Telling& telling, const Stage& stage, const Lens& lens) {
-  std::vector<Vec2> points = {lens(Point::Zero())};
-  if (telling.panels.hull) {
-    const std::vector<Vec2> outline = outline_of_difference(telling.scene, stage.difference, lens);
-    points.insert(points.end(), outline.begin(), outline.end());
-  }
-  for (const auto& event : telling.trace.events)
-    if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) points.push_back(lens(support->vertex.w));
-  return bounds(points);
-}
-
-Bounds bounds_of_decision(const Moment& now, const Lens& lens) {
-  std::vector<Vec2> points = {lens(Point::Zero())};
-  for (const Point& p : points_of(now.processed)) points.push_back(lens(p));
-  Bounds box = bounds(points);
-  const double margin = 0.3 * (box.high - box.low).maxCoeff();
-  box.low.array() -= margin;
-  box.high.array() += margin;
-  return box;
-}
-
-Bounds bounds_of_move(const Moment& now, const Lens& lens) {
-  std::vector<Vec2> points = {lens(Point::Zero()), lens(now.direction->value.stableNormalized())};
-  for (const Point& p : points_of(now.simplex)) points.push_back(lens(p));
-  if (now.found) points.push_back(lens(now.found->w));
-  return bounds(points);
-}
-
-namespace {
-
 /// Of a flat picture: around the origin, where it stands near an edge of the simplex or near what bounds the set along d.
 std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, const render::View& view) {
   const Moment& now = shown.now;
@@ -327,15 +282,11 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
   return inset_of(O, asked, shape, below_title(frame, shown.style), view, shown.telling.panels.close_up);
 }
 
-}  // namespace
-
 /// Whether the search has ended in front of the origin.
 bool shows_gap(const Moment& now) {
   if (now.certified && now.in_exact_fallback) return now.certified->status == gjk::Status::separated;
   return now.result && now.result->separation;
 }
-
-namespace {
 
 int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
@@ -378,6 +329,30 @@ int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) 
 }
 
 }  // namespace
+
+Bounds bounds_of_difference(const Telling& telling, const Stage& stage, const Lens& lens) {
+  Bounds box(lens(Point::Zero()));
+  if (telling.panels.hull)
+    for (const Vec2& corner : outline_of_difference(telling.scene, stage.difference, lens)) box.add(corner);
+  for (const auto& event : telling.trace.events)
+    if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) box.add(lens(support->vertex.w));
+  return box;
+}
+
+Bounds bounds_of_decision(const Moment& now, const Lens& lens) {
+  Bounds box(lens(Point::Zero()));
+  for (const Point& p : points_of(now.processed)) box.add(lens(p));
+  box.grow(Vec2::Constant(0.3 * box.size()));
+  return box;
+}
+
+Bounds bounds_of_move(const Moment& now, const Lens& lens) {
+  Bounds box(lens(Point::Zero()));
+  box.add(lens(now.direction->value.stableNormalized()));
+  for (const Point& p : points_of(now.simplex)) box.add(lens(p));
+  if (now.found) box.add(lens(now.found->w));
+  return box;
+}
 
 int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const int crowded = draw_search(canvas, place, shown);

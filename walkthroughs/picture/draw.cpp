@@ -5,13 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "walkthroughs/picture/algorithm_panel.hpp"
-#include "walkthroughs/picture/decision_panel.hpp"
-#include "walkthroughs/picture/difference_panel.hpp"
 #include "walkthroughs/picture/footer.hpp"
-#include "walkthroughs/picture/number_line_panel.hpp"
-#include "walkthroughs/picture/objects_panel.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -32,8 +28,8 @@ constexpr double title_top = 18, below_title_line = 24;  // around the line of t
 constexpr double share_of_space = 0.4, decision_margin = 34;
 constexpr double line_pitch = 30;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double most_page_units =
-    1e12;  // from the zero of a scene to its points, so that these are placed to a thousandth
+/// From the zero of a scene to its points, so that these are placed to a thousandth.
+constexpr double most_page_units = 1e12;
 constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
 constexpr double objects_margin = 64, difference_margin = 64;  // around a scene: room for arrows, for labels
 
@@ -167,6 +163,26 @@ std::string title_of_difference(bool is_close_up, const Style& style) {
   return is_close_up ? "a − b, close up" : "difference a − b";
 }
 
+/// The difference, and where asked for the objects.
+int draw_whole_set(Canvas& canvas, const Columns& boxes, const Shown& what) {
+  const Box room = below_title(boxes.difference, what.style).grown(-difference_margin);
+  const bool is_near = is_close_up(what, room);
+  View view = view_of_difference(what, room);
+  int crowded = 0;
+  if (boxes.objects) {
+    const Bounds objects = bounds_of_objects(what.telling, what.stage, what.lens);
+    const Box room_left = below_title(*boxes.objects, what.style).grown(-objects_margin);
+    View left = fit(objects, room_left);
+    if (!what.lens.camera && !is_near) {  // One scale for both, so that a length in one panel is the same in the other.
+      const double scale = std::min(left.scale(), view.scale());
+      left = fit(objects, room_left, scale);
+      view = view.with_scale(scale);
+    }
+    crowded = draw_objects(canvas, {*boxes.objects, "", left}, what);
+  }
+  return crowded + draw_difference(canvas, {boxes.difference, title_of_difference(is_near, what.style), view}, what);
+}
+
 int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   const Telling& telling = *story.stages[0].telling;
   const Lens lens = turned(story.stages[0].lens, look.turn);
@@ -177,35 +193,10 @@ int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, con
   const std::optional<NumberLine> line =
       telling.panels.decision ? number_line(what.now, what.focus, what.names) : std::nullopt;
   const Columns boxes = columns(telling.panels, rows_of_panels(look), !views.empty() || line, look.style);
-  if (line) {
-    const int crowded =
-        draw_beside(canvas, *boxes.objects, what) + draw_number_line(canvas, boxes.difference, *line, what);
-    if (boxes.algorithm && look.code) draw_algorithm(canvas, *boxes.algorithm, what);
-    return crowded;
-  }
-  if (!views.empty()) {
-    const int crowded = draw_decision_in_space(canvas, boxes, views, what);
-    if (boxes.algorithm && look.code) draw_algorithm(canvas, *boxes.algorithm, what);
-    return crowded;
-  }
-  const Box room = below_title(boxes.difference, look.style).grown(-difference_margin);
-  View view = view_of_difference(what, room);
-  int crowded = 0;
-  if (boxes.objects) {
-    const Bounds objects = bounds_of_objects(telling, story.stages[0], lens);
-    const Box room_left = below_title(*boxes.objects, look.style).grown(-objects_margin);
-    View left = fit(objects, room_left);
-    if (!lens.camera &&
-        !is_close_up(what,
-                     room)) {  // One scale for both, so that a length in one panel is the same length in the other.
-      const double scale = std::min(left.scale(), view.scale());
-      left = fit(objects, room_left, scale);
-      view = view.with_scale(scale);
-    }
-    crowded += draw_objects(canvas, {*boxes.objects, "", left}, what);
-  }
-  crowded +=
-      draw_difference(canvas, {boxes.difference, title_of_difference(is_close_up(what, room), look.style), view}, what);
+  const int crowded = line            ? draw_beside(canvas, *boxes.objects, what)
+                      : views.empty() ? draw_whole_set(canvas, boxes, what)
+                                      : draw_decision_in_space(canvas, boxes, views, what);
+  if (line) draw_number_line(canvas, boxes.difference, *line, what);
   if (boxes.algorithm && look.code) draw_algorithm(canvas, *boxes.algorithm, what);
   return crowded;
 }
@@ -239,9 +230,9 @@ int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, const
   const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, rows),
                        panel_box(middle + panel_gap / 2, right_margin, rows)};
   const auto view = [&](std::size_t s, const Lens& lens, double scale) {
-    const Bounds box =
-        bounds_of_scene(story, s, story.frames.size() - 1, lens);  // of the last frame, so that nothing jumps
-    return fit(box, below_title(boxes[s], look.style).grown(-difference_margin), scale);
+    const std::size_t last = story.frames.size() - 1;  // of which the bounds are, so that nothing jumps
+    return fit(bounds_of_scene(story, s, last, lens), below_title(boxes[s], look.style).grown(-difference_margin),
+               scale);
   };
   const Lens lenses[] = {turned(story.stages[0].lens, look.turn), turned(story.stages[1].lens, look.turn)};
   const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());

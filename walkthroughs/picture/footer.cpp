@@ -35,8 +35,8 @@ void append(std::vector<Line>& lines, Canvas& canvas, const Line& line, double w
   }
 }
 
-std::vector<Line> lines_of_facts(Canvas& canvas, const Frame& frame, const Style& style, double size, double width) {
-  std::vector<Line> lines;
+void append_facts(std::vector<Line>& lines, Canvas& canvas, const Frame& frame, const Style& style, double size,
+                  double width) {
   for (const Fact& fact : frame.facts) {
     const bool is_skipped = fact.mark == Fact::Mark::skipped;
     const bool is_bold = fact.mark == Fact::Mark::answer || fact.mark == Fact::Mark::truth;
@@ -48,7 +48,6 @@ std::vector<Line> lines_of_facts(Canvas& canvas, const Frame& frame, const Style
     append(lines, canvas, line, width);
     if (lines.size() > first) lines[first].mark = fact.mark;
   }
-  return lines;
 }
 
 void draw_mark(Canvas& canvas, const Vec2& at, Fact::Mark mark, const Style& style) {
@@ -113,8 +112,7 @@ std::vector<Line> fitting_lines(Canvas& canvas, const Box& room, const Frame& fr
     for (const double size_of_facts : sizes_of_facts) {
       lines.clear();
       append(lines, canvas, caption, room.width());
-      const std::vector<Line> facts = lines_of_facts(canvas, frame, style, size * size_of_facts, room.width());
-      lines.insert(lines.end(), facts.begin(), facts.end());
+      append_facts(lines, canvas, frame, style, size * size_of_facts, room.width());
       if (height_of(lines) - lines.back().pitch <= room.height() - style.scaled(first_line) - below_last_line)
         return lines;
     }
@@ -137,8 +135,7 @@ double draw_words(Canvas& canvas, double width, const StagedStory& story, std::s
   std::vector<Line> lines;
   append(lines, canvas, {state, style.small, style.scaled(line_pitch)}, width);
   append(lines, canvas, {frame.caption, style.caption, style.scaled(line_pitch)}, width);
-  const std::vector<Line> facts = lines_of_facts(canvas, frame, style, 1, width);
-  lines.insert(lines.end(), facts.begin(), facts.end());
+  append_facts(lines, canvas, frame, style, 1, width);
   const double height = height_of(lines) + below_last_line;
   draw_lines(canvas, {{0, style.scaled(top_of_column - first_line)}, {width, height + style.scaled(line_pitch)}}, lines,
              style);

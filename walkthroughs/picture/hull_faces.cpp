@@ -1,8 +1,8 @@
-#include "walkthroughs/picture/hull_faces.hpp"
-
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+
+#include "walkthroughs/picture/body.hpp"
 
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
@@ -11,7 +11,8 @@ extern "C" {
 namespace walkthroughs {
 namespace {
 
-/// The one place that knows Qhull, which was chosen for points in space because it copes with coplanar points: one run on points in space; freed with everything it has allocated.
+/// The one place that knows Qhull, which was chosen because it copes with coplanar points: one run on points in space;
+/// freed with everything it has allocated.
 class Qhull {
  public:
   explicit Qhull(std::vector<double> coordinates) : coordinates_(std::move(coordinates)) {

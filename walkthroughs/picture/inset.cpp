@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "walkthroughs/picture/panel_title.hpp"
+
 namespace walkthroughs {
 namespace {
 
@@ -97,9 +99,7 @@ void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, co
     draw(panel);
     panel.place_labels(style.smallest_label());
   }
-  const Vec2 low = inset.frame.min, high = inset.frame.max;
-  const Vec2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-  canvas.outline(corners, line);
+  canvas.outline(corners_of(inset.frame), line);
   const std::string factor = words_of_factor(inset.factor);
   render::TextStyle text = style.small_label();
   text.align = render::Align::center;

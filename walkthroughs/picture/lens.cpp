@@ -17,10 +17,9 @@ constexpr double wanted_cosine = 0.7;  // between a normal that decides and the 
 
 /// A decision in space: what it was about, and the plane that must be seen for it.
 struct Decision {
-  std::vector<Point> points;     ///< the vertices and the origin
-  Point normal = Point::Zero();  ///< of the triangle, or of the face; zero for a segment or a point
-  bool either_side_will_do =
-      true;  ///< a triangle may be looked at from below, a face of a tetrahedron must not be hidden
+  std::vector<Point> points;        ///< the vertices and the origin
+  Point normal = Point::Zero();     ///< of the triangle, or of the face; zero for a segment or a point
+  bool either_side_will_do = true;  ///< a triangle may be seen from below, a face of a tetrahedron must not be hidden
 };
 
 Decision decision_of(const gjk::Simplex<double>& simplex, const Point& face_normal) {
@@ -124,20 +123,15 @@ std::vector<std::size_t> Lens::back_to_front(const std::vector<render::Face>& fa
 }
 
 render::Camera choose_camera(const Trace& trace) {
-  render::Camera best(-60, 20);
   std::vector<Decision> decisions = decisions_of(trace);
   std::erase_if(decisions,
                 [](const Decision& each) { return !std::isfinite(extent(each.points)) || extent(each.points) == 0; });
-  if (decisions.empty()) return best;
+  if (decisions.empty()) return {-60, 20};
   const std::vector<Point> moves = moves_of(trace);
-  double most = -std::numeric_limits<double>::infinity();
-  for (const render::Camera& camera : cameras()) {
-    const double reached = score(decisions, camera) + shortest(moves, camera);
-    if (reached <= most) continue;
-    most = reached;
-    best = camera;
-  }
-  return best;
+  const std::vector<render::Camera> all = cameras();
+  std::vector<double> scores;
+  for (const render::Camera& camera : all) scores.push_back(score(decisions, camera) + shortest(moves, camera));
+  return all[static_cast<std::size_t>(std::ranges::max_element(scores) - scores.begin())];
 }
 
 }  // namespace walkthroughs

@@ -1,8 +1,7 @@
-#include "walkthroughs/picture/number_line_panel.hpp"
-
 #include <algorithm>
 
 #include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs {
@@ -23,11 +22,8 @@ constexpr double gap_to_band = 8;     // of a name that may stand beside it
 class Scale {
  public:
   Scale(const NumberLine& line, const Box& room) : left_(room.min.x()), width_(room.width()) {
-    low_ = std::min(0.0, line.low), high_ = std::max(0.0, line.high);
-    for (const NumberLine::Number& each : line.numbers) {
-      low_ = std::min(low_, each.value);
-      high_ = std::max(high_, each.value);
-    }
+    const auto [least, most] = std::ranges::minmax(line.numbers, {}, &NumberLine::Number::value);
+    low_ = std::min({0.0, line.low, least.value}), high_ = std::max({0.0, line.high, most.value});
     const double more = room_at_ends * (high_ / 2 - low_ / 2);
     if (!(more > 0)) low_ = -1, high_ = 1;
     low_ -= 2 * more, high_ += 2 * more;
@@ -132,11 +128,10 @@ class NumberLinePicture {
 
 }  // namespace
 
-int draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
+void draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
   draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?", shown.style,
                    key_of(line, shown.style));
   NumberLinePicture(canvas, below_title(frame, shown.style), line, shown).draw();
-  return 0;
 }
 
 }  // namespace walkthroughs

@@ -1,6 +1,5 @@
-#include "walkthroughs/picture/objects_panel.hpp"
-
 #include "walkthroughs/picture/panel_title.hpp"
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
 namespace walkthroughs {
@@ -12,9 +11,8 @@ KeyEntry swatch(const std::string& text, render::Color fill, const render::Strok
   return {text,
           [=](render::Canvas& canvas, const Vec2& at) {
             const render::Box box{at - Vec2(9, 7), at + Vec2(9, 7)};
-            const Vec2 corners[] = {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
-            canvas.polygon(corners, fill);
-            canvas.outline(corners, {outline.color, 2.5});
+            canvas.polygon(corners_of(box), fill);
+            canvas.outline(corners_of(box), {outline.color, 2.5});
           },
           10, true};
 }
@@ -46,9 +44,7 @@ Bounds bounds_of_objects(const Telling& telling, const Stage& stage, const Lens&
   std::vector<Vec2> points = outline(telling.scene.a, stage.a, lens);
   const std::vector<Vec2> b = outline(telling.scene.b, stage.b, lens);
   points.insert(points.end(), b.begin(), b.end());
-  Bounds box{points.front(), points.front()};
-  for (const Vec2& p : points) box = {box.low.cwiseMin(p), box.high.cwiseMax(p)};
-  return box;
+  return Bounds(points);
 }
 
 int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown) {

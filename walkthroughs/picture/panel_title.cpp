@@ -8,6 +8,8 @@ namespace {
 
 using render::Vec2;
 
+constexpr double origin_radius = 7, in_plane_radius = 3;  // page units
+
 constexpr double above_title = 8, below_title_line = 10, margin = 14;
 constexpr double usual_size = 18;
 constexpr double least_key_size = 11, shortened_key_size = 15;
@@ -95,14 +97,17 @@ void draw_key(render::Canvas& canvas, render::Interval room, double baseline, st
 
 }  // namespace
 
+std::vector<Vec2> corners_of(const render::Box& box) {
+  return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
+}
+
 render::Box below_title(const render::Box& frame, const Style& style) {
   return {frame.min + Vec2(0, above_title + style.panel_title.size + below_title_line), frame.max};
 }
 
 render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                              const Style& style, const std::vector<KeyEntry>& key) {
-  const Vec2 corners[] = {frame.min, {frame.max.x(), frame.min.y()}, frame.max, {frame.min.x(), frame.max.y()}};
-  canvas.outline(corners, style.frame);
+  canvas.outline(corners_of(frame), style.frame);
   const render::Box room = below_title(frame, style);
   canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
   const double baseline = frame.min.y() + above_title + style.panel_title.size;
@@ -112,6 +117,61 @@ render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, c
   if (!beside.empty()) canvas.text({left, baseline}, beside, text);
   draw_key(canvas, {left + width_of(canvas, beside, text), right}, baseline, key, text, style);
   return room;
+}
+
+// -- Signs --
+
+KeyEntry key_of_line(const std::string& text, const render::Stroke& stroke) {
+  return {text,
+          [=](render::Canvas& canvas, const Vec2& at) { canvas.line(at - Vec2(15, 0), at + Vec2(15, 0), stroke); }};
+}
+
+KeyEntry key_of_newest(const Style& style) {
+  return {"newest",
+          [&style](render::Canvas& canvas, const Vec2& at) {
+            canvas.disc(at, style.point_radius - 1, style.theme.green);
+            canvas.circle(at, style.point_radius + 3, {style.theme.ink, 2});
+          },
+          11};
+}
+
+KeyEntry key_of_out_of_reach(const std::string& text, const Style& style) {
+  return {text, [&style](render::Canvas& canvas, const Vec2& at) {
+            canvas.rectangle({at - Vec2(15, 8), at + Vec2(15, 8)}, style.out_of_reach);
+            canvas.line(at + Vec2(-15, -8), at + Vec2(15, -8), style.support_line);
+          }};
+}
+
+KeyEntry key_of_skipped(const Style& style) {
+  return {"skipped",
+          [&style](render::Canvas& canvas, const Vec2& at) {
+            for (const double x : {-12.0, -4.0, 4.0, 12.0})
+              canvas.line(at + Vec2(x - 7, 7), at + Vec2(x + 7, -7), style.hatching);
+          },
+          19};
+}
+
+std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, const Style& style) {
+  const auto entry = [&style](const char* words, double inner) {
+    return KeyEntry{words,
+                    [&style, inner](render::Canvas& canvas, const Vec2& at) {
+                      if (inner > 0) canvas.disc(at, inner, style.theme.ink);
+                      canvas.circle(at, origin_radius - 1, {style.theme.ink, 2});
+                    },
+                    origin_radius};
+  };
+  if (std::ranges::any_of(views, [](const DecisionView& view) { return view.height == 0; }))
+    return {entry("above", origin_radius), entry("in it", in_plane_radius), entry("below", 0)};
+  if (style.theme.text > 1)
+    return {entry("above", origin_radius), entry("below", 0)};  // what its letters have room for
+  return {entry("O above", origin_radius), entry("O below", 0)};
+}
+
+void draw_origin_beside(render::Panel& panel, const Vec2& at, double height, const Style& style) {
+  panel.disc(at, origin_radius + 2, style.theme.paper);
+  if (height > 0) panel.disc(at, origin_radius, style.theme.ink);
+  if (height == 0) panel.disc(at, in_plane_radius, style.theme.ink);
+  panel.circle(at, origin_radius - 1, {style.theme.ink, 2});
 }
 
 }  // namespace walkthroughs

@@ -1,14 +1,18 @@
-/// The frame of a panel, with its title and its key.
+/// The frame of a panel, with its title and its key, and the signs that a key explains.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "render/canvas.hpp"
+#include "render/panel.hpp"
 #include "walkthroughs/picture/style.hpp"
+#include "walkthroughs/story/decision.hpp"
 
 namespace walkthroughs {
+
+/// Returns: the corners of a box, all around.
+std::vector<render::Vec2> corners_of(const render::Box& box);
 
 /// Returns: the part of `frame` below the title.
 render::Box below_title(const render::Box& frame, const Style& style);
@@ -26,5 +30,18 @@ struct KeyEntry {
 /// Returns: the room below the title.
 render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                              const Style& style, const std::vector<KeyEntry>& key = {});
+
+// -- Signs --
+
+KeyEntry key_of_line(const std::string& text, const render::Stroke& stroke);
+KeyEntry key_of_newest(const Style& style);
+/// An area with the supporting line, or plane, as its border.
+KeyEntry key_of_out_of_reach(const std::string& text, const Style& style);
+KeyEntry key_of_skipped(const Style& style);
+/// The origin above a face and below it; in its plane only where one of the views shows that.
+std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, const Style& style);
+
+/// Draws the origin as the key has it: filled above the plane, a dot in it, a ring below.
+void draw_origin_beside(render::Panel& panel, const render::Vec2& at, double height, const Style& style);
 
 }  // namespace walkthroughs

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "walkthroughs/picture/diagram_parts.hpp"
+
 namespace walkthroughs {
 namespace {
 
@@ -49,16 +51,7 @@ std::pair<Point, Point> span_across(const Point& d) {
 
 }  // namespace
 
-std::vector<Vec2> Pencil::at(const std::vector<Point>& points) const {
-  std::vector<Vec2> picture;
-  for (const Point& p : points) picture.push_back(lens_(p));
-  return picture;
-}
-
-void Pencil::point(const Point& p, render::Color color) {
-  panel_.disc(at(p), style_.point_radius + 2, style_.theme.paper);
-  panel_.disc(at(p), style_.point_radius, color);
-}
+void Pencil::point(const Point& p, render::Color color) { draw_point(panel_, at(p), color, style_); }
 
 void Pencil::direction(const Point& from, const Point& d, const Stroke& stroke, const std::string& name) {
   if (!is_seen(d) || !d.allFinite()) return;  // it leads nowhere

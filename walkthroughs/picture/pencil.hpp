@@ -18,7 +18,7 @@ class Pencil {
   const Style& style() const { return style_; }
   const Lens& lens() const { return lens_; }
   render::Vec2 at(const Point& p) const { return lens_(p); }
-  std::vector<render::Vec2> at(const std::vector<Point>& points) const;
+  std::vector<render::Vec2> at(const std::vector<Point>& points) const { return lens_(points); }
   /// Returns: a vector of the scene, wherever it begins.
   render::Vec2 in_picture(const Point& vector) const { return at(vector + lens_.plane.on) - at(lens_.plane.on); }
   /// Returns: whether the picture has depth; none of a plane has.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/decision.hpp"
 
 namespace walkthroughs {
@@ -20,15 +21,9 @@ constexpr double margin_in_space = 0.45;  // of the drawn part of a plane around
 
 /// Returns: a rectangle of the plane around what must be seen of it.
 std::vector<Vec2> around(const std::vector<Vec2>& points) {
-  Vec2 low = points.front(), high = points.front();
-  for (const Vec2& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double margin = margin_in_space * (high - low).maxCoeff();
-  low.array() -= margin;
-  high.array() += margin;
-  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  Bounds box(points);
+  box.grow(Vec2::Constant(margin_in_space * box.size()));
+  return corners_of({box.low, box.high});
 }
 
 /// One region, ready to be drawn.
@@ -158,9 +153,7 @@ class RegionPicture {
 
   std::vector<Vec2> drawn_part(const std::vector<Point>& points) const {
     if (!pencil_.in_space()) return pencil_.panel().corners();
-    std::vector<Vec2> in_plane;
-    for (const Point& p : points) in_plane.push_back(plane_(p));
-    return around(in_plane);
+    return around(Lens{std::nullopt, plane_}(points));
   }
 
   /// Returns: what has been said of a region, by its feature.
@@ -395,16 +388,12 @@ void draw_regions(Pencil& pencil, const Shown& shown) {
   }
 }
 
-void draw_regions_of_segment(Pencil& pencil, const Shown& shown) { RegionPicture(pencil, shown).segment(); }
-
-void draw_regions_of_triangle(Pencil& pencil, const Shown& shown) { RegionPicture(pencil, shown).triangle(); }
-
-void draw_sides_along(Pencil& pencil, const Shown& shown, const Roles& edge) {
-  RegionPicture(pencil, shown).sides_along(edge);
-}
-
-void draw_regions_of_face(Pencil& pencil, const Shown& shown, const Roles& face) {
-  RegionPicture(pencil, shown).edges_of_face(face);
+void draw_regions_in_plane(Pencil& pencil, const Shown& shown, const Roles& feature) {
+  RegionPicture picture(pencil, shown);
+  const int size = shown.now.processed.size();
+  if (!shown.now.regions.empty() && asks_along_edge(shown.now.regions.back())) return picture.sides_along(feature);
+  if (feature.size() == 2 && size == 2) return picture.segment();
+  if (feature.size() == 3) return size == 3 ? picture.triangle() : picture.edges_of_face(feature);
 }
 
 void name_rejected_faces(Pencil& pencil, const Shown& shown) {

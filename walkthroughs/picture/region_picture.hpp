@@ -7,7 +7,8 @@
 namespace walkthroughs {
 
 /// What the algorithm has said of a region up to one moment. Nothing may be told by colour alone: skipped regions are
-/// hatched, rejected ones named with ✗, the chosen one with ✓, and the one just tested has a strong border and its normal.
+/// hatched, rejected ones named with ✗, the chosen one with ✓, and the one just tested has a strong border and its
+/// normal.
 enum class RegionState { pending, skipped, rejected, just_rejected, just_possible, chosen };
 
 /// Returns: that of a region of `now.regions`; pending where there is none.
@@ -23,12 +24,9 @@ std::string inequality_of(const gjk::RegionTested<double>& region, const Names& 
 /// them). Nothing where no region has been tested in this iteration.
 void draw_regions(Pencil& pencil, const Shown& shown);
 
-/// Draws those of one segment or triangle, tested or not yet, or those beside a face APQ of a tetrahedron in its plane; or on
-/// which side of A an edge AX leads.
-void draw_regions_of_segment(Pencil& pencil, const Shown& shown);
-void draw_regions_of_triangle(Pencil& pencil, const Shown& shown);
-void draw_regions_of_face(Pencil& pencil, const Shown& shown, const gjk::Roles& face);
-void draw_sides_along(Pencil& pencil, const Shown& shown, const gjk::Roles& edge);
+/// Draws those of one segment or triangle, tested or not yet, or those beside a face APQ of a tetrahedron, in the plane
+/// of that feature; or on which side of A an edge AX leads. Nothing beside one edge of several.
+void draw_regions_in_plane(Pencil& pencil, const Shown& shown, const gjk::Roles& feature);
 
 /// Writes at each face of a tetrahedron that was rejected before which one it is; nothing while the edges of a face are
 /// shown. To be asked for after the vertices have their names, which are more important.

@@ -1,5 +1,4 @@
-/// What a panel shows, and where it stands. Each function that draws one returns how many labels could not be kept clear
-/// of lines and of each other.
+/// What a panel shows, and where it stands.
 #pragma once
 
 #include <string>
@@ -9,11 +8,6 @@
 #include "walkthroughs/picture/style.hpp"
 
 namespace walkthroughs {
-
-/// The smallest box of the picture that holds what a panel must show.
-struct Bounds {
-  render::Vec2 low, high;
-};
 
 /// Where a panel stands on the page: its title and its key on top, the scene below.
 struct Place {

@@ -5,7 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "walkthroughs/story/captions_of_proof.hpp"
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -69,10 +68,7 @@ class Captions {
                                           (is_vertex(event.vertex.w) ? "" : ", and dropped since"));
     const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
     frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
-                   {Mark::none,
-                    name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) + " = " +
-                        vec(event.vertex.w),
-                    name, vec(event.vertex.w)}};
+                   difference_told(event, name)};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
     if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "none of the vertices that the first search ended with reaches across"});
@@ -83,26 +79,23 @@ class Captions {
     if (!event.value) return std::nullopt;
     const std::string name = names_.of(now_.found->w);
     const std::string value = name + "·d = " + number(*event.value);
-    const auto told = [&](Mark mark, const std::string& what) {
-      return std::vector<Fact>{{mark, value + what, name + "·d", number(*event.value)}};
+    const auto frame = [&](const std::string& caption, Mark mark, const std::string& what) {
+      return frame_about(Focus::crossing, caption, {{mark, value + what, name + "·d", number(*event.value)}});
     };
-    if (event.iteration == 1) return of_first_point(event, name, told);
+    if (event.iteration == 1) return of_first_point(event, name, frame);
+    const std::string move = "The move to " + name;
     if (event.verdict == Crossing::not_crossed && *event.value == 0)
-      return frame_about(Focus::crossing,
-                         "The move to " + name + " just reached the origin's level, and that counts as missed",
-                         told(Mark::no, ": taken for a proof, which it is not"));
+      return frame(move + " just reached the origin's level, and that counts as missed", Mark::no,
+                   ": taken for a proof, which it is not");
     if (event.verdict == Crossing::not_crossed)
-      return frame_about(
-          Focus::crossing,
-          "The move to " + name + " did not cross the origin" +
+      return frame(
+          move + " did not cross the origin" +
               (in_float() ? ", as far as floats tell" : ": nothing of the difference reaches that far along d"),
-          told(Mark::no, " < 0: the origin was not crossed (Eq. 9)"));
+          Mark::no, " < 0: the origin was not crossed (Eq. 9)");
     if (!(*event.value > 0))
-      return frame_about(Focus::crossing,
-                         "The move to " + name + " just reached the origin's level, so the search goes on",
-                         told(Mark::none, as_zero(*event.value) + ": this proves nothing"));
-    return frame_about(Focus::crossing, "The move to " + name + " crossed the origin, so the search goes on",
-                       told(Mark::yes, " > 0: the origin was crossed"));
+      return frame(move + " just reached the origin's level, so the search goes on", Mark::none,
+                   as_zero(*event.value) + ": this proves nothing");
+    return frame(move + " crossed the origin, so the search goes on", Mark::yes, " > 0: the origin was crossed");
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
@@ -130,18 +123,17 @@ class Captions {
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == Verdict::skipped) return std::nullopt;
     Frame frame = frame_about(Focus::region, region_caption(event) + gone_on_as_if(event), {decision(event)});
+    const auto tell = [&](const std::string& text) { frame.facts.push_back({Mark::none, text}); };
     if (event.formula.form == gjk::Expression::Form::product)  // not an edge itself
-      frame.facts.push_back({Mark::none, names_.translate(event.expression.X) + " = " +
-                                             names_.translate(event.formula) + " = " +
-                                             vector(*event.normal, Dimension::space)});
+      tell(names_.translate(event.expression.X) + " = " + names_.translate(event.formula) + " = " +
+           vector(*event.normal, Dimension::space));
     if (event.simplex_size == 1 && walkthrough_.naming == Naming::roles)
-      frame.facts.push_back({Mark::none, "P is the first vertex of the simplex, and called A there"});
+      tell("P is the first vertex of the simplex, and called A there");
     if (label_of(event) == gjk::RegionLabel::R3_or_R4)
-      frame.facts.push_back({Mark::none, names_.translate(event.expression) +
-                                             " points toward the origin in both, so they need not be told apart"});
+      tell(names_.translate(event.expression) + " points toward the origin in both, so they need not be told apart");
     if (event.feature.size() == 4 && !is_complete())
-      frame.facts.push_back({Mark::none, "not asked: " + names_.sorted("AB") + ", " + names_.sorted("AC") + ", " +
-                                             names_.sorted("AD") + ": the origin lies above none of their faces"});
+      tell("not asked: " + names_.sorted("AB") + ", " + names_.sorted("AC") + ", " + names_.sorted("AD") +
+           ": the origin lies above none of their faces");
     append_skipped(frame.facts);
     return frame;
   }
@@ -185,18 +177,8 @@ class Captions {
     return frame;
   }
 
-  std::optional<Frame> operator()(const gjk::FilterTried<double>& event) const {
-    return caption_of(event, names_, now_);
-  }
-  std::optional<Frame> operator()(const gjk::SignTaken<double>& event) const {
-    return caption_of(event, names_, scene_.dimension);
-  }
-  std::optional<Frame> operator()(const gjk::FeatureKept<double>& event) const {
-    return caption_of(event, names_, now_);
-  }
-  std::optional<Frame> operator()(const gjk::Certified<double>& event) const {
-    return caption_of(event, names_, now_, scene_.dimension);
-  }
+  /// Of proofs, and of the second search.
+  std::optional<Frame> operator()(const auto& event) const { return caption_of(event, names_, now_, scene_.dimension); }
 
  private:
   /// The second search takes one of the first where that reaches far enough, and asks no support function then.
@@ -226,10 +208,11 @@ class Captions {
   /// With the mistake of asking b along d, too.
   Frame of_wrong_side(const gjk::SupportFound<double>& event, const std::string& name, const std::string& along) const {
     return frame_about(Focus::support, along + " " + name + " is taken from the farthest points of both objects",
-                       {{Mark::none,
-                         name + " = a − b = " + vec(event.vertex.a.point) + " − " + vec(event.vertex.b.point) + " = " +
-                             vec(event.vertex.w),
-                         name, vec(event.vertex.w)}});
+                       {difference_told(event, name)});
+  }
+  Fact difference_told(const gjk::SupportFound<double>& event, const std::string& name) const {
+    const std::string a = vec(event.vertex.a.point), b = vec(event.vertex.b.point), w = vec(event.vertex.w);
+    return {Mark::none, name + " = a − b = " + a + " − " + b + " = " + w, name, w};
   }
 
   /// Where a mistake decides otherwise than its numbers say.
@@ -239,19 +222,16 @@ class Captions {
   }
 
   /// No move led to the first point, so none is told.
-  static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name, const auto& told) {
+  static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name, const auto& frame) {
     if (event.verdict == Crossing::not_crossed)
-      return frame_about(Focus::crossing,
-                         "Already the first point, " + name +
-                             ", does not reach the origin's level: nothing of the difference reaches that far along d",
-                         told(Mark::no, " < 0: the difference ends before the origin (Eq. 9)"));
+      return frame("Already the first point, " + name +
+                       ", does not reach the origin's level: nothing of the difference reaches that far along d",
+                   Mark::no, " < 0: the difference ends before the origin (Eq. 9)");
     if (!(*event.value > 0))
-      return frame_about(Focus::crossing,
-                         "The first point, " + name + ", just reaches the origin's level, so the search goes on",
-                         told(Mark::none, as_zero(*event.value) + ": this proves nothing"));
-    return frame_about(Focus::crossing,
-                       "The first point, " + name + ", lies beyond the origin's level, so the search goes on",
-                       told(Mark::yes, " > 0: this proves nothing"));
+      return frame("The first point, " + name + ", just reaches the origin's level, so the search goes on", Mark::none,
+                   as_zero(*event.value) + ": this proves nothing");
+    return frame("The first point, " + name + ", lies beyond the origin's level, so the search goes on", Mark::yes,
+                 " > 0: this proves nothing");
   }
 
   /// Whether what is left stands in the order in which it stood.
@@ -333,11 +313,6 @@ class Captions {
     return now_.iteration;
   }
 
-  /// `caption`: without the full stop.
-  static Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
-    return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
-  }
-
   /// Remarks are written in the letters of the picture already; where these are roles, normals get their subscript.
   std::string in_letters(const std::string& text) const {
     return walkthrough_.naming == Naming::corners ? text : names_.translate(text);
@@ -392,23 +367,21 @@ class Captions {
 
   /// What a reader needs to check the answer: the tests that the last simplex passed, or the separating direction.
   void append_evidence(const gjk::Result<double>& result, std::vector<Fact>& facts) const {
+    const auto tell = [&](const std::string& text) { facts.push_back({Mark::none, text}); };
     if (result.reason == gjk::Reason::no_new_vertex)
-      facts.push_back({Mark::none, "the search has run out of points: " + names_.of(now_.found->w) + " is not new"});
-    if (result.reason == gjk::Reason::iteration_limit) facts.push_back({Mark::none, "the iteration limit is reached"});
+      tell("the search has run out of points: " + names_.of(now_.found->w) + " is not new");
+    if (result.reason == gjk::Reason::iteration_limit) tell("the iteration limit is reached");
     if (result.cycle_start)
-      facts.push_back({Mark::none, "it would go round for ever: iteration " + std::to_string(result.iterations + 1) +
-                                       " would begin as iteration " + std::to_string(*result.cycle_start) + " did"});
-    if (result.reason == gjk::Reason::unusable_direction)
-      facts.push_back({Mark::none, "the search direction is zero or not finite"});
+      tell("it would go round for ever: iteration " + std::to_string(result.iterations + 1) +
+           " would begin as iteration " + std::to_string(*result.cycle_start) + " did");
+    if (result.reason == gjk::Reason::unusable_direction) tell("the search direction is zero or not finite");
     if (result.separation)
-      facts.push_back({Mark::none, "with d = " + vec(result.separation->direction) + ": w·d ≤ " +
-                                       names_.of(result.separation->vertex.w) +
-                                       "·d = " + number(result.separation->support_value) + " < 0 for every w" +
-                                       (in_float() ? ", as far as floats tell" : "")});
+      tell("with d = " + vec(result.separation->direction) + ": w·d ≤ " + names_.of(result.separation->vertex.w) +
+           "·d = " + number(result.separation->support_value) + " < 0 for every w" +
+           (in_float() ? ", as far as floats tell" : ""));
     if (result.status != gjk::Status::intersecting) return;
     if (is_complete() && now_.regions.back().feature.size() == 4)
-      return facts.push_back(
-          {Mark::none, "no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it"});
+      return tell("no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it");
     for (const auto& region : now_.regions)
       if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});
   }

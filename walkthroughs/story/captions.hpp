@@ -15,4 +15,26 @@ std::optional<Frame> caption(const gjk::Event<double>& event, const Story& story
 /// Returns: a frame about a direction chosen, told as what it is: the search is where it was in iteration `earlier`.
 Frame repetition(Frame frame, int earlier);
 
+/// `caption`: without the full stop.
+inline Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
+  return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
+}
+
+// What caption() says of proofs and of the second search.
+std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Names& names, const Moment& now,
+                                Dimension);
+std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, const Moment&,
+                                Dimension dimension);
+std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now,
+                                Dimension);
+std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names& names, const Moment& now,
+                                Dimension dimension);
+
+/// Whether it is 0 for everything that lies in the plane, and nobody doubts it: a component of AB×AO, the height over a
+/// triangle.
+bool is_out_of_plane(const gjk::SignTaken<double>& sign);
+
+/// Returns: "AB·AO = 3.2 ± 4e−16 > 0"; "w·d" with the name of w in its place.
+std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names);
+
 }  // namespace walkthroughs

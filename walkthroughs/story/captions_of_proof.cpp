@@ -1,8 +1,7 @@
-#include "walkthroughs/story/captions_of_proof.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -10,11 +9,6 @@ namespace walkthroughs {
 namespace {
 
 using Mark = Fact::Mark;
-
-/// `caption`: without the full stop.
-Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
-  return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
-}
 
 const char* sign_words(int sign) { return sign > 0 ? " > 0" : sign < 0 ? " < 0" : " = 0"; }
 
@@ -66,20 +60,18 @@ Frame caption_of_tetrahedron(const gjk::FilterTried<double>& event, const Names&
   std::string list;
   for (const gjk::FilterValue& each : event.numbers)
     list += (list.empty() ? "" : ", ") + name_of(each, names) + " = " + short_number(each.value);
-  const std::string bound = short_number(event.bound);
+  const std::string lie = "all four lie beyond ±" + short_number(event.bound) + ", on one side of 0";
+  const std::string bound = derived(64, "product of three coordinates");
   if (event.holds)
     return frame_about(Focus::proof,
                        "The tetrahedron is a proof: the origin lies inside by more than all that was rounded",
-                       {{Mark::yes, "all four lie beyond ±" + bound + ", on one side of 0"},
+                       {{Mark::yes, lie},
                         {Mark::none, list},
                         {Mark::none, "each is the volume, six times, between the origin and one face"},
-                        {Mark::none, derived(64, "product of three coordinates")}});
+                        {Mark::none, bound}});
   return frame_about(Focus::proof,
                      "The tetrahedron is no proof: the origin is nearer to a face than rounding can tell, or outside",
-                     {{Mark::no, "not all four lie beyond ±" + bound + ", on one side of 0"},
-                      {Mark::none, list},
-                      {Mark::none, derived(64, "product of three coordinates")},
-                      {Mark::none, undecided}});
+                     {{Mark::no, "not " + lie}, {Mark::none, list}, {Mark::none, bound}, {Mark::none, undecided}});
 }
 
 constexpr std::size_t signs_in_a_line = 3, most_signs = 6;
@@ -133,7 +125,8 @@ std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names
   return name_of(sign, names) + " = " + with_error(sign) + sign_words(sign.sign);
 }
 
-std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Names& names, const Moment& now) {
+std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Names& names, const Moment& now,
+                                Dimension) {
   return event.proof == gjk::Proof::direction ? caption_of_direction(event, names)
                                               : caption_of_tetrahedron(event, names, now);
 }
@@ -145,7 +138,8 @@ bool is_out_of_plane(const gjk::SignTaken<double>& sign) {
   return is_height && asked.X.kind == gjk::NamedVector::Kind::normal && sign.face.empty();
 }
 
-std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, Dimension dimension) {
+std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, const Moment&,
+                                Dimension dimension) {
   if (event.exact.empty() || (dimension == Dimension::plane && is_out_of_plane(event))) return std::nullopt;
   const std::string name = name_of(event, names);
   const bool is_largest = event.expression.form != gjk::Expression::Form::reach && event.vertex;
@@ -161,7 +155,8 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
   return frame;
 }
 
-std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now) {
+std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now,
+                                Dimension) {
   const std::string kept = names.simplex(event.after);
   const gjk::Roles gone = event.dropped();
   const bool is_vertex = event.after.size() == 1;

@@ -107,6 +107,17 @@ std::vector<DecisionView> views_of_tetrahedron(const Moment& now) {
   return views;
 }
 
+/// Of what the second search keeps.
+std::vector<DecisionView> views_of_kept(const Moment& now) {
+  const gjk::Roles& kept = now.kept->kept;
+  gjk::Roles feature;  // A first
+  for (int i = kept.size(); i-- > 0;) feature.add(kept[i]);
+  if (now.kept->contains_origin || (kept.size() != 2 && kept.size() != 3)) return {};
+  if (kept.size() == 2) return view_of_segment(now, feature);
+  if (is_flat(now, feature)) return {};
+  return {edge_on(now, feature), true_shape(now, feature, false)};
+}
+
 }  // namespace
 
 bool asks_along_edge(const Region& region) {
@@ -178,21 +189,6 @@ gjk::Roles face_in_question(const Moment& now, Focus focus) {
     face = last->face.empty() && last->feature.size() == 3 ? last->feature : last->face;
   return face.empty() || is_flat(now, face) ? gjk::Roles() : face;
 }
-
-namespace {
-
-/// Of what the second search keeps.
-std::vector<DecisionView> views_of_kept(const Moment& now) {
-  const gjk::Roles& kept = now.kept->kept;
-  gjk::Roles feature;  // A first
-  for (int i = kept.size(); i-- > 0;) feature.add(kept[i]);
-  if (now.kept->contains_origin || (kept.size() != 2 && kept.size() != 3)) return {};
-  if (kept.size() == 2) return view_of_segment(now, feature);
-  if (is_flat(now, feature)) return {};
-  return {edge_on(now, feature), true_shape(now, feature, false)};
-}
-
-}  // namespace
 
 bool shows_decision(const Story& story) {
   return story.walkthrough.layout == Layout::search && story.walkthrough.panels.decision &&

@@ -99,19 +99,15 @@ std::string fixed(double x) {
   return text;
 }
 
-std::string written(const Vec& v, Dimension dimension) {
-  std::string text = "(" + written(v.x()) + ", " + written(v.y());
-  return text + (dimension == Dimension::plane ? ")" : ", " + written(v.z()) + ")");
+/// To six digits and in any case to a hundredth.
+std::string rounded(const gjk::Fraction& x) {
+  const double near = x.convert_to<double>();
+  return std::abs(near) < 1e4 || std::abs(near) >= 1e12 ? written(x) : fixed(near);
 }
 
-/// A place, to six digits and in any case to a hundredth.
-std::string place(const Vec& v, Dimension dimension) {
-  const auto rounded = [](const gjk::Fraction& x) {
-    const double near = x.convert_to<double>();
-    return std::abs(near) < 1e4 || std::abs(near) >= 1e12 ? written(x) : fixed(near);
-  };
-  std::string text = "(" + rounded(v.x()) + ", " + rounded(v.y());
-  return text + (dimension == Dimension::plane ? ")" : ", " + rounded(v.z()) + ")");
+std::string written(const Vec& v, Dimension dimension, std::string (*number)(const gjk::Fraction&) = written) {
+  return "(" + number(v.x()) + ", " + number(v.y()) +
+         (dimension == Dimension::plane ? ")" : ", " + number(v.z()) + ")");
 }
 
 gjk::Fraction largest(const Vec& v) {
@@ -130,52 +126,41 @@ std::string quotient_with_length(const gjk::Fraction& n, const Vec& d) {
 
 // -- The first wrong decision -----------------------------------------------------------------------------------------
 
-constexpr const char* exactly = "in exact arithmetic: ";
-
 /// Says what exact arithmetic finds where the search of rounded numbers went wrong.
-class ExactFinding {
- public:
-  ExactFinding(const Scene& scene, const gjk::Event<double>& rounded)
-      : dimension_(scene.dimension), rounded_(rounded) {}
+struct ExactFinding {
+  Dimension dimension;
+  const gjk::Event<double>& rounded;
 
   Remark operator()(const gjk::SupportFound<gjk::Fraction>& e) const {
-    const auto& found = std::get<gjk::SupportFound<double>>(rounded_).vertex;
+    const auto& found = std::get<gjk::SupportFound<double>>(rounded).vertex;
     const Vec taken = exact(found.a.point) - exact(found.b.point);
-    return {.at = Remark::At::support_found,
-            .iteration = e.iteration,
-            .text = {},
-            .fact = exactly + ("P·d = " + written(gjk::Fraction(taken.dot(e.direction)))) + ", but " +
-                    written(e.vertex.w, dimension_) + "·d = " + written(gjk::Fraction(e.vertex.w.dot(e.direction)))};
+    return remark(Remark::At::support_found, e,
+                  "P·d = " + written(gjk::Fraction(taken.dot(e.direction))) + ", but " +
+                      written(e.vertex.w, dimension) + "·d = " + written(gjk::Fraction(e.vertex.w.dot(e.direction))));
   }
   Remark operator()(const gjk::CrossingTested<gjk::Fraction>& e) const {
-    return {.at = Remark::At::crossing_tested,
-            .iteration = e.iteration,
-            .text = {},
-            .fact = exactly + ("P·d = " + written(e.value.value()))};
+    return remark(Remark::At::crossing_tested, e, "P·d = " + written(e.value.value()));
   }
   Remark operator()(const gjk::RegionTested<gjk::Fraction>& e) const {
     const gjk::Fraction* value = std::get_if<gjk::Fraction>(&e.value);
-    return {.at = Remark::At::region_tested,
-            .iteration = e.iteration,
-            .text = {},
-            .only_for = (e.face.empty() ? "" : to_string(e.face) + " ") + to_string(e.feature),
-            .fact = exactly + to_string(e.expression) + " = " +
-                    (value ? written(*value) : written(std::get<Vec>(e.value), dimension_))};
+    return remark(
+        Remark::At::region_tested, e,
+        to_string(e.expression) + " = " + (value ? written(*value) : written(std::get<Vec>(e.value), dimension)),
+        (e.face.empty() ? "" : to_string(e.face) + " ") + to_string(e.feature));
   }
   Remark operator()(const gjk::DirectionChosen<gjk::Fraction>& e) const {
-    return {.at = Remark::At::direction_chosen,
-            .iteration = e.iteration,
-            .text = {},
-            .fact = exactly + to_string(e.expression) + " = " + written(e.direction, dimension_)};
+    return remark(Remark::At::direction_chosen, e, to_string(e.expression) + " = " + written(e.direction, dimension));
   }
-  template <class E>
-  Remark operator()(const E&) const {
-    throw std::logic_error("this event has no number that could be wrong");
-  }
+  Remark operator()(const auto&) const { throw std::logic_error("this event has no number that could be wrong"); }
 
  private:
-  Dimension dimension_;
-  const gjk::Event<double>& rounded_;
+  static Remark remark(Remark::At at, const auto& event, const std::string& fact, const std::string& only_for = {}) {
+    return {.at = at,
+            .iteration = event.iteration,
+            .text = {},
+            .only_for = only_for,
+            .fact = "in exact arithmetic: " + fact};
+  }
 };
 
 // -- The truth --------------------------------------------------------------------------------------------------------
@@ -212,7 +197,7 @@ Vec shared_point(const gjk::Simplex<gjk::Fraction>& simplex) {
 
 std::string truth(const gjk::Result<gjk::Fraction>& result, Dimension dimension) {
   if (result.status == gjk::Status::intersecting)
-    return "in truth both objects hold the point " + place(shared_point(result.simplex), dimension);
+    return "in truth both objects hold the point " + written(shared_point(result.simplex), dimension, rounded);
   if (result.status == gjk::Status::separated)
     return "in truth the objects are at least " +
            quotient_with_length(-result.separation->support_value, result.separation->direction) + " apart";
@@ -230,7 +215,7 @@ gjk::Status exact_answer(const Scene& scene) { return result_of(run_exactly(scen
 std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace) {
   const ExactTrace exact_trace = run_exactly(scene);
   const std::size_t i = first_other_decision(trace, exact_trace);
-  Remark wrong = std::visit(ExactFinding(scene, trace.events[i]), exact_trace.events[i]);
+  Remark wrong = std::visit(ExactFinding{scene.dimension, trace.events[i]}, exact_trace.events[i]);
   wrong.text = turn.cause;
   wrong.contradicts = true;
   const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;

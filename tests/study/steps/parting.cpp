@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tests/study/steps/own_steps.hpp"
-#include "walkthroughs/catalogue/mistakes.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 

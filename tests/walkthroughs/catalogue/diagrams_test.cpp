@@ -4,10 +4,9 @@
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/catalogue/figure_1_sets.hpp"
-#include "walkthroughs/catalogue/figure_2_pins.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
+#include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/draw.hpp"
-#include "walkthroughs/picture/outlines.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -1,6 +1,6 @@
 // The walkthroughs of mistakes: where each parts from the report's search, how it ends, what is said of it.
 
-#include "walkthroughs/catalogue/mistakes.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 
 #include <cmath>
 #include <map>

@@ -4,7 +4,7 @@
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
-#include "walkthroughs/catalogue/figure_6_to_8_simplices.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::test;

@@ -6,7 +6,6 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 #include "tests/walkthroughs/trace/random_scene_files.hpp"
-#include "walkthroughs/page/practice.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 

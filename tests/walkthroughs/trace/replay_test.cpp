@@ -4,7 +4,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
-#include "walkthroughs/catalogue/mistakes.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
 
 using namespace walkthroughs;

@@ -1,0 +1,214 @@
+// The regions around a segment and around a triangle, and what Algorithms 3 and 4 answer in them.
+
+#include <array>
+#include <functional>
+
+#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/catalogue/figure_objects.hpp"
+#include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/story/words.hpp"
+
+namespace walkthroughs {
+namespace {
+
+using gjk::Role;
+using render::Panel;
+using render::Vec2;
+
+constexpr double cell = 0.022;           // of the grid of origins, in scene units
+constexpr double beyond_the_page = 100;  // scene units
+constexpr double any_scale = 1e9;
+
+enum class Show { regions, answers };
+
+/// What both figures are made of.
+struct Sketch {
+  Simplex simplex;
+  Window window;
+  std::vector<RegionGrid::Block> blocks = ask_everywhere(simplex, window.with_margin(), cell).blocks();
+
+  Vec2 at(Role role) const { return simplex.point(role).head<2>(); }
+  /// Returns: the part of the panel beyond a feature.
+  std::vector<Vec2> beyond(const Panel& panel, const char* feature) const {
+    return common_part(panel.corners(), region_beyond(simplex, feature), window.height);
+  }
+  render::View view(const render::Box& room) const {
+    return render::View::fit(window.low, window.high, room, any_scale);
+  }
+};
+
+/// `any`: what is told of any origin.
+std::vector<std::string> facts_of_answers(const Answer& any) {
+  std::vector<std::string> facts =
+      reasons_for_skipping(any.regions, [](const gjk::Roles& each) { return to_string(each); });
+  facts.push_back("faint, below the hatching: what it would answer there; it relies on its history");
+  return facts;
+}
+
+// -- Figure 6 ---------------------------------------------------------------------------------------------------------
+
+/// Returns: the part of the panel beyond AB at the left (+1) or right (-1) of the way from B to A.
+std::vector<Vec2> side_of_segment(const Sketch& sketch, const Panel& panel, double side) {
+  const Point A = sketch.simplex.point(Role::A), BA = A - sketch.simplex.point(Role::B);
+  return common_part(sketch.beyond(panel, "AB"), {{A, side * Point(-BA.y(), BA.x(), 0)}}, sketch.window.height);
+}
+
+void draw_answers_of_segment(Panel& panel, const Sketch& sketch, const Style& style) {
+  draw_blocks(
+      panel, sketch.blocks,
+      [&](const std::string& answer) { return answer == "R3" ? style.object_a_fill : style.object_b_fill; },
+      style.theme.paper);
+  for (const char* end : {"B", "A"}) draw_ruled_out(panel, sketch.beyond(panel, end), style);
+  const Vec2 A = sketch.at(Role::A), far = (A - sketch.at(Role::B)).normalized() * beyond_the_page;
+  panel.line(A - far, A + far, style.thin);
+}
+
+int draw_segment(const Sketch& sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {
+  const render::Box room = draw_panel_title(canvas, box, "the 1-simplex AB and the regions around it", style);
+  Panel panel(canvas, room, sketch.view(room));
+  if (show == Show::answers) draw_answers_of_segment(panel, sketch, style);
+  const render::Stroke border{style.theme.grey, 2 * style.theme.line};
+  panel.outline(panel.corners(), border);
+  for (const char* end : {"B", "A"}) panel.outline(sketch.beyond(panel, end), border);
+  panel.line(sketch.at(Role::B), sketch.at(Role::A), {style.theme.ink, 4 * style.theme.line});
+  for (const auto& [role, toward] : {std::pair(Role::A, Vec2(1, 1)), {Role::B, Vec2(-1, -1)}}) {
+    draw_point(panel, sketch.at(role), style.theme.green, style);
+    panel.label(sketch.at(role), toward, {gjk::letter(role)}, style.label(style.theme.ink, render::Weight::bold));
+  }
+  const std::string skipped = show == Show::answers ? ": skipped" : "";
+  panel.name_area(sketch.beyond(panel, "B"), "R1" + skipped, style.label(style.theme.ink));
+  panel.name_area(sketch.beyond(panel, "A"), "R2" + skipped, style.label(style.theme.ink));
+  panel.name_area(side_of_segment(sketch, panel, 1), "R3", style.label(style.theme.ink));
+  panel.name_area(side_of_segment(sketch, panel, -1), "R4", style.label(style.theme.ink));
+  return panel.place_labels(style.smallest_label());
+}
+
+std::vector<Diagram> figure_6_diagrams() {
+  const Sketch sketch{figure_6_simplex(), figure_6_window()};
+  const std::string where =
+      "The segment from B, lower left, to A, upper right, and the lines at right angles to it through both ends. R1 "
+      "lies beyond B, R2 beyond A, R3 above the segment and R4 below it. ";
+  return {Diagram{"Around the segment AB the origin may lie in any of four regions.",
+                  {"R1 beyond B, R2 beyond A, R3 and R4 on the two sides; A is the newest vertex"},
+                  where,
+                  std::bind_front(draw_segment, sketch, Show::regions)},
+          Diagram{"Algorithm 3, asked of every origin shown, answers R3 or R4.",
+                  facts_of_answers(ask(sketch.simplex, Point(0, 1, 0))),
+                  where + "R3 is shaded in one colour, R4 in another. R1 and R2 are hatched: they are skipped.",
+                  std::bind_front(draw_segment, sketch, Show::answers)}};
+}
+
+// -- Figure 7 ---------------------------------------------------------------------------------------------------------
+
+/// The report's regions; those that it rules out beforehand are marked.
+struct Region {
+  const char *label, *feature;
+  bool ruled_out;
+};
+constexpr std::array regions_of_triangle = {
+    Region{"R1", "ABC", false}, Region{"R2", "A", true}, Region{"R3", "AB", false}, Region{"R4", "B", true},
+    Region{"R5", "BC", true},   Region{"R6", "C", true}, Region{"R7", "AC", false}};
+
+struct TriangleSketch : Sketch {
+  Answer inside = ask(simplex, (simplex[0].w + simplex[1].w + simplex[2].w) / 3);  // all of its tests are told
+
+  Vec2 middle() const { return (at(Role::A) + at(Role::B) + at(Role::C)) / 3; }
+  /// Returns: for each test of Algorithm 4 the line through A where its answer changes, as far as the tests before fail.
+  std::vector<std::pair<Vec2, Vec2>> dividing_lines() const {
+    const std::vector<HalfSpace> failed = tested_half_spaces(inside, simplex);
+    std::vector<std::pair<Vec2, Vec2>> lines;
+    for (std::size_t i = 0; i < failed.size(); ++i) {
+      const Vec2 along = Vec2(-failed[i].normal.y(), failed[i].normal.x()).normalized() * beyond_the_page;
+      const std::vector<HalfSpace> before(failed.begin(), failed.begin() + static_cast<std::ptrdiff_t>(i));
+      const std::vector<Vec2> line = common_part({at(Role::A) - along, at(Role::A) + along}, before, window.height);
+      lines.emplace_back(line[0], line[1]);
+    }
+    return lines;
+  }
+};
+
+void draw_answers_of_triangle(Panel& panel, const TriangleSketch& sketch, const Style& style) {
+  draw_blocks(
+      panel, sketch.blocks,
+      [&](const std::string& answer) {
+        return answer == "R1" ? style.chosen_fill : answer == "R3" ? style.object_a_fill : style.object_b_fill;
+      },
+      style.theme.paper);
+  for (const Region& region : regions_of_triangle)
+    if (region.ruled_out) draw_ruled_out(panel, sketch.beyond(panel, region.feature), style);
+  for (const auto& [from, to] : sketch.dividing_lines()) panel.line(from, to, style.thin);
+}
+
+void draw_corners(Panel& panel, const TriangleSketch& sketch, const Style& style) {
+  const Vec2 corners[] = {sketch.at(Role::A), sketch.at(Role::B), sketch.at(Role::C)};
+  panel.outline(corners, {style.theme.ink, 4 * style.theme.line});
+  for (const Role role : {Role::A, Role::B, Role::C}) {
+    draw_point(panel, sketch.at(role), style.theme.green, style);
+    panel.label(sketch.at(role), sketch.at(role) - sketch.middle(), {gjk::letter(role)},
+                style.label(style.theme.ink, render::Weight::bold));
+  }
+}
+
+/// The outward normals of AB and AC as Algorithm 4 has computed them.
+void draw_normals(Panel& panel, const TriangleSketch& sketch, const Style& style) {
+  for (const gjk::RegionTested<double>& test : sketch.inside.regions) {
+    if (test.feature != "AB" && test.feature != "AC") continue;
+    const Vec2 from = (sketch.at(Role::A) + sketch.at(test.feature[1])) / 2;
+    const Vec2 direction = test.normal->head<2>().normalized();
+    const Vec2 tip = from + direction * (style.arrow_length / panel.view().scale());
+    panel.arrow(from, tip, style.normal);
+    panel.label(tip, direction, to_string(test.feature) + "_n", style.label(style.theme.blue, render::Weight::bold), 8);
+  }
+}
+
+int draw_triangle(const TriangleSketch& sketch, Show show, render::Canvas& canvas, const render::Box& box,
+                  const Style& style) {
+  const render::Box room = draw_panel_title(canvas, box, "the 2-simplex ABC and the regions around it", style);
+  Panel panel(canvas, room, sketch.view(room));
+  if (show == Show::answers) draw_answers_of_triangle(panel, sketch, style);
+  for (const Region& region : regions_of_triangle) {
+    const std::vector<Vec2> area = sketch.beyond(panel, region.feature);
+    if (region.feature != std::string("ABC")) panel.outline(area, {style.theme.grey, 1.5 * style.theme.line});
+    const std::string skipped = show == Show::answers && region.ruled_out ? ": skipped" : "";
+    panel.name_area(area, region.label + skipped, style.label(style.theme.ink));
+  }
+  draw_corners(panel, sketch, style);
+  draw_normals(panel, sketch, style);
+  return panel.place_labels(style.smallest_label());
+}
+
+std::vector<Diagram> figure_7_diagrams() {
+  const TriangleSketch sketch{{figure_7_simplex(), figure_7_window()}};
+  const std::string where =
+      "A triangle, A on top, B lower left, C lower right, and the lines at right angles to its sides through their "
+      "ends. R1 is the inside, R2 lies beyond A, R3 beyond AB, R4 beyond B, R5 beyond BC, R6 beyond C and R7 beyond "
+      "AC. Arrows from the middles of AB and AC, named ABn and ACn, point outward. ";
+  return {Diagram{"Around the triangle ABC the origin may lie in any of seven regions.",
+                  {"R1 inside, above and below the paper too; R2, R4, R6 beyond A, B, C;",
+                   "R3, R5, R7 beyond the sides AB, BC, AC; A is the newest vertex",
+                   "AB_n = AB×ABC_n and AC_n = ABC_n×AC point away from the triangle (Eq. 11)"},
+                  where,
+                  std::bind_front(draw_triangle, sketch, Show::regions)},
+          Diagram{"Algorithm 4, asked of every origin shown, answers R3, R7, else R1.", facts_of_answers(sketch.inside),
+                  where + "R1, R3 and R7 are shaded in three colours; R2, R4, R5 and R6 are hatched: they are skipped.",
+                  std::bind_front(draw_triangle, sketch, Show::answers)}};
+}
+
+}  // namespace
+
+std::vector<Walkthrough> figures_6_and_7() {
+  return {{.name = "figure-6",
+           .title = "Figure 6: the regions around a 1-simplex",
+           .source = "ARL-TR-7474, Section 3.2.2",
+           .summary = "the four regions around a segment, and what Algorithm 3 answers in them",
+           .layout = Layout::diagrams,
+           .diagrams = figure_6_diagrams},
+          {.name = "figure-7",
+           .title = "Figure 7: the regions around a 2-simplex",
+           .source = "ARL-TR-7474, Section 3.2.3",
+           .summary = "the seven regions around a triangle, and what Algorithm 4 answers in them",
+           .layout = Layout::diagrams,
+           .diagrams = figure_7_diagrams}};
+}
+
+}  // namespace walkthroughs
