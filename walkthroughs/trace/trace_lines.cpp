@@ -7,7 +7,6 @@
 
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/number_text.hpp"
-#include "walkthroughs/model/precision.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
