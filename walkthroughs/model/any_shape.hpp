@@ -7,13 +7,13 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/mp11.hpp>
 #include <cmath>
 #include <concepts>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -324,30 +324,6 @@ struct Cast {
   gjk::Vec3<T> direction(const auto& d) const { return point(d); }
 };
 
-/// Returns: the largest magnitude of all its numbers.
-template <class... Shapes>
-double largest_number(const std::variant<Shapes...>& shape);
-
-struct LargestNumber {
-  double most = 0;
-
-  void operator()(auto, double x) { most = std::max(most, std::abs(x)); }
-  void operator()(auto, const gjk::Vec3<double>& p) { most = std::max(most, p.cwiseAbs().maxCoeff()); }
-  void operator()(field::Places kind, const Points& points) {
-    for (const auto& point : points) (*this)(kind, point);
-  }
-  void operator()(field::Shapes, const std::vector<AnyShape>& summands) {
-    for (const AnyShape& summand : summands) most = std::max(most, largest_number(summand));
-  }
-};
-
-template <class... Shapes>
-double largest_number(const std::variant<Shapes...>& shape) {
-  LargestNumber found;
-  visit_fields(found, shape);
-  return found.most;
-}
-
 /// Returns: the name of the shape in files.
 std::string_view key_of(const AnyShape& shape);
 
@@ -373,30 +349,18 @@ struct CannotBeAsked : std::domain_error {
 };
 
 template <class Shape>
-struct AskedForm {
-  using type = std::tuple<>;
-};
-template <CanBeAsked Shape>
-requires(!NamedSum<Shape>) struct AskedForm<Shape> {
-  using type = std::tuple<decltype(ShapeRow<Shape>::asked(std::declval<Shape>()))>;
-};
-
-template <class... Forms>
-std::variant<Forms...> variant_of(const std::tuple<Forms...>&);
+using IsAskedItself = std::bool_constant<CanBeAsked<Shape> && !NamedSum<Shape>>;
+template <class Shape>
+using AskedForm = decltype(ShapeRow<Shape>::asked(std::declval<Shape>()));
 
 /// The shapes of core/ that a variant of shapes turns into, those that can be asked.
 template <class Variant>
-struct AskedForms;
-template <class... Shapes>
-struct AskedForms<std::variant<Shapes...>> {
-  using type = decltype(variant_of(std::tuple_cat(std::declval<typename AskedForm<Shapes>::type>()...)));
-};
+using AskedForms = boost::mp11::mp_transform<AskedForm, boost::mp11::mp_copy_if<Variant, IsAskedItself>>;
 
 /// Returns: the shape, which is used up, as core/ asks it. Errors: CannotBeAsked.
 template <class... Shapes>
 auto asked(std::variant<Shapes...>&& shape) {
-  using Forms = typename AskedForms<std::variant<Shapes...>>::type;
-  const auto form = [](auto& one) -> Forms {
+  const auto form = [](auto& one) -> AskedForms<std::variant<Shapes...>> {
     using Shape = std::remove_cvref_t<decltype(one)>;
     if constexpr (CanBeAsked<Shape>)
       return ShapeRow<Shape>::asked(std::move(one));
@@ -419,7 +383,7 @@ class Asked {
   const auto& form() const { return form_; }
 
  private:
-  typename AskedForms<AnyShapeOf<S>>::type form_;
+  AskedForms<AnyShapeOf<S>> form_;
 };
 
 template <class S>

@@ -21,63 +21,52 @@ namespace walkthroughs {
 /// What a text, a whole number or a vector says, where its type does not tell.
 enum class Meaning { plain, name, title, sentence, direction, simplex_size, iterations, position, sign, power, limit };
 
-/// One field of a record R.
-template <class R, class T>
-struct Field {
-  constexpr Field(std::string_view key, T R::*member, Meaning meaning = Meaning::plain)
-      : key(key), member(member), meaning(meaning) {}
-
+/// What is said of every field F.
+template <class F>
+struct Told {
   std::string_view key;
-  T R::*member;
-  Meaning meaning;
   bool is_left_out_where_empty = false;
   std::string_view beside = {};  ///< the key that this one belongs with; empty: it stands alone
 
   constexpr bool may_be_missing() const { return is_left_out_where_empty || !beside.empty(); }
 
   /// Returns: the same field, which is told only where there is something in it.
-  constexpr Field where_not_empty() const {
-    Field field = *this;
+  constexpr F where_not_empty() const {
+    F field = static_cast<const F&>(*this);
     field.is_left_out_where_empty = true;
     return field;
   }
   /// Returns: the same field, which is told exactly where `other`, which comes before it, is told.
-  constexpr Field only_beside(std::string_view other) const {
-    Field field = *this;
+  constexpr F only_beside(std::string_view other) const {
+    F field = static_cast<const F&>(*this);
     field.beside = other;
     return field;
   }
 };
 
+/// One field of a record R.
+template <class R, class T>
+struct Field : Told<Field<R, T>> {
+  constexpr Field(std::string_view key, T R::*member, Meaning meaning = Meaning::plain)
+      : Told<Field>{key}, member(member), meaning(meaning) {}
+  T R::*member;
+  Meaning meaning;
+};
+
 /// A field that is told in words: those that `say` makes of its member and of the fields before it.
 template <class R, class T>
-struct Spoken {
+struct Spoken : Told<Spoken<R, T>> {
   constexpr Spoken(std::string_view key, T R::*member, std::string (*say)(const R&))
-      : key(key), member(member), say(say) {}
-
-  std::string_view key;
+      : Told<Spoken>{key}, member(member), say(say) {}
   T R::*member;
   std::string (*say)(const R&);
-  bool is_left_out_where_empty = false;
-  static constexpr std::string_view beside = {};
-
-  constexpr bool may_be_missing() const { return is_left_out_where_empty; }
-  constexpr Spoken where_not_empty() const {
-    Spoken field = *this;
-    field.is_left_out_where_empty = true;
-    return field;
-  }
 };
 
 /// What is told, too, though it follows from the other fields.
 template <class R>
-struct Derived {
-  std::string_view key;
+struct Derived : Told<Derived<R>> {
+  constexpr Derived(std::string_view key, std::string (*say)(const R&)) : Told<Derived>{key}, say(say) {}
   std::string (*say)(const R&);
-  bool is_left_out_where_empty = false;
-  static constexpr std::string_view beside = {};
-
-  constexpr bool may_be_missing() const { return is_left_out_where_empty; }
 };
 
 /// A record whose fields stand among those of R, without a key of its own.
@@ -166,7 +155,7 @@ struct FieldsOf<gjk::RegionTested<S>> {
   static constexpr std::tuple list{
       Field("simplex_size", &R::simplex_size, Meaning::simplex_size),
       Field("feature", &R::feature),
-      Derived<R>{"region", [](const R& e) { return std::string(to_string(label_of(e))); }, true},
+      Derived<R>("region", [](const R& e) { return std::string(to_string(label_of(e))); }).where_not_empty(),
       Field("face", &R::face).where_not_empty(),
       Field("expression", &R::expression).where_not_empty(),
       Field("formula", &R::formula).where_not_empty(),
@@ -183,7 +172,7 @@ struct FieldsOf<gjk::SimplexReduced<S>> {
   using R = gjk::SimplexReduced<S>;
   static constexpr std::string_view event = "simplex-reduced";
   static constexpr std::tuple list{Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
-                                   Derived<R>{"dropped", [](const R& e) { return to_string(e.dropped()); }},
+                                   Derived<R>("dropped", [](const R& e) { return to_string(e.dropped()); }),
                                    Spoken(
                                        "why", &R::why, +[](const R& e) { return std::string(gjk::to_string(e.why)); })};
 };
@@ -237,7 +226,7 @@ struct FieldsOf<gjk::FeatureKept<S>> {
   using R = gjk::FeatureKept<S>;
   static constexpr std::string_view event = "feature-kept";
   static constexpr std::tuple list{Field("before", &R::before), Field("after", &R::after), Field("kept", &R::kept),
-                                   Derived<R>{"dropped", [](const R& e) { return to_string(e.dropped()); }},
+                                   Derived<R>("dropped", [](const R& e) { return to_string(e.dropped()); }),
                                    Field("contains_origin", &R::contains_origin)};
 };
 

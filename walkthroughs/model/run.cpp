@@ -1,13 +1,35 @@
 #include "walkthroughs/model/run.hpp"
 
+#include <variant>
+
+#include "core/certified/certified.hpp"
 #include "core/gjk.hpp"
-#include "walkthroughs/model/run_certified.hpp"
-#include "walkthroughs/model/types_of_scene.hpp"
+#include "core/rule_sets.hpp"
 #include "walkthroughs/model/widened.hpp"
-#include "walkthroughs/wrong_on_purpose/with_mistake.hpp"
+#include "walkthroughs/wrong_on_purpose/rules.hpp"
 
 namespace walkthroughs {
 namespace {
+
+/// The one place where what a scene says becomes template arguments.
+/// Calls run.template operator()<S, Rules>() with the scalar and the rules of a scene.
+template <class Run>
+void with_types_of(const Scene& scene, Run&& run) {
+  const auto in = [&]<class S>(S) {
+    gjk::with_rules(scene.rules, scene.zero_test, [&]<class Rules>() { run.template operator()<S, Rules>(); });
+  };
+  switch (scene.scalar) {
+    case Scalar::binary64: return in(double{});
+    case Scalar::binary32: return in(float{});
+  }
+}
+
+template <class S>
+gjk::Options<S> options_in(const Scene& scene) {
+  return {.first_direction = scene.options.first_direction.cast<S>(),
+          .iteration_limit = scene.options.iteration_limit,
+          .crossing_test = scene.options.crossing_test};
+}
 
 /// One shape for whoever answers, so that each search is compiled once.
 template <class S>
@@ -33,6 +55,26 @@ SupportFunctions asking_the_objects_of(const Scene& scene) {
     case Scalar::binary64: break;
   }
   return {asking<double>(scene.a), asking<double>(scene.b)};
+}
+
+// -- Scenes whose answer is proven ------------------------------------------------------------------------------------
+
+template <class S>
+gjk::PointSet<S> set_of(const Object& object) {
+  std::vector<gjk::Vec3<S>> points;
+  for (const Point& p : std::get<Points>(object.form)) points.push_back(p.cast<S>());
+  return gjk::PointSet<S>(std::move(points));
+}
+
+/// Requires: of both objects points, where they are asked for; see objection_to_proof().
+/// Returns: every event of certified_collision(), computed in the scene's scalar.
+Trace run_certified(const Scene& scene) {
+  Trace trace;
+  with_types_of(scene, [&]<class S, class Rules>() {
+    gjk::certified_collision<S, Rules>(set_of<S>(scene.a), set_of<S>(scene.b), options_in<S>(scene),
+                                       WidenedInto{trace});
+  });
+  return trace;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,21 @@ using wrong_on_purpose::Mistake;
 
 /// In which numbers the search computes: double or float. The words are those of IEEE 754.
 enum class Scalar { binary64, binary32 };
+
+/// What a scalar cannot tell apart.
+struct Precision {
+  double epsilon;       ///< from 1 to the next number
+  double least_normal;  ///< below it numbers lose digits
+  double least;         ///< the smallest number above 0
+  double largest;       ///< beyond it there is only infinity
+};
+
+constexpr Precision precision_of(Scalar scalar) {
+  const auto of = []<class Limits>(Limits) {
+    return Precision{Limits::epsilon(), Limits::min(), Limits::denorm_min(), Limits::max()};
+  };
+  return scalar == Scalar::binary32 ? of(std::numeric_limits<float>{}) : of(std::numeric_limits<double>{});
+}
 
 /// Everything that decides a run. Lengths are in the scene's own unit.
 struct Scene {

@@ -95,6 +95,11 @@ struct Walkthrough {
 };
 
 /// Returns: the remarks of a walkthrough, and those that its findings make. Requires: the traces of its scenes.
-std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces);
+inline std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces) {
+  std::vector<Remark> remarks = walkthrough.remarks;
+  if (walkthrough.findings)
+    for (const Remark& each : walkthrough.findings(traces.front())) remarks.push_back(each);
+  return remarks;
+}
 
 }  // namespace walkthroughs

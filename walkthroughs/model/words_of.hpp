@@ -1,5 +1,5 @@
-/// The words that scene files and traces use for enumerators: of(verdict, v) says v, and a word's position
-/// is its enumerator.
+/// The words that scene files and traces use for enumerators: of(v) says v, and a word's position in all(v) is its
+/// enumerator.
 #pragma once
 
 #include <array>
@@ -11,46 +11,40 @@
 
 namespace walkthroughs::words_of {
 
+template <std::size_t count>
+using Words = std::array<std::string_view, count>;
+
 /// Returns: the words that to_string() has for the first `count` enumerators.
 template <class E, std::size_t count>
-constexpr std::array<std::string_view, count> as_core_says() {
-  std::array<std::string_view, count> words;
+constexpr Words<count> as_core_says() {
+  Words<count> words;
   for (std::size_t i = 0; i < count; ++i) words[i] = to_string(static_cast<E>(i));
   return words;
 }
 
-inline constexpr std::array<std::string_view, 2> crossing_test{"on", "off"};
+inline constexpr Words<2> crossing_test{"on", "off"};
 inline constexpr auto rules = as_core_says<gjk::RuleSet, gjk::rule_sets.size()>();
 inline constexpr auto zero_test = as_core_says<gjk::ZeroTestKind, gjk::zero_tests.size()>();
-inline constexpr std::array<std::string_view, 2> scalar{"double", "float"};
-inline constexpr std::array<std::string_view, 5> panels{"objects", "hull", "algorithm", "decision", "close-up"};
-inline constexpr std::array<std::string_view, 4> layout{"search", "close-ups", "in-step", "until-they-part"};
-inline constexpr std::array<std::string_view, 3> naming{"corners", "roles", "fixed"};
-inline constexpr std::array<std::string_view, 2> letters{"roles", "fixed"};
-inline constexpr std::array<std::string_view, 6> remark_at{"support-found", "crossing-tested",  "region-tested",
-                                                           "reduced",       "direction-chosen", "end"};
-inline constexpr std::array<std::string_view, 4> crossing{"crossed", "not-crossed", "not-applied-first-point",
-                                                          "not-applied-switched-off"};
-inline constexpr std::array<std::string_view, 5> relation{"> 0", "< 0", "= 0", "!= 0", ">= 0"};
-inline constexpr std::array<std::string_view, 4> verdict{"chosen", "rejected", "skipped", "possible"};
-inline constexpr auto status = as_core_says<gjk::Status, 3>();
-inline constexpr auto reason = as_core_says<gjk::Reason, 6>();
-inline constexpr auto proof = as_core_says<gjk::Proof, 3>();
+inline constexpr Words<2> letters{"roles", "fixed"};
 
 // All words of a type, for readers and writers of fields of any type.
-constexpr const auto& all(gjk::Crossing) { return crossing; }
-constexpr const auto& all(gjk::Relation) { return relation; }
-constexpr const auto& all(gjk::Verdict) { return verdict; }
-constexpr const auto& all(gjk::Status) { return status; }
-constexpr const auto& all(gjk::Reason) { return reason; }
-constexpr const auto& all(gjk::Proof) { return proof; }
-constexpr const auto& all(gjk::CrossingTest) { return crossing_test; }
-constexpr const auto& all(RuleSet) { return rules; }
-constexpr const auto& all(ZeroTest) { return zero_test; }
-constexpr const auto& all(Scalar) { return scalar; }
-constexpr const auto& all(Layout) { return layout; }
-constexpr const auto& all(Naming) { return naming; }
-constexpr const auto& all(Remark::At) { return remark_at; }
+constexpr auto all(gjk::Crossing) {
+  return Words<4>{"crossed", "not-crossed", "not-applied-first-point", "not-applied-switched-off"};
+}
+constexpr auto all(gjk::Relation) { return Words<5>{"> 0", "< 0", "= 0", "!= 0", ">= 0"}; }
+constexpr auto all(gjk::Verdict) { return Words<4>{"chosen", "rejected", "skipped", "possible"}; }
+constexpr auto all(gjk::Status) { return as_core_says<gjk::Status, 3>(); }
+constexpr auto all(gjk::Reason) { return as_core_says<gjk::Reason, 6>(); }
+constexpr auto all(gjk::Proof) { return as_core_says<gjk::Proof, 3>(); }
+constexpr auto all(gjk::CrossingTest) { return crossing_test; }
+constexpr auto all(RuleSet) { return rules; }
+constexpr auto all(ZeroTest) { return zero_test; }
+constexpr auto all(Scalar) { return Words<2>{"double", "float"}; }
+constexpr auto all(Layout) { return Words<4>{"search", "close-ups", "in-step", "until-they-part"}; }
+constexpr auto all(Naming) { return Words<3>{"corners", "roles", "fixed"}; }
+constexpr auto all(Remark::At) {
+  return Words<6>{"support-found", "crossing-tested", "region-tested", "reduced", "direction-chosen", "end"};
+}
 inline std::vector<std::string_view> all(Mistake) {
   std::vector<std::string_view> words;
   for (const wrong_on_purpose::Description& each : wrong_on_purpose::all()) words.push_back(each.word);
@@ -58,15 +52,21 @@ inline std::vector<std::string_view> all(Mistake) {
 }
 
 /// Returns: the word for an enumerator.
-template <std::size_t count, class E>
-constexpr std::string_view of(const std::array<std::string_view, count>& words, E enumerator) {
-  return words[static_cast<std::size_t>(enumerator)];
-}
-
-/// Returns: the word for an enumerator of an event.
 template <class E>
 constexpr std::string_view of(E enumerator) {
   return all(enumerator)[static_cast<std::size_t>(enumerator)];
+}
+
+inline constexpr Words<5> panels{"objects", "hull", "algorithm", "decision", "close-up"};
+inline constexpr std::array panel_members{&Panels::objects, &Panels::hull, &Panels::algorithm, &Panels::decision,
+                                          &Panels::close_up};
+
+/// Returns: the words for the panels that are shown.
+inline std::vector<std::string_view> of(const Panels& shown) {
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    if (shown.*panel_members[i]) words.push_back(panels[i]);
+  return words;
 }
 
 }  // namespace walkthroughs::words_of

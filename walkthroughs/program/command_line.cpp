@@ -1,14 +1,14 @@
 #include "walkthroughs/program/command_line.hpp"
 
-#include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/places.hpp"
+#include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/nearest.hpp"
-#include "walkthroughs/text/picture_size.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs {
@@ -43,12 +43,7 @@ void expect_named(const std::string& option, const std::string& name, const std:
                      ", or ./- if you mean it");
 }
 
-bool is_scene_file(const std::string& name) {
-  std::string end = name.substr(name.size() - std::min<std::size_t>(name.size(), 5));
-  for (char& c : end)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return end == ".json";
-}
+bool is_scene_file(const std::string& name) { return boost::algorithm::iends_with(name, ".json"); }
 
 void add_force_flag(CLI::App& command, bool& force) {
   command.add_flag("--force", force,

@@ -1,7 +1,8 @@
-/// What the words of all commands have in common.
+/// The commands of gjkstep, and what the words of all of them have in common.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,20 @@
 #include "walkthroughs/program/exit_code.hpp"
 
 namespace walkthroughs {
+
+/// The words that a command takes, and what it does with them.
+struct Command {
+  CLI::App* words;
+  std::function<int()> run;  ///< Returns: the exit code. Errors: those that exit_code_of() tells.
+};
+
+Command add_list_command(CLI::App& app);
+/// `gl` is what --gl says, before the command or after it. It must live as long as the command.
+Command add_render_command(CLI::App& app, std::optional<std::string>& gl);
+Command add_trace_command(CLI::App& app);
+Command add_scene_command(CLI::App& app);
+Command add_compare_command(CLI::App& app);
+Command add_query_command(CLI::App& app);
 
 /// Errors: UsageError, with the name that was probably meant.
 const Walkthrough& walkthrough_named(const std::string& name);

@@ -13,24 +13,12 @@
 #include "render/file.hpp"
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs {
 namespace {
-
-struct CompareCommand {
-  std::string expected, actual;
-  std::optional<std::string> report;  ///< folder to write index.html to
-  bool force = false;
-
-  /// Returns: the exit code: 0 the same, 1 different, 3 a picture cannot be read (told on standard error).
-  /// Errors: UsageError; render::ReadError where a side is not there; render::FileError where the report cannot be
-  /// written.
-  int run() const;
-};
 
 namespace fs = std::filesystem;
 
@@ -76,11 +64,11 @@ fs::path folder_of(const std::string& side) {
   return fs::is_directory(side) ? fs::path(side) : fs::path(side).parent_path();
 }
 
-render::CompareReport empty_report(const CompareCommand& command) {
-  return render::CompareReport({.expected = command.expected,
-                                .actual = command.actual,
-                                .expected_by = render::read_rendered_by(folder_of(command.expected)),
-                                .actual_by = render::read_rendered_by(folder_of(command.actual)),
+render::CompareReport empty_report(const std::string& expected, const std::string& actual) {
+  return render::CompareReport({.expected = expected,
+                                .actual = actual,
+                                .expected_by = render::read_rendered_by(folder_of(expected)),
+                                .actual_by = render::read_rendered_by(folder_of(actual)),
                                 .where = fs::current_path().string()});
 }
 
@@ -150,31 +138,40 @@ class Tally {
   std::map<render::Verdict, int> count_;
 };
 
-}  // namespace
+struct CompareCommand {
+  std::string expected, actual;
+  std::optional<std::string> report;  ///< folder to write index.html to
+  bool force = false;
 
-int CompareCommand::run() const {
-  if (report) expect_named("--report", *report, "a folder to write to, for example --report differences");
-  const std::vector<render::FilePair> pairs = pairs_of(expected, actual);
-  std::optional<render::CompareReport> page;
-  Places places;
-  if (report) {
-    places = places_of(pairs, *report);
-    places.expect_apart();
-    places.expect_no_loss(force ? Others::overwritten : Others::kept, "--report");
-    expect_writable_report(*report);
-    page = empty_report(*this);
+  /// Returns: the exit code: 0 the same, 1 different, 3 a picture cannot be read (told on standard error).
+  /// Errors: UsageError; render::ReadError where a side is not there; render::FileError where the report cannot be
+  /// written.
+  int run() const {
+    if (report) expect_named("--report", *report, "a folder to write to, for example --report differences");
+    const std::vector<render::FilePair> pairs = pairs_of(expected, actual);
+    std::optional<render::CompareReport> page;
+    Places places;
+    if (report) {
+      places = places_of(pairs, *report);
+      places.expect_apart();
+      places.expect_no_loss(force ? Others::overwritten : Others::kept, "--report");
+      expect_writable_report(*report);
+      page = empty_report(expected, actual);
+    }
+    Tally tally;
+    for (const render::FilePair& files : pairs) {
+      const render::ComparedFiles compared = render::compare_files(files);
+      tally.add(compared);
+      if (page) page->add(compared, accept_command(compared));
+    }
+    std::cout << tally.summary() << std::endl;
+    if (page) write_report(*page, *report);
+    places.tidy_manifests();
+    return tally.exit_code();
   }
-  Tally tally;
-  for (const render::FilePair& files : pairs) {
-    const render::ComparedFiles compared = render::compare_files(files);
-    tally.add(compared);
-    if (page) page->add(compared, accept_command(compared));
-  }
-  std::cout << tally.summary() << std::endl;
-  if (page) write_report(*page, *report);
-  places.tidy_manifests();
-  return tally.exit_code();
-}
+};
+
+}  // namespace
 
 Command add_compare_command(CLI::App& app) {
   const auto compare = std::make_shared<CompareCommand>();

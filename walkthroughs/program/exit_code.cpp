@@ -20,25 +20,16 @@
 namespace walkthroughs {
 namespace {
 
-/// Requires: an exception is being handled.
-ExitCode code_of_this_exception() {
-  try {
-    throw;
-  } catch (const UsageError&) {
-    return wrong_usage;
-  } catch (const InputError&) {
-    return bad_input;
-  } catch (const render::FontError&) {
-    return bad_input;
-  } catch (const render::ReadError&) {
-    return bad_input;
-  } catch (const render::ContextError&) {
-    return no_context;
-  } catch (const render::FileError&) {
-    return cannot_write;
-  } catch (...) {
-    return unexpected;
-  }
+template <class... Errors>
+bool is_one_of(const std::exception& error) {
+  return ((dynamic_cast<const Errors*>(&error) != nullptr) || ...);
+}
+
+ExitCode code_of(const std::exception& error) {
+  if (is_one_of<UsageError>(error)) return wrong_usage;
+  if (is_one_of<InputError, render::FontError, render::ReadError>(error)) return bad_input;
+  if (is_one_of<render::ContextError>(error)) return no_context;
+  return is_one_of<render::FileError>(error) ? cannot_write : unexpected;
 }
 
 /// Returns: what it says. A thread that cannot be started says no more than "Resource temporarily unavailable".
@@ -104,7 +95,7 @@ int exit_code_of(const std::string& program, const std::string& if_out_of_memory
   } catch (const std::exception& error) {
     output.finish();
     std::cerr << program << ": " << message_line(what_failed(error)) << '\n';
-    return code_of_this_exception();
+    return code_of(error);
   }
 }
 

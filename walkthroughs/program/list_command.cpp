@@ -10,7 +10,6 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
@@ -19,26 +18,16 @@
 namespace walkthroughs {
 namespace {
 
-struct ListCommand {
-  std::optional<std::string> name;
-
-  /// Errors: UsageError where nothing has that name or says that word.
-  void run() const;
-};
-
 /// Returns: what stands before the last '/', or nothing.
 std::string folder_of(const Walkthrough& w) {
   const std::size_t slash = w.name.rfind('/');
   return slash == std::string::npos ? "" : w.name.substr(0, slash);
 }
 
-/// Returns: how many characters of UTF-8 `text` has.
-std::size_t length(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
+std::size_t length(const std::string& text) { return code_points(text).size(); }
 
-std::string spaces(std::size_t count) { return std::string(count, ' '); }
+/// Returns: the blanks that `text` lacks to be so wide.
+std::string rest_of(std::size_t width, const std::string& text) { return std::string(width - length(text), ' '); }
 
 /// Returns: the summary, behind the report's name of the region ("R7: ") where it does not say that itself.
 std::string summary_of(const Walkthrough& w) {
@@ -71,8 +60,8 @@ Row row_of(const Walkthrough& w) {
 
 void write_row(std::ostream& out, const Row& row, const std::array<std::size_t, 5>& widths) {
   for (std::size_t column = 0; column + 1 < row.size(); ++column)
-    out << row[column] << spaces(widths[column] - length(row[column]) + 2);
-  out << spaces(widths.back() - length(row.back())) << row.back() << '\n';  // a number: to the right
+    out << row[column] << rest_of(widths[column] + 2, row[column]);
+  out << rest_of(widths.back(), row.back()) << row.back() << '\n';  // a number: to the right
 }
 
 /// Writes one line for each walkthrough, name and summary, the folders one after the other with an empty line between.
@@ -86,7 +75,7 @@ void write_list(std::ostream& out, const std::vector<Walkthrough>& walkthroughs)
     for (const Walkthrough& w : walkthroughs)
       if (folder_of(w) == folder) widest = std::max(widest, length(w.name));
     for (const Walkthrough& w : walkthroughs)
-      if (folder_of(w) == folder) out << w.name << spaces(widest + 2 - length(w.name)) << summary_of(w) << '\n';
+      if (folder_of(w) == folder) out << w.name << rest_of(widest + 2, w.name) << summary_of(w) << '\n';
   }
 }
 
@@ -102,19 +91,32 @@ void write_table(std::ostream& out, const std::vector<const Walkthrough*>& walkt
   for (const Row& row : rows) write_row(out, row, widths);
 }
 
-}  // namespace
+struct ListCommand {
+  std::optional<std::string> name;
 
-void ListCommand::run() const {
-  if (!name) return write_list(std::cout, catalogue());
-  if (name->find_first_not_of(' ') == std::string::npos)
-    throw UsageError(in_quotes(*name) + " is no word to look for; leave it out: 'gjkstep list' shows all");
-  std::vector<const Walkthrough*> found = find_walkthroughs(*name);
-  if (found.empty()) found = walkthroughs_that_say(*name);
-  if (found.empty())
-    throw UsageError("no walkthrough has or says " + in_quotes(*name) + "; did you mean '" + nearest_name(*name) +
-                     "'? 'gjkstep list' shows all");
-  write_table(std::cout, found);
-}
+  /// Errors: UsageError where nothing has that name or says that word.
+  int run() const {
+    if (name)
+      write_table(std::cout, found());
+    else
+      write_list(std::cout, catalogue());
+    return ok;
+  }
+
+ private:
+  std::vector<const Walkthrough*> found() const {
+    if (name->find_first_not_of(' ') == std::string::npos)
+      throw UsageError(in_quotes(*name) + " is no word to look for; leave it out: 'gjkstep list' shows all");
+    std::vector<const Walkthrough*> found = find_walkthroughs(*name);
+    if (found.empty()) found = walkthroughs_that_say(*name);
+    if (found.empty())
+      throw UsageError("no walkthrough has or says " + in_quotes(*name) + "; did you mean '" + nearest_name(*name) +
+                       "'? 'gjkstep list' shows all");
+    return found;
+  }
+};
+
+}  // namespace
 
 Command add_list_command(CLI::App& app) {
   const auto list = std::make_shared<ListCommand>();
@@ -124,10 +126,7 @@ Command add_list_command(CLI::App& app) {
       "NAME", list->name,
       "a folder, a walkthrough, or a word of names, titles and cases such as R7: the cases and how they "
       "end, as a table");
-  return {command, [list] {
-            list->run();
-            return ok;
-          }};
+  return {command, [list] { return list->run(); }};
 }
 
 }  // namespace walkthroughs

@@ -10,7 +10,6 @@
 #include "render/offscreen_context.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/printable.hpp"

@@ -16,7 +16,6 @@
 
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/program/standard_output.hpp"
@@ -128,50 +127,48 @@ struct QueryCommand {
   /// Returns: the exit code: 0, or 3 where a line was bad (told on standard error; the others are answered).
   /// Errors: UsageError; InputError where standard input cannot be read; render::FileError where standard output cannot be
   /// written.
-  int run() const;
+  int run() const {
+    const QueryOptions options = checked_options();
+    Places places;
+    places.read_standard_input();
+    places.write_standard_output();
+    places.expect_apart();
+    const QueryTally tally = answer_lines(options, read_some, write_to_standard_output);
+    if (tally.bad == 0) return all_answered;
+    std::cerr << "gjkstep: " << tally.bad << " of " << tally.lines << (tally.lines == 1 ? " line is" : " lines are")
+              << " not answered; the first is line " << tally.first_bad << ", and its \"error\" says why\n";
+    return bad_lines;
+  }
+
+ private:
+  /// Errors: UsageError.
+  QueryOptions checked_options() const {
+    QueryOptions options{.scalar = choice<QueryScalar>("--scalar", scalar, query_scalars),
+                         .rules = choice<RuleSet>("--rules", rules, words_of::rules),
+                         .zero_test = choice<ZeroTest>("--zero-test", zero_test, words_of::zero_test),
+                         .iteration_limit = max_iterations};
+    if (start) options.start = choice<QueryStart>("--start", *start, query_starts);
+    if (first_direction) options.first_direction = first_direction_in(*first_direction, options.scalar);
+    if (certified) {
+      expect_scalar_with_proofs(options.scalar);
+      options.evidence = fractions ? QueryEvidence::fractions : QueryEvidence::certificate;
+    }
+    return options;
+  }
 };
 
-/// Errors: UsageError.
-QueryOptions options_of(const QueryCommand& query) {
-  QueryOptions options{.scalar = choice<QueryScalar>("--scalar", query.scalar, query_scalars),
-                       .rules = choice<RuleSet>("--rules", query.rules, words_of::rules),
-                       .zero_test = choice<ZeroTest>("--zero-test", query.zero_test, words_of::zero_test),
-                       .iteration_limit = query.max_iterations};
-  if (query.start) options.start = choice<QueryStart>("--start", *query.start, query_starts);
-  if (query.first_direction) options.first_direction = first_direction_in(*query.first_direction, options.scalar);
-  if (query.certified) {
-    expect_scalar_with_proofs(options.scalar);
-    options.evidence = query.fractions ? QueryEvidence::fractions : QueryEvidence::certificate;
-  }
-  return options;
-}
-
 }  // namespace
-
-int QueryCommand::run() const {
-  const QueryOptions options = options_of(*this);
-  Places places;
-  places.read_standard_input();
-  places.write_standard_output();
-  places.expect_apart();
-  const QueryTally tally = answer_lines(options, read_some, write_to_standard_output);
-  if (tally.bad == 0) return all_answered;
-  std::cerr << "gjkstep: " << tally.bad << " of " << tally.lines << (tally.lines == 1 ? " line is" : " lines are")
-            << " not answered; the first is line " << tally.first_bad << ", and its \"error\" says why\n";
-  return bad_lines;
-}
 
 Command add_query_command(CLI::App& app) {
   const auto query = std::make_shared<QueryCommand>();
   CLI::App* const command =
       app.add_subcommand("query", "answer pairs of objects: one pair a line in, one answer a line out");
-  command->add_option("--scalar", query->scalar, "compute in float, double, long-double or exact fractions")
-      ->capture_default_str();
-  command->add_option("--rules", query->rules, words_and_meanings(gjk::rule_sets))->capture_default_str();
-  command->add_option("--zero-test", query->zero_test, words_and_meanings(gjk::zero_tests))->capture_default_str();
+  command->option_defaults()->always_capture_default();  // which help shows
+  command->add_option("--scalar", query->scalar, "compute in float, double, long-double or exact fractions");
+  command->add_option("--rules", query->rules, words_and_meanings(gjk::rule_sets));
+  command->add_option("--zero-test", query->zero_test, words_and_meanings(gjk::zero_tests));
   expect_number(
-      command->add_option("--max-iterations", query->max_iterations, "so many at most; then the answer is undecided")
-          ->capture_default_str(),
+      command->add_option("--max-iterations", query->max_iterations, "so many at most; then the answer is undecided"),
       1, scene_limits::iterations);
   CLI::Option* const start = command->add_option(
       "--start", query->start,

@@ -6,11 +6,9 @@
 #include <cstdio>
 #include <deque>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,8 +23,6 @@
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/commands.hpp"
-#include "walkthroughs/program/missing_letters.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
@@ -65,11 +61,6 @@ struct RenderCommand {
   std::optional<double> text_scale;  ///< of the theme, if nothing else is said
   std::optional<std::string> movie;
   std::optional<std::string> captions;
-
-  /// Writes the files and tells of each on standard output. Everything that can be wrong with the words of the command is
-  /// found before the first file is written.
-  /// Errors: UsageError, and those of whatever it calls.
-  void run() const;
 };
 
 /// The walkthroughs that the words of a command choose, each once, in the order named. Keeps those that files describe.
@@ -80,89 +71,80 @@ class Selection {
     std::optional<render::Size> size = {};       ///< that its file asks for
     std::optional<double> text_scale = {};       ///< the same
     const std::vector<Trace>* traces = nullptr;  ///< where they have been read
-    PageOrigin origin = {};
   };
 
   void add(const std::string& word) {
     if (!is_scene_file(word)) return add(walkthroughs_named(word));
     if (!files_read_.insert(word).second) return;
     const SceneFile& file = files_.emplace_back(read_scene(word));
-    refuse_name_twice(file.walkthrough, word);
-    chosen_.push_back({&file.walkthrough,
-                       file.size,
-                       file.text_scale,
-                       nullptr,
-                       {file.walkthrough.name, file.walkthrough.title, "", word}});
+    add({&file.walkthrough, file.size, file.text_scale}, word, "", word);
   }
   void add_trace(const std::string& file) {
     if (!files_read_.insert(file).second) return;
     const TraceFile& read = traces_.emplace_back(read_trace(file));
-    refuse_name_twice(read.walkthrough, file);
-    chosen_.push_back({&read.walkthrough,
-                       {},
-                       {},
-                       &read.traces,
-                       {read.walkthrough.name, read.walkthrough.title, "--from-trace ", file}});
+    add({.walkthrough = &read.walkthrough, .traces = &read.traces}, file, "--from-trace ", file);
   }
   void add(const std::vector<const Walkthrough*>& several) {
-    for (const Walkthrough* w : several) {
-      if (std::ranges::count(chosen_, w, &Chosen::walkthrough) > 0) continue;
-      refuse_name_twice(*w, w->name);
-      chosen_.push_back({w, {}, {}, nullptr, {w->name, w->title, "", {}}});
-    }
+    for (const Walkthrough* w : several)
+      if (std::ranges::count(chosen_, w, &Chosen::walkthrough) == 0) add({w}, w->name, "", {});
   }
   const std::vector<Chosen>& chosen() const { return chosen_; }
+  const std::vector<PageOrigin>& origins() const { return origins_; }  ///< of those chosen
 
  private:
-  /// Pictures go to a folder of that name: the second walkthrough would overwrite those of the first.
-  void refuse_name_twice(const Walkthrough& w, const std::string& word) const {
-    for (const Chosen& other : chosen_)
-      if (other.walkthrough->name == w.name)
-        throw UsageError("'" + word + "': there is another walkthrough of the name '" + w.name +
-                         "' on the command line; render them into different folders with --out");
+  /// Pictures go to a folder of its name: a second walkthrough of that name would overwrite those of the first.
+  void add(const Chosen& chosen, const std::string& word, const std::string& option,
+           const std::filesystem::path& file) {
+    const Walkthrough& w = *chosen.walkthrough;
+    if (std::ranges::count(origins_, w.name, &PageOrigin::name) > 0)
+      throw UsageError("'" + word + "': there is another walkthrough of the name '" + w.name +
+                       "' on the command line; render them into different folders with --out");
+    chosen_.push_back(chosen);
+    origins_.push_back({w.name, w.title, option, file});
   }
 
   std::deque<SceneFile> files_;  // that do not move when more come
   std::deque<TraceFile> traces_;
   std::set<std::string> files_read_;
   std::vector<Chosen> chosen_;
+  std::vector<PageOrigin> origins_;
 };
 
 /// One run of the command.
 class Rendering {
  public:
-  explicit Rendering(const RenderCommand& command) : command_(command) {}
+  /// Errors: UsageError, and those of reading.
+  explicit Rendering(const RenderCommand& command)
+      : command_(command), output_(checked_output()), folder_(output_.folder), selection_(select()) {}
 
-  void run() const {
-    const Output output = checked_output();
-    const Selection selection = select();
-    expect_chosen_frames(selection);
-    Written written;  // before the renderer, which writes what it was given even when it goes early
-    const Sinks sinks = sinks_for(selection, written);
-    const Places places = all_places(selection, sinks, output.folder);
+  /// Writes the files and tells of each on standard output. Everything that can be wrong with the words of the command is
+  /// found before the first file is written.
+  /// Errors: UsageError, and those of whatever it calls.
+  void run() {
+    expect_chosen_frames();
+    make_sinks();
+    const Places places = all_places();
     places.expect_apart();
     places.expect_no_loss(command_.force ? Others::overwritten : Others::kept,
                           command_.captions ? "--out and --captions" : "--out");
-    expect_writable_captions(selection, output.folder);
-    if (is_asked_for_pages()) expect_writable_pages(output.folder);
+    expect_writable();
     Studio studio{chosen_backend(command_.gl)};
-    Renderer renderer(studio);
-    for (const Selection::Chosen& each : selection.chosen()) {
-      render(each, output_of(each, output), sinks, renderer, written);
-    }
+    Renderer renderer(studio);  // it writes what it was given even when it goes early: before what it is given
+    for (const Selection::Chosen& each : selection_.chosen()) render(each, renderer);
     renderer.finish();
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
-    if (command_.rendered_by) write_rendered_by(studio, output.folder);
-    if (command_.captions) write_captions(written.frames);
-    if (command_.movie) print_movies(selection, output);
-    if (is_asked_for_pages()) write_index(output.folder);
+    if (command_.rendered_by) write_rendered_by(studio);
+    if (command_.captions) write(*command_.captions, captions_json(frames_), "captions and descriptions of the frames");
+    if (command_.movie) print_movies();
+    if (has_pages()) write_index(folder_);
     places.tidy_manifests();
-    if (is_asked_for_pages()) std::cout << "open " << printable((output.folder / page_file).string()) << '\n';
+    if (has_pages()) std::cout << "open " << printable((folder_ / page_file).string()) << '\n';
   }
 
  private:
   /// With what the file of a scene asks for and the command does not.
-  Output output_of(const Selection::Chosen& chosen, Output output) const {
+  Output output_of(const Selection::Chosen& chosen) const {
+    Output output = output_;
     if (!command_.size && chosen.size) output.size = *chosen.size;
     if (!command_.text_scale && chosen.text_scale) output.look.style = style_of(chosen.text_scale);
     return output;
@@ -174,21 +156,14 @@ class Rendering {
     return Style(theme);
   }
 
-  /// What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
-  struct Written {
-    std::vector<FrameFile> frames;
-    std::vector<std::shared_ptr<const Story>> stories;
-    std::deque<Walkthrough> walkthroughs;  ///< that they tell
-  };
+  bool has_svg() const { return command_.format == "svg"; }
+  bool has_pages() const { return !command_.page.empty(); }
 
   /// One for each format that is asked for, in the order in which each story is given to them.
-  using Sinks = std::vector<std::unique_ptr<Sink>>;
-
-  Sinks sinks_for(const Selection& selection, Written& written) const {
-    const auto report_frame = [this, &written](const std::filesystem::path& file, const Story& story,
-                                               std::size_t index) {
+  void make_sinks() {
+    const auto report_frame = [this](const std::filesystem::path& file, const Story& story, std::size_t index) {
       const FrameFile frame{file.string(), story, index};
-      if (command_.captions) written.frames.push_back(frame);
+      if (command_.captions) frames_.push_back(frame);
       report(frame);
     };
     const auto report_svg = [](const std::filesystem::path& file, const Story& story, std::size_t index) {
@@ -197,18 +172,18 @@ class Rendering {
     const auto report_file = [](const std::filesystem::path& file, const Story& story) {
       std::cout << printable(file.string()) << "  " << story.walkthrough.title << std::endl;
     };
-    Sinks sinks;
-    sinks.push_back(std::make_unique<Frames>(report_frame, is_asked_for_svg() ? FrameWritten(report_svg) : nullptr));
-    if (command_.apng) sinks.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time, report_file)));
-    if (command_.strip) sinks.push_back(std::make_unique<OneFile>(strip(report_file)));
-    if (command_.sheet == "one") sinks.push_back(std::make_unique<OneFile>(sheet(report_file)));
+    sinks_.push_back(std::make_unique<Frames>(report_frame, has_svg() ? FrameWritten(report_svg) : nullptr));
+    if (command_.apng) sinks_.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time, report_file)));
+    if (command_.strip) sinks_.push_back(std::make_unique<OneFile>(strip(report_file)));
+    if (command_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet(report_file)));
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
-      sinks.push_back(
+      sinks_.push_back(
           std::make_unique<OneFile>(paper_sheets(*paper, !command_.text_scale, note_small_letters, report_file)));
-    if (is_asked_for_pages())
-      sinks.push_back(std::make_unique<Pages>(
-          PagesWanted{pictures_of_pages(), command_.out, options_of_pictures(), origins_of(selection)}, report_file));
-    return sinks;
+    using Pictures = PagesWanted::Pictures;
+    const Pictures pictures = command_.page == "single" ? Pictures::inside : Pictures::beside;
+    if (has_pages())
+      sinks_.push_back(std::make_unique<Pages>(
+          PagesWanted{pictures, command_.out, options_of_pictures(), selection_.origins()}, report_file));
   }
 
   /// Corners of a planar hull have letters of their own anyway.
@@ -248,75 +223,57 @@ class Rendering {
     return selection;
   }
 
-  static std::vector<std::string> files_of(const Walkthrough& walkthrough, const Sinks& sinks) {
-    std::vector<std::string> files;
-    for (const std::unique_ptr<Sink>& sink : sinks)
-      std::ranges::copy(sink->files(walkthrough), std::back_inserter(files));
-    return files;
-  }
-
-  Places all_places(const Selection& selection, const Sinks& sinks, const std::filesystem::path& folder) const {
+  Places all_places() const {
     Places places;
     for (const std::string& name : command_.names)
       if (is_scene_file(name)) places.read(name, "the scene file " + name);
     for (const std::string& file : command_.traces) places.read(file, "the trace " + file);
-    for (const Selection::Chosen& each : selection.chosen()) {
+    for (const Selection::Chosen& each : selection_.chosen()) {
       const Walkthrough& w = *each.walkthrough;
-      places.write_into(folder / w.name, files_of(w, sinks), "the pictures of " + w.name);
-      if (command_.movie) places.reserve(folder / w.name / ("animation." + *command_.movie), "the film of " + w.name);
+      std::vector<std::string> files;
+      for (const std::unique_ptr<Sink>& sink : sinks_)
+        for (const std::string& file : sink->files(w)) files.push_back(file);
+      places.write_into(folder_ / w.name, files, "the pictures of " + w.name);
+      if (command_.movie) places.reserve(folder_ / w.name / ("animation." + *command_.movie), "the film of " + w.name);
     }
-    if (command_.rendered_by) places.write(folder / render::rendered_by_file, "what --rendered-by notes");
+    if (command_.rendered_by) places.write(folder_ / render::rendered_by_file, "what --rendered-by notes");
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
-    if (is_asked_for_pages()) {
-      places.write(folder / page_file, "the page over all walkthroughs");
-      places.write(folder / compare_file, "the page that compares two");
+    if (has_pages()) {
+      places.write(folder_ / page_file, "the page over all walkthroughs");
+      places.write(folder_ / compare_file, "the page that compares two");
     }
     places.write_standard_output();
     return places;
   }
 
-  /// Before all that is drawn, not after it. They may be meant to lie beside pictures.
-  void expect_writable_captions(const Selection& selection, const std::filesystem::path& folder) const {
-    if (!command_.captions) return;
-    for (const Selection::Chosen& each : selection.chosen())
-      render::make_folder(folder / each.walkthrough->name, "choose another with --out");
-    render::expect_writable(*command_.captions);
-  }
-
-  bool is_asked_for_svg() const { return command_.format == "svg"; }
-  bool is_asked_for_pages() const { return !command_.page.empty(); }
-  PagesWanted::Pictures pictures_of_pages() const {
-    return command_.page == "single" ? PagesWanted::Pictures::inside : PagesWanted::Pictures::beside;
+  /// What is written last, before all that is drawn. Captions may be meant to lie beside pictures.
+  void expect_writable() const {
+    constexpr const char* elsewhere = "choose another with --out";
+    if (command_.captions) {
+      for (const Selection::Chosen& each : selection_.chosen())
+        render::make_folder(folder_ / each.walkthrough->name, elsewhere);
+      render::expect_writable(*command_.captions);
+    }
+    if (!has_pages()) return;
+    render::make_folder(folder_, elsewhere);
+    for (const char* page : {page_file, compare_file}) render::expect_writable(folder_ / page);
   }
 
   /// What else the command says about the pictures that pages show.
   std::string options_of_pictures() const {
     const RenderCommand usual;
     std::string options;
-    const auto add = [&options](const char* option, const std::string& value) {
-      options += option + shell_word(value);
+    const auto add = [&options](bool is_said, const std::string& option, const std::string& value) {
+      if (is_said) options += " --" + option + " " + shell_word(value);
     };
-    if (command_.detail != usual.detail) add(" --detail ", command_.detail);
-    if (command_.frames) add(" --frames ", *command_.frames);
-    if (command_.letters) add(" --letters ", *command_.letters);
-    if (command_.theme != usual.theme) add(" --theme ", command_.theme);
-    if (command_.size) add(" --size ", *command_.size);
-    if (command_.text_scale) add(" --text-scale ", number_text(*command_.text_scale));
-    if (command_.turns != usual.turns) add(" --turn ", std::to_string(command_.turns));
-    if (command_.no_captions) options += " --no-captions";
-    if (command_.no_values) options += " --no-values";
-    return options;
-  }
-
-  static std::vector<PageOrigin> origins_of(const Selection& selection) {
-    std::vector<PageOrigin> origins;
-    for (const Selection::Chosen& each : selection.chosen()) origins.push_back(each.origin);
-    return origins;
-  }
-
-  static void expect_writable_pages(const std::filesystem::path& folder) {
-    render::make_folder(folder, "choose another with --out");
-    for (const char* page : {page_file, compare_file}) render::expect_writable(folder / page);
+    add(command_.detail != usual.detail, "detail", command_.detail);
+    add(command_.frames.has_value(), "frames", command_.frames.value_or(""));
+    add(command_.letters.has_value(), "letters", command_.letters.value_or(""));
+    add(command_.theme != usual.theme, "theme", command_.theme);
+    add(command_.size.has_value(), "size", command_.size.value_or(""));
+    add(command_.text_scale.has_value(), "text-scale", number_text(command_.text_scale.value_or(1)));
+    add(command_.turns != usual.turns, "turn", std::to_string(command_.turns));
+    return options + (command_.no_captions ? " --no-captions" : "") + (command_.no_values ? " --no-values" : "");
   }
 
   Story tell_all(const Selection::Chosen& chosen, const Walkthrough& walkthrough) const {
@@ -324,52 +281,47 @@ class Rendering {
     return chosen.traces ? tell(walkthrough, *chosen.traces, shown) : tell(walkthrough, shown);
   }
 
-  /// The story with the frames that --frames chooses.
-  Story tell_chosen(const Selection::Chosen& chosen, const Walkthrough& walkthrough) const {
-    Story story = tell_all(chosen, walkthrough);
-    if (command_.frames) keep_only(story, places_of(frames_in(*command_.frames).value(), story.frames));
-    return story;
-  }
-
-  void expect_chosen_frames(const Selection& selection) const {
+  void expect_chosen_frames() const {
     if (!command_.frames) return;
     const std::optional<FrameChoice> choice = frames_in(*command_.frames);
+    const std::string option = "--frames " + in_quotes(*command_.frames) + ": ";
     if (!choice)
-      throw UsageError("--frames " + in_quotes(*command_.frames) +
-                       ": expected numbers of steps such as 4,10,18 or 3-7, and kinds of them: " + frame_kinds());
-    for (const Selection::Chosen& each : selection.chosen())
+      throw UsageError(option +
+                       "expected numbers of steps such as 4,10,18 or 3-7, and kinds of them: " + frame_kinds());
+    for (const Selection::Chosen& each : selection_.chosen())
       if (const std::string no = objection_to(*choice, tell_all(each, *each.walkthrough).frames); !no.empty())
-        throw UsageError("--frames " + in_quotes(*command_.frames) + ": in " + each.walkthrough->name + " " + no +
+        throw UsageError(option + "in " + each.walkthrough->name + " " + no +
                          "; choose others, or leave that walkthrough out");
   }
 
-  void render(const Selection::Chosen& chosen, const Output& output, const Sinks& sinks, Renderer& renderer,
-              Written& written) const {
-    const Walkthrough& w = written.walkthroughs.emplace_back(in_letters(*chosen.walkthrough));
+  void render(const Selection::Chosen& chosen, Renderer& renderer) {
+    const Walkthrough& w = walkthroughs_.emplace_back(in_letters(*chosen.walkthrough));
     progress(w.name + ": searching");
-    Story told = tell_chosen(chosen, w);
+    Story told = tell_all(chosen, w);
+    if (command_.frames) keep_only(told, places_of(frames_in(*command_.frames).value(), told.frames));
     progress(w.name + ": looking for hulls and cameras");
     const auto story = std::make_shared<const StagedStory>(std::move(told));
     progress(w.name + ": drawing");
     for (const std::string& sentence : story->left_out()) note(w.name + ": " + sentence);
-    note_what_stays(w, output.folder / w.name);
-    if (command_.captions) written.stories.push_back(story);
-    for (const std::unique_ptr<Sink>& sink : sinks) sink->add(story, output, renderer);
+    note_what_stays(w);
+    if (command_.captions) stories_.push_back(story);
+    const Output output = output_of(chosen);
+    for (const std::unique_ptr<Sink>& sink : sinks_) sink->add(story, output, renderer);
   }
 
   /// What an earlier run has left beside the frames, and this one does not make.
-  void note_what_stays(const Walkthrough& w, const std::filesystem::path& folder) const {
+  void note_what_stays(const Walkthrough& w) const {
     struct Kind {
       const char *file, *option;
       bool is_made;
     };
     const bool is_on_paper = paper_named(command_.sheet).has_value();
     for (const Kind& kind :
-         {Kind{page_file, "--page", is_asked_for_pages()}, Kind{"strip.png", "--strip", command_.strip},
+         {Kind{page_file, "--page", has_pages()}, Kind{"strip.png", "--strip", command_.strip},
           Kind{"animation.png", "--apng", command_.apng}, Kind{"sheet.png", "--sheet", command_.sheet == "one"},
-          Kind{"sheet.pdf", "--sheet=a4", is_on_paper}, Kind{"000.svg", "--format svg", is_asked_for_svg()}}) {
+          Kind{"sheet.pdf", "--sheet=a4", is_on_paper}, Kind{"000.svg", "--format svg", has_svg()}}) {
       std::error_code unreadable;
-      if (!kind.is_made && std::filesystem::exists(folder / kind.file, unreadable))
+      if (!kind.is_made && std::filesystem::exists(folder_ / w.name / kind.file, unreadable))
         note(w.name + ": " + kind.file + " is of an earlier run, and may tell of other pictures; " + kind.option +
              " writes it anew");
     }
@@ -404,110 +356,132 @@ class Rendering {
          " points; choose paper held across, or --no-captions");
   }
 
-  static void write_rendered_by(const Studio& studio, const std::filesystem::path& folder) {
-    const std::string text = render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder));
-    const std::filesystem::path file = folder / render::rendered_by_file;
+  static void write(const std::filesystem::path& file, const std::string& text, const std::string& what) {
     write_output(file, text);
-    std::cout << printable(file.string()) << "  what drew these pictures\n";
+    std::cout << printable(file.string()) << "  " << what << '\n';
   }
 
-  void write_captions(const std::vector<FrameFile>& written) const {
-    const std::string text = captions_json(written);
-    write_output(*command_.captions, text);
-    std::cout << printable(*command_.captions) << "  captions and descriptions of the frames\n";
+  void write_rendered_by(const Studio& studio) const {
+    write(folder_ / render::rendered_by_file,
+          render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder)),
+          "what drew these pictures");
   }
 
-  void print_movies(const Selection& selection, const Output& output) const {
+  void print_movies() const {
     const Movie kind = *command_.movie == "gif" ? Movie::gif : Movie::mp4;
-    for (const Selection::Chosen& each : selection.chosen())
-      std::cout << ffmpeg_line(kind, output.folder / each.walkthrough->name, command_.frame_time,
-                               output.look.style.theme.paper)
+    for (const Selection::Chosen& each : selection_.chosen())
+      std::cout << ffmpeg_line(kind, folder_ / each.walkthrough->name, command_.frame_time,
+                               output_.look.style.theme.paper)
                 << '\n';
   }
 
   const RenderCommand& command_;
+  const Output output_;
+  const std::filesystem::path& folder_;
+  const Selection selection_;
+  std::vector<std::unique_ptr<Sink>> sinks_;
+  std::deque<Walkthrough> walkthroughs_;  ///< that are told
+  // What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
+  std::vector<FrameFile> frames_;
+  std::vector<std::shared_ptr<const Story>> stories_;
 };
 
-}  // namespace
+// -- The words --------------------------------------------------------------------------------------------------------
 
-void RenderCommand::run() const { Rendering(*this).run(); }
+/// `word`: a text, or an optional one.
+void add_choice(CLI::App& command, const std::string& option, auto& word, const std::string& what,
+                const std::vector<std::string>& words) {
+  command.add_option(option, word, what)->check(CLI::IsMember(words));
+}
+
+/// A flag that may say more: --page is as --page=beside. `option`: with the word that the flag alone means.
+void add_flag_of(CLI::App& command, const std::string& option, std::string& word, const std::string& what,
+                 const std::vector<std::string>& words) {
+  command.add_flag(option, word, what)->check(CLI::IsMember(words));
+}
+
+void add_walkthroughs(CLI::App& command, RenderCommand& render) {
+  command.add_option("NAME", render.names, "walkthroughs to render, folders of them, or scene files (.json)");
+  command
+      .add_option("--from-trace", render.traces,
+                  "file that 'gjkstep trace' wrote: its frames are drawn without a search; may be repeated")
+      ->type_name("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--all", render.all, "render every walkthrough");
+}
+
+void add_formats(CLI::App& command, RenderCommand& render) {
+  command.add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
+  add_flag_of(command, "--sheet{one}", render.sheet,
+              "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
+              "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched",
+              {"one", "a4", "letter", "a4-across", "letter-across"});
+  add_choice(command, "--format", render.format,
+             "svg: OUT/NAME/000.svg, 001.svg, ... as well, which stay sharp however much they are enlarged",
+             {"png", "svg"});
+  command.add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
+  add_flag_of(command, "--page{beside}", render.page,
+              "write OUT/NAME/index.html as well, to step through in a browser, and OUT/index.html over all; "
+              "--page=single puts pictures, style, script and events into each",
+              {"beside", "single"});
+  add_choice(command, "--movie", render.movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif",
+             {"mp4", "gif"});
+  expect_number(command.add_option("--frame-time", render.frame_time,
+                                   "seconds for which animation and movie show a frame; the last one is shown twice "
+                                   "as long"),
+                0.02, 60.0);
+}
+
+void add_frames(CLI::App& command, RenderCommand& render) {
+  add_choice(command, "--detail", render.detail, "a frame for each decision, or for each step (iteration)",
+             {"decision", "step"});
+  command.add_option("--frames", render.frames,
+                     "a choice of frames, numbered anew: steps such as 4,10,18 or 3-7, and kinds: " + frame_kinds());
+  add_choice(command, "--theme", render.theme,
+             "colours and weights: for a report, for slides with larger text, or on a dark ground",
+             {"report", "slides", "dark"});
+  expect_number(command.add_option("--turn", render.turns,
+                                   "further views of each frame of a scene in space, from all around: 000-turn-1.png, "
+                                   "..."),
+                0, 72);
+  command.add_flag("--no-captions", render.no_captions, "draw the panels only, for use in a document");
+  add_choice(command, "--letters", render.letters,
+             "'fixed': each vertex keeps its letter; 'roles': A is always the newest", {"roles", "fixed"});
+  command.add_flag("--no-values", render.no_values, "leave the numbers that decide out of the panels, for questions");
+}
+
+void add_files(CLI::App& command, RenderCommand& render) {
+  command.add_option("--captions", render.captions,
+                     "JSON file to write: caption, description and events of each frame");
+  command.add_flag("--rendered-by", render.rendered_by,
+                   "write OUT/rendered-by.json as well: what drew the pictures; 'gjkstep compare' shows it");
+  command.add_option("--out", render.out, "folder to write to");
+  add_force_flag(command, render.force);
+}
+
+void add_sizes(CLI::App& command, RenderCommand& render) {
+  command.add_option("--size", render.size,
+                     "width and height in pixels; if not given, what the scene file says, or 1280x720");
+  expect_number(command.add_option("--text-scale", render.text_scale,
+                                   "all text so many times as large, and the pictures in what room is left; if not "
+                                   "given, what the scene file says, else 1, for slides " +
+                                       number_text(render::themes::slides.text)),
+                render::least_text_scale, render::most_text_scale);
+}
+
+}  // namespace
 
 Command add_render_command(CLI::App& app, std::optional<std::string>& gl) {
   const auto render = std::make_shared<RenderCommand>();
   CLI::App* const command = app.add_subcommand("render", "write the frames OUT/NAME/000.png, 001.png, ...");
-  command->add_option("NAME", render->names, "walkthroughs to render, folders of them, or scene files (.json)");
-  command
-      ->add_option("--from-trace", render->traces,
-                   "file that 'gjkstep trace' wrote: its frames are drawn without a search; may be repeated")
-      ->type_name("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--all", render->all, "render every walkthrough");
-  command->add_flag("--strip", render->strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
-  command
-      ->add_flag("--sheet{one}", render->sheet,
-                 "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
-                 "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched")
-      ->check(CLI::IsMember({"one", "a4", "letter", "a4-across", "letter-across"}));
-  command
-      ->add_option("--format", render->format,
-                   "svg: OUT/NAME/000.svg, 001.svg, ... as well, which stay sharp however much they are enlarged")
-      ->check(CLI::IsMember({"png", "svg"}))
-      ->capture_default_str();
-  command->add_flag("--apng", render->apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
-  command
-      ->add_flag("--page{beside}", render->page,
-                 "write OUT/NAME/index.html as well, to step through in a browser, and OUT/index.html over all; "
-                 "--page=single puts pictures, style, script and events into each")
-      ->check(CLI::IsMember({"beside", "single"}));
-  command->add_option("--movie", render->movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif")
-      ->check(CLI::IsMember({"mp4", "gif"}));
-  expect_number(
-      command
-          ->add_option("--frame-time", render->frame_time,
-                       "seconds for which animation and movie show a frame; the last one is shown twice as long")
-          ->capture_default_str(),
-      0.02, 60.0);
-  command->add_option("--detail", render->detail, "a frame for each decision, or for each step (iteration)")
-      ->check(CLI::IsMember({"decision", "step"}))
-      ->capture_default_str();
-  command->add_option("--frames", render->frames,
-                      "a choice of frames, numbered anew: steps such as 4,10,18 or 3-7, and kinds: " + frame_kinds());
-  command
-      ->add_option("--theme", render->theme,
-                   "colours and weights: for a report, for slides with larger text, or on a dark ground")
-      ->check(CLI::IsMember({"report", "slides", "dark"}))
-      ->capture_default_str();
-  expect_number(
-      command
-          ->add_option("--turn", render->turns,
-                       "further views of each frame of a scene in space, from all around: 000-turn-1.png, ...")
-          ->capture_default_str(),
-      0, 72);
-  command->add_flag("--no-captions", render->no_captions, "draw the panels only, for use in a document");
-  command
-      ->add_option("--letters", render->letters,
-                   "'fixed': each vertex keeps its letter; 'roles': A is always the newest")
-      ->check(CLI::IsMember({"roles", "fixed"}));
-  command->add_flag("--no-values", render->no_values, "leave the numbers that decide out of the panels, for questions");
-  command->add_option("--captions", render->captions,
-                      "JSON file to write: caption, description and events of each frame");
-  command->add_flag("--rendered-by", render->rendered_by,
-                    "write OUT/rendered-by.json as well: what drew the pictures; 'gjkstep compare' shows it");
-  command->add_option("--out", render->out, "folder to write to")->capture_default_str();
-  add_force_flag(*command, render->force);
-  command->add_option("--size", render->size,
-                      "width and height in pixels; if not given, what the scene file says, or 1280x720");
-  expect_number(command->add_option(
-                    "--text-scale", render->text_scale,
-                    "all text so many times as large, and the pictures in what room is left; if not given, what the "
-                    "scene file says, else 1, for slides " +
-                        number_text(render::themes::slides.text)),
-                render::least_text_scale, render::most_text_scale);
+  add_walkthroughs(*command, *render);
+  command->option_defaults()->always_capture_default();  // which help shows
+  for (const auto add : {add_formats, add_frames, add_files, add_sizes}) add(*command, *render);
   add_backend_option(*command, gl);
   return {command, [render, &gl] {
             render->gl = gl;
-            render->run();
+            Rendering(*render).run();
             return ok;
           }};
 }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
@@ -18,23 +17,22 @@ struct SceneCommand {
   std::optional<std::string> check;
 
   /// Errors: UsageError; InputError where the file is not a scene.
-  void run() const;
-};
-
-}  // namespace
-
-void SceneCommand::run() const {
-  if (example) {
-    std::cout << example_scene();
-  } else if (check) {
+  int run() const {
+    if (!example && !check)
+      throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
+    if (example) {
+      std::cout << example_scene();
+      return ok;
+    }
     expect_output_apart_from(*check);
     const std::string declared = summary(read_scene(*check));  // before the first word that says it is well
     std::cout << printable(*check) << ": ok: " << declared
               << (is_scene_file(*check) ? "" : "; before it is drawn, give it a name that ends in .json") << '\n';
-  } else {
-    throw UsageError("scene: say --example to see a scene file, or --check FILE to have one checked");
+    return ok;
   }
-}
+};
+
+}  // namespace
 
 Command add_scene_command(CLI::App& app) {
   const auto scene = std::make_shared<SceneCommand>();
@@ -42,10 +40,7 @@ Command add_scene_command(CLI::App& app) {
   CLI::Option* const example =
       command->add_flag("--example", scene->example, "print a scene file that shows every key");
   command->add_option("--check", scene->check, "read this scene file and say what it declares")->excludes(example);
-  return {command, [scene] {
-            scene->run();
-            return ok;
-          }};
+  return {command, [scene] { return scene->run(); }};
 }
 
 }  // namespace walkthroughs

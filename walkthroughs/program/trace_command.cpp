@@ -6,21 +6,12 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
-#include "walkthroughs/program/commands.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs {
 namespace {
-
-struct TraceCommand {
-  bool schema = false;
-  std::string name;
-
-  /// Errors: UsageError; InputError where a scene file cannot be read.
-  void run() const;
-};
 
 void write_trace(const std::string& name) {
   if (is_scene_file(name)) {
@@ -36,26 +27,30 @@ void write_trace(const std::string& name) {
   write_traces(std::cout, found);
 }
 
-}  // namespace
+struct TraceCommand {
+  bool schema = false;
+  std::string name;
 
-void TraceCommand::run() const {
-  if (schema)
-    std::cout << trace_schema();
-  else if (name.empty())
-    throw UsageError("trace what? NAME is required: a walkthrough or a scene file; or say --schema");
-  else
-    write_trace(name);
-}
+  /// Errors: UsageError; InputError where a scene file cannot be read.
+  int run() const {
+    if (!schema && name.empty())
+      throw UsageError("trace what? NAME is required: a walkthrough or a scene file; or say --schema");
+    if (schema)
+      std::cout << trace_schema();
+    else
+      write_trace(name);
+    return ok;
+  }
+};
+
+}  // namespace
 
 Command add_trace_command(CLI::App& app) {
   const auto trace = std::make_shared<TraceCommand>();
   CLI::App* const command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
   CLI::Option* const name = command->add_option("NAME", trace->name, "walkthrough or scene file (.json) to trace");
   command->add_flag("--schema", trace->schema, "print the JSON Schema of one line of a trace")->excludes(name);
-  return {command, [trace] {
-            trace->run();
-            return ok;
-          }};
+  return {command, [trace] { return trace->run(); }};
 }
 
 }  // namespace walkthroughs

@@ -13,16 +13,14 @@
 
 namespace walkthroughs {
 
-/// Appends "[…,…]", each as `write_one` appends it.
-template <class List, class WriteOne>
-void write_list(const List& list, std::string& out, WriteOne&& write_one) {
-  const char* before = "[";
-  for (const auto& one : list) {
-    out += before;
-    write_one(one);
-    before = ",";
-  }
-  out += ']';
+/// Appends a direction that is proof enough by itself.
+template <class S>
+void write_direction(const gjk::Vec3<S>& d, QueryEvidence evidence, std::string& out) {
+  out += "\"direction\":";
+  if (evidence == QueryEvidence::fractions)
+    write_numbers(gjk::detail::fractions(d), out);
+  else
+    write_numbers(d, out);
 }
 
 /// Writes a certificate about two sets of points; in fractions, if the evidence is: then with the numbers that would have to be
@@ -33,19 +31,13 @@ struct CertificateWriter {
   QueryEvidence evidence;
   std::string& out;
 
-  void operator()(const gjk::SeparatingDirection& certificate) const {
-    out += "\"direction\":";
-    if (is_in_fractions())
-      write_numbers(gjk::detail::fractions(certificate.d));
-    else
-      write(certificate.d, out);
-  }
+  void operator()(const gjk::SeparatingDirection& certificate) const { write_direction(certificate.d, evidence, out); }
   void operator()(const gjk::SeparatingFeature& certificate) const {
     out += "\"nearest\":";
     write_indices(certificate.of);
     if (!is_in_fractions()) return;
     out += ",\"direction\":";
-    write_numbers(*gjk::direction_of(certificate, a, b));
+    write_numbers(*gjk::direction_of(certificate, a, b), out);
   }
   void operator()(const gjk::CommonSimplex& certificate) const {
     out += "\"simplex\":";
@@ -53,9 +45,9 @@ struct CertificateWriter {
     if (!is_in_fractions()) return;
     const Fractions weights = *gjk::weights_of(certificate, a, b);
     out += ",\"weights\":";
-    write_numbers(weights);
+    write_numbers(weights, out);
     out += ",\"point\":";
-    write_numbers(weighted(certificate.of, weights));
+    write_numbers(weighted(certificate.of, weights), out);
   }
 
  private:
@@ -63,9 +55,6 @@ struct CertificateWriter {
 
   bool is_in_fractions() const { return evidence == QueryEvidence::fractions; }
 
-  void write_numbers(const Fractions& list) const {
-    write_list(list, out, [this](const auto& number) { write(number, out); });
-  }
   void write_indices(const gjk::IndexPairs& pairs) const {
     write_list(pairs, out, [this](gjk::IndexPair pair) {
       out.append("[").append(std::to_string(pair.a)).append(",").append(std::to_string(pair.b)).append("]");
@@ -86,8 +75,7 @@ struct CertificateWriter {
 template <class S>
 void write_answer(const gjk::CertifiedResult& result, const CertificateWriter<S>& writer) {
   std::string& out = writer.out;
-  out.append("{\"status\":\"").append(words_of::of(words_of::status, result.status));
-  out.append("\",\"iterations\":").append(std::to_string(result.iterations));
+  write_status(result, out);
   out.append(",\"second_iterations\":").append(std::to_string(result.fallback_iterations));
   out.append(",\"proof\":\"").append(to_string(result.proof)).append("\",\"certificate\":{");
   std::visit(writer, result.certificate);
@@ -96,20 +84,15 @@ void write_answer(const gjk::CertifiedResult& result, const CertificateWriter<S>
 
 /// What is decided exactly needs no more words.
 inline void write_answer_of_balls(gjk::Status status, std::string& out) {
-  out.append("{\"status\":\"").append(words_of::of(words_of::status, status)).append("\",\"proof\":\"distance\"}\n");
+  out.append("{\"status\":\"").append(words_of::of(status)).append("\",\"proof\":\"distance\"}\n");
 }
 
 inline void write_answer(const gjk::ShapesResult& result, QueryEvidence evidence, std::string& out) {
-  out.append("{\"status\":\"").append(words_of::of(words_of::status, result.status));
-  out.append("\",\"iterations\":").append(std::to_string(result.iterations));
+  write_status(result, out);
   switch (result.status) {
     case gjk::Status::intersecting: out += ",\"proof\":\"surface\""; break;
     case gjk::Status::separated:
-      out += ",\"proof\":\"direction\",\"certificate\":{\"direction\":";
-      if (evidence == QueryEvidence::fractions)
-        write_list(gjk::detail::fractions(result.direction), out, [&](const auto& number) { write(number, out); });
-      else
-        write(result.direction, out);
+      write_direction(result.direction, evidence, out += ",\"proof\":\"direction\",\"certificate\":{");
       out += '}';
       break;
     case gjk::Status::undecided: write(result.gap, out += ",\"gap\":");

@@ -36,15 +36,21 @@ requires(!std::floating_point<S>) void write(const S& fraction, std::string& out
   out += '"';
 }
 
-template <class S>
-void write(const gjk::Vec3<S>& v, std::string& out) {
-  out += '[';
-  write(v.x(), out);
-  out += ',';
-  write(v.y(), out);
-  out += ',';
-  write(v.z(), out);
+/// Appends "[…,…]", each as `write_one` appends it.
+template <class List, class WriteOne>
+void write_list(const List& list, std::string& out, WriteOne&& write_one) {
+  const char* before = "[";
+  for (const auto& one : list) {
+    out += before;
+    write_one(one);
+    before = ",";
+  }
   out += ']';
+}
+
+template <class Numbers>
+void write_numbers(const Numbers& list, std::string& out) {
+  write_list(list, out, [&out](const auto& number) { write(number, out); });
 }
 
 template <class S>
@@ -52,8 +58,8 @@ void write_sources(const gjk::Vertex<S>& vertex, std::string& out) {
   const auto write_index = [&](std::string_view key, const std::optional<int>& index) {
     if (index) out.append(key).append(std::to_string(*index));
   };
-  write(vertex.a.point, out += "\"a\":");
-  write(vertex.b.point, out += ",\"b\":");
+  write_numbers(vertex.a.point, out += "\"a\":");
+  write_numbers(vertex.b.point, out += ",\"b\":");
   write_index(",\"a_index\":", vertex.a.index);
   write_index(",\"b_index\":", vertex.b.index);
 }
@@ -62,20 +68,26 @@ template <class S>
 void write(const gjk::Simplex<S>& simplex, std::string& out) {
   out += '[';
   for (int i = 0; i < simplex.size(); ++i) {
-    write(simplex[i].w, out += i == 0 ? "{\"w\":" : ",{\"w\":");
+    write_numbers(simplex[i].w, out += i == 0 ? "{\"w\":" : ",{\"w\":");
     write_sources(simplex[i], out += ',');
     out += '}';
   }
   out += ']';
 }
 
+/// Appends what all answers begin with.
+template <class Result>
+void write_status(const Result& result, std::string& out) {
+  out.append("{\"status\":\"").append(words_of::of(result.status));
+  out.append("\",\"iterations\":").append(std::to_string(result.iterations));
+}
+
 template <class S>
 void write_answer(const gjk::Result<S>& result, std::string& out) {
-  out.append("{\"status\":\"").append(words_of::of(words_of::status, result.status));
-  out.append("\",\"iterations\":").append(std::to_string(result.iterations));
-  out.append(",\"reason\":\"").append(words_of::of(words_of::reason, result.reason)).append("\",\"evidence\":{");
+  write_status(result, out);
+  out.append(",\"reason\":\"").append(words_of::of(result.reason)).append("\",\"evidence\":{");
   if (const auto& proof = result.separation) {
-    write(proof->direction, out += "\"direction\":");
+    write_numbers(proof->direction, out += "\"direction\":");
     write(proof->support_value, out += ",\"support_value\":");
     write_sources(proof->vertex, out += ',');
   } else {

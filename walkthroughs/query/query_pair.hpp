@@ -14,7 +14,7 @@
 #include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/query/query_options.hpp"
-#include "walkthroughs/text/scene_object.hpp"
+#include "walkthroughs/text/scene_values.hpp"
 
 namespace walkthroughs {
 

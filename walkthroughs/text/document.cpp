@@ -3,6 +3,7 @@
 #include <simdjson.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cctype>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -86,9 +87,8 @@ std::string word_around(const char* at, const Progress& progress) {
   return {first, last};
 }
 
-bool looks_not_finite(std::string word) {
-  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return word.find("nan") != std::string::npos || word.find("inf") != std::string::npos;
+bool looks_not_finite(const std::string& word) {
+  return boost::algorithm::icontains(word, "nan") || boost::algorithm::icontains(word, "inf");
 }
 
 /// Returns: the parser's own words without its prefix and without the text read, which may be long.

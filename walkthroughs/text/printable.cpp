@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ranges>
 #include <span>
 
 #include "render/utf8.hpp"
@@ -89,6 +90,18 @@ std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   const std::string shown = take(text, longest);
   return "'" + shown + (text.empty() ? "'" : "…'");
+}
+
+std::string missing_letters(const std::set<char32_t>& codes) {
+  constexpr std::size_t most_named = 8;
+  std::string list;
+  for (const char32_t code : codes | std::views::take(most_named)) {
+    const std::string name = code_point_name(code);
+    list += (list.empty() ? "" : ", ") + (is_printable(code) ? render::utf8_of(code) + " (" + name + ")" : name);
+  }
+  if (codes.size() > most_named) list += " and " + std::to_string(codes.size() - most_named) + " more";
+  return "the font has no sign for " + list +
+         (codes.size() == 1 ? ": a box stands in its place" : ": boxes stand in their place");
 }
 
 std::string message_line(std::string_view text) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,10 @@ std::string printable(std::string_view text);
 
 /// Returns: `text` in quotes, printable, and cut short where it is long.
 std::string in_quotes(std::string_view text);
+
+/// Returns: "the font has no sign for 漢 (U+6F22), 字 (U+5B57): boxes stand in their place"; of many the first few, and how
+/// many more. Characters that would not show, or change what does, are named by their codes alone. Requires: at least one.
+std::string missing_letters(const std::set<char32_t>& codes);
 
 /// Returns: a message, printable, its overlong words (names of files, most likely) without their middle.
 std::string message_line(std::string_view text);

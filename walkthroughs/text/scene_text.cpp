@@ -3,12 +3,12 @@
 #include "render/color.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
+#include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/names.hpp"
-#include "walkthroughs/text/picture_size.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
-#include "walkthroughs/text/scene_object.hpp"
+#include "walkthroughs/text/scene_values.hpp"
 
 namespace walkthroughs {
 namespace {
@@ -97,19 +97,12 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified};
   if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
     scene = from_center_to_center(std::move(scene));
-  const auto panels_given = root.member("panels");
-  const Panels panels = panels_given ? panels_in(*panels_given) : Panels{};
-  const std::optional<render::Size> size = read_size(root);
-  const std::optional<double> text_scale = read_text_scale(root);
 
   SceneFile file;
-  file.size = size;
-  file.text_scale = text_scale;
-  file.walkthrough.name = name_from_file(file_name);
-  file.walkthrough.title = file.walkthrough.summary = heading;
-  file.walkthrough.source = "scene file";
-  file.walkthrough.layout = Layout::search;
-  file.walkthrough.panels = panels;
+  file.walkthrough = {.name = name_from_file(file_name), .title = heading, .source = "scene file", .summary = heading};
+  if (const auto panels = root.member("panels")) file.walkthrough.panels = panels_in(*panels);
+  file.size = read_size(root);
+  file.text_scale = read_text_scale(root);
   file.walkthrough.naming = read_letters(root);
   if (root.is_good()) file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
   return file;
@@ -174,12 +167,10 @@ std::string summary(const SceneFile& file) {
   const Walkthrough& walkthrough = file.walkthrough;
   const Scene& scene = walkthrough.scenes.front();
   const auto object = [&](const Object& o) { return "'" + o.name + "' (" + described(o.form, scene.dimension) + ")"; };
+  Panels shown = walkthrough.panels;
+  shown.decision = shown.decision && scene.dimension == Dimension::space;
   std::string panels;
-  if (walkthrough.panels.objects) panels += ", objects";
-  if (walkthrough.panels.hull) panels += ", hull";
-  if (walkthrough.panels.algorithm) panels += ", algorithm";
-  if (walkthrough.panels.decision && scene.dimension == Dimension::space) panels += ", decision";
-  if (walkthrough.panels.close_up) panels += ", close-up";
+  for (const std::string_view word : words_of::of(shown)) panels.append(", ").append(word);
   return "'" + walkthrough.title + "', " + (scene.dimension == Dimension::plane ? "plane" : "space") + ", " +
          object(scene.a) + " and " + object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
          (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") +

@@ -3,6 +3,7 @@
 /// Where a value is not what is expected they complain (document.hpp) and return something in its place.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -80,6 +81,16 @@ struct Space {
  private:
   double coordinate(const Value& value) const;
 };
+
+/// An object as scene files and queries write it: a shape, and perhaps a name and a pose. scene_text.hpp says what each may
+/// hold.
+struct ObjectAsWritten {
+  std::string name;  ///< empty where none is given
+  AnyShape form;     ///< its numbers those of the text
+  std::optional<Pose> pose;
+};
+
+ObjectAsWritten read_object(const Value& value, const Space& space);
 
 /// Returns: the keys of an object that may have a name and a pose.
 const std::vector<std::string>& object_keys();

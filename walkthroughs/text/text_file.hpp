@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "walkthroughs/text/document.hpp"
 
 namespace walkthroughs {
 
@@ -16,5 +19,13 @@ struct InputError : std::runtime_error {
 
 /// Errors: InputError unless `file` is a regular file that can be read and has no more than `most` bytes. Reads no more.
 std::string read_text(const std::filesystem::path& file, std::size_t most);
+
+/// Returns: what was read from the text of a file of that name. Errors: InputError, where something is wrong with it.
+template <class T>
+T accepted(Reading<T> reading, const std::string& file_name) {
+  if (const auto& complaint = reading.complaint)
+    throw InputError(file_name + ":" + std::to_string(complaint->line) + ": " + complaint->text());
+  return std::move(reading.value);
+}
 
 }  // namespace walkthroughs

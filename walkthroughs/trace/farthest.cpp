@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "walkthroughs/model/farthest_face.hpp"
-#include "walkthroughs/model/precision.hpp"
 
 namespace walkthroughs {
 namespace {

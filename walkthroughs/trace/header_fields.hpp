@@ -8,13 +8,11 @@ namespace walkthroughs {
 
 /// A field that is there, and this word, exactly where its member is true.
 template <class R>
-struct Word {
-  std::string_view key, word;
+struct Word : Told<Word<R>> {
+  constexpr Word(std::string_view key, std::string_view word, bool R::*member)
+      : Told<Word>{key, true}, word(word), member(member) {}
+  std::string_view word;
   bool R::*member;
-  static constexpr bool is_left_out_where_empty = true;
-  static constexpr std::string_view beside = {};
-
-  constexpr bool may_be_missing() const { return true; }
 };
 
 template <>
@@ -75,7 +73,7 @@ struct FieldsOf<Walkthrough> {
                                    Field("layout", &R::layout),
                                    Field("panels", &R::panels),
                                    Field("naming", &R::naming),
-                                   Word<R>{"begins", "with-the-guess", &R::begins_with_the_guess},
+                                   Word("begins", "with-the-guess", &R::begins_with_the_guess),
                                    Field("remarks", &R::remarks).where_not_empty(),
                                    Field("close_up", &R::close_up).where_not_empty()};
 };

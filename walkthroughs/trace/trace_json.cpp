@@ -22,7 +22,19 @@ Json json(double value) {
 
 Json json(const Point& p) { return {json(p.x()), json(p.y()), json(p.z())}; }
 
+Json json(gjk::IndexPair pair) { return {pair.a, pair.b}; }
+
 Json json(const AnyShape& shape);
+
+template <Record R>
+Json json(const R& record);
+
+template <class List>
+Json list_json(const List& list) {
+  Json all = Json::array();
+  for (const auto& each : list) all.push_back(json(each));
+  return all;
+}
 
 /// Writes the fields of a shape, as in scene files.
 struct FieldWriter {
@@ -32,14 +44,8 @@ struct FieldWriter {
   void operator()(field::Direction direction, const Point& d) const { to[std::string(direction.name)] = json(d); }
   void operator()(field::Length length, double x) const { to[std::string(length.name)] = x; }
   void operator()(field::Size size, const Point& p) const { to[std::string(size.name)] = json(p); }
-  void operator()(field::Places, const Points& points) const {
-    to = Json::array();
-    for (const Point& p : points) to.push_back(json(p));
-  }
-  void operator()(field::Shapes, const std::vector<AnyShape>& summands) const {
-    to = Json::array();
-    for (const AnyShape& summand : summands) to.push_back(json(summand));
-  }
+  void operator()(field::Places, const Points& points) const { to = list_json(points); }
+  void operator()(field::Shapes, const std::vector<AnyShape>& summands) const { to = list_json(summands); }
 };
 
 Json json(const AnyShape& shape) {
@@ -54,9 +60,6 @@ Json json(const Eigen::Matrix3d& rotation) {
   return rows;
 }
 
-template <Record R>
-Json json(const R& record);
-
 Json json(const Object& object) {
   Json j{{"name", object.name}};
   j.update(json(object.form));
@@ -66,14 +69,7 @@ Json json(const Object& object) {
 
 Json json(Dimension dimension) { return dimension == Dimension::plane ? 2 : 3; }
 
-Json json(const Panels& panels) {
-  const bool shown[] = {panels.objects, panels.hull, panels.algorithm, panels.decision, panels.close_up};
-  Json list = Json::array();
-  for (std::size_t i = 0; i < words_of::panels.size(); ++i)
-    if (shown[i]) list.push_back(words_of::panels[i]);
-  return list;
-}
-
+Json json(const Panels& panels) { return words_of::of(panels); }
 Json json(bool truth) { return truth; }
 Json json(int count) { return count; }
 Json json(const std::string& text) { return text; }
@@ -95,11 +91,7 @@ Json json(const gjk::Simplex<double>& simplex) {
   return list;
 }
 
-Json json(const gjk::IndexPairs& pairs) {
-  Json list = Json::array();
-  for (const gjk::IndexPair pair : pairs) list.push_back({pair.a, pair.b});
-  return list;
-}
+Json json(const gjk::IndexPairs& pairs) { return list_json(pairs); }
 
 Json json(const gjk::Certificate& certificate) {
   if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&certificate))
@@ -110,9 +102,7 @@ Json json(const gjk::Certificate& certificate) {
 
 template <Record R>
 Json json(const std::vector<R>& records) {
-  Json list = Json::array();
-  for (const R& record : records) list.push_back(json(record));
-  return list;
+  return list_json(records);
 }
 
 template <class T>

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
+
+#include "walkthroughs/model/event_fields.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 
 namespace walkthroughs {
 
@@ -15,5 +17,21 @@ inline constexpr int power = 20'000;               ///< of two, that a number is
 inline constexpr std::size_t corners = 26;         ///< of a hull whose corners have letters
 inline constexpr std::size_t differences = 10000;  ///< of vertices, where corners have letters
 }  // namespace trace_limits
+
+struct WholeNumbers {
+  int least, most;
+};
+
+/// Returns: what a whole number of that meaning may be.
+constexpr WholeNumbers range_of(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::simplex_size: return {1, 4};
+    case Meaning::sign: return {-1, 1};
+    case Meaning::power: return {-trace_limits::power, trace_limits::power};
+    case Meaning::position: return {0, static_cast<int>(scene_limits::points) - 1};
+    case Meaning::limit: return {1, scene_limits::iterations};
+    default: return {0, scene_limits::iterations};
+  }
+}
 
 }  // namespace walkthroughs

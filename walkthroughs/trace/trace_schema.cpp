@@ -3,7 +3,6 @@
 
 #include "render/json_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/trace/header_fields.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_limits.hpp"
@@ -18,8 +17,6 @@ using Json = nlohmann::ordered_json;
 Json reference(const std::string& definition) { return {{"$ref", "#/$defs/" + definition}}; }
 
 Json one_of(const auto& words) { return {{"enum", words}}; }
-
-Json integer(int least, int most) { return {{"type", "integer"}, {"minimum", least}, {"maximum", most}}; }
 
 Json text(std::size_t longest) { return {{"type", "string"}, {"minLength", 1}, {"maxLength", longest}}; }
 
@@ -50,14 +47,8 @@ Json schema(Holds<std::variant<std::monostate, double, Point>>, Meaning) {
 }
 Json schema(Holds<bool>, Meaning) { return {{"type", "boolean"}}; }
 Json schema(Holds<int>, Meaning meaning) {
-  switch (meaning) {
-    case Meaning::simplex_size: return integer(1, 4);
-    case Meaning::sign: return integer(-1, 1);
-    case Meaning::power: return integer(-trace_limits::power, trace_limits::power);
-    case Meaning::position: return integer(0, static_cast<int>(scene_limits::points) - 1);
-    case Meaning::limit: return integer(1, scene_limits::iterations);
-    default: return integer(0, scene_limits::iterations);
-  }
+  const auto [least, most] = range_of(meaning);
+  return {{"type", "integer"}, {"minimum", least}, {"maximum", most}};
 }
 Json schema(Holds<std::string>, Meaning meaning) {
   switch (meaning) {

@@ -9,7 +9,12 @@
 /// first point, too, and gjk::AsPrinted processes the simplex after Eq. 9 has said no.
 #pragma once
 
+#include <array>
+#include <stdexcept>
+#include <tuple>
+
 #include "core/gjk.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs::wrong_on_purpose {
 
@@ -110,5 +115,32 @@ struct DirectionFromVertex : AsIntended {
 struct EdgeNormalAsDirection : AsIntended {
   static auto from_edge(const auto& /*AX*/, const auto& /*AO*/, const auto& AXn) { return AXn; }
 };
+
+// -- By name ----------------------------------------------------------------------------------------------------------
+
+/// The rules of each mistake, in the order of the enumerators.
+using RulesOfMistakes =
+    std::tuple<WrongSideOfB, gjk::Eager<>, StopsWhereTouched, gjk::AsPrinted, OriginAtVertexMissed,
+               OriginOnSegmentMissed, DirectionFromVertex, TriangleNormalReversed, TriangleABnInward, TriangleACnInward,
+               EdgeNormalAsDirection, TwoDimensionsOnly, OriginInTriangleMissed, OrderKeptBelowTriangle, ABCnInward,
+               ACDnInward, ADBnInward, EdgeNormalReused, ABnReusedForADB, OrderOfADB, OriginInFaceSeenOutside>;
+
+/// Calls use.template operator()<Rules>() with the rules that have this mistake, and only this: for callers who learn only while
+/// they run which of them is wanted.
+///
+/// Returns: what it returns; the type must be the same for all.
+/// Errors: std::invalid_argument for what is no enumerator; what `use` throws passes through.
+template <class Use>
+decltype(auto) with_mistake(Mistake mistake, Use&& use) {
+  const auto place = static_cast<std::size_t>(mistake);
+  const auto use_one_of = [&]<class... Rules>(std::type_identity<std::tuple<Rules...>>) -> decltype(auto) {
+    using Result = decltype(use.template operator()<WrongSideOfB>());
+    constexpr std::array<Result (*)(Use&), sizeof...(Rules)> uses{
+        [](Use& each) -> Result { return each.template operator()<Rules>(); }...};
+    if (place >= uses.size()) throw std::invalid_argument("there is no such mistake");
+    return uses[place](use);
+  };
+  return use_one_of(std::type_identity<RulesOfMistakes>{});
+}
 
 }  // namespace walkthroughs::wrong_on_purpose

@@ -25,7 +25,7 @@ bool fits(const Pair& pair) {
     return !points || points->size() <= limits::points;
   };
   return few(pair.a) && few(pair.b) &&
-         std::max(walkthroughs::largest_number(pair.a), walkthroughs::largest_number(pair.b)) <= limits::magnitude;
+         std::max(largest_number(pair.a), largest_number(pair.b)) <= limits::magnitude;
 }
 
 /// Of plain letters, whatever others have called the pair.

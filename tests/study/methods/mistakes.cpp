@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "walkthroughs/wrong_on_purpose/with_mistake.hpp"
+#include "walkthroughs/wrong_on_purpose/rules.hpp"
 
 namespace study {
 namespace {

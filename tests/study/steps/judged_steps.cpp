@@ -48,7 +48,7 @@ auto effort_to_read(const Pair& pair) {
   for (const Points* const points : {&a, &b})
     for (const Vec& p : *points) is_whole = is_whole && p == p.array().round().matrix();
   return std::tuple(a.size() + b.size(), !is_whole,
-                    std::max(walkthroughs::largest_number(pair.a), walkthroughs::largest_number(pair.b)));
+                    std::max(largest_number(pair.a), largest_number(pair.b)));
 }
 
 /// Returns: of each family the failure that is easiest to read, these in the same order.

@@ -64,3 +64,8 @@ TEST_CASE("A message is one line, and its overlong words lack their middle") {
   CHECK(message_line(front + back + " no") == front + back + " no");
   CHECK(message_line(front + std::string(5000, 'm') + back + " no") == front + "…" + back + " no");
 }
+
+TEST_CASE("Missing letters that would not show are named by their codes alone") {
+  CHECK(missing_letters({0x1, 0x85, 0x2067}) ==
+        "the font has no sign for U+0001, U+0085, U+2067: boxes stand in their place");
+}

@@ -1,4 +1,4 @@
-#include "walkthroughs/trace/trace_file.hpp"
+#include "walkthroughs/trace/trace_text.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -6,14 +6,14 @@
 
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/trace/replay.hpp"
-#include "walkthroughs/trace/trace_event.hpp"
-#include "walkthroughs/trace/trace_header.hpp"
-#include "walkthroughs/trace/trace_values.hpp"
+#include "walkthroughs/trace/trace_lines.hpp"
 
 namespace walkthroughs {
 namespace {
 
 using namespace reading;
+
+Complaint about(std::size_t line, std::string reason) { return {static_cast<int>(line), "", std::move(reason)}; }
 
 /// Takes the lines of a trace one by one, counted from 1.
 class TraceReader {
@@ -29,16 +29,20 @@ class TraceReader {
     if (line.is_good()) ++lines_;
   }
 
-  /// Returns: what is wrong with the lines so far, which end there where `is_cut_off`; empty where nothing is.
-  std::string complaint(bool is_cut_off) const {
-    if (!file_) return is_cut_off ? cut_off("its first line") : "";
-    if (is_complete()) return "";
+  /// Returns: what is wrong with the lines so far, which end there where `is_cut_off`.
+  std::optional<Complaint> complaint(bool is_cut_off) const {
+    const auto cut_off = [&](const std::string& missing) -> std::optional<Complaint> {
+      if (!is_cut_off) return std::nullopt;
+      return about(lines_ + 1, "the trace is cut off: " + missing + " is missing; " + trace_advice);
+    };
+    if (!file_) return cut_off("its first line");
+    if (is_complete()) return std::nullopt;
     const auto parting = parting_from_search(scene(), events());
-    if (!parting) return "";
+    if (!parting) return std::nullopt;
     if (parting->event < events().size())
-      return std::to_string(lines_ - events().size() + parting->event + 1) + ": " + parting->what +
-             "; the trace contradicts itself: " + trace_advice;
-    return is_cut_off ? cut_off(parting->what + " of the scene " + in_quotes(scene().name)) : "";
+      return about(lines_ - events().size() + parting->event + 1,
+                   parting->what + "; the trace contradicts itself: " + trace_advice);
+    return cut_off(parting->what + " of the scene " + in_quotes(scene().name));
   }
 
   /// Returns: whether a scene has come to its end with the last line.
@@ -59,10 +63,6 @@ class TraceReader {
   bool is_complete() const { return file_->traces.size() > file_->walkthrough.scenes.size(); }
   const Scene& scene() const { return file_->walkthrough.scenes[file_->traces.size() - 1]; }
   const std::vector<gjk::Event<double>>& events() const { return file_->traces.back().events; }
-
-  std::string cut_off(const std::string& missing) const {
-    return std::to_string(lines_ + 1) + ": the trace is cut off: " + missing + " is missing; " + trace_advice;
-  }
 
   void read_next_event(const Value& line) {
     expect(line, Kind::object, "an object that holds one event");
@@ -95,27 +95,28 @@ class TraceReader {
   std::size_t lines_ = 0;
 };
 
-/// Returns: what is wrong with that line; empty where nothing is. A line without line break behind it may be all that is left of one.
-std::string read_line(std::string_view text, bool is_ended, TraceReader& reader) {
+/// Returns: what is wrong with that line. One without line break behind it may be all that is left of one.
+std::optional<Complaint> read_line(std::string_view text, bool is_ended, TraceReader& reader) {
   if (text.find_first_not_of(" \t\r") == std::string_view::npos)
-    return "is empty; a trace has an event on each line: " + trace_advice;
+    return about(1, "is empty; a trace has an event on each line: " + trace_advice);
   const Document document(text, Document::Comments::refused);
-  if (document.complaint() && !is_ended) return "the line ends in the middle, so the trace is cut off; " + trace_advice;
+  if (document.complaint() && !is_ended)
+    return about(1, "the line ends in the middle, so the trace is cut off; " + trace_advice);
   if (!document.complaint()) reader.read(document.root());
-  return document.complaint() ? document.complaint()->text() : "";
+  return document.complaint();
 }
 
-/// Returns: what is wrong with the first line that is; empty where none is.
-std::string read_lines(std::string_view text, TraceReader& reader) {
+/// Returns: what is wrong with the first line that is.
+std::optional<Complaint> read_lines(std::string_view text, TraceReader& reader) {
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = text.find('\n');
-    if (const std::string objection = read_line(text.substr(0, end), end != std::string_view::npos, reader);
-        !objection.empty()) {
-      const std::string earlier = reader.complaint(false);
-      return earlier.empty() ? std::to_string(number) + ": " + objection : earlier;
+    if (auto objection = read_line(text.substr(0, end), end != std::string_view::npos, reader)) {
+      objection->line = number;
+      const auto earlier = reader.complaint(false);
+      return earlier ? earlier : objection;
     }
     if (reader.is_at_end_of_scene()) {
-      if (const std::string complaint = reader.complaint(true); !complaint.empty()) return complaint;
+      if (const auto complaint = reader.complaint(true)) return complaint;
       reader.begin_next_scene();
     }
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
@@ -125,17 +126,10 @@ std::string read_lines(std::string_view text, TraceReader& reader) {
 
 }  // namespace
 
-TraceFile parse_trace(std::string_view text, const std::string& file_name) {
+Reading<TraceFile> trace_in(std::string_view text) {
   TraceReader reader;
-  if (const std::string complaint = read_lines(text, reader); !complaint.empty())
-    throw InputError(file_name + ":" + complaint);
-  auto [file, complaint] = reader.result();
-  if (complaint) throw InputError(file_name + ":" + std::to_string(complaint->line) + ": " + complaint->text());
-  return std::move(file);
-}
-
-TraceFile read_trace(const std::filesystem::path& file) {
-  return parse_trace(read_text(file, trace_limits::bytes), file.string());
+  if (auto complaint = read_lines(text, reader)) return {{}, std::move(complaint)};
+  return reader.result();
 }
 
 }  // namespace walkthroughs
