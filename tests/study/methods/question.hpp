@@ -21,8 +21,8 @@ using Exact = study::Exact;
 
 /// The shapes of core/ that bodies turn into in S, those that S can ask about.
 template <class S>
-using Form = typename walkthroughs::AskedForms<
-    std::variant<walkthroughs::PointsOf<S>, walkthroughs::BallOf<S>, walkthroughs::CylinderOf<S>>>::type;
+using Form = walkthroughs::AskedForms<
+    std::variant<walkthroughs::PointsOf<S>, walkthroughs::BallOf<S>, walkthroughs::CylinderOf<S>>>;
 
 struct Question {
   virtual ~Question() = default;
