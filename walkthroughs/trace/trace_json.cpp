@@ -6,7 +6,7 @@
 #include "render/json_text.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/trace/header_fields.hpp"
+#include "walkthroughs/model/header_fields.hpp"
 
 namespace walkthroughs {
 namespace {

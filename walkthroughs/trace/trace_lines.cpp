@@ -10,7 +10,7 @@
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
-#include "walkthroughs/trace/header_fields.hpp"
+#include "walkthroughs/model/header_fields.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_limits.hpp"
 

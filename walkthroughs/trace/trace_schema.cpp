@@ -3,7 +3,7 @@
 
 #include "render/json_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/trace/header_fields.hpp"
+#include "walkthroughs/model/header_fields.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_limits.hpp"
 

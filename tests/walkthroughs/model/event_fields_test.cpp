@@ -1,7 +1,7 @@
 #include "walkthroughs/model/event_fields.hpp"
 
 #include "tests/kit/catch.hpp"
-#include "walkthroughs/trace/header_fields.hpp"
+#include "walkthroughs/model/header_fields.hpp"
 
 using namespace walkthroughs;
 
