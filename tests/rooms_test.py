@@ -1,27 +1,23 @@
 #!/usr/bin/env python3
 """The README names every room; includes run one way: no folder knows one above it, no unit (foo.hpp with foo.cpp) includes itself in
-a circle; and no code reads in a sentence what an event knows as a value.
+a circle; a room opens its own namespace; and no code reads in a sentence what an event knows as a value.
 
     python3 tests/rooms_test.py
 """
 import pathlib, re, sys
+
+root = pathlib.Path(__file__).resolve().parents[1]
+
+# The rooms of the walkthroughs in their order, as namespaces see each other.
+rooms = re.findall(r"^namespace walkthroughs::(\w+)", (root / "walkthroughs/rooms.hpp").read_text(), re.MULTILINE)
 
 # The floors, lowest first. A file may include what stands on its own line or above it in this list; folders on one line
 # do not know each other. Whatever is in a folder named here belongs to its line.
 floors = [
     ["core", "render"],
     ["core/certified"],
-    ["walkthroughs/wrong_on_purpose"],
-    ["walkthroughs/model"],
-    ["walkthroughs/text"],
-    ["walkthroughs/query"],
-    ["walkthroughs/story"],
-    ["walkthroughs/picture"],
-    ["walkthroughs/trace"],
-    ["walkthroughs/catalogue"],
-    ["walkthroughs/page"],
-    ["walkthroughs/output"],
-    ["walkthroughs/program"],
+    ["walkthroughs/rooms.hpp"],
+    *[[f"walkthroughs/{room}"] for room in rooms],
     ["tests/kit"],
     ["tests/core", "tests/render"],
     ["tests/walkthroughs"],  # what its tests share
@@ -139,8 +135,16 @@ def told_again(root):
             yield f"{name} runs a search: its story has done that"
 
 
+def elsewhere(root):
+    """Files of a room that do not open its namespace."""
+    for room in rooms:
+        for file in sorted((root / "walkthroughs" / room).glob("*.?pp")):
+            if not re.search(rf"^namespace walkthroughs::{room}\b", file.read_text(), re.MULTILINE) and file.name != "main.cpp":
+                yield f"{file.relative_to(root).as_posix()} opens another namespace than walkthroughs::{room}"
+
+
 def problems(root):
-    edges, found = [], missing_in_map(root) + list(boost_elsewhere(root)) + list(sentences_read(root)) + list(told_again(root))
+    edges, found = [], [*missing_in_map(root), *boost_elsewhere(root), *sentences_read(root), *told_again(root), *elsewhere(root)]
     for file, included, is_there in includes(root):
         if not is_there:
             found.append(f"{file} includes {included}, which is not there")
@@ -159,6 +163,6 @@ def problems(root):
 
 
 if __name__ == "__main__":
-    found = problems(pathlib.Path(__file__).resolve().parents[1])
+    found = problems(root)
     print("\n".join(found) if found else "includes run one way")
     sys.exit(bool(found))

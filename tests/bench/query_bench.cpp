@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 
 constexpr std::uint64_t seed = 7474;
 constexpr int pairs = 1000;

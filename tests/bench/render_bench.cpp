@@ -44,8 +44,8 @@
 
 namespace {
 
-using walkthroughs::StagedStory;
-using walkthroughs::Walkthrough;
+using walkthroughs::model::Walkthrough;
+using walkthroughs::picture::StagedStory;
 using Milliseconds = double;
 
 constexpr render::Size size{1280, 720};
@@ -67,11 +67,11 @@ struct Cost {
   Milliseconds layout = 0, draw = 0, png = 0;
 };
 
-Cost cost_of(const StagedStory& story, std::size_t index, walkthroughs::Studio& studio) {
-  const walkthroughs::Look look;
+Cost cost_of(const StagedStory& story, std::size_t index, walkthroughs::output::Studio& studio) {
+  const walkthroughs::picture::Look look;
   const Milliseconds start = now();
-  render::Canvas canvas(size, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
-  walkthroughs::draw_frame(canvas, story, index, look);
+  render::Canvas canvas(size, walkthroughs::picture::page_of_frame(look.text), look.style.theme.paper, studio.font);
+  walkthroughs::picture::draw_frame(canvas, story, index, look);
   const Milliseconds laid_out = now();
   const render::Image image = studio.rasterizer.draw(canvas);
   const Milliseconds drawn = now();
@@ -79,8 +79,8 @@ Cost cost_of(const StagedStory& story, std::size_t index, walkthroughs::Studio& 
   return {laid_out - start, drawn - laid_out, now() - drawn};
 }
 
-void print_frames(const Walkthrough& walkthrough, walkthroughs::Studio& studio) {
-  const StagedStory story(walkthroughs::tell(walkthrough));
+void print_frames(const Walkthrough& walkthrough, walkthroughs::output::Studio& studio) {
+  const StagedStory story(walkthroughs::story::tell(walkthrough));
   std::vector<Cost> costs;
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (std::size_t i = 0; i < story.frames.size(); ++i) costs.push_back(cost_of(story, i, studio));
@@ -95,9 +95,9 @@ void print_frames(const Walkthrough& walkthrough, walkthroughs::Studio& studio) 
 
 /// Returns: the first walkthrough in space, or null.
 const Walkthrough* in_space() {
-  for (const Walkthrough& w : walkthroughs::catalogue())
-    for (const walkthroughs::Scene& scene : w.scenes)
-      if (scene.dimension == walkthroughs::Dimension::space) return &w;
+  for (const Walkthrough& w : walkthroughs::catalogue::whole_catalogue())
+    for (const walkthroughs::model::Scene& scene : w.scenes)
+      if (scene.dimension == walkthroughs::model::Dimension::space) return &w;
   return nullptr;
 }
 
@@ -106,23 +106,23 @@ const Walkthrough* in_space() {
 /// Prints what the start of the context takes, and the first frame. Mesa starts once in a process: so this comes first.
 void print_start() {
   const Milliseconds start = now();
-  walkthroughs::Studio studio;
+  walkthroughs::output::Studio studio;
   const Milliseconds started = now();
-  const Cost cost =
-      cost_of(StagedStory(walkthroughs::tell(*walkthroughs::find_walkthrough("figure-4-left"))), 0, studio);
+  const Cost cost = cost_of(
+      StagedStory(walkthroughs::story::tell(*walkthroughs::catalogue::find_walkthrough("figure-4-left"))), 0, studio);
   std::printf("context start %.1f ms, first frame %.1f ms\n\n", started - start, cost.layout + cost.draw);
 }
 
 // -- Many points ------------------------------------------------------------------------------------------------------
 
-using walkthroughs::Point;
+using walkthroughs::model::Point;
 
 /// So many points on a ball or in it, or in the plane on a circle, around `center`.
-walkthroughs::Points many_points(const std::string& where, int count, const Point& center) {
+walkthroughs::model::Points many_points(const std::string& where, int count, const Point& center) {
   std::mt19937 random(1);
   std::normal_distribution<double> number;
   std::uniform_real_distribution<double> share;
-  walkthroughs::Points points;
+  walkthroughs::model::Points points;
   for (int i = 0; i < count; ++i) {
     Point p(number(random), number(random), where == "circle" ? 0 : number(random));
     p.normalize();
@@ -133,23 +133,24 @@ walkthroughs::Points many_points(const std::string& where, int count, const Poin
 }
 
 /// From the points to the pixels of the first frame: search, hulls, camera, laying out, drawing.
-Milliseconds first_frame_of(const std::string& where, int count, walkthroughs::Studio& studio) {
+Milliseconds first_frame_of(const std::string& where, int count, walkthroughs::output::Studio& studio) {
   Walkthrough walkthrough{.name = where, .title = where, .source = "", .summary = ""};
-  walkthrough.naming = walkthroughs::Naming::roles;
+  walkthrough.naming = walkthroughs::model::Naming::roles;
   const bool plane = where == "circle";
-  walkthrough.scenes.push_back({.name = "",
-                                .a = {"a", many_points(where, count, Point::Zero())},
-                                .b = {"b", many_points(where, count, Point(1.3, 0.4, plane ? 0 : 0.5))},
-                                .dimension = plane ? walkthroughs::Dimension::plane : walkthroughs::Dimension::space});
+  walkthrough.scenes.push_back(
+      {.name = "",
+       .a = {"a", many_points(where, count, Point::Zero())},
+       .b = {"b", many_points(where, count, Point(1.3, 0.4, plane ? 0 : 0.5))},
+       .dimension = plane ? walkthroughs::model::Dimension::plane : walkthroughs::model::Dimension::space});
   const Milliseconds start = now();
-  const StagedStory story(walkthroughs::tell(walkthrough));
+  const StagedStory story(walkthroughs::story::tell(walkthrough));
   const Milliseconds staged = now();
   const Cost cost = cost_of(story, 0, studio);
   return staged - start + cost.layout + cost.draw;
 }
 
 /// A bar a row, so that a line is seen as one: its length doubles with the points.
-void print_curve(walkthroughs::Studio& studio) {
+void print_curve(walkthroughs::output::Studio& studio) {
   std::printf("\nfirst frame of two sets of so many points, ms\n");
   for (const char* const where : {"on a ball", "in a ball", "circle"})
     for (const int count : {1250, 2500, 5000, 10'000, 20'000, 40'000, 100'000}) {
@@ -165,9 +166,9 @@ void print_curve(walkthroughs::Studio& studio) {
 
 int main() {
   print_start();
-  walkthroughs::Studio studio;
+  walkthroughs::output::Studio studio;
   std::printf("%-28s %8s %8s %8s %8s\n", "ms per frame", "frames", "layout", "draw", "PNG");
-  print_frames(*walkthroughs::find_walkthrough("figure-4-left"), studio);
+  print_frames(*walkthroughs::catalogue::find_walkthrough("figure-4-left"), studio);
   if (const Walkthrough* const w = in_space()) print_frames(*w, studio);
   print_curve(studio);
 }

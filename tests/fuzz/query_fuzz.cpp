@@ -23,15 +23,13 @@
 
 namespace {
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
 
-std::string complaint_of(const Document& document) {
-  return document.complaint() ? document.complaint()->text() : "";
-}
+std::string complaint_of(const Document& document) { return document.complaint() ? document.complaint()->text() : ""; }
 
 void require_same_tree(std::string_view line) {
   const Document quick = Document::of_line(line), slow(line, Document::Comments::refused);

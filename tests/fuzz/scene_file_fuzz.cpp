@@ -26,12 +26,12 @@ void require(bool holds) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const walkthroughs::SceneFile file = walkthroughs::parse_scene(text, "fuzz.json");
-    require(file.walkthrough.scenes.size() == 1 && !walkthroughs::summary(file).empty());
+    const walkthroughs::text::SceneFile file = walkthroughs::text::parse_scene(text, "fuzz.json");
+    require(file.walkthrough.scenes.size() == 1 && !walkthroughs::text::summary(file).empty());
     std::ostringstream out;
-    walkthroughs::write_traces(out, file.walkthrough);
+    walkthroughs::trace::write_traces(out, file.walkthrough);
     require(out.good());
-  } catch (const walkthroughs::InputError& error) {
+  } catch (const walkthroughs::text::InputError& error) {
     require(std::string_view(error.what()).starts_with("fuzz.json:"));
   }
   return 0;

@@ -33,7 +33,7 @@ void require(bool holds) {
 std::vector<ToldRun> runs_or_reason(std::string_view text) {
   try {
     return read_told_runs(text, "fuzz.jsonl");
-  } catch (const walkthroughs::InputError& error) {
+  } catch (const walkthroughs::text::InputError& error) {
     require(std::string_view(error.what()).starts_with("fuzz.jsonl:"));
     return {};
   }

@@ -24,11 +24,11 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void lay_out(const walkthroughs::StagedStory& story, std::size_t frame, render::Font& font) {
-  const walkthroughs::Look look{.style = walkthroughs::Style(render::themes::report)};
-  render::Canvas canvas({64, 36}, walkthroughs::frame_page, look.style.theme.paper, font);
-  walkthroughs::draw_frame(canvas, story, frame, look);
-  require(!walkthroughs::alternative_text(story, frame).empty());
+void lay_out(const walkthroughs::picture::StagedStory& story, std::size_t frame, render::Font& font) {
+  const walkthroughs::picture::Look look{.style = walkthroughs::picture::Style(render::themes::report)};
+  render::Canvas canvas({64, 36}, walkthroughs::picture::frame_page, look.style.theme.paper, font);
+  walkthroughs::picture::draw_frame(canvas, story, frame, look);
+  require(!walkthroughs::story::alternative_text(story, frame).empty());
 }
 
 }  // namespace
@@ -37,13 +37,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static render::Font font(render::Font::default_directory());
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const walkthroughs::TraceFile file = walkthroughs::parse_trace(text, "fuzz.jsonl");
+    const walkthroughs::trace::TraceFile file = walkthroughs::trace::parse_trace(text, "fuzz.jsonl");
     require(file.traces.size() == file.walkthrough.scenes.size());
-    const walkthroughs::StagedStory story(walkthroughs::tell(file.walkthrough, file.traces));
+    const walkthroughs::picture::StagedStory story(walkthroughs::story::tell(file.walkthrough, file.traces));
     require(!story.frames.empty());
     lay_out(story, 0, font);
     lay_out(story, story.frames.size() - 1, font);
-  } catch (const walkthroughs::InputError& error) {
+  } catch (const walkthroughs::text::InputError& error) {
     const std::string_view said = error.what();
     require(said.starts_with("fuzz.jsonl:") && said.size() < 2000);
     require('1' <= said[11] && said[11] <= '9');

@@ -8,7 +8,7 @@
 #include "walkthroughs/query/query.hpp"
 
 using kit::Dice, kit::Json;
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 
 namespace {
 

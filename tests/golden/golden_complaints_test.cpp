@@ -12,7 +12,7 @@
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using golden::Sentences;
 using kit::Dice, kit::Json;

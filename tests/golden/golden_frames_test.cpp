@@ -19,7 +19,7 @@
 
 using namespace golden;
 using render::Canvas, render::CanvasVertex;
-using walkthroughs::Look, walkthroughs::StagedStory;
+using walkthroughs::picture::Look, walkthroughs::picture::StagedStory;
 
 namespace {
 
@@ -63,11 +63,11 @@ class Checksum {
 
 /// Returns: how many labels found no place.
 int add_frame(Checksum& sum, const StagedStory& story, std::size_t frame, const Look& look, render::Font& font) {
-  const render::Size page = walkthroughs::page_of_frame(look.text);
+  const render::Size page = walkthroughs::picture::page_of_frame(look.text);
   Canvas canvas(page, page, look.style.theme.paper, font);
   const int crowded = draw_frame(canvas, story, frame, look);
   sum.add(canvas);
-  sum.add(walkthroughs::alternative_text(story, frame));
+  sum.add(walkthroughs::story::alternative_text(story, frame));
   return crowded;
 }
 
@@ -85,8 +85,8 @@ struct Line {
   }
 };
 
-Line line_of(const walkthroughs::Walkthrough& w, render::Font& font) {
-  const StagedStory story(walkthroughs::tell(w));
+Line line_of(const walkthroughs::model::Walkthrough& w, render::Font& font) {
+  const StagedStory story(walkthroughs::story::tell(w));
   Line line{w.name, {}, {}, {}};
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
     Checksum sum;
@@ -98,7 +98,7 @@ Line line_of(const walkthroughs::Walkthrough& w, render::Font& font) {
 
 /// Of every third frame, for time, and the strip.
 Line line_of(const RandomSearch& each, render::Font& font) {
-  const StagedStory story(walkthroughs::tell(each.walkthrough, each.detail));
+  const StagedStory story(walkthroughs::story::tell(each.walkthrough, each.detail));
   Checksum sum;
   for (std::size_t frame = each.scene.size() % 3; frame < story.frames.size(); frame += 3)
     sum.add(long{add_frame(sum, story, frame, each.look, font)});
@@ -112,7 +112,8 @@ Line line_of(const RandomSearch& each, render::Font& font) {
 std::vector<Line> lines_now() {
   render::Font font(render::Font::default_directory());
   std::vector<Line> lines;
-  for (const walkthroughs::Walkthrough& w : walkthroughs::catalogue()) lines.push_back(line_of(w, font));
+  for (const walkthroughs::model::Walkthrough& w : walkthroughs::catalogue::whole_catalogue())
+    lines.push_back(line_of(w, font));
   for (const RandomSearch& each : random_searches()) lines.push_back(line_of(each, font));
   return lines;
 }

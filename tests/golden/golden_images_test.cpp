@@ -20,17 +20,17 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t most_bytes = 20 * 1024;
 
-render::RenderedBy notes_of(const walkthroughs::Studio& studio) {
+render::RenderedBy notes_of(const walkthroughs::output::Studio& studio) {
   return render::rendered_by(studio.context, studio.font_folder);
 }
 
-void accept_notes(const walkthroughs::Studio& studio) {
+void accept_notes(const walkthroughs::output::Studio& studio) {
   accept("images/" + std::string(render::rendered_by_file), render::rendered_by_json(notes_of(studio)),
          "what drew the goldens");
 }
 
 /// Returns: what drew the goldens and what draws now, line by line.
-std::string both_notes(const walkthroughs::Studio& studio) {
+std::string both_notes(const walkthroughs::output::Studio& studio) {
   std::string text;
   const auto golden = render::read_rendered_by(folder() / "images");
   for (const auto& line : render::side_by_side(golden.value_or(render::RenderedBy{}), notes_of(studio)))
@@ -42,20 +42,20 @@ std::string both_notes(const walkthroughs::Studio& studio) {
 /// A picture that is kept: of a frame or of parts of the renderer.
 struct Kept {
   std::string name, reason;
-  std::function<render::Image(walkthroughs::Studio&)> draw;
+  std::function<render::Image(walkthroughs::output::Studio&)> draw;
 };
 
 std::vector<Kept> all_kept() {
   std::vector<Kept> all;
   for (const Picture& picture : pictures())
     all.push_back(
-        {picture.name(), picture.reason, [&](walkthroughs::Studio& studio) { return draw(picture, studio); }});
+        {picture.name(), picture.reason, [&](walkthroughs::output::Studio& studio) { return draw(picture, studio); }});
   for (const Part& part : parts()) all.push_back({part.name, part.reason, part.draw});
   return all;
 }
 
 /// One picture, drawn now and compared. Returns: nothing where it passes or was accepted.
-std::optional<render::ComparedFiles> check(const Kept& kept, walkthroughs::Studio& studio) {
+std::optional<render::ComparedFiles> check(const Kept& kept, walkthroughs::output::Studio& studio) {
   const std::string name = kept.name + ".png";
   const std::vector<std::uint8_t> png =
       render::encode_png(kept.draw(studio), {.title = kept.name, .description = kept.reason});
@@ -74,7 +74,7 @@ std::optional<render::ComparedFiles> check(const Kept& kept, walkthroughs::Studi
 }  // namespace
 
 TEST_CASE("images of chosen frames and parts are the accepted ones", "[unsanitized]") {
-  walkthroughs::Studio studio;
+  walkthroughs::output::Studio studio;
   render::CompareReport report({.expected = "tests/golden/images",
                                 .actual = "drawn now",
                                 .expected_by = render::read_rendered_by(folder() / "images"),

@@ -12,7 +12,7 @@
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 
 TEST_CASE("pages of a walkthrough, what they load, and its captions are the accepted ones") {
   const Walkthrough& w = *find_walkthrough("figure-4-right");

@@ -8,14 +8,14 @@
 #include "walkthroughs/story/alternative_text.hpp"
 
 using namespace golden;
-using walkthroughs::StagedStory;
+using walkthroughs::picture::StagedStory;
 
 namespace {
 
 void add(Sentences& said, const std::string& name, const StagedStory& story) {
   said.add_all(story.walkthrough.title + "\n" + story.walkthrough.summary, name);
   for (std::size_t i = 0; i < story.frames.size(); ++i)
-    said.add_all(walkthroughs::alternative_text(story, i), name + " " + std::to_string(i));
+    said.add_all(walkthroughs::story::alternative_text(story, i), name + " " + std::to_string(i));
   for (const std::string& each : story.left_out()) said.add_all(each, name);
 }
 
@@ -23,7 +23,8 @@ void add(Sentences& said, const std::string& name, const StagedStory& story) {
 
 TEST_CASE("sentences of all walkthroughs are the accepted ones") {
   Sentences said;
-  for (const walkthroughs::Walkthrough& w : walkthroughs::catalogue()) add(said, w.name, StagedStory(tell(w)));
+  for (const walkthroughs::model::Walkthrough& w : walkthroughs::catalogue::whole_catalogue())
+    add(said, w.name, StagedStory(tell(w)));
   for (const RandomSearch& each : random_searches())
     add(said, each.name, StagedStory(tell(each.walkthrough, each.detail)));
   check_text("sentences.txt", said.text("   | "), "sentences");

@@ -13,7 +13,7 @@
 
 using namespace golden;
 using kit::Json;
-using walkthroughs::Walkthrough;
+using walkthroughs::model::Walkthrough;
 
 namespace {
 
@@ -63,7 +63,7 @@ std::string difference(const std::string& expected, const std::string& actual) {
 
 void check(const Walkthrough& w) {
   std::ostringstream now;
-  walkthroughs::write_traces(now, w);
+  walkthroughs::trace::write_traces(now, w);
   const std::string name = "traces/" + w.name + ".jsonl", words = difference(accepted_text(name), now.str());
   if (words.empty()) {
     SUCCEED(w.name);
@@ -77,13 +77,13 @@ void check(const Walkthrough& w) {
 }  // namespace
 
 TEST_CASE("traces of all walkthroughs are the accepted ones") {
-  for (const Walkthrough& w : walkthroughs::catalogue())
-    if (w.layout != walkthroughs::Layout::diagrams) check(w);
+  for (const Walkthrough& w : walkthroughs::catalogue::whole_catalogue())
+    if (w.layout != walkthroughs::model::Layout::diagrams) check(w);
 }
 
 TEST_CASE("traces that are accepted belong to walkthroughs that there are") {
   for (const std::string& file : kit::listing(folder() / "traces")) {
     INFO(file);
-    CHECK(walkthroughs::find_walkthrough(file.substr(0, file.find('.'))) != nullptr);
+    CHECK(walkthroughs::catalogue::find_walkthrough(file.substr(0, file.find('.'))) != nullptr);
   }
 }

@@ -89,7 +89,7 @@ std::vector<Box> cells(int columns, int rows) {
 }
 
 template <class Draw>
-Image sheet(walkthroughs::Studio& studio, std::uint64_t seed, int columns, int rows, Draw draw_cell) {
+Image sheet(walkthroughs::output::Studio& studio, std::uint64_t seed, int columns, int rows, Draw draw_cell) {
   Canvas canvas(size, size, palette::white, studio.font);
   Dice dice(seed);
   for (const Box& cell : cells(columns, rows)) {
@@ -189,11 +189,11 @@ void draw_solids(Canvas& canvas, const Box& cell, Dice& dice) {
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       {"parts-shapes-report", "every shape of a canvas at random, clipped: coinciding ends, no length, no number",
-       [](walkthroughs::Studio& studio) { return sheet(studio, 41, 6, 4, draw_shapes); }},
+       [](walkthroughs::output::Studio& studio) { return sheet(studio, 41, 6, 4, draw_shapes); }},
       {"parts-labels-report", "labels and names of areas that look for a place among lines, grids and hatching",
-       [](walkthroughs::Studio& studio) { return sheet(studio, 43, 3, 3, draw_labels); }},
+       [](walkthroughs::output::Studio& studio) { return sheet(studio, 43, 3, 3, draw_labels); }},
       {"parts-solids-report", "faces at random from back to front, hidden edges dashed",
-       [](walkthroughs::Studio& studio) { return sheet(studio, 47, 4, 4, draw_solids); }},
+       [](walkthroughs::output::Studio& studio) { return sheet(studio, 47, 4, 4, draw_solids); }},
   };
   return all;
 }

@@ -7,7 +7,7 @@
 
 namespace golden {
 
-using walkthroughs::Text;
+using walkthroughs::picture::Text;
 
 namespace {
 
@@ -86,12 +86,13 @@ std::string Picture::name() const {
          (text == none ? "-no-captions" : "");
 }
 
-render::Image draw(const Picture& picture, walkthroughs::Studio& studio) {
-  const walkthroughs::Look look{.style = walkthroughs::Style(walkthroughs::theme_named(picture.theme)),
-                                .text = picture.text};
-  const walkthroughs::StagedStory story(walkthroughs::tell(*walkthroughs::find_walkthrough(picture.walkthrough)));
-  render::Canvas canvas(pixels, walkthroughs::page_of_frame(look.text), look.style.theme.paper, studio.font);
-  walkthroughs::draw_frame(canvas, story, picture.frame, look);
+render::Image draw(const Picture& picture, walkthroughs::output::Studio& studio) {
+  const walkthroughs::picture::Look look{
+      .style = walkthroughs::picture::Style(walkthroughs::picture::theme_named(picture.theme)), .text = picture.text};
+  const walkthroughs::picture::StagedStory story(
+      walkthroughs::story::tell(*walkthroughs::catalogue::find_walkthrough(picture.walkthrough)));
+  render::Canvas canvas(pixels, walkthroughs::picture::page_of_frame(look.text), look.style.theme.paper, studio.font);
+  walkthroughs::picture::draw_frame(canvas, story, picture.frame, look);
   if (picture.letters == left_out)
     for (render::Shape& shape : canvas.shapes())
       if (auto* const text = std::get_if<render::shape::Text>(&shape)) text->style.color.a = text->style.halo.a = 0;

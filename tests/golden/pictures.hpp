@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/picture/draw.hpp"
 
 namespace golden {
 
@@ -19,7 +19,7 @@ struct Picture {
   std::string walkthrough;
   std::size_t frame;
   std::string theme;  ///< "report", "slides", "dark"
-  walkthroughs::Text text;
+  walkthroughs::picture::Text text;
   Letters letters;
   std::string reason;
 
@@ -30,13 +30,13 @@ struct Picture {
 const std::vector<Picture>& pictures();
 
 /// Returns: the picture as it is drawn now; letters that are left out are fully transparent.
-render::Image draw(const Picture& picture, walkthroughs::Studio& studio);
+render::Image draw(const Picture& picture, walkthroughs::output::Studio& studio);
 
 /// Pictures of parts of the renderer on numbers that nobody chose: crowded lattices, on which things coincide, and what lies outside.
 /// Each is a sheet of small cells.
 struct Part {
   std::string name, reason;
-  render::Image (*draw)(walkthroughs::Studio& studio);
+  render::Image (*draw)(walkthroughs::output::Studio& studio);
 };
 
 const std::vector<Part>& parts();

@@ -9,7 +9,7 @@
 namespace golden {
 namespace {
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 
 constexpr unsigned seed = 17;
 constexpr int count = 120;

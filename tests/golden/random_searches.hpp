@@ -14,9 +14,9 @@ struct RandomSearch {
   std::string name;     ///< "random/017"
   std::string scene;    ///< the scene file
   std::string options;  ///< of gjkstep render
-  walkthroughs::Walkthrough walkthrough;
-  walkthroughs::Look look;
-  walkthroughs::Detail detail = walkthroughs::Detail::decision;
+  walkthroughs::model::Walkthrough walkthrough;
+  walkthroughs::picture::Look look;
+  walkthroughs::story::Detail detail = walkthroughs::story::Detail::decision;
 };
 
 const std::vector<RandomSearch>& random_searches();

@@ -9,15 +9,15 @@
 #include <sstream>
 
 #include "render/file.hpp"
-#include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace {
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 using Random = std::mt19937_64;
 
 std::size_t below(Random& random, std::size_t count) { return static_cast<std::size_t>(random() % count); }
@@ -118,7 +118,7 @@ std::string kind_of(const Asked& asked, Dimension dimension) {
 
 /// The moment before a decision: which frame of a walkthrough shows it, and what the search decides next.
 struct Question {
-  walkthroughs::Walkthrough walkthrough;
+  walkthroughs::model::Walkthrough walkthrough;
   std::size_t frame;
   std::string kind;    ///< "space, triangle: below"
   std::string text;    ///< what is asked

@@ -28,8 +28,8 @@ inline Walkthrough walkthrough_of(const std::vector<Point>& points, const gjk::O
           .source = "test",
           .summary = "test",
           .scenes = {{.name = "test",
-                      .a = {"first", walkthroughs::points(points)},
-                      .b = {"second", walkthroughs::points(minus)},
+                      .a = {"first", walkthroughs::model::points(points)},
+                      .b = {"second", walkthroughs::model::points(minus)},
                       .options = options}}};
 }
 

@@ -4,7 +4,7 @@
 
 #include "walkthroughs/text/nearest.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 std::vector<Walkthrough> all_walkthroughs() {
@@ -30,7 +30,7 @@ std::string small_letters(std::string_view text) {
 
 }  // namespace
 
-const std::vector<Walkthrough>& catalogue() {
+const std::vector<Walkthrough>& whole_catalogue() {
   static const std::vector<Walkthrough> all = all_walkthroughs();
   return all;
 }
@@ -38,20 +38,20 @@ const std::vector<Walkthrough>& catalogue() {
 std::vector<const Walkthrough*> find_walkthroughs(std::string_view name) {
   std::vector<const Walkthrough*> found;
   const std::string folder = std::string(name) + (name.ends_with('/') ? "" : "/");
-  for (const Walkthrough& each : catalogue())
+  for (const Walkthrough& each : whole_catalogue())
     if (each.name == name || each.name.starts_with(folder)) found.push_back(&each);
   return found;
 }
 
 const Walkthrough* find_walkthrough(std::string_view name) {
-  const auto& all = catalogue();
+  const auto& all = whole_catalogue();
   const auto found = std::ranges::find(all, name, &Walkthrough::name);
   return found == all.end() ? nullptr : &*found;
 }
 
 std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word) {
   std::vector<const Walkthrough*> found;
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     const std::string said =
         w.name + "\n" + w.title + "\n" + w.summary + "\n" + (w.region_case ? w.region_case->text : "");
     if (small_letters(said).find(small_letters(word)) != std::string::npos) found.push_back(&w);
@@ -61,15 +61,15 @@ std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word) {
 
 std::string nearest_name(std::string_view name) {
   std::vector<std::string> spellings;  // all names, then all without their folders
-  for (const Walkthrough& w : catalogue()) spellings.push_back(w.name);
-  for (const Walkthrough& w : catalogue()) spellings.push_back(w.name.substr(w.name.rfind('/') + 1));
+  for (const Walkthrough& w : whole_catalogue()) spellings.push_back(w.name);
+  for (const Walkthrough& w : whole_catalogue()) spellings.push_back(w.name.substr(w.name.rfind('/') + 1));
   // A word such as R7 is no name that somebody spelled wrongly.
   const bool begins_one =
       std::ranges::any_of(spellings, [&](const std::string& each) { return each.starts_with(name); });
   const std::vector<const Walkthrough*> saying = walkthroughs_that_say(name);
   if (!begins_one && !saying.empty()) return saying.front()->name;
   const auto found = std::ranges::find(spellings, nearest(name, spellings)) - spellings.begin();
-  return spellings[static_cast<std::size_t>(found) % catalogue().size()];
+  return spellings[static_cast<std::size_t>(found) % whole_catalogue().size()];
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

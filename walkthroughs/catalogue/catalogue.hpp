@@ -7,10 +7,10 @@
 
 #include "walkthroughs/model/walkthrough.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 
 /// Returns: all walkthroughs, in the order of the report.
-const std::vector<Walkthrough>& catalogue();
+const std::vector<Walkthrough>& whole_catalogue();
 
 /// Returns: the walkthrough of that name, or all walkthroughs of the folder of that name ("regions"); none if there is neither.
 std::vector<const Walkthrough*> find_walkthroughs(std::string_view name);
@@ -44,4 +44,4 @@ std::vector<Walkthrough> mistakes();
 /// mistake, and as the report has it. Requires: a scene without a mistake, whose rules are the report's as intended.
 Walkthrough beside_the_report(Mistake mistake, Scene right);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

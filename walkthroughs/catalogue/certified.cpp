@@ -8,7 +8,7 @@
 #include "walkthroughs/catalogue/cycles.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 constexpr const char* source = "ARL-TR-7474, Algorithm 1, with a proof";
@@ -92,4 +92,4 @@ std::vector<Walkthrough> certified_answers() {
   };
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <ranges>
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using render::Interval;
@@ -115,4 +115,4 @@ std::vector<Vec2> points_of_rings(double radius, int rings, int around) {
   return points;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "render/geometry.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 
 /// A closed set of the plane.
 struct PlanarSet {
@@ -44,4 +45,4 @@ ChordSearch deciding_chord(const PlanarSet& set, const std::vector<render::Vec2>
 /// Returns: the middle of a disk and `rings` circles around it up to `radius`, with `around` points each.
 std::vector<render::Vec2> points_of_rings(double radius, int rings, int around);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

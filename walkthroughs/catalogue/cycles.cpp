@@ -5,7 +5,7 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 constexpr const char* why_how_often_and_what_helps =
@@ -48,4 +48,4 @@ std::vector<Walkthrough> endless_searches() {
                 "at its limit Algorithm 1 answers \"no collision\", but these objects do intersect")};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

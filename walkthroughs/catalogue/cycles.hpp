@@ -3,9 +3,9 @@
 
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 
 Scene cycling_apart(const std::string& name);
 Scene cycling_together(const std::string& name);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -4,7 +4,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/story/exact.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 struct Words {
@@ -101,4 +101,4 @@ std::vector<Walkthrough> failures() {
   return {vanished_product(), overflowed_product(), beyond_an_edge(), coplanar_askew(), far_from_the_origin()};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -6,7 +6,7 @@
 #include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using render::Panel;
@@ -138,4 +138,4 @@ Walkthrough figure_1() {
           .diagrams = figure_1_diagrams};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

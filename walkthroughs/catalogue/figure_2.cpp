@@ -6,7 +6,7 @@
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/lens.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using render::Panel;
@@ -127,4 +127,4 @@ Walkthrough figure_2() {
           .diagrams = figure_2_diagrams};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

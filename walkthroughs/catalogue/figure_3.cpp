@@ -7,7 +7,7 @@
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using render::Panel;
@@ -166,4 +166,4 @@ Walkthrough figure_3() {
           .diagrams = figure_3_diagrams};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

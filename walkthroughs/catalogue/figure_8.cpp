@@ -9,7 +9,7 @@
 #include "walkthroughs/picture/lens.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using gjk::Role;
@@ -290,4 +290,4 @@ Walkthrough figure_8() {
           .diagrams = figure_8_diagrams};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

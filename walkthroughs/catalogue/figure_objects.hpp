@@ -8,7 +8,7 @@
 #include "walkthroughs/catalogue/region_grid.hpp"
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 
 // The sets of Figure 1, all made of the unit circle around the origin.
 
@@ -84,4 +84,4 @@ inline render::Camera figure_8_camera() { return {-77, 13}; }
 /// A third of the way from BCD to A.
 inline Window figure_8_slice() { return {.low = {-4.5, -2.5}, .high = {4.5, 3.145}, .height = 0.8}; }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

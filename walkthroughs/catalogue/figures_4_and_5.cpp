@@ -3,7 +3,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 /// Both sets side by side as the report prints them. The right one goes on to F, which Section 3.1.2 tells before
@@ -71,4 +71,4 @@ std::vector<Walkthrough> figures_4_and_5() {
   return {figure_4(), figure_4_left(), figure_4_right(), figure_4_right_no_crossing_test(), figure_5()};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

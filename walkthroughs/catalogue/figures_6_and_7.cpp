@@ -8,7 +8,7 @@
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using gjk::Role;
@@ -211,4 +211,4 @@ std::vector<Walkthrough> figures_6_and_7() {
            .diagrams = figure_7_diagrams}};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -10,7 +10,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using render::Box;
@@ -198,4 +198,4 @@ std::vector<Walkthrough> mistakes() {
   return all;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -3,7 +3,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/cycles.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 Scene by_rules(RuleSet rules, const std::string& name, Scene scene) {
@@ -93,4 +93,4 @@ std::vector<Walkthrough> other_rules() {
           complete_beside_the_report(), as_printed_spheres(), eager_between_centers()};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

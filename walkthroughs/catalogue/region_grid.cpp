@@ -6,7 +6,7 @@
 #include "core/event_words.hpp"
 #include "core/gjk.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using gjk::Role;
@@ -213,4 +213,4 @@ void draw_ruled_out(render::Panel& panel, const std::vector<Vec2>& area, const S
   panel.hatch(area, style.hatch_spacing, style.hatching);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

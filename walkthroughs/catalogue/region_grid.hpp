@@ -14,7 +14,7 @@
 #include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 
 // -- Geometry: the regions of the report ----------------------------------------------------------------------------
 
@@ -120,4 +120,4 @@ void draw_blocks(render::Panel& panel, const std::vector<RegionGrid::Block>& blo
 /// Hatches an area that the report rules out, on a veil that lets what lies below show faintly.
 void draw_ruled_out(render::Panel& panel, const std::vector<render::Vec2>& area, const Style& style);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -4,7 +4,7 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 using At = Remark::At;
@@ -416,4 +416,4 @@ std::vector<Walkthrough> region_cases() {
   return all;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

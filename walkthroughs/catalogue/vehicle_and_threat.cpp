@@ -4,7 +4,7 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::catalogue {
 namespace {
 
 /// A vehicle 6 long and 2.4 wide, its front sloped; x is forward, z up.
@@ -48,4 +48,4 @@ std::vector<Walkthrough> vehicle_and_threat() {
             "the same, the sphere a little to the side", threat({3.2, 0.9, 2.1}), counter_munition({3.2, 1.3, 2.9}))};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::catalogue

@@ -1,6 +1,6 @@
 #include "walkthroughs/model/any_shape.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 namespace {
 
 std::string_view name_of(const AnyShape& shape, Dimension dimension) {
@@ -53,4 +53,4 @@ std::string shapes_in_lines(const std::string& before, const std::string& after)
 
 std::string described(const AnyShape& shape, Dimension dimension) { return std::visit(Description{dimension}, shape); }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

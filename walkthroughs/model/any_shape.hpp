@@ -20,8 +20,9 @@
 #include <vector>
 
 #include "core/shapes.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// Scenes of the plane z = 0 are drawn flat; those of space through a camera.
 enum class Dimension { plane, space };
@@ -191,7 +192,7 @@ struct ShapeRow<SumOf<S>> {
 
   static void fields(auto&& visit, auto&... sums) { visit(field::Shapes{}, sums.summands...); }
   static gjk::Vec3<S> middle(const SumOf<S>& sum) {
-    return walkthroughs::middle<S>(sum.summands[0]) + walkthroughs::middle<S>(sum.summands[1]);
+    return walkthroughs::model::middle<S>(sum.summands[0]) + walkthroughs::model::middle<S>(sum.summands[1]);
   }
   static auto asked(SumOf<S> sum) { return AskedSum<S>(std::move(sum)); }
 };
@@ -405,4 +406,4 @@ const auto& AskedSum<S>::sum() const {
   return both_->sum;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -15,8 +15,9 @@
 #include <variant>
 
 #include "core/event_words.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// What a text, a whole number or a vector says, where its type does not tell.
 enum class Meaning { plain, name, title, sentence, direction, simplex_size, iterations, position, sign, power, limit };
@@ -294,4 +295,4 @@ template <template <class> class E>
 inline constexpr auto event_index =
     static_cast<std::size_t>(std::ranges::find(event_names, FieldsOf<E<double>>::event) - event_names.begin());
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 namespace {
 
 using render::Vec2;
@@ -98,4 +98,4 @@ double distance(const Vec2& p, const std::vector<Vec2>& hull) {
   return is_inside ? 0 : least;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

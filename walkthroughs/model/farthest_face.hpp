@@ -5,7 +5,7 @@
 
 #include "walkthroughs/model/labelled_hull.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// A direction of length 1, and two across it that make a right-handed frame.
 struct DirectionFrame {
@@ -40,4 +40,4 @@ double bound_of(const AnyShape& shape);
 /// Returns: how far `p` lies from a hull as from convex_hull(), 0 within. Requires: at least one corner.
 double distance(const render::Vec2& p, const std::vector<render::Vec2>& hull);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/gjk.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// Returns: the direction from one center to the other, found in doubles as files have them; the usual one where these
 /// coincide or S has no such direction.
@@ -14,4 +15,4 @@ gjk::Vec3<S> direction_between_centers(const gjk::Vec3<double>& center_a, const 
   return gjk::is_usable_direction(direction) ? direction : gjk::Options<S>{}.first_direction;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

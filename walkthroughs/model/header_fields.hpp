@@ -4,7 +4,7 @@
 #include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// A field that is there, and this word, exactly where its member is true.
 template <class R>
@@ -78,4 +78,4 @@ struct FieldsOf<Walkthrough> {
                                    Field("close_up", &R::close_up).where_not_empty()};
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 namespace {
 
 using render::Vec2;
@@ -78,4 +78,4 @@ LabelledHull difference_hull(const Scene& scene) {
   return {corners};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

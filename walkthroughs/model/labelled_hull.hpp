@@ -7,7 +7,7 @@
 #include "render/geometry.hpp"
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// Andrew's monotone chain (Inf. Proc. Letters 9, 1979).
 /// Returns: the corners of the hull, counter-clockwise from the leftmost (of two such, the lower), without collinear points.
@@ -32,4 +32,4 @@ std::vector<Point> differences(const std::vector<Point>& a, const std::vector<Po
 /// Returns: the hull of all differences of the vertices, projected on the plane z = 0.
 LabelledHull difference_hull(const Scene& scene);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 namespace {
 
 /// One overload for each event.
@@ -85,4 +85,4 @@ gjk::Status answer_of(const Trace& trace) {
   return std::get<gjk::Finished<double>>(trace.events.back()).result.status;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

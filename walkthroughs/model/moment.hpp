@@ -9,7 +9,7 @@
 
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 using Vertex = gjk::Vertex<double>;
 using Simplex = gjk::Simplex<double>;
@@ -53,4 +53,4 @@ Moment replay(const Trace& trace, std::size_t count);
 /// Returns: the answer with which a complete trace ends, the proven one where there is one.
 gjk::Status answer_of(const Trace& trace);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -5,7 +5,9 @@
 #include <concepts>
 #include <string>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::model {
 
 /// Appends the shortest such text.
 template <std::floating_point S>
@@ -22,4 +24,4 @@ std::string number_text(S number) {
   return text;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -4,7 +4,7 @@
 #include "render/geometry.hpp"
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 struct Plane {
   Point on = Point::Zero();                           ///< where the page has its zero
@@ -24,4 +24,4 @@ struct Plane {
   Point out(const render::Vec2& p) const { return on + right * (p.x() / stretch.x()) + up * (p.y() / stretch.y()); }
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

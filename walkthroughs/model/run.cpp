@@ -8,7 +8,7 @@
 #include "walkthroughs/model/widened.hpp"
 #include "walkthroughs/wrong_on_purpose/rules.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 namespace {
 
 /// The one place where what a scene says becomes template arguments.
@@ -96,4 +96,4 @@ Trace run(const Scene& scene, const SupportFunctions& supports) {
   return trace;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

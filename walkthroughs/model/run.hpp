@@ -5,7 +5,7 @@
 
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// Returns: every event of GJK on the two objects, computed in the scene's scalar; a double holds every float. Of a scene that
 /// is certified those of the proofs, too.
@@ -19,4 +19,4 @@ struct SupportFunctions {
 /// Returns: the same, the objects being asked through `supports`. Requires: a scene that is not certified.
 Trace run(const Scene& scene, const SupportFunctions& supports);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -7,7 +7,7 @@
 #include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/model/number_text.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 bool is_at_rest(const Pose& pose) {
   const Pose rest;
@@ -24,7 +24,7 @@ AskedObject<S>::AskedObject(const Object& object)
     : object_(object),
       form_(converted<S>(object.form, Cast<S>{})),
       pose_{object.pose.rotation.cast<S>(), object.pose.translation.cast<S>()},
-      is_at_rest_(walkthroughs::is_at_rest(object.pose)) {}
+      is_at_rest_(walkthroughs::model::is_at_rest(object.pose)) {}
 
 template <class S>
 gjk::SupportPoint<S> AskedObject<S>::support(const gjk::Vec3<S>& d) const {
@@ -115,9 +115,10 @@ Scene in_float(Scene scene) {
 
 std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const Pose& pose) {
   if (!std::holds_alternative<Points>(form))
-    return ObjectionToProof{std::string(key_of(form)),
-                            "a " + kind_of(form, Dimension::space) +
-                                " cannot be certified in a scene, whose proofs are drawn for sets of points only; give points"};
+    return ObjectionToProof{
+        std::string(key_of(form)),
+        "a " + kind_of(form, Dimension::space) +
+            " cannot be certified in a scene, whose proofs are drawn for sets of points only; give points"};
   if (moves(pose))
     return ObjectionToProof{"pose",
                             "an object that its pose moves cannot be certified, because its points are rounded then; "
@@ -125,4 +126,4 @@ std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const P
   return std::nullopt;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

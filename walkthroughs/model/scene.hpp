@@ -13,7 +13,7 @@
 #include "walkthroughs/model/any_shape.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 using Point = gjk::Vec3<double>;
 using Pose = gjk::Pose<double>;
@@ -115,4 +115,4 @@ std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const P
 
 using Trace = gjk::Trace<double>;
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

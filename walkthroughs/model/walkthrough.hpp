@@ -14,9 +14,11 @@ class Canvas;
 struct Box;
 }  // namespace render
 
-namespace walkthroughs {
-
+namespace walkthroughs::picture {
 struct Style;
+}
+
+namespace walkthroughs::model {
 
 /// What a walkthrough tells, and of how many scenes.
 enum class Layout {
@@ -68,7 +70,7 @@ struct Diagram {
   std::vector<std::string> facts;  ///< lines below it
   std::string description;         ///< what is to be seen, for readers who cannot see it
   /// Draws into `box`. Returns: how many labels could not be kept clear.
-  std::function<int(render::Canvas&, const render::Box& box, const Style&)> draw;
+  std::function<int(render::Canvas&, const render::Box& box, const picture::Style&)> draw;
 };
 
 /// The case of Section 3.2 that a walkthrough of the region catalogue is about.
@@ -102,4 +104,4 @@ inline std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std:
   return remarks;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -3,7 +3,7 @@
 
 #include "walkthroughs/model/event_fields.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::model {
 
 /// Widens whatever a field of an event of scalar S may hold.
 template <class S>
@@ -63,4 +63,4 @@ struct WidenedInto {
   void operator()(const auto& event) const { trace(widened(event)); }
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::model

@@ -9,7 +9,7 @@
 
 #include "walkthroughs/model/walkthrough.hpp"
 
-namespace walkthroughs::words_of {
+namespace walkthroughs::model::words_of {
 
 template <std::size_t count>
 using Words = std::array<std::string_view, count>;
@@ -60,6 +60,7 @@ constexpr std::string_view of(E enumerator) {
 inline constexpr Words<5> panels{"objects", "hull", "algorithm", "decision", "close-up"};
 inline constexpr std::array panel_members{&Panels::objects, &Panels::hull, &Panels::algorithm, &Panels::decision,
                                           &Panels::close_up};
+static_assert(sizeof(Panels) == panels.size() && panel_members.size() == panels.size(), "a word for each panel");
 
 /// Returns: the words for the panels that are shown.
 inline std::vector<std::string_view> of(const Panels& shown) {
@@ -69,4 +70,4 @@ inline std::vector<std::string_view> of(const Panels& shown) {
   return words;
 }
 
-}  // namespace walkthroughs::words_of
+}  // namespace walkthroughs::model::words_of

@@ -1,7 +1,7 @@
 #include "render/apng.hpp"
 #include "walkthroughs/output/frames.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 OneFile animated_png(double seconds, FileWritten written) {
   const auto make = [seconds](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer&) {
@@ -15,4 +15,4 @@ OneFile animated_png(double seconds, FileWritten written) {
   return {"animation.png", make, std::move(written)};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -9,7 +9,7 @@
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ void Frames::add(const std::shared_ptr<const StagedStory>& story, const Output& 
   renderer.then([=, files = files(w)] { remove_outputs(folder, files, written); });
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -10,7 +10,7 @@
 
 #include "walkthroughs/output/sink.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 /// Returns: what the picture of a frame is called: "007.png", "007-turn-1.svg"; `turn` 0 is the usual view.
 std::string picture_name(std::size_t index, int turn = 0, const char* extension = ".png");
@@ -39,4 +39,4 @@ class Frames : public Sink {
   FrameWritten written_, svg_written_;
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -14,7 +14,7 @@
 
 #include "render/file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -217,4 +217,4 @@ void tidy_manifest(const fs::path& folder) {
     render::write_file(folder / manifest_file, text);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

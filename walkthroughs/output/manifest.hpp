@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::output {
 
 /// Lines "CRC-32 size name" about the files beside it. A file is ours as long as one of the lines of its name fits it. Other lines
 /// count for nothing, and stay.
@@ -43,4 +45,4 @@ void adopt(const std::filesystem::path& file);
 /// Takes lines that no file fits any more out of the manifest of a folder, if it has one. Errors: render::FileError.
 void tidy_manifest(const std::filesystem::path& folder);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

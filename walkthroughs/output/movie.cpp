@@ -5,7 +5,7 @@
 
 #include "walkthroughs/text/shell_word.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 namespace {
 
 /// Returns: a path that ffmpeg takes neither for an option nor for an address such as "http:".
@@ -43,4 +43,4 @@ std::string ffmpeg_line(Movie movie, const std::filesystem::path& folder, double
          shell_quoted(path_for_ffmpeg(folder / "animation.mp4"));
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -5,8 +5,9 @@
 #include <string>
 
 #include "render/color.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 enum class Movie { mp4, gif };
 
@@ -15,4 +16,4 @@ enum class Movie { mp4, gif };
 /// an even number of pixels each way: an odd one gets one more row or column in the colour of the paper.
 std::string ffmpeg_line(Movie movie, const std::filesystem::path& folder, double seconds, render::Color paper);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -17,7 +17,7 @@
 #include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,7 +71,7 @@ std::vector<PageJson> entries_in(const fs::path& folder) {
     if (at.depth() == 1) at.disable_recursion_pending();
     if (!at->is_directory(no_status)) continue;
     const std::string name = at->path().lexically_relative(folder).generic_string();
-    const auto place = std::ranges::find(catalogue(), name, &Walkthrough::name) - catalogue().begin();
+    const auto place = std::ranges::find(whole_catalogue(), name, &Walkthrough::name) - whole_catalogue().begin();
     if (std::optional<PageJson> entry = entry_at(folder, name)) entries.emplace(std::pair(place, name), *entry);
   }
   const auto values = std::views::values(entries);
@@ -155,4 +155,4 @@ void write_index(const fs::path& folder) {
   write_output(folder / page_file, page_over(entries, page_file));
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

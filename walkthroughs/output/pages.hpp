@@ -9,7 +9,7 @@
 #include "walkthroughs/output/sink.hpp"
 #include "walkthroughs/page/page.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 inline constexpr const char *compare_file = "compare.html", *trace_file = "trace.jsonl";
 
@@ -51,4 +51,4 @@ class Pages : public Sink {
 /// search FOLDER/compare.html, where not removes it. Errors: render::FileError.
 void write_index(const std::filesystem::path& folder);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -7,7 +7,7 @@
 #include "walkthroughs/picture/footer.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 namespace {
 
 using render::Box;
@@ -167,4 +167,4 @@ OneFile paper_sheets(PaperSize paper, bool larger_text, TooSmall too_small, File
   return {"sheet.pdf", make, std::move(written)};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

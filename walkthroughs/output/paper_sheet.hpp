@@ -11,7 +11,7 @@
 #include "render/vector.hpp"
 #include "walkthroughs/output/sink.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 inline constexpr double least_points = 7;  ///< of letters on paper, apart from subscripts
 
@@ -39,4 +39,4 @@ using TooSmall = std::function<void(const Story& story, double points)>;
 /// sheet.pdf, as paper_sheet() lays it out.
 OneFile paper_sheets(render::PaperSize paper, bool larger_text, TooSmall too_small, FileWritten written);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -9,7 +9,7 @@
 #include "render/image.hpp"
 #include "walkthroughs/output/manifest.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 namespace fs = std::filesystem;
 
@@ -77,4 +77,4 @@ Renderer::~Renderer() {
   }
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

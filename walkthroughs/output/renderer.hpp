@@ -11,7 +11,7 @@
 #include "walkthroughs/output/studio.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 /// Where, how large, and with what around the panels. The size is that of a frame with text; what has another page, such
 /// as a strip or a frame without text, is as wide and as high as it needs to be at the same scale.
@@ -70,4 +70,4 @@ class Renderer {
   std::deque<std::function<void()>> jobs_;
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

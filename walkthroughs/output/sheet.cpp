@@ -5,7 +5,7 @@
 #include "render/file.hpp"
 #include "render/image.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 SheetLayout sheet_layout(int count, const Output& output) {
   static_assert(sheet_columns * (sheet_scale * render::max_pixels + sheet_gap) + sheet_gap <= render::max_image_side);
@@ -39,4 +39,4 @@ OneFile sheet(FileWritten written) {
   return {"sheet.png", make, std::move(written)};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

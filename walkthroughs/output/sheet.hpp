@@ -3,7 +3,7 @@
 
 #include "walkthroughs/output/sink.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 inline constexpr double sheet_scale = 0.375;
 inline constexpr int sheet_columns = 4, sheet_gap = 8;  // so many in a row; pixels around each frame
@@ -29,4 +29,4 @@ SheetLayout sheet_layout(int count, const Output& output);
 /// sheet.png: all frames in reading order, each drawn anew, as sheet_layout() says.
 OneFile sheet(FileWritten written);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

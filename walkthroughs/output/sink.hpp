@@ -10,7 +10,7 @@
 
 #include "walkthroughs/output/renderer.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 /// Told after each file about a story.
 using FileWritten = std::function<void(const std::filesystem::path& file, const Story& story)>;
@@ -60,4 +60,4 @@ inline constexpr double last_frame_times = 2;  // how much longer the last frame
 /// long. Joins the files of Frames, which must be given the story before.
 OneFile animated_png(double seconds, FileWritten written);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -1,6 +1,6 @@
 #include "walkthroughs/output/sink.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 OneFile strip(FileWritten written) {
   const auto make = [](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
@@ -11,4 +11,4 @@ OneFile strip(FileWritten written) {
   return {"strip.png", make, std::move(written)};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

@@ -5,8 +5,9 @@
 
 #include "render/font.hpp"
 #include "render/rasterizer.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::output {
 
 struct Studio {
   render::Backend backend = render::default_backend();
@@ -16,4 +17,4 @@ struct Studio {
   render::Rasterizer rasterizer{context};
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::output

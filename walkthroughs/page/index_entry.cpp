@@ -8,7 +8,7 @@
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 namespace {
 
 constexpr std::string_view opening = "window.gjkstep = {\"entry\":", closing = ",\n";
@@ -138,4 +138,4 @@ std::string page_over(const std::vector<PageJson>& entries, const std::string& v
                      {{"entries.js", script}});
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

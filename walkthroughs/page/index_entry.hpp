@@ -13,7 +13,7 @@
 #include "render/geometry.hpp"
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 
 using PageJson = nlohmann::ordered_json;
 
@@ -56,4 +56,4 @@ PageJson in_groups(const std::vector<PageJson>& entries);
 /// "picture_url".
 std::string page_over(const std::vector<PageJson>& entries, const std::string& viewer_page);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

@@ -6,7 +6,7 @@
 #include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 namespace {
 
 using Kind = Decision::Kind;
@@ -119,4 +119,4 @@ std::optional<Question> question_of_line(const Story& story) {
   return question;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

@@ -12,7 +12,7 @@
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 namespace {
 
 constexpr std::array of_viewer{"colors.css", "page.css", "pages.js", "quiz.js", "page.js"};
@@ -230,4 +230,4 @@ std::vector<PageFile> page_files(const Story& story, const PagePictures& picture
   return files;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

@@ -9,7 +9,7 @@
 #include "walkthroughs/page/index_entry.hpp"
 #include "walkthroughs/page/viewer.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 
 /// Where a page comes from, and what is near.
 struct PageSurroundings {
@@ -35,4 +35,4 @@ PageJson page_data(const Story& story, const PagePictures& pictures, const PageS
 /// HTML.
 std::vector<PageFile> page_files(const Story& story, const PagePictures& pictures, const PageSurroundings& around);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

@@ -5,7 +5,7 @@
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 namespace {
 
 /// The walkthroughs of regions in which a search decides so: the one that is about it, and another.
@@ -66,4 +66,4 @@ std::string practice_for(const Decision& decision, const std::string& but) {
   return first == but ? "regions/" + std::string(found->walkthroughs[1]) : first;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

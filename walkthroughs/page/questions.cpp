@@ -10,7 +10,7 @@
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 namespace {
 
 using gjk::Relation;
@@ -436,4 +436,4 @@ std::vector<Question> questions_of(const Story& story) {
   return questions;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

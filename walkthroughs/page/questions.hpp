@@ -12,7 +12,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 
 struct Choice {
   std::string text;    ///< here and below with the markup of render/font.hpp
@@ -64,4 +64,4 @@ std::optional<Question> question_of_line(const Story& story);
 /// of the case which it gets wrong. Empty where there is none.
 std::string practice_for(const Decision& decision, const std::string& but);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

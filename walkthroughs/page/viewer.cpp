@@ -5,7 +5,7 @@
 
 #include "render/html.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::page {
 
 std::string filled(std::string_view text, const std::vector<PageFile>& fillings) {
   std::string html;
@@ -44,4 +44,4 @@ std::string html_of(const std::vector<PageLink>& links) {
   return html;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

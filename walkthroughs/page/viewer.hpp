@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::page {
 
 /// A file of a page; or what stands in it in place of {{name}}.
 struct PageFile {
@@ -31,4 +33,4 @@ std::string with_inside(std::string html, std::map<std::string, std::string> fil
 /// Returns: the elements, a line each; without URL the text as code.
 std::string html_of(const std::vector<PageLink>& links);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::page

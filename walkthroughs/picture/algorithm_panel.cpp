@@ -5,7 +5,7 @@
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Vec2;
@@ -116,4 +116,4 @@ void draw_algorithm(render::Canvas& canvas, const render::Box& frame, const Show
   }
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

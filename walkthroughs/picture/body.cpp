@@ -10,7 +10,7 @@
 #include "walkthroughs/model/farthest_face.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Vec2;
@@ -335,4 +335,4 @@ std::vector<Vec2> outline_of_difference(const Scene& scene, const Body& body, co
   return convex_hull(std::move(farthest));
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

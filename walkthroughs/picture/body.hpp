@@ -6,7 +6,7 @@
 
 #include "walkthroughs/picture/lens.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// A flat part of a round surface, such as the cap of a cylinder.
 struct Flat {
@@ -43,4 +43,4 @@ std::vector<render::Vec2> outline_of_difference(const Scene& scene, const Body& 
 /// Qhull. Returns: the faces of the hull of points in space, coplanar triangles joined; none where the points are flat.
 std::vector<render::Face> hull_faces(const std::vector<Point>& points);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

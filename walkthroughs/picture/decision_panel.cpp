@@ -9,7 +9,7 @@
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using gjk::Role;
@@ -451,4 +451,4 @@ int draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<De
   return crowded;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

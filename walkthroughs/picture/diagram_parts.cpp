@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Box;
@@ -66,4 +66,4 @@ std::string with_commas(std::size_t count) {
   return digits;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -11,7 +11,7 @@
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// Returns: `box` cut into `count` frames of equal width, side by side.
 std::vector<render::Box> side_by_side(const render::Box& box, int count);
@@ -44,4 +44,4 @@ std::vector<render::Vec2> outline_by_support(const S& shape, int questions) {
 /// Returns: "12,345".
 std::string with_commas(std::size_t count);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -6,7 +6,7 @@
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/region_picture.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Stroke;
@@ -109,7 +109,7 @@ class DifferencePicture {
   }
 
   void regions() { draw_regions(pencil_, shown_); }
-  void name_rejected_faces() { walkthroughs::name_rejected_faces(pencil_, shown_); }
+  void name_rejected_faces() { walkthroughs::picture::name_rejected_faces(pencil_, shown_); }
 
   /// Where no point of the set can lie, because the support function has looked.
   void beyond_found() { pencil_.out_of_reach(now_.found->w, now_.direction->value); }
@@ -379,4 +379,4 @@ int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   return panel.place_labels(shown.style.smallest_label());
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

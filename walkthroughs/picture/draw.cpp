@@ -11,7 +11,7 @@
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Box;
@@ -356,4 +356,4 @@ int draw_strip(Canvas& canvas, const StagedStory& story, const Look& look) {
   return crowded;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -9,7 +9,7 @@
 #include "walkthroughs/picture/stage.hpp"
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// What stands around the panels.
 enum class Text {
@@ -47,4 +47,4 @@ render::Size strip_page(const StagedStory& story, const Look& look = {});
 /// Requires: a canvas with the page strip_page(story, look), in the colour of the paper.
 int draw_strip(render::Canvas& canvas, const StagedStory& story, const Look& look = {});
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Box;
@@ -142,4 +142,4 @@ double draw_words(Canvas& canvas, double width, const StagedStory& story, std::s
   return height;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

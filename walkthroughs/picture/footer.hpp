@@ -6,7 +6,7 @@
 #include "walkthroughs/picture/stage.hpp"
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// Draws it into `room`, the facts smaller where there are many.
 /// Returns: how many lines there was no room for.
@@ -19,4 +19,4 @@ int draw_footer(render::Canvas& canvas, const render::Box& room, const StagedSto
 double draw_words(render::Canvas& canvas, double width, const StagedStory& story, std::size_t index,
                   const Style& style);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

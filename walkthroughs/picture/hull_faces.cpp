@@ -8,7 +8,7 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 /// The one place that knows Qhull, which was chosen because it copes with coplanar points: one run on points in space;
@@ -71,4 +71,4 @@ std::vector<render::Face> hull_faces(const std::vector<Point>& points) {
   return Qhull(std::move(coordinates)).faces();
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

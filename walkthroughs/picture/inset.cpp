@@ -7,7 +7,7 @@
 
 #include "walkthroughs/picture/panel_title.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Box;
@@ -106,4 +106,4 @@ void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, co
   canvas.text(inset.label.center() + Vec2(0, canvas.cap_height(text) / 2), factor, text);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -9,7 +9,7 @@
 #include "render/panel.hpp"
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 using Segment = std::pair<render::Vec2, render::Vec2>;
 
@@ -36,4 +36,4 @@ std::optional<Inset> inset_of(const render::Vec2& at, const std::vector<Segment>
 void draw_inset(render::Canvas& canvas, const Inset& inset, const render::View& view, const Style& style,
                 const std::function<void(render::Panel&)>& draw);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

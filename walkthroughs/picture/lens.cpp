@@ -8,7 +8,7 @@
 
 #include "walkthroughs/story/decision.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 constexpr double azimuth_step = 15;
@@ -134,4 +134,4 @@ render::Camera choose_camera(const Trace& trace) {
   return all[static_cast<std::size_t>(std::ranges::max_element(scores) - scores.begin())];
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -8,7 +8,7 @@
 #include "render/camera.hpp"
 #include "walkthroughs/model/plane.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// The smallest box of a picture that holds what must be shown.
 struct Bounds {
@@ -64,4 +64,4 @@ struct Lens {
 /// origin apart from each other, and no face that decides edge-on or straight on.
 render::Camera choose_camera(const Trace& trace);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -4,7 +4,7 @@
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Box;
@@ -134,4 +134,4 @@ void draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine
   NumberLinePicture(canvas, below_title(frame, shown.style), line, shown).draw();
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

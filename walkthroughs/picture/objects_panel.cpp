@@ -2,7 +2,7 @@
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Vec2;
@@ -81,4 +81,4 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   return panel.place_labels(style.smallest_label());
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Vec2;
@@ -174,4 +174,4 @@ void draw_origin_beside(render::Panel& panel, const Vec2& at, double height, con
   panel.circle(at, origin_radius - 1, {style.theme.ink, 2});
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -9,7 +9,7 @@
 #include "walkthroughs/picture/style.hpp"
 #include "walkthroughs/story/decision.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// Returns: the corners of a box, all around.
 std::vector<render::Vec2> corners_of(const render::Box& box);
@@ -44,4 +44,4 @@ std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, cons
 /// Draws the origin as the key has it: filled above the plane, a dot in it, a ring below.
 void draw_origin_beside(render::Panel& panel, const render::Vec2& at, double height, const Style& style);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

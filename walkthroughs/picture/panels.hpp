@@ -5,7 +5,7 @@
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/number_line.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 Bounds bounds_of_objects(const Telling& telling, const Stage& stage, const Lens& lens);
 
@@ -35,4 +35,4 @@ void draw_number_line(render::Canvas& canvas, const render::Box& frame, const Nu
 /// The pseudo-code that is running, the values of its tests so far, and the line where it is.
 void draw_algorithm(render::Canvas& canvas, const render::Box& frame, const Shown& shown);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -6,7 +6,7 @@
 
 #include "walkthroughs/picture/diagram_parts.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using render::Stroke;
@@ -167,4 +167,4 @@ std::vector<render::Face> faces_of_tetrahedron(const std::vector<Point>& v) {
   return faces;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -8,7 +8,7 @@
 #include "walkthroughs/picture/lens.hpp"
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 class Pencil {
  public:
@@ -78,4 +78,4 @@ std::vector<Point> points_of(const gjk::Simplex<double>& simplex);
 /// Returns: the faces of a tetrahedron, seen from outside counter-clockwise, whatever the order of its vertices.
 std::vector<render::Face> faces_of_tetrahedron(const std::vector<Point>& vertices);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

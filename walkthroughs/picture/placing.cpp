@@ -5,7 +5,7 @@
 #include <limits>
 #include <variant>
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 constexpr double least_size = 1e-30, most_size = 1e30;  // whose products of eight lengths are still finite, and not 0
@@ -131,4 +131,4 @@ Placing placing_of(const std::vector<Telling>& tellings) {
   return placing;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -9,7 +9,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 struct Placing {
   double scale = 1;              ///< a power of two, so that nothing is rounded
@@ -24,4 +24,4 @@ struct Placing {
 /// Returns: one for all scenes of a story; one that leaves everything where it is, unless that matters.
 Placing placing_of(const std::vector<Telling>& tellings);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -5,7 +5,7 @@
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/decision.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 using gjk::Role;
@@ -172,7 +172,7 @@ class RegionPicture {
 
   /// Returns: what was said last; nothing before the first test.
   const Region* last() const { return shown_.now.regions.empty() ? nullptr : &shown_.now.regions.back(); }
-  RegionState state_of(const Region* region) const { return walkthroughs::state_of(region, shown_.now); }
+  RegionState state_of(const Region* region) const { return walkthroughs::picture::state_of(region, shown_.now); }
 
   std::vector<Vec2> picture(const std::vector<Vec2>& area) const {
     std::vector<Vec2> corners;
@@ -401,4 +401,4 @@ void name_rejected_faces(Pencil& pencil, const Shown& shown) {
   RegionPicture(pencil, shown).name_rejected_faces();
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

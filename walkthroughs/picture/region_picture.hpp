@@ -4,7 +4,7 @@
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/picture/shown.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// What the algorithm has said of a region up to one moment. Nothing may be told by colour alone: skipped regions are
 /// hatched, rejected ones named with ✗, the chosen one with ✓, and the one just tested has a strong border and its
@@ -44,4 +44,4 @@ std::vector<std::vector<render::Vec2>> regions_of_triangle(const render::Vec2& A
 std::vector<std::vector<render::Vec2>> regions_of_segment(const render::Vec2& A, const render::Vec2& B,
                                                           const std::vector<render::Vec2>& clip);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

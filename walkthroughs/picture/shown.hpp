@@ -7,7 +7,7 @@
 #include "walkthroughs/picture/stage.hpp"
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// Where a panel stands on the page: its title and its key on top, the scene below.
 struct Place {
@@ -30,4 +30,4 @@ struct Shown {
   bool is_parting = false;      ///< whether another search goes another way here
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

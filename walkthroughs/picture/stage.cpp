@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 namespace {
 
 Stage stage_of(const Telling& telling, const Placing& placing) {
@@ -66,4 +66,4 @@ std::vector<std::string> StagedStory::left_out() const {
   return sentences;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

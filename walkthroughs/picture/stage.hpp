@@ -11,7 +11,7 @@
 #include "walkthroughs/picture/placing.hpp"
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// One scene of a story, ready to be drawn. Panels that were not asked for leave their part empty.
 struct Stage {
@@ -40,4 +40,4 @@ struct StagedStory : Story {
   std::deque<Telling> placed_tellings_;
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -1,6 +1,6 @@
 #include "walkthroughs/picture/style.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 using render::Stroke;
 using render::TextStyle;
@@ -54,4 +54,4 @@ TextStyle Style::label(render::Color color, render::Weight weight) const {
 
 TextStyle Style::small_label() const { return {.size = scaled(22), .color = theme.ink, .halo = theme.paper}; }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

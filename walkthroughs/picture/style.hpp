@@ -4,8 +4,9 @@
 #include <string>
 
 #include "render/canvas.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::picture {
 
 /// Requires: "report", "slides" or "dark".
 const render::Theme& theme_named(const std::string& name);
@@ -45,4 +46,4 @@ struct Style {
   render::TextStyle small_label() const;
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::picture

@@ -11,7 +11,7 @@
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/printable.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 
 const Walkthrough& walkthrough_named(const std::string& name) {
   if (const Walkthrough* found = find_walkthrough(name)) return *found;
@@ -90,4 +90,4 @@ render::Backend chosen_backend(const std::optional<std::string>& name) {
   return is_set ? backend_named(set, backend_variable) : render::default_backend();
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -12,7 +12,7 @@
 #include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 
 /// The words that a command takes, and what it does with them.
 struct Command {
@@ -58,4 +58,4 @@ void expect_output_apart_from(const std::string& scene_file);
 /// Whether a word of the command line means a scene file and not a walkthrough: whether it ends in .json, in capitals or not.
 bool is_scene_file(const std::string& name);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -17,7 +17,7 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ Command add_compare_command(CLI::App& app) {
   return {command, [compare] { return compare->run(); }};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

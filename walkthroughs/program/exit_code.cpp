@@ -17,7 +17,7 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 template <class... Errors>
@@ -99,4 +99,4 @@ int exit_code_of(const std::string& program, const std::string& if_out_of_memory
   }
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::program {
 
 enum ExitCode { ok = 0, unexpected = 1, wrong_usage = 2, bad_input = 3, no_context = 4, cannot_write = 5 };
 
@@ -20,4 +22,4 @@ struct UsageError : std::runtime_error {
 /// a thread that cannot be started, and a crash where memory is lacking: both are `unexpected`.
 int exit_code_of(const std::string& program, const std::string& if_out_of_memory, const std::function<int()>& run);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -15,7 +15,7 @@
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/printable.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 /// Returns: what stands before the last '/', or nothing.
@@ -99,7 +99,7 @@ struct ListCommand {
     if (name)
       write_table(std::cout, found());
     else
-      write_list(std::cout, catalogue());
+      write_list(std::cout, whole_catalogue());
     return ok;
   }
 
@@ -129,4 +129,4 @@ Command add_list_command(CLI::App& app) {
   return {command, [list] { return list->run(); }};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

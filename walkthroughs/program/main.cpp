@@ -16,7 +16,7 @@
 
 namespace {
 
-using walkthroughs::UsageError;
+using walkthroughs::program::UsageError;
 
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace, a query; also: a missing font), 4 no OpenGL "
@@ -25,7 +25,7 @@ constexpr const char* footer =
     "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
 
 void print_version(const std::optional<std::string>& gl) {
-  const render::Backend backend = walkthroughs::chosen_backend(gl);
+  const render::Backend backend = walkthroughs::program::chosen_backend(gl);
   std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
   std::cout << render::OffscreenContext(backend).description() << '\n';
 }
@@ -45,9 +45,9 @@ std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
     const std::string word = app.remaining().front();
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-    const bool is_name = walkthroughs::find_walkthrough(word) != nullptr;
-    complaint = "there is no command " + walkthroughs::in_quotes(word) + "; did you mean '" +
-                (is_name ? "render " + word : walkthroughs::nearest(word, commands)) + "'?";
+    const bool is_name = walkthroughs::catalogue::find_walkthrough(word) != nullptr;
+    complaint = "there is no command " + walkthroughs::text::in_quotes(word) + "; did you mean '" +
+                (is_name ? "render " + word : walkthroughs::text::nearest(word, commands)) + "'?";
   }
   return complaint + (complaint.ends_with('?') ? " " : "; ") +
          "'gjkstep --help' and 'gjkstep COMMAND --help' show what there is";
@@ -62,17 +62,17 @@ int run(int argc, char** argv) {
   bool version = false;
   app.add_flag("--version", version, "print the version and the OpenGL renderer");
   std::optional<std::string> gl;
-  walkthroughs::add_backend_option(app, gl);
-  const std::vector<walkthroughs::Command> commands = {
-      walkthroughs::add_list_command(app),    walkthroughs::add_render_command(app, gl),
-      walkthroughs::add_trace_command(app),   walkthroughs::add_scene_command(app),
-      walkthroughs::add_compare_command(app), walkthroughs::add_query_command(app)};
+  walkthroughs::program::add_backend_option(app, gl);
+  const std::vector<walkthroughs::program::Command> commands = {
+      walkthroughs::program::add_list_command(app),    walkthroughs::program::add_render_command(app, gl),
+      walkthroughs::program::add_trace_command(app),   walkthroughs::program::add_scene_command(app),
+      walkthroughs::program::add_compare_command(app), walkthroughs::program::add_query_command(app)};
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
-    return walkthroughs::ok;
+    return walkthroughs::program::ok;
   } catch (const CLI::ParseError& error) {
     throw UsageError(what_was_wrong(app, error));
   }
@@ -83,12 +83,12 @@ int run(int argc, char** argv) {
   if (!version && name.empty()) throw UsageError("what to do? 'gjkstep --help' shows the commands");
   if (!version) return chosen->run();
   print_version(gl);
-  return walkthroughs::ok;
+  return walkthroughs::program::ok;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return walkthroughs::exit_code_of("gjkstep", "ask for less, such as fewer points or a smaller --size",
-                                    [&] { return run(argc, argv); });
+  return walkthroughs::program::exit_code_of("gjkstep", "ask for less, such as fewer points or a smaller --size",
+                                             [&] { return run(argc, argv); });
 }

@@ -12,7 +12,7 @@
 #include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/printable.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 
 /// `words`: the range, as help and complaints call it.
 template <class Number>
@@ -54,4 +54,4 @@ void expect_number(CLI::Option* option, Number low, Number high) {
   expect_number(option, low, high, "from " + CLI::detail::to_string(low) + " to " + CLI::detail::to_string(high));
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

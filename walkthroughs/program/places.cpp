@@ -12,7 +12,7 @@
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,4 +151,4 @@ void Places::tidy_manifests() const {
   std::ranges::for_each(folders, tidy_manifest);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

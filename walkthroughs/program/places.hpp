@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::program {
 
 /// What is done with files that the program has not written, or that were changed since, where it would write or remove some.
 enum class Others { kept, overwritten };
@@ -52,4 +54,4 @@ class Places {
   std::vector<Folder> folders_;
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -25,7 +25,7 @@
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 std::string footer() {
@@ -187,4 +187,4 @@ Command add_query_command(CLI::App& app) {
   return {command, [query] { return query->run(); }};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

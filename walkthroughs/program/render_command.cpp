@@ -34,7 +34,7 @@
 #include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 struct RenderCommand {
@@ -217,7 +217,7 @@ class Rendering {
       selection.add_trace(file);
     }
     if (command_.all)
-      for (const Walkthrough& w : catalogue()) selection.add({&w});
+      for (const Walkthrough& w : whole_catalogue()) selection.add({&w});
     if (selection.chosen().empty())
       throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
     return selection;
@@ -486,4 +486,4 @@ Command add_render_command(CLI::App& app, std::optional<std::string>& gl) {
           }};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -9,7 +9,7 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 struct SceneCommand {
@@ -43,4 +43,4 @@ Command add_scene_command(CLI::App& app) {
   return {command, [scene] { return scene->run(); }};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -11,7 +11,7 @@
 
 #include "render/file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 std::string what_to_do(int error_number) {
@@ -88,4 +88,4 @@ int StandardOutput::sync() {
 
 void StandardOutput::write() { write_to_standard_output(std::exchange(text_, {})); }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::program {
 
 /// A pipe may have been set, by another program that holds it, to fail rather than wait (O_NONBLOCK).
 /// Returns: whether errno says so; then it has waited for `event` of poll(). Keeps errno.
@@ -40,4 +42,4 @@ class StandardOutput : public std::streambuf {
   const bool is_terminal_;  ///< which shows each line at once
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -10,7 +10,7 @@
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::program {
 namespace {
 
 void write_trace(const std::string& name) {
@@ -53,4 +53,4 @@ Command add_trace_command(CLI::App& app) {
   return {command, [trace] { return trace->run(); }};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::program

@@ -10,7 +10,7 @@
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_pair.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 namespace {
 
 template <class S>
@@ -80,4 +80,4 @@ QueryTally answer_lines(const QueryOptions& options, const ReadSome& read, const
   return tally;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

@@ -23,7 +23,7 @@
 #include "walkthroughs/query/query_options.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 
 namespace query_limits {
 inline constexpr std::size_t line = scene_limits::bytes;  ///< as long as a scene file may be
@@ -43,4 +43,4 @@ struct QueryTally {
 /// asks one pair and waits gets the answer. Errors: those of reading and writing.
 QueryTally answer_lines(const QueryOptions& options, const ReadSome& read, const Write& write);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

@@ -11,7 +11,7 @@
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_options.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 
 /// Appends a direction that is proof enough by itself.
 template <class S>
@@ -100,4 +100,4 @@ inline void write_answer(const gjk::ShapesResult& result, QueryEvidence evidence
   out += "}\n";
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

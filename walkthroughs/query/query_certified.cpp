@@ -9,9 +9,9 @@
 #include "core/certified/support_error.hpp"
 #include "walkthroughs/query/query_certificate.hpp"
 
-namespace walkthroughs {
-
 // How well the points of a query's objects are known, so that gjk::certified_shapes() takes them.
+
+namespace walkthroughs::model {
 
 template <class S>
 gjk::SupportError support_error(const Asked<S>& asked);
@@ -25,11 +25,6 @@ gjk::SupportError support_error(const Asked<S>& asked) {
   return std::visit([](const auto& form) { return support_error(form); }, asked.form());
 }
 template <class S>
-gjk::SupportError support_error(const QueryObject<S>& object) {
-  return std::visit([](const auto& shape) { return support_error(shape); }, object.shape());
-}
-
-template <class S>
 gjk::Vec3<S> near_support(const Asked<S>& asked, const gjk::Vec3<S>& d);
 
 template <class S>
@@ -40,6 +35,16 @@ template <class S>
 gjk::Vec3<S> near_support(const Asked<S>& asked, const gjk::Vec3<S>& d) {
   return std::visit([&](const auto& form) { return near_support(form, d); }, asked.form());
 }
+
+}  // namespace walkthroughs::model
+
+namespace walkthroughs::query {
+
+template <class S>
+gjk::SupportError support_error(const QueryObject<S>& object) {
+  return std::visit([](const auto& shape) { return support_error(shape); }, object.shape());
+}
+
 template <class S>
 gjk::Vec3<S> near_support(const QueryObject<S>& object, const gjk::Vec3<S>& d) {
   return std::visit([&](const auto& shape) { return near_support(shape, d); }, object.shape());
@@ -96,4 +101,4 @@ void answer_certified(PairAsWritten&& pair, const QueryOptions& query, std::stri
     answer_in<double>(std::move(pair), query, out);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

@@ -13,7 +13,7 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 
 template <std::floating_point S>
 void write(const S& x, std::string& out) {
@@ -96,4 +96,4 @@ void write_answer(const gjk::Result<S>& result, std::string& out) {
   out += "}}\n";
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 
 std::optional<LineReader::Line> LineReader::next() {
   for (;;) {
@@ -48,4 +48,4 @@ bool LineReader::read_more() {
   return !is_at_end_;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::query {
 
 /// Puts what there is to read into the bytes given, waits only where there is nothing, and returns how many there were: 0 at
 /// the end.
@@ -41,4 +43,4 @@ class LineReader {
   bool is_too_long_ = false;         // the beginning of this line has been thrown away
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

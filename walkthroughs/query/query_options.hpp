@@ -7,7 +7,7 @@
 
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 
 /// In which numbers a query is computed; the position of its word in query_scalars.
 enum class QueryScalar { binary32, binary64, long_double, exact };
@@ -37,4 +37,4 @@ struct QueryOptions {
   QueryEvidence evidence = QueryEvidence::of_the_search;
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

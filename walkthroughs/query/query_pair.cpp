@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 namespace {
 
 using namespace reading;
@@ -50,4 +50,4 @@ Point center_of(const ObjectAsWritten& object) {
   return object.pose && !is_at_rest(*object.pose) ? (*object.pose)(own) : own;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

@@ -16,7 +16,7 @@
 #include "walkthroughs/query/query_options.hpp"
 #include "walkthroughs/text/scene_values.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::query {
 
 /// A shape of core/: a form and, where one moves it, its pose. Without that nothing is turned, so that the answer is that of
 /// the form itself to the last bit.
@@ -105,4 +105,4 @@ gjk::Options<S> search_options(const PairAsWritten& pair, const QueryOptions& qu
   return options;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::query

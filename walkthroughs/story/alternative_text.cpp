@@ -9,7 +9,7 @@
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -144,4 +144,4 @@ std::string captions_json(const std::vector<FrameFile>& frames) {
   return render::json_text(all, 2) + "\n";
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -7,7 +7,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 /// Returns: what the panels show, in sentences without markup.
 std::string description(const Story& story, std::size_t index);
@@ -30,4 +30,4 @@ struct FrameFile {
 /// the range of its events.
 std::string captions_json(const std::vector<FrameFile>& frames);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

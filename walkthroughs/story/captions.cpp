@@ -8,7 +8,7 @@
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using Mark = Fact::Mark;
@@ -490,4 +490,4 @@ Frame repetition(Frame frame, int earlier) {
   return frame;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

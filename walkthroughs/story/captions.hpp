@@ -5,7 +5,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 /// Returns: a frame with caption and facts but without moments; nothing where the event does not change the picture
 /// or is told together with the next one. `now` is the moment after the event, which is one of `telling`.
@@ -37,4 +37,4 @@ bool is_out_of_plane(const gjk::SignTaken<double>& sign);
 /// Returns: "AB·AO = 3.2 ± 4e−16 > 0"; "w·d" with the name of w in its place.
 std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

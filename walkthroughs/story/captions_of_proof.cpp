@@ -5,7 +5,7 @@
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using Mark = Fact::Mark;
@@ -205,4 +205,4 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
   return frame;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

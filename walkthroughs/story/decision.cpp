@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using gjk::Role;
@@ -210,4 +210,4 @@ std::vector<DecisionView> decision_views(const Moment& now, Focus focus) {
   }
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

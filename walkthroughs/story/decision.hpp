@@ -8,7 +8,7 @@
 #include "walkthroughs/model/plane.hpp"
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 struct DecisionView {
   enum class Kind {
@@ -52,4 +52,4 @@ const gjk::RegionTested<double>* test_of(const Moment& now, const gjk::Roles& fa
 /// the search has computed is shown, not what it should have found. Requires: a triangle that is not flat.
 double height_of_origin(const Moment& now, const gjk::Roles& face);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -13,7 +13,7 @@
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using Vec = gjk::Vec3<gjk::Fraction>;
@@ -227,4 +227,4 @@ std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const 
            .contradicts = true}};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

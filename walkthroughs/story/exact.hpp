@@ -7,7 +7,7 @@
 
 #include "walkthroughs/model/walkthrough.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 /// What a search of rounded numbers does wrong, in words; the numbers are found.
 struct WrongTurn {
@@ -26,4 +26,4 @@ gjk::Status exact_answer(const Scene& scene);
 /// Errors: std::logic_error where it does not.
 std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -5,7 +5,7 @@
 
 #include "walkthroughs/text/decimal.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 struct Kind {
@@ -79,4 +79,4 @@ std::string objection_to(const FrameChoice& choice, const std::vector<Frame>& fr
   return places_of(choice, frames).empty() ? there_are + ", and none is about that" : "";
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -10,7 +10,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 struct FrameChoice {
   std::vector<std::pair<std::size_t, std::size_t>> steps;  ///< from and to, both belong to it; the first step is 1
@@ -29,4 +29,4 @@ std::vector<std::size_t> places_of(const FrameChoice& choice, const std::vector<
 /// Returns: what speaks against the choice for these frames, "there are 4 steps, and no step 30"; empty where nothing does.
 std::string objection_to(const FrameChoice& choice, const std::vector<Frame>& frames);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -6,7 +6,7 @@
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using wrong_on_purpose::WrongLine;
@@ -82,4 +82,4 @@ std::string how_it_ended(Mistake mistake, const Trace& mistaken, const Trace& ri
   return how_search_ended(result_of(mistaken), result_of(right)) + "; " + how_long_unnoticed(mistake);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -6,7 +6,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 /// Returns: the line of the report's algorithm that the mistake has otherwise, and that was running when the report's search came to
 /// that event, the first that differs; null where that is none, as in a trace whose searches are not of one pair.
@@ -25,4 +25,4 @@ bool ends_wrongly(const Trace& mistaken, const Trace& right);
 /// full stop.
 std::string how_it_ended(Mistake mistake, const Trace& mistaken, const Trace& right);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 constexpr std::size_t longest_fraction = 24;
@@ -108,4 +108,4 @@ std::string in_words(const NumberLine& line) {
   return text + " and, to scale, " + line.meaning + ".";
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -7,7 +7,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 struct NumberLine {
   struct Number {
@@ -39,4 +39,4 @@ std::string in_words(const NumberLine& line);
 /// Returns: a fraction as it is where it is short, and else "≈ 3.08e−33".
 std::string short_fraction(const std::string& fraction);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

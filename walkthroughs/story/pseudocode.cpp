@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using gjk::Relation;
@@ -282,4 +282,4 @@ std::string line_in_letters(int number, const CodeLine& line, const Names& names
   return number == 1 ? line.text : names.translate(line.text);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -9,7 +9,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 /// What a line does. A test stands for the region test with its face, feature and relation; an action for what
 /// follows the test before it.
@@ -84,4 +84,4 @@ std::string title_of(int number, RuleSet rules, const Names& names, const Simple
 /// Returns: the text of a line of that algorithm in the letters of the picture, with the markup of render/font.hpp.
 std::string line_in_letters(int number, const CodeLine& line, const Names& names);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

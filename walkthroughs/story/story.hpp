@@ -12,7 +12,7 @@
 #include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/story/words.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 /// What a frame wants the reader to look at first.
 enum class Focus {
@@ -90,4 +90,4 @@ struct Story {
   }
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

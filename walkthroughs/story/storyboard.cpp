@@ -10,7 +10,7 @@
 #include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 // -- One scene --------------------------------------------------------------------------------------------------------
@@ -330,4 +330,4 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
   return story;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -6,7 +6,7 @@
 
 #include "walkthroughs/story/story.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 enum class Detail {
   decision,  ///< one frame for each event that changes the picture
@@ -29,4 +29,4 @@ void keep_only(Story& story, const std::vector<std::size_t>& places);
 /// Returns: the places of the last frame of each iteration.
 std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

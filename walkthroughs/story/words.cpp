@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 namespace {
 
 using gjk::Role;
@@ -200,4 +200,4 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -14,7 +14,7 @@
 #include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::story {
 
 /// Returns: whole numbers with up to eight digits, others with six significant ones; a true minus sign, never "-0".
 std::string number(double value);
@@ -87,4 +87,4 @@ std::string literal(std::string_view text);
 /// Returns: `text` without markup, for files and terminals.
 std::string plain(std::string_view text);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::story

@@ -7,8 +7,9 @@
 #include <system_error>
 
 #include "render/geometry.hpp"
+#include "walkthroughs/rooms.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 
 /// Returns: the number that `text` is, all of it, in decimal (010 is ten); nothing where it is none, or none of that type.
 template <class Number>
@@ -29,4 +30,4 @@ inline std::optional<render::Size> size_in(std::string_view text) {
   return render::Size{*width, *height};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

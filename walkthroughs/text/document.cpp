@@ -11,7 +11,7 @@
 
 #include "walkthroughs/text/printable.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 namespace {
 
 using Json = nlohmann::json;
@@ -388,4 +388,4 @@ Value Value::fail_without(std::string_view key, const std::string& reason) const
   return {*document_, Document::none};
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

@@ -14,7 +14,9 @@
 #include <utility>
 #include <vector>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::text {
 
 /// Something is wrong with a text.
 struct Complaint {
@@ -119,4 +121,4 @@ class Value {
   Document::Index index_;
 };
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

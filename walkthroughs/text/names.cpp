@@ -7,7 +7,7 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 namespace {
 
 const std::string nameless = "scene";
@@ -84,4 +84,4 @@ std::string title_from_file(const std::string& file_name) {
   return title.empty() ? nameless : title;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::text {
 
 /// Returns: what speaks against `text` as words to be shown; empty where nothing does. `longest`: in characters.
 std::string objection_to_words(std::string_view text, std::size_t longest);
@@ -20,4 +22,4 @@ std::string name_from_file(const std::string& file_name);
 /// Returns: the stem of that file as a title. An underscore, which would be read as the mark of a subscript, divides words.
 std::string title_from_file(const std::string& file_name);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::text {
 
 /// Levenshtein (1966): the least number of letters to insert, delete or replace.
 inline std::size_t edit_distance(std::string_view from, std::string_view to) {
@@ -37,4 +39,4 @@ inline std::string nearest(std::string_view word, std::span<const std::string> c
   return *std::ranges::min_element(candidates, {}, [&](const std::string& each) { return edit_distance(word, each); });
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

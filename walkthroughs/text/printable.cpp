@@ -7,7 +7,7 @@
 
 #include "render/utf8.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 namespace {
 
 struct Range {
@@ -120,4 +120,4 @@ std::string message_line(std::string_view text) {
   return line;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

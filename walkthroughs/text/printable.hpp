@@ -7,7 +7,9 @@
 #include <string>
 #include <string_view>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::text {
 
 /// Returns: the code points of UTF-8; U+FFFD for each byte that is not.
 std::u32string code_points(std::string_view text);
@@ -39,4 +41,4 @@ std::string missing_letters(const std::set<char32_t>& codes);
 /// Returns: a message, printable, its overlong words (names of files, most likely) without their middle.
 std::string message_line(std::string_view text);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

@@ -5,7 +5,7 @@
 #include "walkthroughs/text/scene_text.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 
 /// Returns: scene_in(). Errors: InputError, in which the name stands.
 inline SceneFile parse_scene(std::string_view text, const std::string& file_name) {
@@ -18,4 +18,4 @@ inline SceneFile read_scene(const std::filesystem::path& file) {
   return parse_scene(read_text(file, scene_limits::bytes), file.string());
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

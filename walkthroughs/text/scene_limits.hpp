@@ -3,7 +3,9 @@
 
 #include <cstddef>
 
-namespace walkthroughs::scene_limits {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::text::scene_limits {
 
 inline constexpr std::size_t bytes = 16 << 20;
 inline constexpr std::size_t points = 100000;         ///< of one list
@@ -13,4 +15,4 @@ inline constexpr std::size_t walkthrough = 200;       ///< characters of its nam
 inline constexpr int iterations = 1000;
 inline constexpr double magnitude = 1e150;
 
-}  // namespace walkthroughs::scene_limits
+}  // namespace walkthroughs::text::scene_limits

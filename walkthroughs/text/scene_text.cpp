@@ -10,7 +10,7 @@
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/scene_values.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 namespace {
 
 using namespace reading;
@@ -177,4 +177,4 @@ std::string summary(const SceneFile& file) {
          (scene.certified ? ", certified" : "") + ", panels: search" + panels;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

@@ -29,7 +29,7 @@
 #include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/text/document.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 
 /// One scene as a walkthrough of Layout::search and Naming::roles. Its name is made from the file's (names.hpp).
 struct SceneFile {
@@ -47,4 +47,4 @@ std::string example_scene();
 /// Returns: in one line what the scene declares.
 std::string summary(const SceneFile& scene);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

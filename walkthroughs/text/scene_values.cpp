@@ -12,7 +12,7 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
-namespace walkthroughs::reading {
+namespace walkthroughs::text::reading {
 
 // -- Words ------------------------------------------------------------------------------------------------------------
 
@@ -411,4 +411,4 @@ bool certified_of(const Value& declared, const Object& a, const Object& b) {
 
 Scene in_its_scalar(Scene scene) { return scene.scalar == Scalar::binary32 ? in_float(std::move(scene)) : scene; }
 
-}  // namespace walkthroughs::reading
+}  // namespace walkthroughs::text::reading

@@ -14,7 +14,7 @@
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/document.hpp"
 
-namespace walkthroughs::reading {
+namespace walkthroughs::text::reading {
 
 using Kind = Document::Kind;
 using Keys = std::vector<std::string>;
@@ -114,4 +114,4 @@ bool certified_of(const Value& declared, const Object& a, const Object& b);
 /// Returns: the scene with its numbers rounded to its scalar, which can hold all of them.
 Scene in_its_scalar(Scene scene);
 
-}  // namespace walkthroughs::reading
+}  // namespace walkthroughs::text::reading

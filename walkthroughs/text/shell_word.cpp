@@ -7,7 +7,7 @@
 #include "render/utf8.hpp"
 #include "walkthroughs/text/printable.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 namespace {
 
 /// Returns: what makes those bytes in a word that is in single quotes, none of which a terminal may act upon.
@@ -45,8 +45,6 @@ std::string shell_quoted(std::string_view text) {
   return quoted + "'";
 }
 
-std::string shell_word(const std::string& path) {
-  return shell_quoted(path.starts_with('-') ? "./" + path : path);
-}
+std::string shell_word(const std::string& path) { return shell_quoted(path.starts_with('-') ? "./" + path : path); }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

@@ -4,7 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace walkthroughs {
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::text {
 
 /// Returns: `text` as one word of a POSIX shell, which has nothing but line breaks that a terminal would act upon or not show.
 std::string shell_quoted(std::string_view text);
@@ -12,4 +14,4 @@ std::string shell_quoted(std::string_view text);
 /// Returns: `path` as one word of a shell, and not an option.
 std::string shell_word(const std::string& path);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

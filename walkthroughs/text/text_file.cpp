@@ -2,7 +2,7 @@
 
 #include "render/file.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 
 std::string read_text(const std::filesystem::path& file, std::size_t most) try {
   const std::vector<std::uint8_t> bytes = render::read_file(file, most);
@@ -11,4 +11,4 @@ std::string read_text(const std::filesystem::path& file, std::size_t most) try {
   throw InputError(error.what());
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

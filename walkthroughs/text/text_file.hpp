@@ -9,7 +9,7 @@
 
 #include "walkthroughs/text/document.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::text {
 
 /// A file that a user named cannot be read. what(): "FILE:LINE: KEY: reason; what to do", without KEY where the text as a whole is at
 /// fault; where the file itself is, as render::read_file() says.
@@ -28,4 +28,4 @@ T accepted(Reading<T> reading, const std::string& file_name) {
   return std::move(reading.value);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::text

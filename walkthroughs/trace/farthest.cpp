@@ -5,7 +5,7 @@
 
 #include "walkthroughs/model/farthest_face.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 namespace {
 
 /// A share of the largest coordinate: a few dozen roundings, and what a pose may lack of being a rotation.
@@ -125,4 +125,4 @@ std::string objection_to(const gjk::SupportPoint<double>& found, const Object& o
   return visit_shape(Objection(found, object, direction, precision_of(scalar)), object.form);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

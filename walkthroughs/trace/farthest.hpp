@@ -5,7 +5,7 @@
 
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 
 /// Returns: what speaks against `found` as a farthest point of `object` along `direction`, within the rounding of a pose,
 /// of a direction's length and of dot products in `scalar`; empty where nothing does. Requires: a direction that is finite
@@ -13,4 +13,4 @@ namespace walkthroughs {
 std::string objection_to(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
                          Scalar scalar);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

@@ -11,7 +11,7 @@
 #include "walkthroughs/trace/farthest.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -117,4 +117,4 @@ bool is_last(const gjk::Event<double>& event, const Scene& scene) {
   return event.index() == (scene.certified ? event_index<gjk::Certified> : event_index<gjk::Finished>);
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

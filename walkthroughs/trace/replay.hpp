@@ -12,7 +12,7 @@
 
 #include "walkthroughs/model/scene.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 
 /// Where a trace and its search part.
 struct Parting {
@@ -26,4 +26,4 @@ std::optional<Parting> parting_from_search(const Scene& scene, const std::vector
 /// Returns: whether no event follows this one in the search of `scene`.
 bool is_last(const gjk::Event<double>& event, const Scene& scene);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

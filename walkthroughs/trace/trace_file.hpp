@@ -5,7 +5,7 @@
 #include "walkthroughs/trace/trace_limits.hpp"
 #include "walkthroughs/trace/trace_text.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 
 /// Returns: trace_in(). Errors: InputError, in which the name stands.
 inline TraceFile parse_trace(std::string_view text, const std::string& file_name) {
@@ -18,4 +18,4 @@ inline TraceFile read_trace(const std::filesystem::path& file) {
   return parse_trace(read_text(file, trace_limits::bytes), file.string());
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "render/json_text.hpp"
+#include "walkthroughs/model/header_fields.hpp"
 #include "walkthroughs/model/run.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/model/header_fields.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 namespace {
 
 using Json = nlohmann::ordered_json;  // keys in the order in which a reader wants them
@@ -157,4 +157,4 @@ std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>
   return lines;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

@@ -17,7 +17,7 @@
 
 #include "walkthroughs/model/walkthrough.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 
 /// Version 2, which is read, too, has no boxes and capsules, and all its lengths are larger than 0.
 inline constexpr int trace_version = 3, oldest_trace_version = 2;
@@ -34,4 +34,4 @@ void write_traces(std::ostream& out, const Walkthrough& walkthrough);
 /// Returns: the same, of scenes that have been run. Requires: a trace for each scene.
 std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

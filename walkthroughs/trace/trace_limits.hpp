@@ -6,7 +6,7 @@
 #include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 
 /// Beside these, scene_limits hold for objects, and document_limits for each line.
 namespace trace_limits {
@@ -34,4 +34,4 @@ constexpr WholeNumbers range_of(Meaning meaning) {
   }
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

@@ -5,19 +5,19 @@
 #include <limits>
 #include <utility>
 
+#include "walkthroughs/model/header_fields.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
-#include "walkthroughs/model/header_fields.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_limits.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 namespace {
 
-using namespace reading;
+using namespace text::reading;
 
 /// How the value of a field is read. `space`: of what belongs to a scene, where it lies; of events, whose numbers need not be finite,
 /// none.
@@ -407,4 +407,4 @@ Walkthrough read_header(const Value& root) {
   return walkthrough;
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

@@ -4,7 +4,7 @@
 #include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/text/scene_values.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 
 /// Reads the first line: what the rest is, and the scenes in full. Returns: the walkthrough, its remarks among the rest;
 /// nothing in it computes.
@@ -14,14 +14,13 @@ Walkthrough read_header(const Value& root);
 /// besides. Requires: an object.
 gjk::Event<double> read_event(const Value& line);
 
-namespace reading {
-
 /// What to do about a trace that is refused, whoever wrote it.
 inline const std::string trace_advice =
     "correct the trace ('gjkstep trace --schema' says what a line may hold), or write it anew with 'gjkstep trace "
     "NAME'";
 
-inline Value member(const Value& object, std::string_view key) { return required(object, key, trace_advice); }
+inline Value member(const Value& object, std::string_view key) {
+  return text::reading::required(object, key, trace_advice);
+}
 
-}  // namespace reading
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

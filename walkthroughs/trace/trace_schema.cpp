@@ -2,12 +2,12 @@
 #include <type_traits>
 
 #include "render/json_text.hpp"
-#include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/model/header_fields.hpp"
+#include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_limits.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -247,4 +247,4 @@ std::string trace_schema() {
   return render::json_text(whole, 2) + '\n';
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

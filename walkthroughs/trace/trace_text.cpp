@@ -8,10 +8,10 @@
 #include "walkthroughs/trace/replay.hpp"
 #include "walkthroughs/trace/trace_lines.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 namespace {
 
-using namespace reading;
+using namespace text::reading;
 
 Complaint about(std::size_t line, std::string reason) { return {static_cast<int>(line), "", std::move(reason)}; }
 
@@ -132,4 +132,4 @@ Reading<TraceFile> trace_in(std::string_view text) {
   return reader.result();
 }
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

@@ -7,7 +7,7 @@
 #include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/text/document.hpp"
 
-namespace walkthroughs {
+namespace walkthroughs::trace {
 
 /// What storyboard.hpp's tell() needs to draw the frames that the writer of the trace would have drawn.
 struct TraceFile {
@@ -18,4 +18,4 @@ struct TraceFile {
 /// Complains about the first line that is wrong, or of a trace that contradicts itself.
 Reading<TraceFile> trace_in(std::string_view text);
 
-}  // namespace walkthroughs
+}  // namespace walkthroughs::trace

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/rule_sets.hpp"
+#include "walkthroughs/rooms.hpp"
 
 namespace walkthroughs::wrong_on_purpose {
 

@@ -9,13 +9,13 @@
 namespace peers {
 
 using PointSet = gjk::PointSet<double>;
-using AnyShape = walkthroughs::AskedForms<study::Body>::type;
+using AnyShape = walkthroughs::model::AskedForms<study::Body>::type;
 
-inline AnyShape any_shape(const study::Body& body) { return walkthroughs::asked(study::Body(body)); }
+inline AnyShape any_shape(const study::Body& body) { return walkthroughs::model::asked(study::Body(body)); }
 
 /// Some point well inside, from which some searches start.
 inline study::Vec center(const study::Body& body) {
-  return std::visit([](const auto& one) { return walkthroughs::RowOf<decltype(one)>::middle(one); }, body);
+  return std::visit([](const auto& one) { return walkthroughs::model::RowOf<decltype(one)>::middle(one); }, body);
 }
 
 }  // namespace peers

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "core/certified/check.hpp"
 #include "core/certified/certified.hpp"
+#include "core/certified/check.hpp"
 #include "tests/study/methods/question.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "tests/study/truth/proofs.hpp"
@@ -17,7 +17,9 @@ namespace {
 
 // -- Bodies as JSON ---------------------------------------------------------------------------------------------------
 
-void append(std::string& text, double x) { walkthroughs::append_number(x == 0 ? 0.0 : x, text); }  // 0 has no sign here
+void append(std::string& text, double x) {
+  walkthroughs::model::append_number(x == 0 ? 0.0 : x, text);
+}  // 0 has no sign here
 
 void append(std::string& text, const Vec& v) {
   for (int i = 0; i < 3; ++i) append(text += i == 0 ? '[' : ',', v[i]);
@@ -28,7 +30,7 @@ void append(std::string& text, const Vec& v) {
 struct FieldText {
   std::string& text;
 
-  void operator()(walkthroughs::field::Places, const Points& points) const {
+  void operator()(walkthroughs::model::field::Places, const Points& points) const {
     for (const Vec& p : points) append(text += text.empty() ? '[' : ',', p);
     text += ']';
   }
@@ -39,7 +41,7 @@ struct FieldText {
 
 std::string text_of(const Body& body) {
   const auto text = [](const auto& shape) {
-    using Row = walkthroughs::RowOf<decltype(shape)>;
+    using Row = walkthroughs::model::RowOf<decltype(shape)>;
     std::string fields;
     Row::fields(FieldText{fields}, shape);
     return "{\"" + std::string(Row::key) + "\":" + fields + (fields.front() == '{' ? "}}" : "}");
@@ -94,8 +96,8 @@ std::string certificate_of_points(const Pair& pair, Truth truth) {
   if (const auto* const feature = std::get_if<gjk::SeparatingFeature>(&found))
     return list_of("direction", shortened(rational(*gjk::direction_of(*feature, a, b)), pair));
   std::string text;
-  walkthroughs::CertificateWriter<double>{a, b, walkthroughs::QueryEvidence::fractions,
-                                          text}(std::get<gjk::CommonSimplex>(found));
+  walkthroughs::query::CertificateWriter<double>{a, b, walkthroughs::query::QueryEvidence::fractions,
+                                                 text}(std::get<gjk::CommonSimplex>(found));
   return "{" + text + "}";
 }
 

@@ -14,8 +14,8 @@
 namespace study {
 namespace {
 
-using walkthroughs::Document;
-using walkthroughs::Value;
+using walkthroughs::text::Document;
+using walkthroughs::text::Value;
 using Kind = Document::Kind;
 
 // -- What is said -----------------------------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ Reply::Kind kind_of(End end) {
 bool is_flood(End end) { return end == End::flooding || end == End::long_line; }
 
 std::string in_seconds(std::chrono::milliseconds time) {
-  return walkthroughs::number_text(static_cast<double>(time.count()) / 1000) + " s";
+  return walkthroughs::model::number_text(static_cast<double>(time.count()) / 1000) + " s";
 }
 
 /// Returns: why a run that was asked one question has no answer to it.

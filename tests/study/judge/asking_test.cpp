@@ -228,7 +228,7 @@ TEST_CASE("Asking: a program is told that its reader has left as anywhere else",
 TEST_CASE("Asking: a program that is not there is wrong usage", "[judge]") {
   for (const std::string name : {"/nowhere/at/all", "", "/"}) {
     INFO(name);
-    CHECK_THROWS_AS(ask_all({.words = {name}}, numbered(3)), walkthroughs::UsageError);
+    CHECK_THROWS_AS(ask_all({.words = {name}}, numbered(3)), walkthroughs::program::UsageError);
   }
 }
 

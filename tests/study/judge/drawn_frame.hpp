@@ -11,10 +11,10 @@ namespace study {
 class FrameDrawing {
  public:
   /// Requires: the story has frames. Returns: the one in which two searches part; the last where none do.
-  render::Image operator()(const walkthroughs::Story& story);
+  render::Image operator()(const walkthroughs::story::Story& story);
 
  private:
-  walkthroughs::Studio studio_;
+  walkthroughs::output::Studio studio_;
 };
 
 }  // namespace study

@@ -228,7 +228,7 @@ TEST_CASE("Judge: an answer that changes where nothing may is found without any 
   CHECK(scenes[0].name == "other-answer--A-and-B-exchanged-p.json");
   const Pair exchanged{pairs[0].pair.b, pairs[0].pair.a};
   CHECK(scenes[0].text.find(question_line(exchanged).substr(1)) != std::string::npos);
-  CHECK_NOTHROW(walkthroughs::parse_scene(scenes[0].text, scenes[0].name));
+  CHECK_NOTHROW(walkthroughs::text::parse_scene(scenes[0].text, scenes[0].name));
 }
 
 TEST_CASE("Judge: a no to a set and itself is told as a wrong no", "[judge]") {
@@ -247,7 +247,7 @@ TEST_CASE("Judge: failures become scenes that can be read, those of others' name
   const std::vector<JudgedScene> scenes = judged_scenes(judged({"sed", "s/.*/true/"}, pairs), "sed\n", 5);
   REQUIRE(scenes.size() == 2);
   CHECK(scenes[0].name == "wrong-yes-..-..-a--b--.json");
-  for (const JudgedScene& scene : scenes) CHECK_NOTHROW(walkthroughs::parse_scene(scene.text, scene.name));
+  for (const JudgedScene& scene : scenes) CHECK_NOTHROW(walkthroughs::text::parse_scene(scene.text, scene.name));
   CHECK(judged_scenes(judged({"sed", "s/.*/true/"}, pairs), "sed", 0).empty());
 }
 

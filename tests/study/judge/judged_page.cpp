@@ -56,9 +56,9 @@ std::string pictures_of_steps(const ProgramJudged& judged) {
   if (judged.steps)
     for (const JudgedSteps& each : *judged.steps)
       if (each.drawn)
-        html += figure(*each.drawn, "Both searches side by side on " + walkthroughs::printable(each.pair),
-                       walkthroughs::printable(each.pair) + ", iteration " + std::to_string(each.iteration) + ": " +
-                           each.words + ".");
+        html += figure(*each.drawn, "Both searches side by side on " + walkthroughs::text::printable(each.pair),
+                       walkthroughs::text::printable(each.pair) + ", iteration " + std::to_string(each.iteration) +
+                           ": " + each.words + ".");
   return html;
 }
 
@@ -71,8 +71,8 @@ std::string pictures_of(const ProgramJudged& judged, const std::string& program,
       "saves all as scenes, which <code>gjkstep render</code> draws step by step.</p>\n";
   FrameDrawing drawing;
   for (std::size_t i = 0; i < std::min(most, scenes.size()); ++i) {
-    const walkthroughs::SceneFile file = walkthroughs::parse_scene(scenes[i].text, scenes[i].name);
-    const render::Image image = drawing(walkthroughs::tell(file.walkthrough, walkthroughs::Detail::step));
+    const walkthroughs::text::SceneFile file = walkthroughs::text::parse_scene(scenes[i].text, scenes[i].name);
+    const render::Image image = drawing(walkthroughs::story::tell(file.walkthrough, walkthroughs::story::Detail::step));
     html += figure(image, scenes[i].title, scenes[i].title + ". " + scenes[i].truth);
   }
   return html;
@@ -81,7 +81,7 @@ std::string pictures_of(const ProgramJudged& judged, const std::string& program,
 }  // namespace
 
 std::string judged_page(const ProgramJudged& judged, const JudgedHead& head, std::size_t pictures) {
-  const std::string program = walkthroughs::message_line(head.program);
+  const std::string program = walkthroughs::text::message_line(head.program);
   std::string html =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
       "http-equiv=\"Content-Security-Policy\" "
@@ -90,7 +90,7 @@ std::string judged_page(const ProgramJudged& judged, const JudgedHead& head, std
       escaped(program) + "</title>\n" + style + "</head>\n<body>\n<h1>" + escaped(program) + ": <span class=\"" +
       (judged.is_good() ? "good" : "bad") + "\">" + escaped(verdict_line(judged)) + "</span></h1>\n<ul>\n";
   for (const std::string& sentence : remarks(judged)) html += "<li>" + escaped(sentence) + "</li>\n";
-  html += "<li>made by: <code>" + escaped(walkthroughs::message_line(head.command)) + "</code></li>\n</ul>\n";
+  html += "<li>made by: <code>" + escaped(walkthroughs::text::message_line(head.command)) + "</code></li>\n</ul>\n";
   for (const Table& table : tables_of(judged, head.is_sample)) html += html_of(table);
   html += pictures_of_steps(judged) + pictures_of(judged, program, pictures);
   return html + "</body>\n</html>\n";

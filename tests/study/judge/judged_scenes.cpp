@@ -12,7 +12,7 @@
 namespace study {
 namespace {
 
-namespace limits = walkthroughs::scene_limits;
+namespace limits = walkthroughs::text::scene_limits;
 
 std::string kind_of(const Judged& judged) {
   return judged.false_evidence ? "false evidence"
@@ -24,8 +24,7 @@ bool fits(const Pair& pair) {
     const auto* const points = std::get_if<Points>(&body);
     return !points || points->size() <= limits::points;
   };
-  return few(pair.a) && few(pair.b) &&
-         std::max(largest_number(pair.a), largest_number(pair.b)) <= limits::magnitude;
+  return few(pair.a) && few(pair.b) && std::max(largest_number(pair.a), largest_number(pair.b)) <= limits::magnitude;
 }
 
 /// Of plain letters, whatever others have called the pair.
@@ -37,7 +36,7 @@ std::string file_name(const std::string& words) {
 }
 
 std::string title_of(const std::string& kind, const std::string& pair) {
-  const std::string title = kind + ": " + walkthroughs::printable(pair);
+  const std::string title = kind + ": " + walkthroughs::text::printable(pair);
   return title.size() <= limits::title ? title : kind;
 }
 
@@ -49,8 +48,8 @@ std::string truth_of(const Judged& judged) {
 JudgedScene scene_of(const std::string& kind, const std::string& name, const std::string& truth, const Pair& pair,
                      const std::string& program) {
   const std::string title = title_of(kind, name);
-  std::string text = "// " + walkthroughs::printable(program) + ", pair " + walkthroughs::printable(name) + ": " +
-                     kind + ". " + truth + "\n// What is drawn is the report's algorithm, not that program.\n" +
+  std::string text = "// " + walkthroughs::text::printable(program) + ", pair " + walkthroughs::text::printable(name) +
+                     ": " + kind + ". " + truth + "\n// What is drawn is the report's algorithm, not that program.\n" +
                      "{\"title\": " + nlohmann::json(title).dump() + ",\n" + question_line(pair).substr(1) + "\n";
   return {file_name(kind + "-" + name), title, truth, std::move(text)};
 }

@@ -12,8 +12,8 @@
 namespace study {
 namespace {
 
-using walkthroughs::message_line;
-using walkthroughs::printable;
+using walkthroughs::text::message_line;
+using walkthroughs::text::printable;
 
 constexpr double alike_enough = 0.5;
 constexpr std::size_t most_resemblances = 3;

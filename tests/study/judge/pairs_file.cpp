@@ -10,21 +10,22 @@
 namespace study {
 namespace {
 
-using walkthroughs::Document;
+using walkthroughs::text::Document;
 
-Body body_of(const walkthroughs::reading::ObjectAsWritten& object, const std::string& key) {
+Body body_of(const walkthroughs::text::reading::ObjectAsWritten& object, const std::string& key) {
   if (object.pose)
     throw std::invalid_argument(key + ".pose: is not judged, as it would round; give the object where it is");
   const auto body = [&](const auto& shape) -> Body {
     if constexpr (std::constructible_from<Body, decltype(shape)>)
       return shape;
     else
-      throw std::invalid_argument(key + ": is a sum, which the oracle cannot judge; give points, a sphere or a cylinder");
+      throw std::invalid_argument(key +
+                                  ": is a sum, which the oracle cannot judge; give points, a sphere or a cylinder");
   };
   return std::visit(body, object.form);
 }
 
-std::string text_of(const walkthroughs::Value& root, const char* key, const std::string& otherwise) {
+std::string text_of(const walkthroughs::text::Value& root, const char* key, const std::string& otherwise) {
   const auto value = root.member(key);
   return value && value->is(Document::Kind::string) && !value->text().empty() ? value->text() : otherwise;
 }
@@ -36,8 +37,8 @@ void require_good(const Document& document) {
 }
 
 NamedPair pair_of_line(std::string_view line, const std::string& name) {
-  const walkthroughs::QueryOptions any_magnitude{.evidence = walkthroughs::QueryEvidence::certificate};
-  const auto [written, complaint] = walkthroughs::read_pair(line, any_magnitude);
+  const walkthroughs::query::QueryOptions any_magnitude{.evidence = walkthroughs::query::QueryEvidence::certificate};
+  const auto [written, complaint] = walkthroughs::query::read_pair(line, any_magnitude);
   if (complaint) throw std::invalid_argument(complaint->text());
   const Document document = Document::of_line(line);
   NamedPair named{text_of(document.root(), "name", name),
@@ -52,7 +53,7 @@ void for_each_line(std::string_view text, const std::string& file,
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = text.substr(0, text.find('\n'));
     const auto fail = [&](const std::string& reason) {
-      throw walkthroughs::InputError(file + ":" + std::to_string(number) + ": " + reason);
+      throw walkthroughs::text::InputError(file + ":" + std::to_string(number) + ": " + reason);
     };
     try {
       use(line, number);
@@ -68,7 +69,7 @@ std::vector<NamedPair> read_pairs(std::string_view text, const std::string& file
   for_each_line(text, file, [&](std::string_view line, std::size_t number) {
     pairs.push_back(pair_of_line(line, "line-" + std::to_string(number)));
   });
-  if (pairs.empty()) throw walkthroughs::InputError(file + ": holds no pair; 'gjkstep-study pairs' writes some");
+  if (pairs.empty()) throw walkthroughs::text::InputError(file + ": holds no pair; 'gjkstep-study pairs' writes some");
   return pairs;
 }
 

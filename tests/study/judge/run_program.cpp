@@ -157,8 +157,9 @@ pid_t start(const std::vector<std::string>& words, Streams& streams, pid_t group
   if (count != sizeof reason) return child;
   ::kill(group, SIGKILL);
   for (const pid_t each : {child, group}) ::waitpid(each, nullptr, 0);
-  throw walkthroughs::UsageError("the program " + walkthroughs::in_quotes(words[0]) + " cannot be started: " +
-                                 std::strerror(reason) + "; write its path after --, and make it executable");
+  throw walkthroughs::program::UsageError("the program " + walkthroughs::text::in_quotes(words[0]) +
+                                          " cannot be started: " + std::strerror(reason) +
+                                          "; write its path after --, and make it executable");
 }
 
 // -- Ending -----------------------------------------------------------------------------------------------------------

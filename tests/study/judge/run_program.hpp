@@ -38,7 +38,7 @@ struct RunOfProgram {
 ///
 /// `most_lines`: that a question may bring; the last is its answer.
 ///
-/// Requires: no other thread of this process starts children meanwhile. Errors: walkthroughs::UsageError where the program
+/// Requires: no other thread of this process starts children meanwhile. Errors: walkthroughs::program::UsageError where the program
 /// cannot be started; std::system_error.
 RunOfProgram run_program(const std::vector<std::string>& words, std::span<const std::string> questions,
                          std::chrono::milliseconds limit, std::size_t most_lines = 1);

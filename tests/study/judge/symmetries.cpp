@@ -10,7 +10,7 @@ namespace study {
 namespace {
 
 template <class S>
-using Points = walkthroughs::PointsOf<S>;
+using Points = walkthroughs::model::PointsOf<S>;
 
 template <class S, class Change>
 PairOfSets<S> changed(PairOfSets<S> pair, const Change& change) {

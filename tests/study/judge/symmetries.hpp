@@ -12,7 +12,7 @@ namespace study {
 
 template <class S>
 struct PairOfSets {
-  walkthroughs::PointsOf<S> a, b;
+  walkthroughs::model::PointsOf<S> a, b;
 };
 
 /// Each does without rounding what its name says; some in one of many ways, as the dice fall.

@@ -10,7 +10,7 @@
 namespace study::test {
 namespace {
 
-using Set = walkthroughs::PointsOf<double>;
+using Set = walkthroughs::model::PointsOf<double>;
 
 const PairOfSets<double> pair{{{0, 1, 2}, {3, 5, -1}, {0.5, 0, 0}}, {{-4, 1, 1}, {2, 2, 0.25}}};
 

@@ -43,8 +43,8 @@ TEST_CASE("Certified answers about all families are right, and about points they
 /// Which is no method of the study.
 TEST_CASE("Starting inside changes no certified answer on any family, and its certificates hold", "[certified]") {
   const auto mean = [](const Points& points) {
-    return walkthroughs::middle<double>(
-        walkthroughs::converted<double>(walkthroughs::AnyShape(points), walkthroughs::Cast<double>{}));
+    return walkthroughs::model::middle<double>(walkthroughs::model::converted<double>(
+        walkthroughs::model::AnyShape(points), walkthroughs::model::Cast<double>{}));
   };
   int by_mean = 0;
   for (const Family& family : families())

@@ -21,8 +21,8 @@ using Exact = study::Exact;
 
 /// The shapes of core/ that bodies turn into in S, those that S can ask about.
 template <class S>
-using Form = walkthroughs::AskedForms<
-    std::variant<walkthroughs::PointsOf<S>, walkthroughs::BallOf<S>, walkthroughs::CylinderOf<S>>>;
+using Form = walkthroughs::model::AskedForms<
+    std::variant<walkthroughs::model::PointsOf<S>, walkthroughs::model::BallOf<S>, walkthroughs::model::CylinderOf<S>>>;
 
 struct Question {
   virtual ~Question() = default;
@@ -72,8 +72,8 @@ class Rounding {
 template <class S>
 std::optional<RoundedPair> rounded(const Pair& pair) {
   Rounding<S> rounding;
-  const Body a = walkthroughs::converted<double>(pair.a, rounding),
-             b = walkthroughs::converted<double>(pair.b, rounding);
+  const Body a = walkthroughs::model::converted<double>(pair.a, rounding),
+             b = walkthroughs::model::converted<double>(pair.b, rounding);
   if (!rounding.in_range()) return std::nullopt;
   return RoundedPair{{a, b}, rounding.differs()};
 }
@@ -84,20 +84,20 @@ std::optional<RoundedPair> rounded(const Pair& pair) {
 template <class S>
 std::optional<Form<S>> form_of(const Body& body) {
   const auto form = [](auto shape) -> std::optional<Form<S>> {
-    if constexpr (walkthroughs::CanBeAsked<decltype(shape)>)
-      return walkthroughs::RowOf<decltype(shape)>::asked(std::move(shape));
+    if constexpr (walkthroughs::model::CanBeAsked<decltype(shape)>)
+      return walkthroughs::model::RowOf<decltype(shape)>::asked(std::move(shape));
     else
       return std::nullopt;
   };
-  return std::visit(form, walkthroughs::converted<S>(body, walkthroughs::Cast<S>{}));
+  return std::visit(form, walkthroughs::model::converted<S>(body, walkthroughs::model::Cast<S>{}));
 }
 
 template <class S>
 gjk::Vec3<S> between_centers(const Pair& pair) {
   const auto middle = [](const Body& body) {
-    return std::visit([](const auto& form) { return walkthroughs::RowOf<decltype(form)>::middle(form); }, body);
+    return std::visit([](const auto& form) { return walkthroughs::model::RowOf<decltype(form)>::middle(form); }, body);
   };
-  return walkthroughs::direction_between_centers<S>(middle(pair.a), middle(pair.b));
+  return walkthroughs::model::direction_between_centers<S>(middle(pair.a), middle(pair.b));
 }
 
 /// Returns: what to ask of GJK in S; empty where S cannot ask about such bodies.

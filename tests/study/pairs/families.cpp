@@ -30,8 +30,8 @@ const Family& family_named(const std::string& name) {
   if (found != all.end()) return *found;
   std::vector<std::string> names;
   for (const Family& family : all) names.push_back(family.name);
-  throw std::invalid_argument("there is no family '" + name + "'; did you mean '" + walkthroughs::nearest(name, names) +
-                              "'?");
+  throw std::invalid_argument("there is no family '" + name + "'; did you mean '" +
+                              walkthroughs::text::nearest(name, names) + "'?");
 }
 
 }  // namespace study

@@ -12,9 +12,9 @@ namespace study {
 
 using Vec = gjk::Vec3<double>;
 
-using Points = walkthroughs::Points;
-using Ball = walkthroughs::Ball;
-using Can = walkthroughs::Cylinder;
+using Points = walkthroughs::model::Points;
+using Ball = walkthroughs::model::Ball;
+using Can = walkthroughs::model::Cylinder;
 
 /// The shapes that the truth is known about.
 using Body = std::variant<Points, Ball, Can>;
@@ -34,7 +34,7 @@ inline double largest_number(const Body& body) {
     else
       for (const Vec& point : value) most = std::max(most, point.cwiseAbs().maxCoeff());
   };
-  walkthroughs::visit_fields(look, body);
+  walkthroughs::model::visit_fields(look, body);
   return most;
 }
 

@@ -37,7 +37,7 @@ constexpr const char* standard_input = "-";
 /// Pictures of both runs, side by side, until they part. `file`: which they must not lie over, unless it is standard input.
 void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::string& file, const std::string& folder) {
   const std::optional<Parting> parting = parting_of(run, checked);
-  walkthroughs::Places places;
+  walkthroughs::program::Places places;
   if (file == standard_input)
     places.read_standard_input();
   else
@@ -45,13 +45,14 @@ void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::st
   places.write_into(std::filesystem::path(folder) / parting->walkthrough.name, {"*.png"}, "the pictures of --draw");
   places.write_standard_output();
   places.expect_apart();
-  walkthroughs::Studio studio;
-  walkthroughs::Renderer renderer(studio);
-  walkthroughs::Frames frames([](const std::filesystem::path& file, const walkthroughs::Story&, std::size_t) {
-    std::cout << walkthroughs::printable(file.string()) << '\n';
-  });
-  frames.add(std::make_shared<const walkthroughs::StagedStory>(parting->story()),
-             {.folder = folder, .size = walkthroughs::frame_page}, renderer);
+  walkthroughs::output::Studio studio;
+  walkthroughs::output::Renderer renderer(studio);
+  walkthroughs::output::Frames frames(
+      [](const std::filesystem::path& file, const walkthroughs::story::Story&, std::size_t) {
+        std::cout << walkthroughs::text::printable(file.string()) << '\n';
+      });
+  frames.add(std::make_shared<const walkthroughs::picture::StagedStory>(parting->story()),
+             {.folder = folder, .size = walkthroughs::picture::frame_page}, renderer);
   renderer.finish();
 }
 
@@ -62,18 +63,18 @@ std::string read_standard_input() {
   std::cin.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(std::cin.gcount()));
   if (text.size() > largest_file)
-    throw walkthroughs::InputError("standard input: is larger than 64 MiB; tell fewer searches at once");
+    throw walkthroughs::text::InputError("standard input: is larger than 64 MiB; tell fewer searches at once");
   return text;
 }
 
 void write(const ToldRun& run, const StepsChecked& checked) {
-  std::cout << walkthroughs::printable(run.named.name) << ": ";
+  std::cout << walkthroughs::text::printable(run.named.name) << ": ";
   if (run.steps.empty())
     std::cout << "no step is told\n";
   else if (checked.iteration == 0)
     std::cout << "every step is one that the report's algorithm may make\n";
   else
-    std::cout << "iteration " << checked.iteration << ": " << walkthroughs::printable(checked.words) << '\n';
+    std::cout << "iteration " << checked.iteration << ": " << walkthroughs::text::printable(checked.words) << '\n';
   for (const std::size_t mistake : checked.mistakes)
     std::cout << "  that is what follows from M" << mistake + 1 << ": " << mistakes()[mistake].name << '\n';
   for (const std::string& choice : checked.other_choices) std::cout << "  as right: " << choice << '\n';
@@ -93,12 +94,11 @@ void run(const CheckStepsCommand& asked) {
   }
   const bool reads_file = file != standard_input;
   const std::string name = reads_file ? file : "standard input";
-  const std::string text =
-      reads_file ? walkthroughs::read_text(file, largest_file) : read_standard_input();
+  const std::string text = reads_file ? walkthroughs::text::read_text(file, largest_file) : read_standard_input();
   const std::vector<ToldRun> runs = read_told_runs(text, name);
   if (std::ranges::all_of(runs, [](const ToldRun& run) { return run.steps.empty(); }))
-    throw walkthroughs::InputError(name + ": no search tells a step; write one a line before the answer: " +
-                                   R"({"direction": [x, y, z], "simplex": [[x, y, z], ...]})");
+    throw walkthroughs::text::InputError(name + ": no search tells a step; write one a line before the answer: " +
+                                         R"({"direction": [x, y, z], "simplex": [[x, y, z], ...]})");
   std::size_t all = 0, wrong = 0, rounded = 0;
   for (const ToldRun& run : runs) {
     const StepsChecked checked = check_steps(run);

@@ -20,7 +20,7 @@ void add_pairs(CLI::App& program);
 void add_judge(CLI::App& program);
 
 /// `check-steps FILE`: which is the first step of a search that the report's algorithm would not make? Errors: std::runtime_error
-/// where one is wrong, after everything is written; walkthroughs::InputError.
+/// where one is wrong, after everything is written; walkthroughs::text::InputError.
 void add_check_steps(CLI::App& program);
 
 /// `list`: families and settings.

@@ -69,7 +69,7 @@ struct JudgeCommand {
 };
 
 std::vector<NamedPair> JudgeCommand::chosen_pairs() const {
-  if (pairs) return read_pairs(walkthroughs::read_text(*pairs, largest_file), *pairs);
+  if (pairs) return read_pairs(walkthroughs::text::read_text(*pairs, largest_file), *pairs);
   std::vector<NamedPair> all;
   if (!makes_pairs) all = kept_pairs();
   for (const Family* const family : makes_pairs ? families_called(families) : std::vector<const Family*>())
@@ -82,11 +82,11 @@ std::vector<NamedPair> JudgeCommand::chosen_pairs() const {
 JudgedHead JudgeCommand::head() const {
   const std::string name = joined(program, " ");
   std::string command = "gjkstep-study judge", asked;
-  for (const std::string& word : program) asked += " " + walkthroughs::shell_quoted(word);
+  for (const std::string& word : program) asked += " " + walkthroughs::text::shell_quoted(word);
   if (!families.empty()) command += " --families " + joined(families, ",");
   if (makes_pairs) command += " --count " + std::to_string(count) + " --seed " + std::to_string(seed);
-  if (pairs) command += " --pairs " + walkthroughs::shell_word(*pairs);
-  if (time_limit != usual_time_limit) command += " --time-limit " + walkthroughs::number_text(time_limit);
+  if (pairs) command += " --pairs " + walkthroughs::text::shell_word(*pairs);
+  if (time_limit != usual_time_limit) command += " --time-limit " + walkthroughs::model::number_text(time_limit);
   if (steps) command += " --steps";
   return {name, command + " --" + asked, makes_pairs};
 }
@@ -95,7 +95,7 @@ void JudgeCommand::run() const {
   if (failures) expect_named("--save-failures", *failures);
   if (pairs && pairs->empty()) throw UsageError("--pairs '': name a file that 'gjkstep-study pairs' wrote");
   if (html && html->empty()) throw UsageError("--html '': name a file to write, for example --html judged.html");
-  walkthroughs::Places places;
+  walkthroughs::program::Places places;
   if (html) places.write(*html, "what --html gets");
   if (pairs) places.read(*pairs, "the pairs " + *pairs);
   if (failures) places.write_into(*failures, {"*.json"}, "the scenes of --save-failures");
@@ -136,15 +136,15 @@ void add_judge(CLI::App& program) {
   CLI::Option* const file =
       app.add_option("--pairs", asked->pairs, "the pairs of this file, as 'gjkstep-study pairs' writes them");
   for (const char* const option : {"--families", "--count", "--seed"}) file->excludes(app.get_option(option));
-  walkthroughs::expect_number(
+  walkthroughs::program::expect_number(
       app.add_option("--time-limit", asked->time_limit, "seconds until the next answer")->capture_default_str(), 0.01,
       3600.0);
   CLI::Option* const saves =
       app.add_option("--save-failures", asked->failures, "folder for scene files of what went wrong");
-  walkthroughs::expect_number(app.add_option("--max-failures", asked->max_failures, "of each family and kind")
-                                  ->capture_default_str()
-                                  ->needs(saves),
-                              std::uint64_t{0}, most_pairs);
+  walkthroughs::program::expect_number(app.add_option("--max-failures", asked->max_failures, "of each family and kind")
+                                           ->capture_default_str()
+                                           ->needs(saves),
+                                       std::uint64_t{0}, most_pairs);
   app.add_option("--html", asked->html, "one page, too: the verdict, families, the first failures drawn");
   app.add_flag("--json", asked->json, "JSON in place of Markdown, with every pair that is not right");
   app.add_flag("--steps", asked->steps, "name the first wrong step of failures, too, if the program writes its steps");

@@ -22,20 +22,20 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
-    return walkthroughs::ok;
+    return walkthroughs::program::ok;
   } catch (const CLI::ParseError& error) {
-    throw walkthroughs::UsageError(std::string(error.what()) +
-                                   "; 'gjkstep-study --help' and 'gjkstep-study COMMAND --help' " +
-                                   "show what there is");
+    throw walkthroughs::program::UsageError(std::string(error.what()) +
+                                            "; 'gjkstep-study --help' and 'gjkstep-study COMMAND --help' " +
+                                            "show what there is");
   }
   if (app.get_subcommands().empty())
-    throw walkthroughs::UsageError("what to do? 'gjkstep-study --help' shows the commands");
-  return walkthroughs::ok;
+    throw walkthroughs::program::UsageError("what to do? 'gjkstep-study --help' shows the commands");
+  return walkthroughs::program::ok;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return walkthroughs::exit_code_of("gjkstep-study", "ask for fewer --families or --threads",
-                                    [&] { return run(argc, argv); });
+  return walkthroughs::program::exit_code_of("gjkstep-study", "ask for fewer --families or --threads",
+                                             [&] { return run(argc, argv); });
 }

@@ -16,7 +16,7 @@ namespace study {
 
 /// Errors: UsageError, always.
 [[noreturn]] inline void refuse_list(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError(option + " " + walkthroughs::in_quotes(text) + ": expected " + expected +
+  throw UsageError(option + " " + walkthroughs::text::in_quotes(text) + ": expected " + expected +
                    "; 'gjkstep-study list' shows them");
 }
 
@@ -40,20 +40,21 @@ inline void add_list(CLI::App& command, const std::string& name, std::vector<std
 }
 
 inline void add_seed(CLI::App& command, std::uint64_t& seed) {
-  walkthroughs::expect_number(command.add_option("--seed", seed, "which pairs are made")->capture_default_str(),
-                              std::uint64_t{0}, ~std::uint64_t{0});
+  walkthroughs::program::expect_number(
+      command.add_option("--seed", seed, "which pairs are made")->capture_default_str(), std::uint64_t{0},
+      ~std::uint64_t{0});
 }
 
 /// `pairs`: a number, or an optional one.
 template <class Number>
 CLI::Option* add_pair_count(CLI::App& command, const std::string& name, Number& pairs, const std::string& what) {
   CLI::Option* const option = command.add_option(name, pairs, what)->capture_default_str();
-  walkthroughs::expect_number(option, std::uint64_t{1}, most_pairs);
+  walkthroughs::program::expect_number(option, std::uint64_t{1}, most_pairs);
   return option;
 }
 
 inline void add_threads(CLI::App& command, unsigned& threads) {
-  walkthroughs::expect_number(
+  walkthroughs::program::expect_number(
       command.add_option("--threads", threads, "0: as many as there are processors")->capture_default_str(), 0u, 1024u);
 }
 
@@ -65,8 +66,8 @@ inline unsigned threads_of(unsigned threads) {
 /// Errors: UsageError where the folder has no name, or that of the next option.
 inline void expect_named(const std::string& option, const std::string& folder) {
   if (folder.empty() || folder.starts_with("--"))
-    throw UsageError(option + " " + walkthroughs::in_quotes(folder) + ": name a folder to write to, for example " +
-                     option + " results");
+    throw UsageError(option + " " + walkthroughs::text::in_quotes(folder) +
+                     ": name a folder to write to, for example " + option + " results");
 }
 
 }  // namespace study

@@ -29,7 +29,7 @@ constexpr const char* limits_in_words = "whole numbers from 1 to 1000, such as 5
 std::vector<int> limits_called(const std::vector<std::string>& words) {
   std::vector<int> limits;
   for (const std::string& word : words) {
-    const auto limit = walkthroughs::decimal<int>(word);
+    const auto limit = walkthroughs::text::decimal<int>(word);
     if (!limit || *limit < 1 || *limit > largest_limit) refuse_list("--limit", word, limits_in_words);
     limits.push_back(*limit);
   }
@@ -51,7 +51,7 @@ void run(const RunCommand& asked) {
   if (asked.shard) plan.shard = parse_shard(*asked.shard);
   plan.threads = threads_of(asked.threads);
   const std::filesystem::path folder = folder_of(asked.out, plan.shard);
-  walkthroughs::Places places;
+  walkthroughs::program::Places places;
   places.write_into(folder, {"*.csv"}, "the CSV files of --out");
   places.write_standard_output();
   places.expect_apart();

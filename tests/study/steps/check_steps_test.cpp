@@ -51,11 +51,11 @@ std::vector<NamedPair> smallest() {
   return all;
 }
 
-walkthroughs::Scene scene_of(const NamedPair& named) {
+walkthroughs::model::Scene scene_of(const NamedPair& named) {
   return {.name = named.name,
           .a = {"a", std::get<Points>(named.pair.a)},
           .b = {"b", std::get<Points>(named.pair.b)},
-          .dimension = walkthroughs::Dimension::space};
+          .dimension = walkthroughs::model::Dimension::space};
 }
 
 gjk::PointSet<double> set(const Body& body) { return gjk::PointSet<double>(std::get<Points>(body)); }
@@ -68,8 +68,8 @@ TEST_CASE(
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& named : smallest()) {
       if (!shows(named.pair, m)) continue;
-      const ToldRun run =
-          told(named, walkthroughs::run(walkthroughs::mistaken(scene_of(named), walkthroughs::Mistake(m))));
+      const ToldRun run = told(named, walkthroughs::model::run(walkthroughs::model::mistaken(
+                                          scene_of(named), walkthroughs::wrong_on_purpose::Mistake(m))));
       const StepsChecked found = check_steps(run);
       INFO("M" << m + 1 << ", " << named.name << ", iteration " << found.iteration << ": " << found.words);
       CHECK((found.iteration > 0 && found.iteration <= static_cast<int>(run.steps.size())));
@@ -84,8 +84,8 @@ TEST_CASE("Steps: of a mistake that ends with no, and does not tell that step, a
   int all = 0, told_wrong = 0, named = 0;
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& pair : smallest()) {
-      const ToldRun run =
-          told_at_ends(told(pair, walkthroughs::run(walkthroughs::mistaken(scene_of(pair), walkthroughs::Mistake(m)))));
+      const ToldRun run = told_at_ends(told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
+                                                      scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(m)))));
       if (!shows(pair.pair, m) || run.said != Said::separated || judge(pair.pair).truth != Truth::intersecting)
         continue;
       const StepsChecked found = check_steps(run);
@@ -106,8 +106,8 @@ TEST_CASE(
   int all = 0;
   for (const NamedPair& pair : smallest()) {
     if (!shows(pair.pair, touching)) continue;
-    const ToldRun run =
-        told(pair, walkthroughs::run(walkthroughs::mistaken(scene_of(pair), walkthroughs::Mistake(touching))));
+    const ToldRun run = told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
+                                       scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(touching))));
     for (const ToldRun& each : {run, told_at_ends(run)}) {
       const StepsChecked found = check_steps(each);
       if (found.iteration == 0) continue;
@@ -126,7 +126,8 @@ TEST_CASE("Steps: normals have the report's names, zero has no sign, and numbers
     for (const NamedPair& pair : kept_pairs()) {
       if (!std::holds_alternative<Points>(pair.pair.a) || !shows(pair.pair, m)) continue;
       const StepsChecked found =
-          check_steps(told(pair, walkthroughs::run(walkthroughs::mistaken(scene_of(pair), walkthroughs::Mistake(m)))));
+          check_steps(told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
+                                     scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(m)))));
       INFO(found.words);
       for (const char* const none : {"ACBn", "ADCn", "ABDn", "= -0 ", "= -0:", "-0,", "-0)"})
         CHECK(found.words.find(none) == std::string::npos);
@@ -361,7 +362,8 @@ TEST_CASE("Steps: rounding excuses no mistake that shows where numbers vanish, o
   for (std::size_t m = 0; m < mistakes().size(); ++m)
     for (const NamedPair& pair : pairs) {
       const StepsChecked found =
-          check_steps(told(pair, walkthroughs::run(walkthroughs::mistaken(scene_of(pair), walkthroughs::Mistake(m)))));
+          check_steps(told(pair, walkthroughs::model::run(walkthroughs::model::mistaken(
+                                     scene_of(pair), walkthroughs::wrong_on_purpose::Mistake(m)))));
       if (found.iteration == 0) continue;
       INFO("M" << m + 1 << ", " << pair.name << ", iteration " << found.iteration << ": " << found.words);
       CHECK_FALSE(found.may_be_rounding);

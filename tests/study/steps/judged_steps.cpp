@@ -35,7 +35,7 @@ std::optional<ToldRun> told_run(const AskedProgram& program, const NamedPair& na
     std::vector<ToldRun> told = read_told_runs(text, "line");
     if (told.size() == 1 && !told.front().steps.empty()) return std::move(told.front());
     why = "it tells no steps";
-  } catch (const walkthroughs::InputError& error) {
+  } catch (const walkthroughs::text::InputError& error) {
     why = error.what();
   }
   return {};
@@ -47,8 +47,7 @@ auto effort_to_read(const Pair& pair) {
   bool is_whole = true;
   for (const Points* const points : {&a, &b})
     for (const Vec& p : *points) is_whole = is_whole && p == p.array().round().matrix();
-  return std::tuple(a.size() + b.size(), !is_whole,
-                    std::max(largest_number(pair.a), largest_number(pair.b)));
+  return std::tuple(a.size() + b.size(), !is_whole, std::max(largest_number(pair.a), largest_number(pair.b)));
 }
 
 /// Returns: of each family the failure that is easiest to read, these in the same order.

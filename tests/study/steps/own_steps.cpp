@@ -8,12 +8,12 @@
 namespace study {
 namespace {
 
-using walkthroughs::Trace;
+using walkthroughs::model::Trace;
 using Simplex = gjk::Simplex<double>;
 using Vertex = gjk::Vertex<double>;
 
 constexpr double same_place = 1e-9, same_direction = 1e-4;  // programs may compute in floats, and print few digits
-constexpr int most_iterations = 100;  // of the report's algorithm, after what was told
+constexpr int most_iterations = 100;                        // of the report's algorithm, after what was told
 
 bool are_same(const Vec& v, const Vec& w) { return (v - w).norm() <= same_place * (1 + w.norm()); }
 
@@ -52,7 +52,9 @@ class Steps {
     if (iteration == count()) return;
     const Vec& d = step_of(iteration + 1).direction;
     const bool is_right = right.chosen && are_parallel(right.chosen->direction, d);
-    add(iteration, is_right ? *right.chosen : gjk::DirectionChosen<double>{.expression = gjk::Expression::Form::as_told, .direction = d});
+    add(iteration, is_right
+                       ? *right.chosen
+                       : gjk::DirectionChosen<double>{.expression = gjk::Expression::Form::as_told, .direction = d});
   }
 
   /// As the report has it, from that iteration to its end.

@@ -7,10 +7,10 @@
 namespace study {
 
 /// Returns: its support points, simplices and directions, as it tells them; why it chose them it does not tell.
-walkthroughs::Trace own_steps(const ToldRun& run);
+walkthroughs::model::Trace own_steps(const ToldRun& run);
 
 /// Returns: the same until that iteration, which is made as the report makes it, from the same simplex and direction; then it ends.
 /// Requires: 1 <= iteration <= steps.
-walkthroughs::Trace rightly_from(const ToldRun& run, int iteration);
+walkthroughs::model::Trace rightly_from(const ToldRun& run, int iteration);
 
 }  // namespace study

@@ -10,7 +10,7 @@
 namespace study {
 namespace {
 
-using Trace = walkthroughs::Trace;
+using Trace = walkthroughs::model::Trace;
 
 const std::string own_name = "yours";
 
@@ -46,49 +46,50 @@ bool goes_there(const Trace& trace, const ToldRun& run, int iteration) {
 }
 
 /// Of the report's algorithm, begun as the program has.
-walkthroughs::Scene scene_of(const ToldRun& run) {
+walkthroughs::model::Scene scene_of(const ToldRun& run) {
   return {.name = "the report",
           .a = {"point set a", std::get<Points>(run.named.pair.a)},
           .b = {"point set b", std::get<Points>(run.named.pair.b)},
           .options = {.first_direction = run.steps.front().direction},
-          .dimension = is_planar(run) ? walkthroughs::Dimension::plane : walkthroughs::Dimension::space};
+          .dimension = is_planar(run) ? walkthroughs::model::Dimension::plane : walkthroughs::model::Dimension::space};
 }
 
 }  // namespace
 
-walkthroughs::Story Parting::story() const {
-  walkthroughs::Story story = walkthroughs::tell(walkthrough, traces);
+walkthroughs::story::Story Parting::story() const {
+  walkthroughs::story::Story story = walkthroughs::story::tell(walkthrough, traces);
   std::erase_if(story.frames, [this](const auto& frame) { return frame.moments.front().iteration > iteration + 1; });
   if (words.empty()) return story;
-  for (walkthroughs::Frame& frame : story.frames) {
-    if (frame.focus == walkthroughs::Focus::parting)
+  for (walkthroughs::story::Frame& frame : story.frames) {
+    if (frame.focus == walkthroughs::story::Focus::parting)
       frame.caption = frame.headline = "Here the two runs part: " + words + ".";
-    for (walkthroughs::Fact& fact : frame.facts)
+    for (walkthroughs::story::Fact& fact : frame.facts)
       if (fact.text.starts_with(own_name + ": "))  // what comes of a wrong step may be true again
-        fact.mark =
-            frame.focus == walkthroughs::Focus::parting ? walkthroughs::Fact::Mark::no : walkthroughs::Fact::Mark::none;
+        fact.mark = frame.focus == walkthroughs::story::Focus::parting ? walkthroughs::story::Fact::Mark::no
+                                                                       : walkthroughs::story::Fact::Mark::none;
   }
   return story;
 }
 
 std::optional<Parting> parting_of(const ToldRun& run, const StepsChecked& checked) {
   if (checked.iteration == 0) return std::nullopt;
-  const walkthroughs::Scene right = scene_of(run);
+  const walkthroughs::model::Scene right = scene_of(run);
   for (const std::size_t m : checked.mistakes) {
-    walkthroughs::Walkthrough walkthrough =
-        walkthroughs::beside_the_report(static_cast<walkthroughs::Mistake>(m), right);
-    std::vector<Trace> traces{walkthroughs::run(walkthrough.scenes[0]), walkthroughs::run(walkthrough.scenes[1])};
+    walkthroughs::model::Walkthrough walkthrough =
+        walkthroughs::catalogue::beside_the_report(static_cast<walkthroughs::wrong_on_purpose::Mistake>(m), right);
+    std::vector<Trace> traces{walkthroughs::model::run(walkthrough.scenes[0]),
+                              walkthroughs::model::run(walkthrough.scenes[1])};
     if (goes_there(traces[0], run, checked.iteration))
       return Parting{std::move(walkthrough), std::move(traces), checked.iteration};
   }
-  walkthroughs::Scene own = right;
+  walkthroughs::model::Scene own = right;
   own.name = own_name;
   return Parting{{.name = "parting",
                   .title = "Your steps, and the report's algorithm",
                   .source = "ARL-TR-7474, Section 3",
                   .summary = "the first step that the report's algorithm would not make",
-                  .layout = walkthroughs::Layout::until_they_part,
-                  .naming = walkthroughs::Naming::roles,
+                  .layout = walkthroughs::model::Layout::until_they_part,
+                  .naming = walkthroughs::model::Naming::roles,
                   .scenes = {std::move(own), right}},
                  {own_steps(run), rightly_from(run, checked.iteration)},
                  checked.iteration,

@@ -13,13 +13,13 @@ namespace study {
 
 /// A walkthrough of two scenes, and their traces.
 struct Parting {
-  walkthroughs::Walkthrough walkthrough;
-  std::vector<walkthroughs::Trace> traces;
+  walkthroughs::model::Walkthrough walkthrough;
+  std::vector<walkthroughs::model::Trace> traces;
   int iteration;           ///< in which it goes wrong
   std::string words = {};  ///< what is wrong, where the walkthrough does not know a mistake that says so
 
   /// Returns: frames until then and one iteration on. Refers to this, which must outlive it.
-  walkthroughs::Story story() const;
+  walkthroughs::story::Story story() const;
 };
 
 /// Returns: the first of the mistakes that were found, on the same pair and begun in the same direction, beside the report's

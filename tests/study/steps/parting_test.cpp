@@ -26,26 +26,29 @@ TEST_CASE(
   REQUIRE(checked.iteration == 3);
   const auto parting = parting_of(run, checked);
   REQUIRE(parting);
-  const walkthroughs::Story story = parting->story();
-  const auto part = std::ranges::find(story.frames, walkthroughs::Focus::parting, &walkthroughs::Frame::focus);
+  const walkthroughs::story::Story story = parting->story();
+  const auto part =
+      std::ranges::find(story.frames, walkthroughs::story::Focus::parting, &walkthroughs::story::Frame::focus);
   REQUIRE(part != story.frames.end());
   CHECK(part->moments.front().iteration == 3);
   CHECK(story.frames.back().moments.front().iteration == 4);
   REQUIRE(part->facts.size() == 5);
-  CHECK((part->facts[0].text.starts_with("M14: ") && part->facts[0].mark == walkthroughs::Fact::Mark::no));
-  CHECK((part->facts[2].text.starts_with("the report: ") && part->facts[2].mark == walkthroughs::Fact::Mark::yes));
+  CHECK((part->facts[0].text.starts_with("M14: ") && part->facts[0].mark == walkthroughs::story::Fact::Mark::no));
+  CHECK(
+      (part->facts[2].text.starts_with("the report: ") && part->facts[2].mark == walkthroughs::story::Fact::Mark::yes));
 }
 
 TEST_CASE("Parting: there is none of a search that is right", "[steps]") { CHECK_FALSE(parting_of(wrong_order(), {})); }
 
 /// Returns: the frame where they part, of steps that no mistake explains.
-walkthroughs::Frame own_parting(const ToldRun& run, int iteration) {
+walkthroughs::story::Frame own_parting(const ToldRun& run, int iteration) {
   const StepsChecked checked = check_steps(run);
   REQUIRE(checked.iteration == iteration);
   const auto parting = parting_of(run, checked);
   REQUIRE(parting);
-  const walkthroughs::Story story = parting->story();
-  const auto part = std::ranges::find(story.frames, walkthroughs::Focus::parting, &walkthroughs::Frame::focus);
+  const walkthroughs::story::Story story = parting->story();
+  const auto part =
+      std::ranges::find(story.frames, walkthroughs::story::Focus::parting, &walkthroughs::story::Frame::focus);
   REQUIRE(part != story.frames.end());
   CHECK(part->moments.front().iteration == iteration);
   CHECK(part->caption == "Here the two runs part: " + checked.words + ".");
@@ -53,8 +56,9 @@ walkthroughs::Frame own_parting(const ToldRun& run, int iteration) {
   CHECK((end.status == gjk::Status::intersecting) == (judge(run.named.pair).truth == Truth::intersecting));
   CHECK(end.status != gjk::Status::undecided);
   REQUIRE(part->facts.size() == 2);
-  CHECK((part->facts[0].text.starts_with("yours: ") && part->facts[0].mark == walkthroughs::Fact::Mark::no));
-  CHECK((part->facts[1].text.starts_with("the report: ") && part->facts[1].mark == walkthroughs::Fact::Mark::yes));
+  CHECK((part->facts[0].text.starts_with("yours: ") && part->facts[0].mark == walkthroughs::story::Fact::Mark::no));
+  CHECK(
+      (part->facts[1].text.starts_with("the report: ") && part->facts[1].mark == walkthroughs::story::Fact::Mark::yes));
   return *part;
 }
 

@@ -115,7 +115,7 @@ bool points_outward(const Vertices& vertices, const Indices& order) {
 
 std::string shown(double number) {
   constexpr std::size_t longest = 10;
-  const std::string exact = walkthroughs::number_text(number + 0.0);
+  const std::string exact = walkthroughs::model::number_text(number + 0.0);
   if (exact.size() <= longest) return exact;
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.6g", number);

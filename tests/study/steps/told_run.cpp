@@ -12,8 +12,8 @@
 namespace study {
 namespace {
 
-using walkthroughs::Document;
-using walkthroughs::Value;
+using walkthroughs::text::Document;
+using walkthroughs::text::Value;
 using Kind = Document::Kind;
 
 Vec vec_in(const Value& value) {
@@ -29,7 +29,7 @@ Vec vec_in(const Value& value) {
 
 Vec point_in(const Value& value) {
   const Vec p = vec_in(value);
-  if (!(p.cwiseAbs().maxCoeff() <= walkthroughs::scene_limits::magnitude)) value.fail("is too far away");
+  if (!(p.cwiseAbs().maxCoeff() <= walkthroughs::text::scene_limits::magnitude)) value.fail("is too far away");
   return p;
 }
 
@@ -37,7 +37,7 @@ Vec point_in(const Value& value) {
 Vec direction_in(const Value& value) {
   const Vec d = vec_in(value);
   const double most = d.cwiseAbs().maxCoeff();
-  return most > walkthroughs::scene_limits::magnitude ? Vec(d * std::ldexp(1.0, -std::ilogb(most))) : d;
+  return most > walkthroughs::text::scene_limits::magnitude ? Vec(d * std::ldexp(1.0, -std::ilogb(most))) : d;
 }
 
 ToldStep step_in(const Value& root) {
@@ -62,7 +62,8 @@ void add_line(std::string_view line, std::size_t number, std::vector<ToldRun>& r
   const Value root = document.root();
   if (root.member("a")) {
     runs.push_back({pair_of_line(line, "line-" + std::to_string(number)), {}, {}});
-    if (!is_of_points(runs.back().named)) throw std::invalid_argument("only searches in sets of points can be followed");
+    if (!is_of_points(runs.back().named))
+      throw std::invalid_argument("only searches in sets of points can be followed");
     return;
   }
   if (runs.empty()) throw std::invalid_argument("the first line must be a pair {\"a\": …, \"b\": …}");
@@ -93,7 +94,7 @@ bool is_newest_first(const std::vector<ToldStep>& steps) {
 std::vector<ToldRun> read_told_runs(std::string_view text, const std::string& file) {
   std::vector<ToldRun> runs;
   for_each_line(text, file, [&](std::string_view line, std::size_t number) { add_line(line, number, runs); });
-  if (runs.empty()) throw walkthroughs::InputError(file + ": is empty; the first line must be a pair");
+  if (runs.empty()) throw walkthroughs::text::InputError(file + ": is empty; the first line must be a pair");
   for (ToldRun& run : runs)
     if (is_newest_first(run.steps))
       for (ToldStep& step : run.steps) std::ranges::reverse(step.simplex);

@@ -32,7 +32,7 @@ struct ToldRun {
   std::optional<Said> said = {};
 };
 
-/// Errors: walkthroughs::InputError, which names the line of `file`.
+/// Errors: walkthroughs::text::InputError, which names the line of `file`.
 std::vector<ToldRun> read_told_runs(std::string_view text, const std::string& file);
 
 }  // namespace study

@@ -41,8 +41,8 @@ void expect_known(const std::vector<std::string>& chosen, const std::vector<std:
                   const std::string& what) {
   for (const std::string& name : chosen)
     if (std::ranges::find(known, name) == known.end())
-      throw UsageError("there is no " + what + " '" + name + "'; did you mean '" + walkthroughs::nearest(name, known) +
-                       "'? 'gjkstep-study list' shows them");
+      throw UsageError("there is no " + what + " '" + name + "'; did you mean '" +
+                       walkthroughs::text::nearest(name, known) + "'? 'gjkstep-study list' shows them");
 }
 
 bool is_chosen(const std::vector<std::string>& chosen, const std::string& name) {
@@ -119,8 +119,8 @@ std::string command_of(const Request& request) {
 
 Shard parse_shard(const std::string& text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
-  const auto index = walkthroughs::decimal<std::uint64_t>(text.substr(0, slash)),
-             count = walkthroughs::decimal<std::uint64_t>(text.substr(std::min(slash + 1, text.size())));
+  const auto index = walkthroughs::text::decimal<std::uint64_t>(text.substr(0, slash)),
+             count = walkthroughs::text::decimal<std::uint64_t>(text.substr(std::min(slash + 1, text.size())));
   if (!index || !count || *index >= *count)
     throw UsageError("--shard: expected I/N with I from 0 to N - 1, such as 0/8, found '" + text + "'");
   return {*index, *count};

@@ -11,7 +11,7 @@
 
 namespace study {
 
-using walkthroughs::UsageError;
+using walkthroughs::program::UsageError;
 
 /// What belongs to the study itself, whoever runs it and in how many shards. Empty lists: all that there are.
 struct Request {

@@ -3,13 +3,13 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::catalogue;
 using namespace walkthroughs::test;
 
 TEST_CASE("Names of walkthroughs are unique, and fit for a folder and a command line; each finds its own") {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     INFO(w.name);
-    CHECK(std::ranges::count(catalogue(), w.name, &Walkthrough::name) == 1);
+    CHECK(std::ranges::count(whole_catalogue(), w.name, &Walkthrough::name) == 1);
     CHECK(w.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-/") == std::string::npos);
     CHECK(std::ranges::count(w.name, '/') <= 1);
     for (const char end : {'-', '/'}) CHECK_FALSE((w.name.starts_with(end) || w.name.ends_with(end)));
@@ -26,7 +26,7 @@ TEST_CASE("The name of a folder stands for all walkthroughs in it, in their orde
   for (const char* folder : {"regions", "regions/", "vehicle-and-threat"}) {
     const std::string start = std::string(folder) + (std::string_view(folder).ends_with('/') ? "" : "/");
     std::vector<const Walkthrough*> expected;
-    for (const Walkthrough& w : catalogue())
+    for (const Walkthrough& w : whole_catalogue())
       if (w.name.starts_with(start)) expected.push_back(&w);
     CHECK(expected.size() > 1);
     CHECK(find_walkthroughs(folder) == expected);
@@ -48,7 +48,7 @@ TEST_CASE("The nearest name is the one with the fewest letters to insert, delete
 }
 
 TEST_CASE("A walkthrough has one scene, or two to compare, of different names and diagrams have none") {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     INFO(w.name);
     const std::size_t scenes = w.layout == Layout::search ? 1 : w.layout == Layout::diagrams ? 0 : 2;
     REQUIRE(w.scenes.size() == scenes);

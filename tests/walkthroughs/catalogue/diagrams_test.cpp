@@ -8,7 +8,7 @@
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::catalogue;
 using namespace walkthroughs::test;
 
 TEST_CASE("Every diagram has a caption of at most two lines, facts of one line, and a description", "[unsanitized]") {
@@ -16,7 +16,7 @@ TEST_CASE("Every diagram has a caption of at most two lines, facts of one line, 
   render::Font font(render::Font::default_directory());
   const Style style(render::themes::report);
   const render::Canvas canvas(frame_page, frame_page, style.theme.paper, font);
-  for (const Walkthrough& each : catalogue()) {
+  for (const Walkthrough& each : whole_catalogue()) {
     if (each.layout != Layout::diagrams) continue;
     for (const Diagram& diagram : each.diagrams()) {
       INFO(each.name << ": " << diagram.caption);

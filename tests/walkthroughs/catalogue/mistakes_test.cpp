@@ -1,6 +1,6 @@
 // The walkthroughs of mistakes: where each parts from the report's search, how it ends, what is said of it.
 
-#include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 #include <cmath>
 #include <map>
@@ -10,11 +10,11 @@
 #include "tests/kit/places.hpp"
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/support.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
-#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::catalogue;
 using namespace walkthroughs::test;
 using gjk::Status;
 using kit::has;
@@ -159,9 +159,8 @@ double pairs_to_see(double share) {
 
 TEST_CASE("How many pairs it takes to notice a mistake is what the study has counted") {
   std::istringstream counts(bytes_of(kit::source("tests/study/results/claims-mistakes.csv")));
-  const std::map<std::string, TestPairs> kinds{{"triangles", TestPairs::triangles},
-                                               {"tetrahedra", TestPairs::tetrahedra},
-                                               {"grid", TestPairs::grid_triangles}};
+  const std::map<std::string, TestPairs> kinds{
+      {"triangles", TestPairs::triangles}, {"tetrahedra", TestPairs::tetrahedra}, {"grid", TestPairs::grid_triangles}};
   std::size_t rows = 0;
   for (std::string line; std::getline(counts, line);) {
     const auto cells = cells_of(line);

@@ -9,7 +9,7 @@
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::catalogue;
 using namespace walkthroughs::test;
 using gjk::Relation;
 using gjk::Role;
@@ -41,7 +41,7 @@ struct Run {
 
 Run run_of(const Walkthrough& w) {
   Run run{w.scenes.at(0), {}, {}};
-  for (const auto& event : walkthroughs::run(run.scene).events) {
+  for (const auto& event : walkthroughs::model::run(run.scene).events) {
     if (const auto* e = std::get_if<gjk::SupportFound<double>>(&event))
       run.iterations.push_back({*e, {}, {}, {}, {}, {}});
     if (const auto* e = std::get_if<gjk::CrossingTested<double>>(&event)) run.iterations.back().crossing = *e;

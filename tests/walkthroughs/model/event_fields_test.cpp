@@ -3,7 +3,7 @@
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/model/header_fields.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::model;
 
 namespace {
 
@@ -26,7 +26,8 @@ constexpr bool has_just(std::type_identity<std::tuple<Members...>>) {
 /// Whether the members of R are those `before` and those listed, in this order, and no more.
 template <class R, class... Before, class... Listed>
 constexpr bool lists_every_member(const std::tuple<Listed...>&) {
-  using Members = decltype(std::tuple_cat(std::declval<std::tuple<Before...>>(), members_of(std::declval<Listed>())...));
+  using Members =
+      decltype(std::tuple_cat(std::declval<std::tuple<Before...>>(), members_of(std::declval<Listed>())...));
   return has_just<R>(std::type_identity<Members>());
 }
 

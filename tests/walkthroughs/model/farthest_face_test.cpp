@@ -4,7 +4,7 @@
 
 #include "tests/kit/catch.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::model;
 using render::Vec2;
 
 namespace {

@@ -7,7 +7,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::model;
 using namespace walkthroughs::test;
 
 namespace {
@@ -47,7 +47,7 @@ TEST_CASE("Of two corners equally far along +x the upper is A; points on an edge
 
 TEST_CASE("No difference of two vertices lies outside the hull, and every corner is one") {
   std::set<Dimension> seen;
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     for (const Scene& scene : w.scenes) {
       const Corners corners = difference_hull(scene).corners;
       if (!corners.empty()) seen.insert(scene.dimension);

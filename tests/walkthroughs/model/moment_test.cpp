@@ -8,7 +8,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::model;
 using namespace walkthroughs::test;
 
 namespace {
@@ -16,7 +16,7 @@ namespace {
 /// Every trace of the catalogue that has one search only, and one that goes through tetrahedra.
 std::vector<Told> searches() {
   std::vector<Told> list;
-  for (const Walkthrough& w : catalogue())
+  for (const Walkthrough& w : whole_catalogue())
     for (const Scene& scene : w.scenes)
       if (!scene.certified) list.emplace_back(scene);
   list.emplace_back(walkthrough_of({{5, 1, 2}, {-4, 3, 1}, {-1, -5, 2}, {0, 1, -6}, {1, 2, 5}}).scenes[0]);
@@ -43,7 +43,8 @@ TEST_CASE("After each event the moment is as the events state it outright, and o
       if (const auto* e = std::get_if<gjk::SearchStarted<double>>(&event)) direction = e->direction;
       if (const auto* e = std::get_if<gjk::SupportFound<double>>(&event)) found = e->vertex.w;
       if (const auto* e = std::get_if<gjk::VertexAdded<double>>(&event)) simplex = points_of(e->simplex);
-      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&event)) features.push_back(to_string(e->feature) + to_string(e->face));
+      if (const auto* e = std::get_if<gjk::RegionTested<double>>(&event))
+        features.push_back(to_string(e->feature) + to_string(e->face));
       if (const auto* e = std::get_if<gjk::SimplexReduced<double>>(&event)) simplex = points_of(e->after);
       if (const auto* e = std::get_if<gjk::DirectionChosen<double>>(&event)) direction = e->direction, found.reset();
       const Moment now = replay(told.trace, i + 1);

@@ -5,7 +5,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::model;
 using namespace walkthroughs::test;
 
 namespace {
@@ -45,7 +45,7 @@ void draw_all(const StagedStory& story) {
 }  // namespace
 
 TEST_CASE("The search asks each object once for each point it finds") {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     Calls expected;
     for (const Scene& scene : w.scenes)  // what is certified asks sets of its own
       expected.insert(expected.end(), 2, scene.certified ? 0 : all<gjk::SupportFound>(run(scene)).size());
@@ -55,7 +55,7 @@ TEST_CASE("The search asks each object once for each point it finds") {
 
 TEST_CASE("Telling and drawing ask support functions for an outline of the difference of round objects only",
           "[unsanitized][full]") {
-  for (const Walkthrough& original : catalogue()) {
+  for (const Walkthrough& original : whole_catalogue()) {
     if (original.layout != Layout::search) continue;
     INFO(original.name);
     const Calls of_search = calls_of_search(original);

@@ -12,7 +12,7 @@
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::page;
 using namespace walkthroughs::test;
 
 namespace {
@@ -45,7 +45,7 @@ PageJson set_in(const std::string& script, const std::string& variable) {
 TEST_CASE("A page runs no search, neither its own nor another's") {
   const auto calls = [] {
     std::size_t sum = 0;
-    for (const Walkthrough& each : catalogue())
+    for (const Walkthrough& each : whole_catalogue())
       for (const Scene& scene : each.scenes) sum += scene.a.support_calls + scene.b.support_calls;
     return sum;
   };
@@ -57,7 +57,7 @@ TEST_CASE("A page runs no search, neither its own nor another's") {
 
 TEST_CASE("A page has each frame of every walkthrough, with its picture, caption, facts and what is seen",
           "[unsanitized]") {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     INFO(w.name);
     const Story story = tell(w);
     const PageJson data = data_of(story), frames = data["frames"];
@@ -141,7 +141,7 @@ TEST_CASE(
 
 TEST_CASE("Of two searches each has its own line marked, and at the end the one that answers") {
   int listings = 0;
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     if (w.scenes.size() < 2 || w.layout == Layout::close_ups) continue;
     INFO(w.name);
     const PageJson data = data_of(tell(w));
@@ -251,7 +251,7 @@ TEST_CASE("Without scripts each step has its picture and its caption") {
 
 TEST_CASE("All that a page loads but its pictures is below 60 kB, and 1.6 more for each step beyond the 50th",
           "[unsanitized][full]") {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     INFO(w.name);
     const Story story = tell(w);
     const std::vector<PageFile> files =
@@ -276,7 +276,7 @@ TEST_CASE("Questions whose steps are left out are counted, so that the page can 
 }
 
 TEST_CASE("Of every search that is told step by step each question is asked") {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     if (w.layout != Layout::search || w.scenes[0].certified) continue;
     INFO(w.name);
     CHECK(data_of(tell(w))["unasked"] == 0);

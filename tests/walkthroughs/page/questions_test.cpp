@@ -9,7 +9,7 @@
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::page;
 using namespace walkthroughs::test;
 
 namespace {
@@ -164,7 +164,7 @@ TEST_CASE(
     "Every question about every walkthrough has one right choice, which is what the trace did, and each decision is "
     "asked about") {
   int asked = 0;
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     INFO(w.name);
     const int count = check_questions(w);
     int decisions = 0;
@@ -251,7 +251,7 @@ TEST_CASE("What is asked about a simplex says of how many points it is") {
 
 TEST_CASE("The key of a region is its number, and of a triangle's R1 above and below come last") {
   int triangles = 0;
-  for (const Walkthrough& w : catalogue())
+  for (const Walkthrough& w : whole_catalogue())
     for (const Question& q : questions_of(tell(w))) {
       if (q.decision.simplex_size != 3 || q.choices.size() != 9) continue;
       INFO(w.name << ": " << q.text);
@@ -291,7 +291,7 @@ TEST_CASE("What the rules do not look at is told as that, not as true of the sea
 TEST_CASE("Every wrong choice has a reason, and a hint unless all that is known of it would tell the right one",
           "[unsanitized][full]") {
   int hints = 0, untold = 0;
-  for (const Walkthrough& w : catalogue())
+  for (const Walkthrough& w : whole_catalogue())
     for (const Question& question : questions_of(tell(w))) {
       if (question.choices.size() == 2) continue;
       INFO(w.name << ": " << question.text);
@@ -313,7 +313,7 @@ TEST_CASE("Every wrong choice has a reason, and a hint unless all that is known 
 
 TEST_CASE("No hint contains the right choice or its label, nor what speaks for it", "[full]") {
   int hints = 0;
-  for (const Walkthrough& w : catalogue())
+  for (const Walkthrough& w : whole_catalogue())
     for (const Question& question : questions_of(tell(w))) {
       INFO(w.name << ": " << question.text);
       const Choice& right = question.choices[question.right];
@@ -331,7 +331,7 @@ TEST_CASE("No hint contains the right choice or its label, nor what speaks for i
 
 TEST_CASE("Who is asked for the wrong line is told what both searches find of the same thing, which no picture shows") {
   std::vector<std::string> by_words;
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     const Story story = tell(w);
     for (const Question& question : questions_of(story)) {
       if (question.decision.kind != Kind::line) continue;
@@ -390,7 +390,7 @@ TEST_CASE(
     "Practice is another walkthrough of regions in which the search decides likewise, of each decision in the "
     "catalogue") {
   std::map<std::string, std::vector<Decision>> decisions;
-  for (const Walkthrough& each : catalogue()) {
+  for (const Walkthrough& each : whole_catalogue()) {
     if (each.layout == Layout::diagrams) continue;
     const Story story = tell(each);
     for (const Question& question : questions_of(story)) decisions[each.name].push_back(question.decision);

@@ -10,7 +10,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/studio.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::picture;
 using namespace walkthroughs::test;
 
 namespace {
@@ -27,7 +27,7 @@ TEST_CASE(
     "[unsanitized][full]") {
   render::Font font{render::Font::default_directory()};
   std::size_t frames = 0, with_a_crowded_label = 0;
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     const StagedStory story(tell(w));
     for (std::size_t i = 0; i < story.frames.size(); ++i) {
       INFO(w.name << ", frame " << i);
@@ -46,7 +46,8 @@ TEST_CASE(
   CHECK(with_a_crowded_label * 20 <= frames);
 }
 
-TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded", "[unsanitized][full]") {
+TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded",
+          "[unsanitized][full]") {
   render::Font font{render::Font::default_directory()};
   constexpr std::array scales{0.75, 1.25, 1.5};
   for (std::size_t which = 0; which < scales.size(); ++which) {
@@ -54,7 +55,7 @@ TEST_CASE("At every scale of text all lines below the panels fit, and hardly a l
     theme.text = scales[which];
     const Look look{.style = Style(theme)};
     int frames = 0, with_crowded = 0;
-    for (const Walkthrough& w : catalogue()) {
+    for (const Walkthrough& w : whole_catalogue()) {
       if (w.name.starts_with("cycle-")) continue;  // which show the same again and again
       const StagedStory story(tell(w));
       for (std::size_t i = which; i < story.frames.size(); i += scales.size()) {  // all are half a minute

@@ -6,7 +6,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/stage.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::picture;
 using namespace walkthroughs::test;
 
 TEST_CASE(
@@ -41,7 +41,7 @@ TEST_CASE(
 
 TEST_CASE("No triangle that decides is seen edge-on") {
   int seen = 0;
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     if (w.layout != Layout::search || w.scenes[0].dimension != Dimension::space) continue;
     const StagedStory story(tell(w));
     const Point viewer = story.stages.at(0).lens.camera->toward_viewer();

@@ -7,7 +7,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::picture;
 using render::Vec2;
 
 namespace {

@@ -10,7 +10,7 @@
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::picture;
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/program/program.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

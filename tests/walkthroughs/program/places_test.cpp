@@ -8,7 +8,7 @@
 #include "tests/walkthroughs/program/program.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
 

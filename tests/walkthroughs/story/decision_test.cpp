@@ -4,7 +4,7 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::story;
 using namespace walkthroughs::test;
 using Kind = DecisionView::Kind;
 
@@ -13,7 +13,7 @@ namespace {
 /// Walkthroughs of one search in space: those of the catalogue, and some that nobody has chosen.
 std::vector<Walkthrough> in_space() {
   std::vector<Walkthrough> list;
-  for (const Walkthrough& w : catalogue())
+  for (const Walkthrough& w : whole_catalogue())
     if (w.layout == Layout::search && w.scenes[0].dimension == Dimension::space) list.push_back(w);
   kit::Dice dice(5);
   const auto coordinate = [&] { return dice.between(-20, 20) / 4.0; };

@@ -7,7 +7,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::story;
 using namespace walkthroughs::test;
 
 namespace {
@@ -17,7 +17,7 @@ using kit::has;
 /// Calls `check(event, now, rules)` after each event of that kind, in every search by any rules.
 template <template <class> class E, class Check>
 void after_each(Check check) {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     for (Scene scene : w.scenes) {
       for (const auto& rules : gjk::rule_sets) {
         scene.rules = rules.value;

@@ -5,7 +5,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::story;
 using namespace walkthroughs::test;
 
 TEST_CASE("A search has one frame for each event that changes the picture, in order, of the moment after its event") {
@@ -49,7 +49,7 @@ TEST_CASE("A frame for each step is the last one of its iteration") {
 }
 
 TEST_CASE("Frames cover the events of each run without a gap, and a run that has ended repeats its last") {
-  for (const Walkthrough& w : catalogue()) {
+  for (const Walkthrough& w : whole_catalogue()) {
     if (w.layout != Layout::search && w.layout != Layout::until_they_part && w.layout != Layout::in_step) continue;
     for (const Detail detail : {Detail::decision, Detail::step}) {
       const Story story = tell(w, detail);

@@ -5,7 +5,7 @@
 
 #include "tests/kit/catch.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::text;
 
 TEST_CASE("What is not printable is shown as an escape, and the rest as it is") {
   CHECK(printable("plain, größe, ∞ 𝄞 'quoted' \\") == "plain, größe, ∞ 𝄞 'quoted' \\");

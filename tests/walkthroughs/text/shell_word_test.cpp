@@ -6,8 +6,8 @@
 #include "tests/kit/program.hpp"
 #include "walkthroughs/text/printable.hpp"
 
-using walkthroughs::printable;
-using walkthroughs::shell_word;
+using walkthroughs::text::printable;
+using walkthroughs::text::shell_word;
 
 TEST_CASE("A word of a shell is quoted only where it needs to be, and is no option") {
   CHECK(shell_word("out/scene-1.json") == "out/scene-1.json");

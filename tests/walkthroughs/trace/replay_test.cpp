@@ -7,7 +7,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::trace;
 using namespace walkthroughs::test;
 
 namespace {
@@ -106,9 +106,8 @@ TEST_CASE("A mistake is known with the report's rules, the crossing test on, in 
            {"rules", "eager"}, {"crossing_test", "off"}, {"zero_test", "relative"}, {"scalar", "float"}})
     CHECK(complaint([&](OrderedJson& header) { header["scenes"][0][key] = value; }).find(otherwise) !=
           std::string::npos);
-  CHECK(complaint([](OrderedJson& header) {
-          header["scenes"][0]["mistake"] = "m22";
-        }).find("'m22' is not known") != std::string::npos);
+  CHECK(complaint([](OrderedJson& header) { header["scenes"][0]["mistake"] = "m22"; }).find("'m22' is not known") !=
+        std::string::npos);
   CHECK(complaint([](OrderedJson& header) { header["scenes"][0]["mistake"] = 14; }) != "read");
   CHECK(complaint([](OrderedJson& header) {
           header["presentation"]["layout"] = "in-step";

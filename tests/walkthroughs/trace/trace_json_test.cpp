@@ -11,7 +11,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-using namespace walkthroughs;
+using namespace walkthroughs::trace;
 using namespace walkthroughs::test;
 using Json = nlohmann::json;
 
@@ -19,7 +19,7 @@ namespace {
 
 /// The walkthroughs of the catalogue, one through tetrahedra, and one in numbers that need all their digits.
 std::vector<Walkthrough> walkthroughs_to_trace() {
-  std::vector<Walkthrough> list = catalogue();
+  std::vector<Walkthrough> list = whole_catalogue();
   std::erase_if(list, [](const Walkthrough& w) { return w.scenes.empty(); });  // diagrams have no trace
   list.push_back(walkthrough_of({{5, 1, 2}, {-4, 3, 1}, {-1, -5, 2}, {0, 1, -6}, {1, 2, 5}}));
   list.push_back(walkthrough_of({{0.1, 1.0 / 3, 1e-17}, {-0.7, 2e-5, 0.3}, {-1e-3, -2.0 / 7, 123.456}},

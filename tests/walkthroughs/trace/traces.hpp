@@ -33,7 +33,7 @@ inline std::string complaint_about_trace(const std::string& text) {
 /// Returns: the walkthroughs of the catalogue that have a search.
 inline std::vector<const Walkthrough*> searches() {
   std::vector<const Walkthrough*> list;
-  for (const Walkthrough& w : catalogue())
+  for (const Walkthrough& w : whole_catalogue())
     if (w.layout != Layout::diagrams) list.push_back(&w);
   return list;
 }
