@@ -23,6 +23,7 @@
 
 namespace {
 
+using namespace walkthroughs;
 using namespace walkthroughs::program;
 
 void require(bool holds) {

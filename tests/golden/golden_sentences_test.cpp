@@ -24,7 +24,7 @@ void add(Sentences& said, const std::string& name, const StagedStory& story) {
 TEST_CASE("sentences of all walkthroughs are the accepted ones") {
   Sentences said;
   for (const walkthroughs::model::Walkthrough& w : walkthroughs::catalogue::whole_catalogue())
-    add(said, w.name, StagedStory(tell(w)));
+    add(said, w.name, StagedStory(walkthroughs::story::tell(w)));
   for (const RandomSearch& each : random_searches())
     add(said, each.name, StagedStory(tell(each.walkthrough, each.detail)));
   check_text("sentences.txt", said.text("   | "), "sentences");

@@ -15,6 +15,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 inline const Walkthrough& walkthrough(const std::string& name) {
   if (const Walkthrough* found = find_walkthrough(name)) return *found;
   throw std::invalid_argument("no walkthrough " + name);

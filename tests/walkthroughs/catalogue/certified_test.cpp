@@ -5,7 +5,7 @@
 #include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/number_line.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Proof;
 using gjk::Status;

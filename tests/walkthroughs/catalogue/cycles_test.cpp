@@ -5,7 +5,7 @@
 #include "tests/kit/text.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
 

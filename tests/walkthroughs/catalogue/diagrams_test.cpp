@@ -8,7 +8,7 @@
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 TEST_CASE("Every diagram has a caption of at most two lines, facts of one line, and a description", "[unsanitized]") {

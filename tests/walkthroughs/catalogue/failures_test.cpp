@@ -11,7 +11,7 @@
 #include "walkthroughs/trace/trace_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
 using gjk::test::exact;

@@ -3,7 +3,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

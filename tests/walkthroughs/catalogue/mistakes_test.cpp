@@ -14,7 +14,8 @@
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Status;
 using kit::has;

@@ -12,6 +12,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 /// The point of a feature's line, plane or space that is nearest to a point, and the weights of the feature's vertices in it:
 /// one is negative exactly where the point lies beyond what is opposite to its vertex.
 struct Footpoint {

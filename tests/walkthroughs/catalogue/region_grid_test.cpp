@@ -6,7 +6,7 @@
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using render::Vec2;
 

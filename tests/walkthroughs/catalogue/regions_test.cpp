@@ -9,7 +9,7 @@
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs::catalogue;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using gjk::Relation;
 using gjk::Role;

@@ -7,7 +7,7 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs::model;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

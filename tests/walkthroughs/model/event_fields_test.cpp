@@ -3,7 +3,7 @@
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/model/header_fields.hpp"
 
-using namespace walkthroughs::model;
+using namespace walkthroughs::program;
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "tests/kit/catch.hpp"
 
-using namespace walkthroughs::model;
+using namespace walkthroughs::program;
 using render::Vec2;
 
 namespace {

@@ -8,7 +8,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-using namespace walkthroughs::model;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

@@ -5,7 +5,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
-using namespace walkthroughs::model;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

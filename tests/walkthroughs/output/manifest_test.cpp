@@ -9,7 +9,7 @@
 #include "tests/kit/folder.hpp"
 #include "tests/kit/text.hpp"
 
-using namespace walkthroughs::output;
+using namespace walkthroughs::program;
 using kit::bytes_of, kit::Folder, kit::has;
 namespace fs = std::filesystem;
 

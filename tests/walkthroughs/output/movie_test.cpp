@@ -6,7 +6,7 @@
 #include "tests/kit/program.hpp"
 #include "walkthroughs/text/printable.hpp"
 
-using namespace walkthroughs::output;
+using namespace walkthroughs::program;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "tests/walkthroughs/program/program.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs::output;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
 using render::OnPaper;

@@ -9,7 +9,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/manifest.hpp"
 
-using namespace walkthroughs::output;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include "tests/walkthroughs/output/written.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs::output;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using render::Image;
 using render::Size;

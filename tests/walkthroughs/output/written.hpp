@@ -8,6 +8,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 using FrameTold = std::function<void(const std::filesystem::path& file, std::size_t index)>;
 
 /// Gives the story to a sink that is done with it before the story goes.

@@ -12,7 +12,8 @@
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
-using namespace walkthroughs::page;
+using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

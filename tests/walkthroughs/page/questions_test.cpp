@@ -9,7 +9,8 @@
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-using namespace walkthroughs::page;
+using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include "tests/kit/catch.hpp"
 
-using namespace walkthroughs::page;
+using namespace walkthroughs::program;
 
 TEST_CASE("A page takes what fills its places as it is, also where that looks like a place") {
   CHECK(filled("<h1>{{a}}</h1>{{b}}{{a}}", {{"a", "{{b}}"}, {"b", "}} {{c}}"}}) == "<h1>{{b}}</h1>}} {{c}}{{b}}");

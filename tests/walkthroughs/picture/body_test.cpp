@@ -8,7 +8,7 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/polygons.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

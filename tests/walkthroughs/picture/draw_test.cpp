@@ -10,7 +10,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/output/studio.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

@@ -3,7 +3,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using render::Box;
 using render::Vec2;

@@ -6,7 +6,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/picture/stage.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 TEST_CASE(

@@ -7,7 +7,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs::program;
 using render::Vec2;
 
 namespace {

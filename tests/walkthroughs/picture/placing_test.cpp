@@ -10,7 +10,7 @@
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs::program;
 
 namespace {
 

@@ -9,7 +9,8 @@
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
 #include "tests/walkthroughs/polygons.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using Polygon = std::vector<Vec2>;
 

@@ -6,7 +6,7 @@
 #include "tests/kit/pictures.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
-using namespace walkthroughs::picture;
+using namespace walkthroughs::program;
 using render::Box;
 using render::Vec2;
 

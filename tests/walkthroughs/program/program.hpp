@@ -13,6 +13,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 using kit::has, kit::lines, kit::Outcome, kit::quoted, kit::shell;
 
 inline Outcome run(const std::string& arguments, const std::string& environment = "") {

@@ -10,7 +10,7 @@
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/query/query.hpp"
 
-using namespace walkthroughs::query;
+using namespace walkthroughs::program;
 
 namespace {
 

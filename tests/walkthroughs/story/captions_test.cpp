@@ -5,7 +5,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 
-using namespace walkthroughs::story;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

@@ -4,7 +4,7 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/support.hpp"
 
-using namespace walkthroughs::story;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using Kind = DecisionView::Kind;
 

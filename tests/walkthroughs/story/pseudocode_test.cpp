@@ -7,7 +7,7 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-using namespace walkthroughs::story;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

@@ -6,6 +6,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 /// Returns: what a picture of this event would be about; nothing where it does not change the picture. That a vertex was
 /// added changes it where letters are roles, which then move on.
 inline std::optional<Focus> focus_of(const gjk::Event<double>& event, Naming naming) {

@@ -5,7 +5,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
 
-using namespace walkthroughs::story;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 TEST_CASE("A search has one frame for each event that changes the picture, in order, of the moment after its event") {

@@ -9,7 +9,7 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/text/same_tree.hpp"
 
-using namespace walkthroughs::text;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

@@ -4,7 +4,7 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
-using namespace walkthroughs::text;
+using namespace walkthroughs::program;
 
 TEST_CASE("The name of a scene can name a folder that is seen, whatever its file is called") {
   CHECK(name_from_file("a/b/Tank_2-x.1.json") == "Tank_2-x.1");

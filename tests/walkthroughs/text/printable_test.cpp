@@ -5,7 +5,7 @@
 
 #include "tests/kit/catch.hpp"
 
-using namespace walkthroughs::text;
+using namespace walkthroughs::program;
 
 TEST_CASE("What is not printable is shown as an escape, and the rest as it is") {
   CHECK(printable("plain, größe, ∞ 𝄞 'quoted' \\") == "plain, größe, ∞ 𝄞 'quoted' \\");

@@ -7,6 +7,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 inline bool same_tree(const Value& one, const Value& other) {
   using Kind = Document::Kind;
   if (one.kind() != other.kind()) return false;

@@ -9,7 +9,7 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
-using namespace walkthroughs::text;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
 

@@ -6,7 +6,7 @@
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
-using namespace walkthroughs::trace;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

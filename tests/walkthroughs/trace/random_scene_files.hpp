@@ -12,6 +12,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 struct RandomSceneFile {
   std::string name, text;
 };

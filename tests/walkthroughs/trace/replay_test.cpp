@@ -7,7 +7,8 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/model/run.hpp"
 
-using namespace walkthroughs::trace;
+using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

@@ -2,7 +2,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 
-using namespace walkthroughs::trace;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 
 namespace {

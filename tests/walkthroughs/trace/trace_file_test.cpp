@@ -14,7 +14,7 @@
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
-using namespace walkthroughs::trace;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 namespace fs = std::filesystem;
 

@@ -11,7 +11,8 @@
 #include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 
-using namespace walkthroughs::trace;
+using namespace walkthroughs;
+using namespace walkthroughs::program;
 using namespace walkthroughs::test;
 using Json = nlohmann::json;
 

@@ -11,6 +11,8 @@
 
 namespace walkthroughs::test {
 
+using namespace program;
+
 using OrderedJson = kit::Json;
 using kit::json_lines, kit::text_of;
 
