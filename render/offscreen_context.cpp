@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <initializer_list>
+#include <thread>
 
 #include "render/file.hpp"
 
@@ -50,6 +51,11 @@ void refuse_wrong_settings() {
     require(loaded, {});
 }
 
+/// Mesa draws with threads of its own, and waits without end for one that it could not start.
+void expect_threads() {
+  std::thread([] {}).join();
+}
+
 }  // namespace
 
 std::span<const Backend> all_backends() { return all; }
@@ -84,6 +90,7 @@ CurrentContext::~CurrentContext() { taken_ = false; }
 OffscreenContext::OffscreenContext(Backend backend) {
   const BuiltIn& chosen = find(backend);
   refuse_wrong_settings();
+  expect_threads();
   title_ = chosen.title;
   context_ = chosen.make();
   const std::string renderer = text(GL_RENDERER);

@@ -14,7 +14,7 @@ namespace render {
 class OffscreenContext {
  public:
   /// Errors: ContextError, also where this thread has a context already, of whichever backend; where this build lacks
-  /// the backend; where Mesa is told to draw with anything but llvmpipe.
+  /// the backend; where Mesa is told to draw with anything but llvmpipe. std::system_error where no thread can be started.
   explicit OffscreenContext(Backend backend = default_backend());
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
