@@ -121,7 +121,7 @@ class AskedSum {
 
 /// Of each shape: `key`, its name in files; `kind` and `kind_in_plane`, its name in sentences, the latter empty where there
 /// is none in the plane; `example`, its fields in a scene file; In<T>, the shape in numbers of T; fields(). Of a shape that is a sum
-/// by a name of its own as_sum(), of the others middle(), a point inside. Where its support function can be computed in S asked(), the
+/// by a name of its own as_sum(), of the others middle(), a point inside, and of round ones reach(), within which of it they lie. Where its support function can be computed in S asked(), the
 /// shape of core/ that has it.
 template <class Shape>
 struct ShapeRow;
@@ -157,6 +157,7 @@ struct ShapeRow<BallOf<S>> {
     visit(field::Length{"radius"}, balls.radius...);
   }
   static gjk::Vec3<S> middle(const BallOf<S>& ball) { return ball.center; }
+  static S reach(const BallOf<S>& ball) { return ball.radius; }
   static auto asked(const BallOf<S>& ball) requires std::floating_point<S> {
     return gjk::Sphere<S>(ball.center, ball.radius);
   }
@@ -176,6 +177,7 @@ struct ShapeRow<CylinderOf<S>> {
     visit(field::Length{"height"}, cylinders.height...);
   }
   static gjk::Vec3<S> middle(const CylinderOf<S>& cylinder) { return cylinder.center; }
+  static S reach(const CylinderOf<S>& cylinder) { return cylinder.height / 2 + cylinder.radius; }
   static auto asked(const CylinderOf<S>& cylinder) requires std::floating_point<S> {
     return gjk::Cylinder<S>(cylinder.center, cylinder.axis, cylinder.radius, cylinder.height);
   }

@@ -62,9 +62,9 @@ struct BoundOf {
     for (const Point& p : points) bound = std::max(bound, largest(p));
     return bound;
   }
-  double operator()(const Ball& ball) const { return largest(ball.center) + ball.radius; }
-  double operator()(const Cylinder& cylinder) const {
-    return largest(cylinder.center) + cylinder.height / 2 + cylinder.radius;
+  double operator()(const auto& round) const {
+    using Row = RowOf<decltype(round)>;
+    return largest(Row::middle(round)) + Row::reach(round);
   }
   double operator()(const Sum& sum) const {
     return visit_shape(*this, sum.summands[0]) + visit_shape(*this, sum.summands[1]);

@@ -24,7 +24,7 @@ struct Extent {
   double size() const { return (high - low).maxCoeff(); }
 };
 
-/// One overload for each shape: a box around it where the pose puts it, perhaps with some room.
+/// A box around a shape where the pose puts it, perhaps with some room.
 struct ExtentOf {
   const Pose& pose;
 
@@ -33,22 +33,17 @@ struct ExtentOf {
     for (const Point& p : points) extent.add(pose(p));
     return extent;
   }
-  Extent operator()(const Ball& ball) const { return around(ball.center, ball.radius); }
-  Extent operator()(const Cylinder& cylinder) const {
-    return around(cylinder.center, cylinder.height / 2 + cylinder.radius);
+  Extent operator()(const auto& round) const {
+    using Row = RowOf<decltype(round)>;
+    Extent extent;
+    extent.add(pose(Row::middle(round)), Row::reach(round));
+    return extent;
   }
   Extent operator()(const Sum& sum) const {
     const Pose turned{pose.rotation, Point::Zero()};
     const Extent first = visit_shape(*this, sum.summands[0]);
     const Extent second = visit_shape(ExtentOf{turned}, sum.summands[1]);
     return {first.low + second.low, first.high + second.high};
-  }
-
- private:
-  Extent around(const Point& center, double radius) const {
-    Extent extent;
-    extent.add(pose(center), radius);
-    return extent;
   }
 };
 

@@ -24,7 +24,7 @@ struct Scaled {
   Point direction(const Point& d) const { return d; }
 };
 
-/// One overload for each form.
+/// One overload for each form that has a sentence of its own.
 class Objection {
  public:
   Objection(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
@@ -74,22 +74,22 @@ class Objection {
     return from_center.dot(along_) >= reach - 3 * allowed ? "" : "is not the farthest point of the cylinder";
   }
 
-  /// Seen from the sum at rest, and as if it were about as large as 1: the products of lengths neither vanish nor overflow.
-  std::string operator()(const Sum& sum) const {
+  /// Seen from the shape at rest, and as if it were about as large as 1: the products of lengths neither vanish nor overflow.
+  std::string operator()(const auto& shape) const {
     if (found_.index) return on_an_object_without_list();
-    const double size = bound_of(sum), allowed = 3 * allowance(size) + vanished();
+    const double size = bound_of(shape), allowed = 3 * allowance(size) + vanished();
     if (may_overflow(size)) return "";
     const Eigen::Matrix3d back = pose_.rotation.transpose();
     const DirectionFrame frame(back * along_);
     const Scaled scaled{size > 0 ? -std::ilogb(size) : 0};
     const double tolerance = scaled.length(allowed);
     const FarthestFace farthest =
-        farthest_face(converted<double>(AnyShape(sum), scaled), frame, {tolerance, roundings * precision_.epsilon});
+        farthest_face(converted<double>(AnyShape(shape), scaled), frame, {tolerance, roundings * precision_.epsilon});
     const Point point = scaled.point(back * (found_.point - pose_.translation));
     if (!(std::abs(point.dot(frame.d) - farthest.reach) <= tolerance))
-      return "does not reach as far as the sum, whose farthest points are the sums of the farthest points of its two";
+      return "does not reach as far as the " + std::string(RowOf<decltype(shape)>::kind);
     if (!(distance(frame.across(point), farthest.hull) <= farthest.slack + tolerance))
-      return "is not a sum of farthest points of the two that are added up";
+      return "is not a farthest point of the " + std::string(RowOf<decltype(shape)>::kind);
     return "";
   }
 

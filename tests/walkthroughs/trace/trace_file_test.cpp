@@ -430,7 +430,7 @@ const Damage damages[] = {
     {"support-value", 10, "'separation.support_value' is -1e-09, but the search says -10.1875"},
     {"support-value-positive", 10, "'separation.support_value' is 1.0, but the search says -10.1875"},
     {"short-of-the-sum", 3, "does not reach as far as the sum"},
-    {"beside-the-sum", 3, "is not a sum of farthest points"},
+    {"beside-the-sum", 3, "is not a farthest point of the sum"},
     {"index-in-a-sum", 3, "has an index"},
     {"sum-of-one", 1, "expected a list of two shapes, found a list of 1"},
 };
