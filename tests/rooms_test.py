@@ -95,10 +95,10 @@ def circle(edges):
 
 
 def missing_in_map(root):
-    """Folders of the project that the README's map does not name."""
-    readme = (root / "README.md").read_text()
+    """Folders of the project that the map does not name."""
+    readme = (root / "walkthroughs/README.md").read_text()
     rooms = [folder.relative_to(root).as_posix() for folder in sorted((root / "walkthroughs").glob("*/"))]
-    return [f"README.md: the map does not name {room}" for room in ["core", "render", *rooms, "tests", "tests/study"]
+    return [f"walkthroughs/README.md: the map does not name {room}" for room in ["core", "render", *rooms, "tests", "tests/study"]
             if not re.search(rf"^\| (\[{room}\]|`{room}`)", readme, re.MULTILINE)]
 
 

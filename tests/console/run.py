@@ -34,6 +34,7 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+TOP = HERE.parent.parent
 MARK = re.compile(r'(#|\$|>|\||2>|=)( |$)?')
 ORDER = ('$', '>', '|', '', '2>', '=')
 NEEDS = ('egl', 'ffmpeg', 'osmesa', 'ulimit')
@@ -165,7 +166,7 @@ def arguments():
     parser.add_argument('--accept', action='store_true')
     parser.add_argument('--without', action='append', default=[], choices=NEEDS)
     given = parser.parse_args()
-    given.files = given.files or [*sorted(HERE.glob('*.txt')), HERE.parent.parent / 'README.md']
+    given.files = given.files or [*sorted(HERE.glob('*.txt')), *(TOP / folder / 'README.md' for folder in ('.', 'walkthroughs'))]
     given.without += [] if shutil.which('ffmpeg') else ['ffmpeg']
     if not os.access(given.program, os.X_OK):
         parser.error(f'{given.program} is no program')

@@ -96,22 +96,22 @@ class OnlyEigen(InAFolder):
 
 
 class Readme(InAFolder):
-    def code(self, language, blocks=1):
-        text = (top / "README.md").read_text()
-        found = re.findall(rf"^```{language}\n(.*?)^```$", text[text.index("\n## Use it\n"):], re.MULTILINE | re.DOTALL)
+    def code(self, folder, language, blocks=1):
+        found = re.findall(rf"^```{language}\n(.*?)^```$", (top / folder / "README.md").read_text(), re.MULTILINE | re.DOTALL)
         self.assertEqual(len(found), blocks)
         return "".join(found).splitlines(keepends=True)
 
     def test_what_it_shows_of_code_builds_and_runs(self):
         self.install()
-        code = self.code("cpp", blocks=3)
+        code = self.code("core", "cpp", blocks=3)
         includes, statements = ("".join(line for line in code if line.startswith("#include") == is_one) for is_one in (True, False))
         project = self.folder / "project"
         project.mkdir()
         ends_well = "return trace.events.empty() || !is_true || proven.status != gjk::Status::intersecting;"
         (project / "main.cpp").write_text(f"{includes}\nint main() {{ {statements} {ends_well} }}")
         (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(yours LANGUAGES CXX)\n"
-                                                "add_executable(yours main.cpp)\n" + "".join(self.code("cmake")))
+                                                "add_executable(yours main.cpp)\n" +
+                                                "".join(self.code("core", "cmake") + self.code("walkthroughs", "cmake")))
         (project / "scene.json").write_text(self.done(build_folder / "gjkstep", "scene", "--example"))
         self.done(cmake, "-S", project, "-B", self.folder / "build", "-G", generator,
                   f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_PREFIX_PATH={self.prefix}")
