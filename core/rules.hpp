@@ -42,8 +42,8 @@ struct Intended {
   ///      R1   B ────── A   R2
   ///               R4
   ///
-  /// Outcomes: AB×AO×AB = 0 (the origin is A, or lies on AB) → contained. Else (R3 or R4, one expression for both) keep
-  /// both, search along AB×AO×AB. AO itself would not do: it may return B, then A, then B again.
+  /// Outcomes: (AB×AO)×AB = 0 (the origin is A, or lies on AB) → contained. Else (R3 or R4, one expression for both) keep
+  /// both, search along (AB×AO)×AB. AO itself would not do: it may return B, then A, then B again.
   template <class Rules, class S, class Obs>
   static Next<S> process_1simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
@@ -186,7 +186,7 @@ struct Intended {
 
   // -- Parts of Algorithms 4 and 5 --------------------------------------------------------------------------------------
 
-  /// The origin lies beyond the edge from A to X: Simplex([X, A]), searched along AX×AO×AX.
+  /// The origin lies beyond the edge from A to X: Simplex([X, A]), searched along (AX×AO)×AX.
   template <class Rules, class S, class Obs>
   static Next<S> keep_edge(detail::Step<Rules, S, Obs> step, Role X, const auto& AX, const auto& AXn) {
     return step.keep({{X, Role::A}, ReductionReason::beyond_edge}, Rules::from_edge(AX, step.AO(), AXn));
@@ -214,7 +214,7 @@ struct Intended {
 
 /// Algorithm 1 read literally: it adds the vertex and processes the simplex after it has found P·dir < 0, and
 /// contains_origin() may overwrite the answer. Wrong: for two balls side by side the same vertex comes back, the segment
-/// AB has no length, and AB×AO×AB = 0 reads as "the origin lies on AB".
+/// AB has no length, and (AB×AO)×AB = 0 reads as "the origin lies on AB".
 template <class ZeroTest = ExactZeroTest>
 struct Printed : Intended<ZeroTest> {
   static constexpr NotCrossed not_crossed() { return NotCrossed::process_the_simplex; }

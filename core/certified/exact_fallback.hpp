@@ -132,7 +132,7 @@ template <class N>
 Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
   const auto &AO = A.AO, &AB = A[Role::B];
   if (size == 1) return AO;
-  if (size == 2) return dot(AB, AB) * AO - dot(AB, AO) * AB;  // AB×AO×AB
+  if (size == 2) return dot(AB, AB) * AO - dot(AB, AO) * AB;  // (AB×AO)×AB
   const Triple<N> ABCn = cross(AB, A[Role::C]);
   return side > 0 ? ABCn : -ABCn;
 }

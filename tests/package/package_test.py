@@ -172,6 +172,18 @@ class GoldenTests(InAFolder):
         self.assertEqual(self.first.read_bytes(), drawn)
         self.passes()
 
+    def test_pictures_of_another_version_are_told_with_both(self):
+        shutil.copy(self.first.with_name("001.png"), self.first)
+        notes = self.expected / "rendered-by.json"
+        said = one_line(self.fails())
+        drawn = json.loads((self.kept / "actual/rendered-by.json").read_text())["gjkstep"]
+        self.assertNotIn("were drawn by", said)
+        for text, known in (('{"gjkstep": "0.0.1"}', "0.0.1"), ("{}", "of an unknown version"), ("no JSON", "of an unknown version")):
+            notes.write_text(text)
+            said = one_line(self.fails())
+            self.assertIn(f"drawn by gjkstep {known}, these by gjkstep {drawn}: look at the report", said)
+            self.assertIn("accept: GJKSTEP_ACCEPT=1", said)
+
     def test_without_accepted_pictures_the_words_printed_accept(self):
         shutil.rmtree(self.expected)
         said = self.fails()

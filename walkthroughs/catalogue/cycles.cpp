@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* why_how_often_and_what_helps =
     "Algorithms 4 and 5 take the first edge or face that sees the origin, not the nearest: nothing keeps the search "
-    "from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help; the "
-    "complete rules end, but where numbers round; a certified answer always does";
+    "from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help. The "
+    "complete rules end, but where numbers round. A certified answer always does";
 
 Walkthrough about(const Scene& scene, const std::string& title, const std::string& summary, const std::string& ending) {
   return {.name = scene.name,

@@ -35,19 +35,19 @@ Walkthrough vanished_product() {
                 .title = "Apart, and found together: a product too small for a float",
                 .source = "Section 3.1.3",
                 .summary = "lengths of 1e-12: w·d, a product of four of them, becomes 0",
-                .turn = {.cause = "it has not, but w·d is a product of four lengths of 1e−12, and becomes 0",
-                         .truth = "it does not"}},
+                .turn = {.cause = "in truth it stopped short: w·d is a product of four lengths of 1e−12, and becomes 0",
+                         .truth = "in truth they do not"}},
                in_float({.name = "vanished-product",
                          .a = {"triangle a", in_plane({{-1, 0}, {-1, 3}, {1, 3}}, 1e-12)},
                          .b = {"triangle b", in_plane({{-2, -3}, {3, -3}, {2, -1}}, 1e-12)}}));
 }
 
-/// Range, at the other end: AB×AO×AB is a product of three lengths.
+/// Range, at the other end: (AB×AO)×AB is a product of three lengths.
 Walkthrough overflowed_product() {
   return about({.name = "overflowed-product",
                 .title = "Together, and undecided: a product too large for a float",
                 .source = "Section 3.2.2",
-                .summary = "lengths of 1e13: AB×AO×AB, a product of three of them, becomes infinite",
+                .summary = "lengths of 1e13: (AB×AO)×AB, a product of three of them, becomes infinite",
                 .turn = {.cause = "the product of three lengths of 1e13 is beyond the largest float, 3.4e38",
                          .truth = "no support function can be asked about an infinite direction"}},
                in_float({.name = "overflowed-product",
@@ -60,7 +60,7 @@ Walkthrough beyond_an_edge() {
   return about({.name = "beyond-an-edge",
                 .title = "Together, and undecided: a sign that should be zero",
                 .source = "Section 3.2.3",
-                .summary = "the origin lies on AB: ABn·AO is rounded up from 0, and AB×AO×AB leads nowhere",
+                .summary = "the origin lies on AB: ABn·AO is rounded up from 0, and (AB×AO)×AB leads nowhere",
                 .turn = {.cause = "it lies on that edge, but ABn was rounded, and ABn·AO is no longer 0",
                          .truth = "from an edge that holds the origin no direction leads toward it"}},
                in_float({.name = "beyond-an-edge",
@@ -85,7 +85,7 @@ Walkthrough coplanar_askew() {
 /// The support function: far from the origin the roundings of P·d are larger than the objects.
 Walkthrough far_from_the_origin() {
   return about({.name = "far-from-the-origin",
-                .title = "Together, and found apart: the farthest point is missed",
+                .title = "Together, and found apart: the support point is missed",
                 .source = "Section 2.4",
                 .summary = "coordinates of 16,000,000: dot products are rounded by more than the objects are wide",
                 .turn = {.cause = "it is not: a·d and b·d are near −592,000,000, where floats lie 64 apart",

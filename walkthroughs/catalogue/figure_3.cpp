@@ -135,7 +135,7 @@ std::vector<Diagram> figure_3_diagrams() {
   const std::string any = "; any point of that side would do";
   const std::string choices = "the report also names (0, −1) and (0, 1), against its own x = −1 and x = 1";
   return {
-      frame(example, Step::sets, "Of two triangles C and D, the point of Mdiff(C, D) farthest along +x is looked for.",
+      frame(example, Step::sets, "Of two triangles C and D, the support point of Mdiff(C, D) along +x is looked for.",
             {"Mdiff(C, D): the differences X − Y of all points X of C and Y of D (Eq. 4)"},
             "Left, triangle C on one side of the origin O and triangle D on the other, each with an upright side "
             "facing the origin. Right, an empty plane with the origin, for their difference."),
@@ -145,14 +145,13 @@ std::vector<Diagram> figure_3_diagrams() {
              "support(D, −x) = " + in_plane(d) + ", on the line x = " + number(d.x()) + any, choices},
             "The upright side of C lies on the dashed line x = -1, that of D on x = 1. One end of each is filled: the "
             "point that the support function returned. The other end, as far, is hollow. Right, a single point w."),
-      frame(
-          example, Step::difference, "No point of Mdiff(C, D) lies farther along +x than w.",
-          {"w = support(C, +x) − support(D, −x) = " + in_plane(c) + " − " + in_plane(d) + " = " + in_plane(w),
-           "x = " + number(w.x()) + ", whichever points of the two sides are taken",
-           "outline: " + std::to_string(questions) + " directions asked, " + std::to_string(example.outline.size()) +
-               " corners found; O is not inside"},
-          "Left as before. Right the Minkowski Difference, a polygon left of the origin whose upright right side lies "
-          "on the dashed line x = -2; the end w of it that was found is filled, the other end is hollow.")};
+      frame(example, Step::difference, "No point of Mdiff(C, D) lies farther along +x than w.",
+            {"w = support(C, +x) − support(D, −x) = " + in_plane(c) + " − " + in_plane(d) + " = " + in_plane(w),
+             "x = " + number(w.x()) + ", whichever points of the two sides are taken",
+             "outline: " + std::to_string(questions) + " directions asked, " + std::to_string(example.outline.size()) +
+                 " corners found; O is not inside"},
+            "Left as before. Right the Minkowski Difference, a polygon left of the origin. Its upright right side lies "
+            "on the dashed line x = -2. The end w of it that was found is filled, the other end is hollow.")};
 }
 
 }  // namespace
@@ -161,7 +160,7 @@ Walkthrough figure_3() {
   return {.name = "figure-3",
           .title = "Figure 3: two triangles and their Minkowski Difference",
           .source = "ARL-TR-7474, Sections 2.3 and 2.4",
-          .summary = "the farthest point of the difference, from the farthest points of two triangles",
+          .summary = "the support point of the difference, from the support points of two triangles",
           .layout = Layout::diagrams,
           .diagrams = figure_3_diagrams};
 }

@@ -262,8 +262,8 @@ std::string normals_in_words(const Sketch& sketch) {
 std::vector<Diagram> figure_8_diagrams() {
   const Sketch sketch;
   const std::string solid =
-      "A tetrahedron seen from the side: A on top, C lower left and D lower right in front, B at the back, hidden by "
-      "the face ACD, with its three edges dashed. ";
+      "A tetrahedron seen from the side: A on top, C lower left and D lower right in front. B at the back is hidden by "
+      "the face ACD, and its three edges are dashed. ";
   return {
       Diagram{"The 3-simplex ABCD: A lies above the plane of BCD, B behind the face ACD.",
               {normals_in_words(sketch), "A lies in the direction of BC×BD; A is the newest vertex"},

@@ -60,8 +60,8 @@ Walkthrough figure_5() {
           .scenes = {figure_4_left_scene(), figure_4_right_scene()},
           .close_up = CloseUp{.iteration = 2,
                               .direction = "In both sets the search goes from A along d, toward the origin.",
-                              .support = "In both sets the farthest point along d is E.",
-                              .crossing = "On the left the move to E passes the origin; on the right it stops short of "
+                              .support = "In both sets the support point along d is E.",
+                              .crossing = "On the left the move to E passes the origin. On the right it stops short of "
                                           "it, so the origin is not in the difference."}};
 }
 

@@ -39,8 +39,10 @@ struct Sketch {
 
 /// `any`: what is told of any origin.
 std::vector<std::string> facts_of_answers(const Answer& any) {
-  std::vector<std::string> facts =
-      reasons_for_skipping(any.regions, [](const gjk::Roles& each) { return to_string(each); });
+  std::vector<std::string> facts;
+  for (const auto& [reason, names] :
+       reasons_for_skipping(any.regions, [](const gjk::Roles& each) { return to_string(each); }))
+    facts.push_back(names + ": " + reason);
   facts.push_back("faint, below the hatching: what it would answer there; it relies on its history");
   return facts;
 }

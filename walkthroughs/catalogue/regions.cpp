@@ -72,7 +72,7 @@ std::vector<RegionRow> beside_segment() {
            .text = "R3: the origin lies to the left of the move from B to A",
            .scene = in_the_plane("triangle a", {{-2, 3}, {-3, 1}, {0, 0}}, "triangle b", {{-1, -2}, {2, -2}, {0, 1}}),
            .remarks = {{At::region_tested, 2, "it lies to the left of the move from B to A, in R3", "R3 or R4"},
-                       {At::direction_chosen, 2, "AB×AO×AB is perpendicular to AB and points to the origin's side"}}},
+                       {At::direction_chosen, 2, "(AB×AO)×AB is perpendicular to AB and points to the origin's side"}}},
           {.name = "r4",
            .title = "the origin lies in R4",
            .summary = "the origin lies to the right of the move from B to A: the same expression as for R3",
@@ -80,14 +80,14 @@ std::vector<RegionRow> beside_segment() {
            .scene = in_the_plane("quadrilateral", {{0, -3}, {1, -1}, {-2, 0}, {-2, -2}}, "triangle",
                                  {{1, 0}, {3, 1}, {0, 3}}),
            .remarks = {{At::region_tested, 2, "it lies to the right of the move from B to A, in R4", "R3 or R4"},
-                       {At::direction_chosen, 2, "AB×AO×AB serves R3 and R4 alike, while AO might lead back to B"}}}};
+                       {At::direction_chosen, 2, "(AB×AO)×AB serves R3 and R4 alike, while AO might lead back to B"}}}};
 }
 
 std::vector<RegionRow> boundaries_of_segment() {
   return {
       {.name = "on-segment",
        .title = "the origin lies on AB",
-       .summary = "AB and AO are parallel, AB×AO×AB is zero: the objects intersect",
+       .summary = "AB and AO are parallel, (AB×AO)×AB is zero: the objects intersect",
        .text = "the origin lies on the segment AB",
        .scene =
            in_the_plane("parallelogram", {{-2, -1}, {-1, -3}, {0, 0}, {-1, 2}}, "triangle", {{0, 1}, {1, 3}, {-2, 2}}),
@@ -96,7 +96,7 @@ std::vector<RegionRow> boundaries_of_segment() {
                    {At::end, 2, "a search along the zero vector would have no meaning, hence the test for zero"}}},
       {.name = "a-is-origin",
        .title = "A is the origin",
-       .summary = "AO is zero, and with it AB×AO×AB: the objects touch at one point",
+       .summary = "AO is zero, and with it (AB×AO)×AB: the objects touch at one point",
        .text = "A is the origin",
        .scene =
            in_the_plane("parallelogram", {{-1, -2}, {0, -1}, {-1, 1}, {-2, 0}}, "triangle", {{-1, 1}, {2, 3}, {0, 4}}),
@@ -180,29 +180,27 @@ std::vector<RegionRow> above_below_within() {
        .text = "R1: the origin lies in the triangle",
        .scene = in_the_plane("kite a", {{0, -1}, {-1, 0}, {-2, -1}, {-1, -3}}, "kite b",
                              {{-1, 2}, {-2, 0}, {-1, -1}, {0, 0}}),
-       .remarks = {
-           {At::region_tested, 3, "neither R3 nor R7, which leaves R1, and ABCn·AO = 0: not above, not below", "R1"}}}};
+       .remarks = {{At::region_tested, 3, "neither R3 nor R7, which leaves R1: not above, not below", "R1"}}}};
 }
 
 std::vector<RegionRow> boundaries_of_triangle() {
-  return {
-      {.name = "on-edge",
-       .title = "the origin lies on an edge",
-       .summary = "the origin lies on AB: the edge tests say no, ABCn·AO is zero, the objects intersect",
-       .text = "the origin lies on the edge AB",
-       .scene = in_the_plane("rectangle", {{-2, -1}, {0, 1}, {-1, 2}, {-3, 0}}, "parallelogram",
-                             {{-1, 2}, {-2, 4}, {-3, 3}, {-2, 1}}),
-       .remarks = {{At::region_tested, 3, "ABn·AO = 0: the origin lies on AB, and on the edge is not beyond it", "R3"},
-                   {At::region_tested, 3, "an edge belongs to R1, so this case needs no test of its own", "R1"}}},
-      {.name = "on-vertex",
-       .title = "the origin is a vertex",
-       .summary = "A is the origin: every product with AO is zero, the objects touch at one point",
-       .text = "A is the origin",
-       .scene =
-           in_the_plane("triangle", {{-2, 2}, {-3, -1}, {-1, 0}}, "parallelogram", {{1, 3}, {-1, 3}, {-2, 2}, {0, 2}}),
-       .remarks = {
-           {At::region_tested, 3, "AO = 0 makes all three products zero, which leads to R1 and to the answer", "R1"},
-           {At::end, 3, "they touch at one point, (−2, 2), and touching counts as intersecting"}}}};
+  return {{.name = "on-edge",
+           .title = "the origin lies on an edge",
+           .summary = "the origin lies on AB: the edge tests say no, ABCn·AO is zero, the objects intersect",
+           .text = "the origin lies on the edge AB",
+           .scene = in_the_plane("rectangle", {{-2, -1}, {0, 1}, {-1, 2}, {-3, 0}}, "parallelogram",
+                                 {{-1, 2}, {-2, 4}, {-3, 3}, {-2, 1}}),
+           .remarks = {{At::region_tested, 3, "the origin lies on AB, and on the edge is not beyond it", "R3"},
+                       {At::region_tested, 3, "an edge belongs to R1, so this case needs no test of its own", "R1"}}},
+          {.name = "on-vertex",
+           .title = "the origin is a vertex",
+           .summary = "A is the origin: every product with AO is zero, the objects touch at one point",
+           .text = "A is the origin",
+           .scene = in_the_plane("triangle", {{-2, 2}, {-3, -1}, {-1, 0}}, "parallelogram",
+                                 {{1, 3}, {-1, 3}, {-2, 2}, {0, 2}}),
+           .remarks = {{At::region_tested, 3,
+                        "AO = 0 makes all three products zero, which leads to R1 and to the answer", "R1"},
+                       {At::end, 3, "they touch at one point, (−2, 2), and touching counts as intersecting"}}}};
 }
 
 std::vector<RegionRow> impossible_of_triangle() {
@@ -347,7 +345,7 @@ std::vector<RegionRow> within_tetrahedron() {
            .text = "the origin lies on the face ACD",
            .scene = in_space("octahedron", {{2, 1, 0}, {-2, -1, 0}, {-1, 2, 0}, {1, -2, 0}, {0, 0, 2}, {0, 0, -2}},
                              "pyramid", {{0, 1, 0}, {-1, 3, 2}, {0, 1, 4}, {1, -1, 2}, {4, 3, 2}}),
-           .remarks = {{At::region_tested, 4, "ACDn·AO = 0: the origin lies in the plane of ACD, not above it", "ACD"},
+           .remarks = {{At::region_tested, 4, "the origin lies in the plane of ACD, not above it", "ACD"},
                        {At::region_tested, 4,
                         "a face belongs to the tetrahedron, so this case needs no test of its own", "ABCD"}}},
           {.name = "in-plane-of-face",
@@ -356,8 +354,7 @@ std::vector<RegionRow> within_tetrahedron() {
            .text = "the origin lies in the plane of ABC, outside the triangle",
            .scene = in_space("triangle a", {{-4, 1, 3}, {0, 0, -3}, {3, 3, 2}}, "triangle b",
                              {{0, 0, 1}, {5, -2, 3}, {2, -1, -3}}),
-           .remarks = {{At::region_tested, 4,
-                        "ABCn·AO = 0: the origin lies in the plane of ABC, but outside the triangle", "ABC"},
+           .remarks = {{At::region_tested, 4, "the origin lies in the plane of ABC, but outside the triangle", "ABC"},
                        {At::region_tested, 4, "another face sees the origin, so the zero for ABC did not mean contact",
                         "ACD"}}},
           {.name = "a-is-origin",

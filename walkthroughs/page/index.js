@@ -17,11 +17,23 @@
   const wordsOf = text => text.toLowerCase().split(/[\s/,;:()"“”·-]+/).filter(Boolean);
   // As one begins to write it, but a number is whole: "m1" is not M18, nor "4" the report's 7474.
   const fits = (word, wanted) => /\d$/.test(wanted) ? `${word}.`.startsWith(`${wanted}.`) : word.startsWith(wanted);
+  // What people also call it; a walkthrough that has any of these words fits.
+  const alsoCalled = {
+    touch: ['touching'], contact: ['touch', 'touching'], overlap: ['intersect'], collide: ['intersect'], collision: ['intersect'],
+    voronoi: ['region', 'regions'], separating: ['separated'], axis: ['separated'], sat: ['separated'], mapping: ['support'],
+    minkowski: ['difference'], witness: ['certificate'], predicate: ['sign'], filter: ['proven'], degenerate: ['zero'],
+    bug: ['mistake'], infinite: ['circle'], loop: ['circle'], cycle: ['circle'], precision: ['float', 'rounded'],
+  };
+  // What is not here, so that nobody looks for long.
+  const depth = 'gjkstep decides whether objects intersect, not how deep';
+  const distance = 'gjkstep decides whether objects intersect, not how far apart they are';
+  const notHere = {epa: depth, penetration: depth, depth, manifold: depth, distance, mpr: 'gjkstep shows GJK only',
+                   xenocollide: 'gjkstep shows GJK only'};
   const [words, answer, part] = ['words', 'answer', 'part'].map($);
   const groups = window.gjkstepGroups.map(({title, entries}) => {
     const cards = entries.map(entry => {
       const made = card(entry), said = [...made.querySelectorAll('strong, p')].map(each => each.textContent).join(' ');
-      const text = wordsOf(`${title} ${said.replace(/ARL-TR-7474|\d+ steps?/g, '')}`);
+      const text = [...wordsOf(`${title} ${said.replace(/ARL-TR-7474|\d+ steps?/g, '')}`), ...entry.words.split(' ')];
       return {card: made, part: title, text, answer: answerOf(entry)};
     });
     const list = make('ul', {className: 'cards'}, ...cards.map(each => each.card));
@@ -33,13 +45,16 @@
     let count = 0;
     for (const {cards, section} of groups) {
       for (const {card, part: own, text, answer: found} of cards) {
-        card.hidden = !wanted.every(word => text.some(each => fits(each, word))) || !found.includes(answer.value) ||
+        const has = word => text.some(each => fits(each, word));
+        card.hidden = !wanted.every(word => has(word) || alsoCalled[word]?.some(has)) || !found.includes(answer.value) ||
           !['', own].includes(part.value);
         count += !card.hidden;
       }
       section.hidden = cards.every(each => each.card.hidden);
     }
-    $('found').textContent = count ? `${count} shown` : 'none fits: try fewer words, any answer, all parts';
+    const missing = wanted.find(word => notHere[word]);
+    $('found').textContent = count ? `${count} shown`
+      : missing ? `nothing about “${missing}”: ${notHere[missing]}` : 'none fits: try fewer words, any answer, all parts';
   }
   // What is looked for stands in the address, so that one comes back to it.
   function keep() {

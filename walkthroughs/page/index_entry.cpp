@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "render/json_text.hpp"
 #include "walkthroughs/page/viewer.hpp"
@@ -22,6 +23,24 @@ std::size_t telling_frame(const Story& story) {
     if (story.frames[i].focus == Focus::region && (!iteration || story.frames[i].moments[0].iteration == *iteration))
       return i;
   return story.frames.size() - 1;
+}
+
+/// Returns: each word of its captions once, in small letters, for those who look for it.
+std::string words_of_captions(const Story& story) {
+  std::set<std::string> words;
+  for (const Frame& frame : story.frames) {
+    std::string word;
+    for (const char c : plain(frame.caption) + " ") {
+      const bool is_letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+      if (is_letter)
+        word += static_cast<char>(c | 0x20);
+      else if (!word.empty())
+        words.insert(std::exchange(word, ""));
+    }
+  }
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
 }
 
 /// Of its page, in percent of what is shown of it.
@@ -90,6 +109,7 @@ PageJson index_entry(const Story& story, const PagePictures& pictures) {
           {"title", w.title},
           {"section", w.source},
           {"sentence", w.region_case ? w.region_case->text : literal(w.summary)},
+          {"words", words_of_captions(story)},
           {"answers", answers},
           {"steps", story.frames.size()},
           {"iteration_ends", is_search ? PageJson(last_of_each_iteration(story.frames)) : PageJson::array()},
@@ -115,8 +135,8 @@ std::optional<PageJson> entry_in(std::string_view text) {
   text.remove_prefix(begin + opening.size());
   const PageJson entry = PageJson::parse(text.substr(0, text.find(closing)), nullptr, false);
   static const PageJson sample =
-      PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "answers": [],
-      "steps": 0, "iteration_ends": [], "picture": 0, "cut": {}, "is_dark": false})");
+      PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "words": "",
+      "answers": [],      "steps": 0, "iteration_ends": [], "picture": 0, "cut": {}, "is_dark": false})");
   return are_alike(entry, sample) ? std::optional(entry) : std::nullopt;
 }
 

@@ -106,13 +106,15 @@ PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_
                     PageJson& texts) {
   const Frame& frame = story.frames[index];
   PageJson data = {{"caption", frame.caption}};
+  if (frame.mark() != Fact::Mark::none) data["mark"] = names_of_marks[static_cast<int>(frame.mark())];
   if (!frame.moments.empty()) data["iteration"] = frame.moments[0].iteration;
   if (frame.moments.size() == 1 && frame.moments[0].simplex.size() > 0)
     data["simplex"] = story.names(index, 0).list(frame.moments[0].simplex);
   if (const std::string kind = kind_of(frame.focus); !kind.empty()) data["kind"] = kind;
   for (const char* list : {"facts", "pictures", "words", "code", "events"}) data[list] = PageJson::array();
   for (const Fact& fact : frame.facts)
-    data["facts"].push_back({names_of_marks[static_cast<int>(fact.mark)], place_in(texts, fact.text)});
+    if (!fact.is_in_caption)
+      data["facts"].push_back({names_of_marks[static_cast<int>(fact.mark)], place_in(texts, fact.text)});
   for (int turn = 0; turn <= pictures.turns; ++turn) data["pictures"].push_back(pictures.url(index, turn));
   for (const std::string& sentence : picture_in_words(story, index)) data["words"].push_back(place_in(texts, sentence));
   for (const std::size_t scene : scenes_with_code(story, index))

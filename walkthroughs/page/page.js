@@ -15,18 +15,19 @@
     ...simplex ? [`simplex ${simplex}`] : [],
   ].join(' · ');
 
-  // Its class gives a fact a mark; words for who cannot see that.
+  // Its class gives a caption or a fact a mark; words for who cannot see that.
   const wordsOf = {yes: 'true: ', no: 'not so: ', skipped: 'skipped: '};
   const textOf = place => story.texts[place];
-  const fact = ([mark, text]) => make('li', {className: mark},
-    make('i', {className: 'unseen', textContent: wordsOf[mark] ?? ''}), ...marked(textOf(text)));
+  const told = (tag, mark, text) => make(tag, {className: mark},
+    make('i', {className: 'unseen', textContent: wordsOf[mark] ?? ''}), ...marked(text));
+  const fact = ([mark, text]) => told('li', mark, textOf(text));
   const inWords = i => frames[i].words.map(textOf).join(' ');
 
   const steps = frames.map((frame, i) => make('section', {className: 'step', id: i + 1},
     make('div', {className: 'shot'}, make('img', {loading: 'lazy', alt: inWords(i), src: frame.pictures[0]})),
     make('div', {className: 'text'},
       make('p', {className: 'where'}, ...marked(where(frame, i))),
-      make('h2', {}, ...marked(frame.caption)),
+      told('h2', frame.mark ?? '', frame.caption),
       ...frame.facts.length ? [make('ul', {}, ...frame.facts.map(fact))] : [],
       ...frame.code.map(code => make('div', {className: 'code'}, make('h3', {}, ...marked(code.title)))))));
 

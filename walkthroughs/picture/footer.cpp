@@ -28,25 +28,37 @@ struct Line {
   Fact::Mark mark = Fact::Mark::none;  ///< before it
 };
 
+/// The mark stands before the first of the lines that it takes.
 void append(std::vector<Line>& lines, Canvas& canvas, const Line& line, double width) {
+  const std::size_t first = lines.size();
   for (const std::string& part : render::wrap(canvas, line.text, line.style, width - line.indent)) {
     lines.push_back(line);
     lines.back().text = part;
+    if (lines.size() > first + 1) lines.back().mark = Fact::Mark::none;
   }
+}
+
+/// The caption, after the mark of the number that it begins with.
+void append_caption(std::vector<Line>& lines, Canvas& canvas, const Frame& frame, const Style& style, double size,
+                    double width) {
+  const Fact::Mark mark = frame.mark();
+  Line line{frame.caption, style.caption, size * style.scaled(line_pitch),
+            mark == Fact::Mark::none ? 0 : style.scaled(mark_width), mark};
+  line.style.size *= size;
+  append(lines, canvas, line, width);
 }
 
 void append_facts(std::vector<Line>& lines, Canvas& canvas, const Frame& frame, const Style& style, double size,
                   double width) {
   for (const Fact& fact : frame.facts) {
+    if (fact.is_in_caption) continue;
     const bool is_skipped = fact.mark == Fact::Mark::skipped;
     const bool is_bold = fact.mark == Fact::Mark::answer || fact.mark == Fact::Mark::truth;
     Line line{is_skipped ? "skipped " + fact.text : fact.text, is_skipped ? style.skipped : style.fact,
-              size * style.scaled(is_skipped ? small_pitch : line_pitch), style.scaled(mark_width)};
+              size * style.scaled(is_skipped ? small_pitch : line_pitch), style.scaled(mark_width), fact.mark};
     line.style.size *= size;
     if (is_bold) line.style.weight = render::Weight::bold;
-    const std::size_t first = lines.size();
     append(lines, canvas, line, width);
-    if (lines.size() > first) lines[first].mark = fact.mark;
   }
 }
 
@@ -107,11 +119,9 @@ std::vector<Line> fitting_lines(Canvas& canvas, const Box& room, const Frame& fr
   std::vector<Line> lines;
   for (const double size_of_all : sizes_of_all) {
     const double size = std::min(1.0, std::max(size_of_all, 1 / style.theme.text));
-    Line caption{frame.caption, style.caption, size * style.scaled(line_pitch)};
-    caption.style.size *= size;
     for (const double size_of_facts : sizes_of_facts) {
       lines.clear();
-      append(lines, canvas, caption, room.width());
+      append_caption(lines, canvas, frame, style, size, room.width());
       append_facts(lines, canvas, frame, style, size * size_of_facts, room.width());
       if (height_of(lines) - lines.back().pitch <= room.height() - style.scaled(first_line) - below_last_line)
         return lines;
@@ -134,7 +144,7 @@ double draw_words(Canvas& canvas, double width, const StagedStory& story, std::s
   for (const std::string& words : state_of_search(story, index)) state += " · " + words;
   std::vector<Line> lines;
   append(lines, canvas, {state, style.small, style.scaled(line_pitch)}, width);
-  append(lines, canvas, {frame.caption, style.caption, style.scaled(line_pitch)}, width);
+  append_caption(lines, canvas, frame, style, 1, width);
   append_facts(lines, canvas, frame, style, 1, width);
   const double height = height_of(lines) + below_last_line;
   draw_lines(canvas, {{0, style.scaled(top_of_column - first_line)}, {width, height + style.scaled(line_pitch)}}, lines,

@@ -362,9 +362,9 @@ class Rendering {
   }
 
   void write_rendered_by(const Studio& studio) const {
-    write(folder_ / render::rendered_by_file,
-          render::rendered_by_json(render::rendered_by(studio.context, studio.font_folder)),
-          "what drew these pictures");
+    render::RenderedBy notes = render::rendered_by(studio.context, studio.font_folder);
+    notes.insert(notes.begin(), {"gjkstep", GJKSTEP_VERSION});
+    write(folder_ / render::rendered_by_file, render::rendered_by_json(notes), "what drew these pictures");
   }
 
   void print_movies() const {

@@ -133,7 +133,8 @@ std::string alternative_text(const Story& story, std::size_t index) {
   std::string text = plain(frame.caption);
   if (const std::string seen = description(story, index); !seen.empty()) text += "\n" + seen;
   for (const Fact& fact : frame.facts)
-    text += std::string("\n") + marks_in_words[static_cast<int>(fact.mark)] + plain(fact.text) + ".";
+    if (!fact.is_in_caption)
+      text += std::string("\n") + marks_in_words[static_cast<int>(fact.mark)] + plain(fact.text) + ".";
   return text;
 }
 

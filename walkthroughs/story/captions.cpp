@@ -57,21 +57,20 @@ class Captions {
 
   std::optional<Frame> operator()(const gjk::SupportFound<double>& event) const {
     const std::string name = names_.of(event.vertex.w);
-    const std::string along = event.direction == Point(1, 0, 0) ? "Along +x" : "Along d";
+    const std::string along = event.direction == Point(1, 0, 0) ? "+x" : "d";
     if (scene_.mistake == Mistake::wrong_side_of_b) return of_wrong_side(event, name, along);
-    Frame frame = frame_about(Focus::support, along + " the farthest point of the difference is " + name +
-                                                  (event.is_new ? "" : " again, so there is no new point"));
+    const std::string found = "the support point along " + along + " is " + name;
+    Frame frame = frame_about(Focus::support, found + (event.is_new ? "" : " again: there is no new point"));
     if (walkthrough_.naming == Naming::roles && !event.is_new)
-      frame =
-          frame_about(Focus::support, along + " the farthest point, P, is one that was found before, in iteration " +
-                                          std::to_string(iteration_that_found(event.vertex.w)) +
-                                          (is_vertex(event.vertex.w) ? "" : ", and dropped since"));
+      frame = frame_about(Focus::support, found + ", which was found before, in iteration " +
+                                              std::to_string(iteration_that_found(event.vertex.w)) +
+                                              (is_vertex(event.vertex.w) ? "" : ", and dropped since"));
     const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
     frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
                    difference_told(event, name)};
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
     if (now_.in_exact_fallback)
-      frame.facts.push_back({Mark::none, "none of the vertices that the first search ended with reaches across"});
+      frame.facts.push_back({Mark::none, "no vertex that the first search ended with reaches across"});
     return frame;
   }
 
@@ -79,30 +78,33 @@ class Captions {
     if (!event.value) return std::nullopt;
     const std::string name = names_.of(now_.found->w);
     const std::string value = name + "·d = " + number(*event.value);
-    const auto frame = [&](const std::string& caption, Mark mark, const std::string& what) {
-      return frame_about(Focus::crossing, caption, {{mark, value + what, name + "·d", number(*event.value)}});
+    const auto frame = [&](const std::string& compared, const std::string& conclusion, Mark mark,
+                           const std::string& what) {
+      return frame_by_number(Focus::crossing, value + compared, conclusion,
+                             {mark, value + compared + ": " + what, name + "·d", number(*event.value)});
     };
     if (event.iteration == 1) return of_first_point(event, name, frame);
-    const std::string move = "The move to " + name;
+    const std::string move = "the move to " + name;
     if (event.verdict == Crossing::not_crossed && *event.value == 0)
-      return frame(move + " just reached the origin's level, and that counts as missed", Mark::no,
-                   ": taken for a proof, which it is not");
+      return frame("", move + " just reached the origin's level, and that counts as missed", Mark::no,
+                   "taken for a proof, which it is not");
     if (event.verdict == Crossing::not_crossed)
       return frame(
+          " < 0",
           move + " did not cross the origin" +
-              (in_float() ? ", as far as floats tell" : ": nothing of the difference reaches that far along d"),
-          Mark::no, " < 0: the origin was not crossed (Eq. 9)");
+              (in_float() ? ", as far as floats tell" : " (Eq. 9). Nothing of the difference reaches that far along d"),
+          Mark::no, "the origin was not crossed (Eq. 9)");
     if (!(*event.value > 0))
-      return frame(move + " just reached the origin's level, so the search goes on", Mark::none,
-                   as_zero(*event.value) + ": this proves nothing");
-    return frame(move + " crossed the origin, so the search goes on", Mark::yes, " > 0: the origin was crossed");
+      return frame(as_zero(*event.value), move + " just reached the origin's level. The search goes on", Mark::none,
+                   "this proves nothing");
+    return frame(" > 0", move + " crossed the origin. The search goes on", Mark::yes, "the origin was crossed");
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
   void add_remarks(Frame& frame, const gjk::Event<double>& event) const {
     for (const Remark& remark : remarks_) {
       if (!is_about(remark, event)) continue;
-      frame.caption.replace(frame.caption.size() - 1, 1, "; " + in_letters(remark.text) + ".");
+      append_to(frame, in_letters(remark.text));
       if (remark.fact.empty()) continue;
       const Mark mark = remark.contradicts ? Mark::truth : Mark::none;
       frame.facts.insert(frame.facts.begin() + 1, {mark, in_letters(remark.fact)});
@@ -122,7 +124,8 @@ class Captions {
 
   std::optional<Frame> operator()(const gjk::RegionTested<double>& event) const {
     if (event.verdict == Verdict::skipped) return std::nullopt;
-    Frame frame = frame_about(Focus::region, region_caption(event) + gone_on_as_if(event), {decision(event)});
+    Frame frame = decided(event, region_caption(event));
+    append_to(frame, gone_on_as_if(event));
     const auto tell = [&](const std::string& text) { frame.facts.push_back({Mark::none, text}); };
     if (event.formula.form == gjk::Expression::Form::product)  // not an edge itself
       tell(names_.translate(event.expression.X) + " = " + names_.translate(event.formula) + " = " +
@@ -141,9 +144,10 @@ class Captions {
   std::optional<Frame> operator()(const gjk::SimplexReduced<double>& event) const {
     const gjk::Roles dropped = event.dropped();
     const bool is_same = event.kept == gjk::beside({}, event.before.size());
-    Frame frame = frame_about(Focus::reduction, !dropped.empty() ? dropped_caption(dropped)
-                                                : is_same        ? "The simplex stays, and so does its order"
-                                                                 : "The simplex stays, but its order changes");
+    Frame frame =
+        frame_about(Focus::reduction, !dropped.empty() ? "keep " + in_words(event.kept) + ", drop " + in_words(dropped)
+                                                       : "keep " + in_words(event.kept) +
+                                                             (is_same ? ", in their order" : ". Their order changes"));
     frame.facts = {{Mark::none,
                     names_.list(event.before) + " becomes " + names_.list(event.after) +
                         (is_by_age(event) ? ", oldest first"
@@ -155,7 +159,7 @@ class Captions {
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
     Frame frame = frame_about(Focus::direction,
-                              "The next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
+                              "the next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
                               {{Mark::none, direction_told(event), "d", vec(event.direction)}});
     if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "where d is rounded, what is decided along it is not"});
@@ -198,16 +202,15 @@ class Captions {
   }
 
   Frame second_start() const {
-    return frame_about(Focus::added, "A second search begins with a vertex of the first: " + names_.of(gjk::Role::A),
-                       {{Mark::none, "it keeps the feature that is nearest to the origin"},
-                        {Mark::none,
-                         "each sign that it goes by is certain: doubles know their error, and where that "
-                         "leaves a doubt whole numbers decide"}});
+    return frame_about(
+        Focus::added, "the exact fallback begins with a vertex of the first search: " + names_.of(gjk::Role::A),
+        {{Mark::none, "it keeps the feature that is nearest to the origin"},
+         {Mark::none, "each of its signs is certain: doubles know their error, and in doubt whole numbers decide"}});
   }
 
   /// With the mistake of asking b along d, too.
   Frame of_wrong_side(const gjk::SupportFound<double>& event, const std::string& name, const std::string& along) const {
-    return frame_about(Focus::support, along + " " + name + " is taken from the farthest points of both objects",
+    return frame_about(Focus::support, name + " is taken from the farthest points of both objects along " + along,
                        {difference_told(event, name)});
   }
   Fact difference_told(const gjk::SupportFound<double>& event, const std::string& name) const {
@@ -218,20 +221,22 @@ class Captions {
   /// Where a mistake decides otherwise than its numbers say.
   std::string gone_on_as_if(const gjk::RegionTested<double>& event) const {
     if (!scene_.mistake || !event.reason.goes_on_as_if) return "";
-    return names_.translate(", but these rules go on as if " + gjk::in_words(*event.reason.goes_on_as_if, event));
+    return names_.translate("but these rules go on as if " + gjk::in_words(*event.reason.goes_on_as_if, event));
   }
 
   /// No move led to the first point, so none is told.
   static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name, const auto& frame) {
+    const std::string point = "the first point, " + name + ",";
     if (event.verdict == Crossing::not_crossed)
-      return frame("Already the first point, " + name +
-                       ", does not reach the origin's level: nothing of the difference reaches that far along d",
-                   Mark::no, " < 0: the difference ends before the origin (Eq. 9)");
+      return frame(
+          " < 0",
+          point + " does not reach the origin's level (Eq. 9). Nothing of the difference reaches that far along d",
+          Mark::no, "the difference ends before the origin (Eq. 9)");
     if (!(*event.value > 0))
-      return frame("The first point, " + name + ", just reaches the origin's level, so the search goes on", Mark::none,
-                   as_zero(*event.value) + ": this proves nothing");
-    return frame("The first point, " + name + ", lies beyond the origin's level, so the search goes on", Mark::yes,
-                 " > 0: this proves nothing");
+      return frame(as_zero(*event.value), point + " just reaches the origin's level. The search goes on", Mark::none,
+                   "this proves nothing");
+    return frame(" > 0", point + " lies beyond the origin's level. The search goes on", Mark::yes,
+                 "this proves nothing");
   }
 
   /// Whether what is left stands in the order in which it stood.
@@ -341,12 +346,15 @@ class Captions {
                           : text(event.vertex.w) + ", then " + text(*std::ranges::max_element(others, {}, reach));
   }
 
-  std::string dropped_caption(const gjk::Roles& dropped) const {
-    std::string names;
-    for (int i = 0; i < dropped.size(); ++i)
-      names += (i == 0 ? "" : i + 1 == dropped.size() ? " and " : ", ") + names_.of(dropped[i]);
-    return names + (dropped.size() == 1 ? " is no longer needed and leaves the simplex"
-                                        : " are no longer needed and leave the simplex");
+  /// "A, B and C".
+  std::string in_words(const gjk::Roles& roles) const {
+    std::vector<std::string> names;
+    for (const gjk::Role role : roles) names.push_back(names_.of(role));
+    std::ranges::sort(names);
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
   }
 
   /// Where rounded numbers decide an answer is what the search concludes, and may be wrong.
@@ -355,12 +363,12 @@ class Captions {
   std::string answer_caption(const gjk::Result<double>& result) const {
     switch (result.status) {
       case gjk::Status::intersecting:
-        return (in_float() ? "The search concludes that the origin lies in " : "The origin lies in ") +
+        return (in_float() ? "the search concludes that the origin lies in " : "the origin lies in ") +
                names_.simplex(result.simplex) + ", so the objects intersect";
       case gjk::Status::separated:
-        return in_float() ? "The search concludes that the objects do not intersect"
-                          : "The difference does not contain the origin, so the objects do not intersect";
-      case gjk::Status::undecided: return "The search ends without an answer";
+        return in_float() ? "the search concludes that the objects do not intersect"
+                          : "the difference does not contain the origin, so the objects do not intersect";
+      case gjk::Status::undecided: return "the search ends without an answer";
     }
     return "";
   }
@@ -386,7 +394,7 @@ class Captions {
       if (!region.expression.empty()) facts.push_back({Mark::none, decision(region).text});
   }
 
-  /// Without the full stop.
+  /// As part of a sentence.
   std::string region_caption(const gjk::RegionTested<double>& event) const {
     const std::string feature = names_.sorted(event.feature);
     const bool zero = event.relation == Relation::zero;
@@ -395,7 +403,7 @@ class Captions {
     switch (event.simplex_size) {
       case 1: return feature + (zero ? " is the origin" : " is not the origin");
       case 2:
-        return std::string("The origin lies ") + (zero ? "on" : "to one side of") +
+        return std::string("the origin lies ") + (zero ? "on" : "to one side of") +
                (without_crossing_test() ? " the line " : " segment ") + feature;  // its ends may not be ruled out
       case 3: return caption_of_triangle(event, feature);
       default: return caption_of_tetrahedron(event, feature);
@@ -408,17 +416,17 @@ class Captions {
   std::string complete_caption(const gjk::RegionTested<double>& event, const std::string& feature) const {
     const bool zero = event.relation == Relation::zero;
     const std::string A = names_.of(gjk::Role::A);
-    if (event.feature == "A") return zero ? A + " is the origin" : "The point nearest to the origin is " + A;
+    if (event.feature == "A") return zero ? A + " is the origin" : "the point nearest to the origin is " + A;
     if (event.relation == Relation::positive)
-      return "Edge " + feature + (event.verdict == Verdict::rejected ? " does not lead" : " leads") + " from " + A +
+      return "edge " + feature + (event.verdict == Verdict::rejected ? " does not lead" : " leads") + " from " + A +
              " toward the origin";
     if (event.simplex_size == 2 || event.relation == Relation::not_negative) return "";
-    return (zero ? "The origin lies on edge " : "The point nearest to the origin lies on edge ") + feature;
+    return (zero ? "the origin lies on edge " : "the point nearest to the origin lies on edge ") + feature;
   }
 
   /// Of an edge in space: in the plane of its triangle stands the foot of the origin.
   std::string beyond_edge(const gjk::RegionTested<double>& event, const std::string& feature) const {
-    const std::string who = scene_.dimension == Dimension::space ? "The foot of the origin " : "The origin ";
+    const std::string who = scene_.dimension == Dimension::space ? "the foot of the origin " : "the origin ";
     return who + (event.verdict == Verdict::rejected ? "does not lie" : "lies") + " beyond edge " + feature;
   }
 
@@ -427,38 +435,52 @@ class Captions {
     const char* const where = event.relation == Relation::zero       ? "in"
                               : event.relation == Relation::positive ? "above"
                                                                      : "below";
-    return std::string("The origin lies ") + where + " triangle " + feature;
+    return std::string("the origin lies ") + where + " triangle " + feature;
   }
 
   std::string caption_of_tetrahedron(const gjk::RegionTested<double>& event, const std::string& feature) const {
     const bool is_above = event.verdict == Verdict::chosen && event.relation != Relation::zero;
-    const std::string lies = is_above ? "The origin lies " : "The origin does not lie ";
-    if (event.feature.size() == 4) return "No face sees the origin: it lies in tetrahedron " + feature;
+    const std::string lies = is_above ? "the origin lies " : "the origin does not lie ";
+    if (event.feature.size() == 4) return "no face sees the origin: it lies in tetrahedron " + feature;
     if (event.face.empty()) return lies + "above face " + feature;
     return beyond_edge(event, feature) + " of face " + names_.sorted(event.face);
   }
 
-  /// The inequality that decides, with the region's name: "R3: GE_n·GO = 5.2 > 0".
+  /// The inequality that decides: "GE_n·GO = 5.2 > 0".
+  std::string inequality(const gjk::RegionTested<double>& event) const {
+    const double* const scalar = std::get_if<double>(&event.value);
+    const double size = scalar ? *scalar : std::get<Point>(event.value).cwiseAbs().maxCoeff();
+    return names_.translate(event.expression) + " = " + value_of(event) + compared_with_zero(event, size);
+  }
+  std::string value_of(const gjk::RegionTested<double>& event) const {
+    const double* const scalar = std::get_if<double>(&event.value);
+    return scalar ? number(*scalar) : vec(std::get<Point>(event.value));
+  }
+
+  /// With the region's name before it: "R3: GE_n·GO = 5.2 > 0".
   Fact decision(const gjk::RegionTested<double>& event) const {
-    const bool chosen = event.verdict != Verdict::rejected;
     if (event.expression.empty()) return {Mark::yes, "no normal points toward the origin"};
     const gjk::RegionLabel label = label_of(event);
-    std::string text = label == gjk::RegionLabel::none ? "" : std::string(to_string(label)) + ": ";
-    if (!event.face.empty()) text = "face " + names_.sorted(event.face) + ": ";
-    text += names_.translate(event.expression);
-    const double* const scalar = std::get_if<double>(&event.value);
-    const Point* const vector = std::get_if<Point>(&event.value);
-    const std::string value = scalar ? number(*scalar) : vec(*vector);
-    text += " = " + value + compared_with_zero(event, scalar ? *scalar : vector->cwiseAbs().maxCoeff());
+    const std::string where = !event.face.empty()               ? "face " + names_.sorted(event.face) + ": "
+                              : label == gjk::RegionLabel::none ? ""
+                                                                : std::string(to_string(label)) + ": ";
     const bool is_open = event.simplex_size == 1 || (event.simplex_size == 2 && without_crossing_test());
-    return {is_open ? Mark::none : chosen ? Mark::yes : Mark::no, text, names_.translate(event.expression), value};
+    const Mark mark = is_open ? Mark::none : event.verdict != Verdict::rejected ? Mark::yes : Mark::no;
+    return {mark, where + inequality(event), names_.translate(event.expression), value_of(event)};
+  }
+
+  Frame decided(const gjk::RegionTested<double>& event, const std::string& conclusion) const {
+    if (event.expression.empty()) return frame_about(Focus::region, conclusion, {decision(event)});
+    const std::string label(to_string(label_of(event)));
+    return frame_by_number(Focus::region, inequality(event), conclusion + (label.empty() ? "" : " (" + label + ")"),
+                           decision(event));
   }
 
   /// One line for each reason: "skipped R4, R5, R6: …".
   void append_skipped(std::vector<Fact>& facts) const {
-    for (const std::string& line :
+    for (const auto& [reason, names] :
          reasons_for_skipping(now_.regions, [&](const gjk::Roles& roles) { return names_.sorted(roles); }))
-      facts.push_back({Mark::skipped, names_.translate(line)});
+      facts.push_back({Mark::skipped, names + ": " + names_.translate(reason)});
   }
 
   const Walkthrough& walkthrough_;

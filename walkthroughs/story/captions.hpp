@@ -15,9 +15,23 @@ std::optional<Frame> caption(const gjk::Event<double>& event, const Story& story
 /// Returns: a frame about a direction chosen, told as what it is: the search is where it was in iteration `earlier`.
 Frame repetition(Frame frame, int earlier);
 
-/// `caption`: without the full stop.
+/// `caption`: as part of a sentence.
 inline Frame frame_about(Focus focus, const std::string& caption, std::vector<Fact> facts = {}) {
-  return {focus, caption + ".", caption + ".", std::move(facts), {}, {}, {}};
+  const std::string sentence = as_sentence(caption) + ".";
+  return {focus, sentence, sentence, std::move(facts), {}, {}, {}};
+}
+
+/// The number that decides, then what follows from it. `fact`: the number, as it is told elsewhere.
+inline Frame frame_by_number(Focus focus, const std::string& number, const std::string& conclusion, Fact fact) {
+  fact.is_in_caption = true;
+  Frame frame = frame_about(focus, conclusion, {std::move(fact)});
+  frame.caption = number + ": " + conclusion + ".";
+  return frame;
+}
+
+/// One sentence more; none where it is empty.
+inline void append_to(Frame& frame, const std::string& text) {
+  if (!text.empty()) frame.caption += " " + as_sentence(text) + ".";
 }
 
 // What caption() says of proofs and of the second search.

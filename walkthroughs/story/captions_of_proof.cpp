@@ -17,61 +17,64 @@ std::string with_error(const gjk::SignTaken<double>& sign) {
   return sign.power ? "(" + numbers + ") · 2^(" + short_number(-*sign.power) + ")" : numbers;
 }
 
-/// Where a bound comes from: so many times u, of `what`.
-std::string derived(int roundings, const std::string& what) {
-  return "the bound is derived, not measured: " + std::to_string(roundings) +
-         " times u, half the step from 1 to the next number, of the largest " + what +
-         "; rounding never exceeds it, and is mostly far smaller";
+/// Where an error bound comes from: so many times u, of `what`.
+void append_bound(std::vector<Fact>& facts, int roundings, const std::string& what) {
+  facts.push_back({Mark::none, "the error bound is " + std::to_string(roundings) + "u times the largest " + what +
+                                   ", u being half the step from 1 to the next number"});
+  facts.push_back({Mark::none, "it is derived, not measured: rounding never exceeds it, and is mostly far smaller"});
 }
 
-const std::string undecided = "the answer may be right or wrong: a second search decides";
+const std::string undecided = "the answer may be right or wrong: the exact fallback decides",
+                  fallback_decides = "the exact fallback decides, from the vertices that were found";
 
 Frame caption_of_direction(const gjk::FilterTried<double>& event, const Names& names) {
   if (event.numbers.empty())
-    return frame_about(Focus::proof,
-                       "The direction cannot be proven in these numbers: some are too large or too small");
+    return frame_about(Focus::proof, "the filter cannot prove the direction: some numbers are too large or too small");
   const gjk::FilterValue& gap = event.numbers[0];
-  const std::string numbers = name_of(gap, names) + " = " + short_number(gap.value);
-  const std::string bound = derived(16, "sum that points of this size can make along d");
-  if (event.holds)
-    return frame_about(
-        Focus::proof, "The direction is a proof: all of the difference stays short of the origin, whatever was rounded",
-        {{Mark::yes, numbers + " > " + short_number(event.bound) + ", more than all that was rounded"},
-         {Mark::none, bound}});
-  return frame_about(Focus::proof, "The direction is no proof: rounding alone may have made so small a gap",
-                     {{Mark::no, numbers + " ≤ " + short_number(event.bound) + ", which rounding may make"},
-                      {Mark::none, bound},
-                      {Mark::none, undecided}});
+  const std::string number =
+      name_of(gap, names) + " = " + short_number(gap.value) + (event.holds ? " > " : " ≤ ") + short_number(event.bound);
+  Frame frame = event.holds ? frame_by_number(Focus::proof, number,
+                                              "the filter proves it. All of the difference stays short of the origin, "
+                                              "whatever was rounded",
+                                              {Mark::yes, number + ", more than all that was rounded"})
+                            : frame_by_number(Focus::proof, number,
+                                              "the filter proves nothing. Rounding alone may have made so small a gap",
+                                              {Mark::no, number + ", which rounding may make"});
+  append_bound(frame.facts, 16, "sum that points of this size can make along d");
+  if (!event.holds) frame.facts.push_back({Mark::none, undecided});
+  return frame;
 }
 
 Frame caption_of_tetrahedron(const gjk::FilterTried<double>& event, const Names& names, const Moment& now) {
   if (event.numbers.empty() && now.simplex.size() < 4) {
     if (now.result && now.result->status == gjk::Status::undecided)
-      return frame_about(Focus::proof, "There is nothing to prove: the first search has no answer",
-                         {{Mark::none, "a second search decides, from the vertices that were found"}});
+      return frame_about(Focus::proof, "the filter has nothing to prove: the first search has no answer",
+                         {{Mark::none, fallback_decides}});
     const std::string found = now.simplex.size() == 0 ? "nothing" : names.simplex(now.simplex);
-    return frame_about(Focus::proof, "There is no proof in these numbers: the first search leaves " + found,
-                       {{Mark::none, "only a tetrahedron can hold the origin by more than rounding"},
-                        {Mark::none, "so a second search decides, from the vertices that were found"}});
+    return frame_about(
+        Focus::proof, "the filter proves nothing: the first search leaves " + found,
+        {{Mark::none, "only a tetrahedron can hold the origin by more than rounding"}, {Mark::none, fallback_decides}});
   }
   if (event.numbers.empty())
     return frame_about(Focus::proof,
-                       "The tetrahedron cannot be proven in these numbers: some are too large or too small");
+                       "the filter cannot prove the tetrahedron: some numbers are too large or too small");
   std::string list;
   for (const gjk::FilterValue& each : event.numbers)
     list += (list.empty() ? "" : ", ") + name_of(each, names) + " = " + short_number(each.value);
   const std::string lie = "all four lie beyond ±" + short_number(event.bound) + ", on one side of 0";
-  const std::string bound = derived(64, "product of three coordinates");
-  if (event.holds)
-    return frame_about(Focus::proof,
-                       "The tetrahedron is a proof: the origin lies inside by more than all that was rounded",
-                       {{Mark::yes, lie},
-                        {Mark::none, list},
-                        {Mark::none, "each is the volume, six times, between the origin and one face"},
-                        {Mark::none, bound}});
-  return frame_about(Focus::proof,
-                     "The tetrahedron is no proof: the origin is nearer to a face than rounding can tell, or outside",
-                     {{Mark::no, "not " + lie}, {Mark::none, list}, {Mark::none, bound}, {Mark::none, undecided}});
+  Frame frame = event.holds
+                    ? frame_about(Focus::proof,
+                                  "the filter proves it: the origin lies inside the tetrahedron, whatever was rounded",
+                                  {{Mark::yes, lie},
+                                   {Mark::none, list},
+                                   {Mark::none, "each is the volume, six times, between the origin and one face"}})
+                    : frame_about(Focus::proof,
+                                  "the filter proves nothing. The origin may lie outside the tetrahedron, or nearer to "
+                                  "a face than rounding can tell",
+                                  {{Mark::no, "not " + lie}, {Mark::none, list}});
+  append_bound(frame.facts, 64, "product of three coordinates");
+  if (!event.holds) frame.facts.push_back({Mark::none, undecided});
+  return frame;
 }
 
 constexpr std::size_t signs_in_a_line = 3, most_signs = 6;
@@ -143,14 +146,15 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
   if (event.exact.empty() || (dimension == Dimension::plane && is_out_of_plane(event))) return std::nullopt;
   const std::string name = name_of(event, names);
   const bool is_largest = event.expression.form != gjk::Expression::Form::reach && event.vertex;
-  Frame frame = frame_about(
-      Focus::sign,
+  Frame frame = frame_by_number(
+      Focus::sign, as_sentence(name) + " = " + with_error(event),
       is_largest
-          ? "Whether any point reaches across is in doubt: those that reach farthest are compared in whole numbers"
-          : "The sign of " + name + " is in doubt: 0 lies within its error, so it is taken of whole numbers",
-      {{Mark::none, name + " = " + with_error(event) + ": of either sign, or 0"},
-       {Mark::answer, exactly(event)},
-       {Mark::none, "all coordinates times one power of two are whole numbers, and with these nothing is rounded"}});
+          ? "whether any point reaches across is in doubt. Those that reach farthest are compared in whole numbers"
+          : "the sign is in doubt. Integers decide",
+      {Mark::none, name + " = " + with_error(event) + ": of either sign, or 0"});
+  frame.facts.push_back({Mark::answer, exactly(event)});
+  frame.facts.push_back(
+      {Mark::none, "all coordinates times one power of two are whole numbers, and with these nothing is rounded"});
   if (!event.face.empty()) frame.facts.push_back({Mark::none, "computed as " + names.translate(formula_of(event))});
   return frame;
 }
@@ -163,10 +167,10 @@ std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Nam
   std::string caption;
   if (event.contains_origin)
     caption = is_vertex ? kept + " is the origin"
-                        : "The origin lies " + std::string(event.after.size() == 2 ? "on " : "in ") + kept;
+                        : "the origin lies " + std::string(event.after.size() == 2 ? "on " : "in ") + kept;
   else
     caption =
-        is_vertex ? kept + " is the point nearest to the origin" : "The point nearest to the origin lies on " + kept;
+        is_vertex ? kept + " is the point nearest to the origin" : "the point nearest to the origin lies on " + kept;
   Frame frame = frame_about(Focus::kept, caption, signs_without_doubt(now, names));
   std::string dropped;
   for (const gjk::Role role : gone) dropped += (dropped.empty() ? "" : ", ") + names.of(role);
@@ -182,7 +186,7 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
   const gjk::CertifiedResult& result = event.result;
   const bool is_apart = result.status == gjk::Status::separated;
   Frame frame = frame_about(
-      Focus::proven, is_apart ? "It is proven: the objects do not intersect" : "It is proven: the objects intersect",
+      Focus::proven, is_apart ? "it is proven: the objects do not intersect" : "it is proven: the objects intersect",
       {{Mark::answer, std::string(gjk::to_string(result.status)) + ", proven"}});
   if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&result.certificate))
     frame.facts.push_back(
@@ -194,8 +198,8 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
     frame.facts.push_back(
         {Mark::none,
          is_apart
-             ? "from its point nearest to the origin the way to the origin, d, separates them: no difference a − b "
-               "reaches the origin that way"
+             ? "d leads from its point nearest to the origin to the origin: no difference a − b reaches the origin "
+               "that way"
              : "the origin lies in it: it is the mean of these points, with weights of at least 0"});
   if (const gjk::SignTaken<double>* farthest = is_apart ? of_the_farthest(now) : nullptr)
     frame.facts.push_back({Mark::yes, farthest->exact.empty() ? sign_in_words(*farthest, names)

@@ -59,7 +59,7 @@ struct DecisionOf {
   }
   template <class S>
   std::string operator()(const gjk::DirectionChosen<S>& e) const {
-    return to_string(e.expression) + (gjk::is_usable_direction(e.direction) ? "" : ", of no use");
+    return with_brackets(e.expression) + (gjk::is_usable_direction(e.direction) ? "" : ", of no use");
   }
   template <class S>
   std::string operator()(const gjk::Finished<S>& e) const {
@@ -145,11 +145,12 @@ struct ExactFinding {
     const gjk::Fraction* value = std::get_if<gjk::Fraction>(&e.value);
     return remark(
         Remark::At::region_tested, e,
-        to_string(e.expression) + " = " + (value ? written(*value) : written(std::get<Vec>(e.value), dimension)),
+        with_brackets(e.expression) + " = " + (value ? written(*value) : written(std::get<Vec>(e.value), dimension)),
         (e.face.empty() ? "" : to_string(e.face) + " ") + to_string(e.feature));
   }
   Remark operator()(const gjk::DirectionChosen<gjk::Fraction>& e) const {
-    return remark(Remark::At::direction_chosen, e, to_string(e.expression) + " = " + written(e.direction, dimension));
+    return remark(Remark::At::direction_chosen, e,
+                  with_brackets(e.expression) + " = " + written(e.direction, dimension));
   }
   Remark operator()(const auto&) const { throw std::logic_error("this event has no number that could be wrong"); }
 

@@ -11,7 +11,7 @@ namespace {
 
 using wrong_on_purpose::WrongLine;
 
-constexpr const char* none_along_axes = "begun along an axis this mistake is none";
+constexpr const char* none_along_axes = "begun along an axis this is no mistake";
 
 /// What a frame about that event would want the reader to look at; only what the pseudo-code asks.
 Focus focus_on(const gjk::Event<double>& event) {
@@ -30,8 +30,8 @@ std::string how_search_ended(const gjk::Result<double>& mistaken, const gjk::Res
   const std::string truth = std::string("the objects ") + (meet ? "do intersect" : "do not intersect");
   if (mistaken.status == gjk::Status::undecided)
     return (mistaken.cycle_start ? "It never ends" : "It ends without an answer") +
-           std::string(meet ? ", which Algorithm 1 takes for a no; " + truth
-                            : ", which happens to do no harm: " + truth);
+           std::string(meet ? ", which Algorithm 1 takes for a no. " : ", which happens to do no harm. ") +
+           as_sentence(truth);
   if (mistaken.status != right.status) return "A wrong answer: " + truth;
   return "The same answer, found " + std::string(mistaken.iterations > right.iterations ? "later" : "sooner") +
          ": that is why such a mistake passes tests";
@@ -79,7 +79,7 @@ bool ends_wrongly(const Trace& mistaken, const Trace& right) {
 std::string how_it_ended(Mistake mistake, const Trace& mistaken, const Trace& right) {
   if (is_none_along_axes(mistake) && !ends_wrongly(mistaken, right))
     return std::string("The same answer, found sooner, and proven: ") + none_along_axes;
-  return how_search_ended(result_of(mistaken), result_of(right)) + "; " + how_long_unnoticed(mistake);
+  return how_search_ended(result_of(mistaken), result_of(right)) + ". " + as_sentence(how_long_unnoticed(mistake));
 }
 
 }  // namespace walkthroughs::story

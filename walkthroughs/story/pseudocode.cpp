@@ -23,7 +23,7 @@ std::vector<CodeLine> algorithm_1(RuleSet rules) {
                              {1, "P ← support(a, d) − support(b, −d)", Kind::support},
                              {1, (ends ? "if " : "missed ← ") + missed, Kind::crossing}};
   if (ends) code.push_back({2, "separated", Kind::separated});
-  append(code, {{1, "P joins the simplex and becomes A", Kind::add},
+  append(code, {{1, "P joins the simplex as its newest", Kind::add},
                 {1, is_complete ? "keep its feature nearest to O" : "process it by Algorithms 2 to 5", Kind::process},
                 {1, "if it contains the origin"},
                 {2, "intersecting", Kind::intersecting}});
@@ -34,14 +34,15 @@ std::vector<CodeLine> algorithm_1(RuleSet rules) {
 
 CodeLine test(int indent, const std::string& text, const TestsOf& tests) { return {indent, text, Kind::test, tests}; }
 
-/// "else keep [B, A],  d ← AB×AO×AB".
+/// "else keep [B, A],  d ← (AB×AO)×AB".
 CodeLine keep(int indent, const gjk::Roles& kept, const gjk::Expression& direction, const std::string& before = "") {
   std::string list;
   for (const gjk::Role role : kept) list.append(list.empty() ? "" : ", ") += letter(role);
-  return {indent, before + "keep [" + list + "],  d ← " + to_string(direction), Kind::action, {}, Way{kept, direction}};
+  return {
+      indent, before + "keep [" + list + "],  d ← " + with_brackets(direction), Kind::action, {}, Way{kept, direction}};
 }
 
-/// "keep [B, A],  d ← AB×AO×AB".
+/// "keep [B, A],  d ← (AB×AO)×AB".
 CodeLine keep_edge(int indent, gjk::Role X) {
   return keep(indent, {X, gjk::Role::A},
               {gjk::Expression::Form::triple, gjk::NamedVector::edge(gjk::Role::A, X), gjk::AO});
@@ -55,7 +56,7 @@ std::vector<CodeLine> algorithm_2() {
 }
 
 std::vector<CodeLine> algorithm_3() {
-  return {{0, "v ← AB×AO×AB"},
+  return {{0, "v ← (AB×AO)×AB"},
           test(0, "if v = 0", {.feature = "AB", .relation = Relation::zero}),
           {1, "the origin is on AB", Kind::action},
           test(0, "else (R3 or R4)", {.feature = "AB", .relation = Relation::not_zero}),
@@ -105,10 +106,10 @@ std::vector<CodeLine> nearest_feature() {
           test(1, "if AX·AO > 0", {.relation = Relation::positive, .any_of_size = 2}),
           test(2, "and AX_n·AO ≥ 0 in each face",
                {.relation = Relation::not_negative, .any_of_size = 2, .in_any_face = true}),
-          test(3, "if AX×AO×AX = 0", {.relation = Relation::zero, .any_of_size = 2}),
+          test(3, "if (AX×AO)×AX = 0", {.relation = Relation::zero, .any_of_size = 2}),
           {4, "the origin is on AX", Kind::action},
           test(3, "else", {.relation = Relation::not_zero, .any_of_size = 2}),
-          {4, "keep [X, A],  d ← AX×AO×AX", Kind::action},
+          {4, "keep [X, A],  d ← (AX×AO)×AX", Kind::action},
           {0, "if no AX·AO > 0"},
           test(1, "if AO = 0", {.feature = "A", .relation = Relation::zero}),
           {2, "the origin is A", Kind::action},
@@ -129,14 +130,14 @@ std::vector<CodeLine> nearest_feature() {
 
 /// What certified_collision() does.
 std::vector<CodeLine> proofs_and_second_search() {
-  return {{0, "guess by Algorithm 1"},
-          {0, "if separated and −P·d > bound", Kind::direction_proof},
+  return {{0, "search by Algorithm 1"},
+          {0, "if apart and −P·d > error bound", Kind::direction_proof},
           {1, "separated, proven", Kind::direction_holds},
           {0, "if ABCD holds O beyond a bound", Kind::tetrahedron_proof},
           {1, "intersecting, proven", Kind::tetrahedron_holds},
-          {0, "P ← a vertex of the guess", Kind::second_start},
+          {0, "P ← a vertex of that search", Kind::second_start},
           {0, "repeat"},
-          {1, "P joins the simplex and becomes A", Kind::add},
+          {1, "P joins the simplex as its newest", Kind::add},
           {1, "keep the feature nearest to O,", Kind::process},
           {1, "   each sign exact", Kind::test},
           {1, "if O is in it"},
@@ -268,14 +269,8 @@ std::string outcome(const gjk::RegionTested<double>& test, bool with_value) {
 
 std::string title_of(int number, RuleSet rules, const Names& names, const Simplex& simplex) {
   const std::string title = name_of_algorithm(number, rules);
-  if (number == 1) return title;
-  std::string translation;
-  for (int i = 0; i < simplex.size(); ++i) {
-    const gjk::Role role = static_cast<gjk::Role>(i);
-    if (names.of(role) == std::string(1, gjk::letter(role))) continue;
-    translation.append(translation.empty() ? ": " : ", ") += std::string(1, gjk::letter(role)) + " = " + names.of(role);
-  }
-  return title + translation;
+  const std::string newest = number == 1 || simplex.size() == 0 ? "A" : names.of(gjk::Role::A);
+  return newest == "A" ? title : title + ", its A is " + newest;
 }
 
 std::string line_in_letters(int number, const CodeLine& line, const Names& names) {

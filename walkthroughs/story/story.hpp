@@ -39,6 +39,7 @@ struct Fact {
   std::string text;  ///< with the markup of render/font.hpp
   /// Of a number that is told: what it is of, "AB_n·AO", "d", and what it is: "3.5". Both stand in the text.
   std::string asked = {}, value = {};
+  bool is_in_caption = false;  ///< which begins with it; so that it is not told twice
 };
 
 /// The events that a frame adds to the one before, counted from 0 in the trace of its scene; both ends belong to it.
@@ -48,13 +49,15 @@ struct EventRange {
 
 struct Frame {
   Focus focus;
-  std::string caption;   ///< one sentence, with markup
-  std::string headline;  ///< the same without the walkthrough's own remark
+  std::string caption;   ///< with markup: the number that decides, what follows, and the walkthrough's own remark
+  std::string headline;  ///< only what follows
   std::vector<Fact> facts;
   std::vector<Moment> moments;     ///< one for each scene
   std::vector<EventRange> events;  ///< one for each scene
   std::vector<Focus> own_focus;    ///< one for each scene where these differ; else empty
 
+  /// Of the number that the caption begins with.
+  Fact::Mark mark() const { return !facts.empty() && facts[0].is_in_caption ? facts[0].mark : Fact::Mark::none; }
   Focus focus_of(std::size_t scene) const { return own_focus.empty() ? focus : own_focus[scene]; }
 };
 

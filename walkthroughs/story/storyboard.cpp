@@ -195,7 +195,11 @@ void lead_with_first(Frame& frame, const std::string& name, const Frame& first) 
   frame.headline = frame.caption;
   const Fact::Mark mark = frame.facts.front().mark;
   frame.facts.erase(frame.facts.begin());
-  if (!first.facts.empty()) frame.facts.front() = {mark, name + ": " + first.facts[0].text};
+  if (first.facts.empty()) return;
+  if (first.facts[0].is_in_caption)
+    frame.facts.insert(frame.facts.begin(), {mark, first.facts[0].text, {}, {}, true});
+  else
+    frame.facts.front() = {mark, name + ": " + first.facts[0].text};
 }
 
 /// Of what one run says that which the other says, too: what holds for the rules of both.
@@ -237,7 +241,7 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   for (const auto& [scene, one] : said) {
     const Focus about = i == common ? Focus::parting : one.focus;
     frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption});
-    if (told && (i == common || is_between) && !one.facts.empty())
+    if (told && (i == common || is_between) && !one.facts.empty() && !one.facts[0].is_in_caption)
       frame.facts.push_back({Fact::Mark::none, one.facts[0].text});
   }
   if (told && is_between) lead_with_first(frame, said.front().first->name, first);

@@ -56,7 +56,7 @@ std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 
 
 std::string compared_with_zero(const gjk::RegionTested<double>& region, double value) {
   if (region.verdict == gjk::Verdict::rejected && region.relation == gjk::Relation::not_negative) return " < 0";
-  if (region.verdict == gjk::Verdict::rejected) return value > 0 ? as_zero(value) : " ≤ 0";
+  if (region.verdict == gjk::Verdict::rejected) return value > 0 ? as_zero(value) : value == 0 ? "" : " ≤ 0";
   switch (region.relation) {
     case gjk::Relation::positive: return " > 0";
     case gjk::Relation::negative: return " < 0";
@@ -67,8 +67,9 @@ std::string compared_with_zero(const gjk::RegionTested<double>& region, double v
   return "";
 }
 
-std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTested<double>>& regions,
-                                              const std::function<std::string(const gjk::Roles&)>& feature) {
+std::vector<std::pair<std::string, std::string>> reasons_for_skipping(
+    const std::vector<gjk::RegionTested<double>>& regions,
+    const std::function<std::string(const gjk::Roles&)>& feature) {
   std::vector<std::pair<std::string, std::string>> reasons;  // and the regions that each is for
   for (const gjk::RegionTested<double>& region : regions) {
     if (region.verdict != gjk::Verdict::skipped) continue;
@@ -81,9 +82,13 @@ std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTeste
     else
       known->second += ", " + name;
   }
-  std::vector<std::string> lines;
-  for (const auto& [reason, names] : reasons) lines.push_back(names + ": " + reason);
-  return lines;
+  return reasons;
+}
+
+std::string with_brackets(const gjk::Expression& expression) {
+  using Form = gjk::Expression::Form;
+  if (expression.form != Form::triple) return to_string(expression);
+  return "(" + to_string(gjk::Expression(Form::product, expression.X, expression.Y)) + ")×" + to_string(expression.X);
 }
 
 std::string Names::of(Role role) const {
@@ -176,6 +181,12 @@ std::string Names::simplex(const Simplex& simplex) const {
 std::string with_kind(const std::string& feature) {
   const char* const kinds[] = {"", "", "segment ", "triangle ", "tetrahedron "};
   return kinds[std::min<std::size_t>(feature.size(), 4)] + feature;
+}
+
+std::string as_sentence(std::string text) {
+  const auto is_small = [&](std::size_t i) { return i < text.size() && 'a' <= text[i] && text[i] <= 'z'; };
+  if (is_small(0) && is_small(1)) text[0] += 'A' - 'a';
+  return text;
 }
 
 std::string with_article(const std::string& name) {

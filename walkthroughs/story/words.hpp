@@ -32,10 +32,14 @@ std::string compared_with_zero(const gjk::RegionTested<double>& region, double v
 /// Returns: the last of these, or nothing, for a value that counts as zero.
 std::string as_zero(double value);
 
-/// Returns: a line for each reason for which regions were skipped, in the order told: "R4, R6: ruled out when the search kept
-/// BC". `feature`: what to call one that has no label.
-std::vector<std::string> reasons_for_skipping(const std::vector<gjk::RegionTested<double>>& regions,
-                                              const std::function<std::string(const gjk::Roles&)>& feature);
+/// Returns: each reason for which regions were skipped, in the order told, with the names of these: "ruled out when the search
+/// kept BC", "R4, R6". `feature`: what to call one that has no label.
+std::vector<std::pair<std::string, std::string>> reasons_for_skipping(
+    const std::vector<gjk::RegionTested<double>>& regions,
+    const std::function<std::string(const gjk::Roles&)>& feature);
+
+/// Returns: "(AB×AO)×AB": a trace does without brackets, a reader does not.
+std::string with_brackets(const gjk::Expression& expression);
 
 /// What the vertices are called at one moment.
 class Names {
@@ -58,7 +62,7 @@ class Names {
   /// Returns: `text` with every word that is made of the roles A … D, O and a final n for "normal" in the letters of the
   /// picture, normals as subscripts: "ABn·AO" becomes "AB_n·AO".
   std::string translate(std::string_view text) const;
-  std::string translate(const gjk::Expression& expression) const { return translate(to_string(expression)); }
+  std::string translate(const gjk::Expression& expression) const { return translate(with_brackets(expression)); }
 
   /// Returns: "[A, E]", oldest first as the report lists a simplex.
   std::string list(const Simplex& simplex) const;
@@ -77,6 +81,9 @@ class Names {
 
 /// Returns: "segment AE", "triangle AEG", or the bare name of a single vertex.
 std::string with_kind(const std::string& feature);
+
+/// Returns: `text` with a capital where it begins with a word of two letters or more: "d = 3" stays as it is.
+std::string as_sentence(std::string text);
 
 /// Returns: "a box", "an octahedron"; a name of one letter, or one that begins with a capital, as it is.
 std::string with_article(const std::string& name);

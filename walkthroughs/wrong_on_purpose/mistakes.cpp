@@ -17,20 +17,20 @@ constexpr WrongLine m3[] = {{1, crossing_line, "if not the first and P·d ≤ 0"
 constexpr WrongLine m4[] = {{1, "separated", "go on, and say so only where the simplex does not contain the origin"}};
 constexpr WrongLine m5[] = {{2, "if AO = 0", "not asked"}};
 constexpr WrongLine m6[] = {{3, "if v = 0", "not asked"}};
-constexpr WrongLine m7[] = {{3, "v ← AB×AO×AB", "v ← AO", "v"},
-                            {4, "keep [B, A],  d ← AB×AO×AB", "keep [B, A],  d ← AO"},
-                            {4, "keep [C, A],  d ← AC×AO×AC", "keep [C, A],  d ← AO"},
-                            {5, "keep [B, A],  d ← AB×AO×AB", "keep [B, A],  d ← AO"},
-                            {5, "keep [C, A],  d ← AC×AO×AC", "keep [C, A],  d ← AO"},
-                            {5, "keep [D, A],  d ← AD×AO×AD", "keep [D, A],  d ← AO"}};
+constexpr WrongLine m7[] = {{3, "v ← (AB×AO)×AB", "v ← AO", "v"},
+                            {4, "keep [B, A],  d ← (AB×AO)×AB", "keep [B, A],  d ← AO"},
+                            {4, "keep [C, A],  d ← (AC×AO)×AC", "keep [C, A],  d ← AO"},
+                            {5, "keep [B, A],  d ← (AB×AO)×AB", "keep [B, A],  d ← AO"},
+                            {5, "keep [C, A],  d ← (AC×AO)×AC", "keep [C, A],  d ← AO"},
+                            {5, "keep [D, A],  d ← (AD×AO)×AD", "keep [D, A],  d ← AO"}};
 constexpr WrongLine m8[] = {{4, "ABCn ← AB×AC", "ABCn ← AC×AB"}};
 constexpr WrongLine m9[] = {{4, triangle_edges_line, "ABn ← ABCn×AB,  ACn ← ABCn×AC"}};
 constexpr WrongLine m10[] = {{4, triangle_edges_line, "ABn ← AB×ABCn,  ACn ← AC×ABCn"}};
-constexpr WrongLine m11[] = {{4, "keep [B, A],  d ← AB×AO×AB", "keep [B, A],  d ← ABn"},
-                             {4, "keep [C, A],  d ← AC×AO×AC", "keep [C, A],  d ← ACn"},
-                             {5, "keep [B, A],  d ← AB×AO×AB", "keep [B, A],  d ← ABn"},
-                             {5, "keep [C, A],  d ← AC×AO×AC", "keep [C, A],  d ← ACn"},
-                             {5, "keep [D, A],  d ← AD×AO×AD", "keep [D, A],  d ← ADn"}};
+constexpr WrongLine m11[] = {{4, "keep [B, A],  d ← (AB×AO)×AB", "keep [B, A],  d ← ABn"},
+                             {4, "keep [C, A],  d ← (AC×AO)×AC", "keep [C, A],  d ← ACn"},
+                             {5, "keep [B, A],  d ← (AB×AO)×AB", "keep [B, A],  d ← ABn"},
+                             {5, "keep [C, A],  d ← (AC×AO)×AC", "keep [C, A],  d ← ACn"},
+                             {5, "keep [D, A],  d ← (AD×AO)×AD", "keep [D, A],  d ← ADn"}};
 constexpr WrongLine m12[] = {{4, "if ABCn·AO = 0", "not asked: the origin is in ABC, wherever it is"}};
 constexpr WrongLine m13[] = {{4, "if ABCn·AO = 0", "not asked: what is not above is below"}};
 constexpr WrongLine m14[] = {{4, "keep [C, A, B],  d ← −ABCn", "keep [C, B, A],  d ← −ABCn"}};

@@ -15,10 +15,10 @@ class Page(PageInBrowser):
         cards = lambda: [card.find_element(By.TAG_NAME, "strong").text for card in self.all(".card") if card.is_displayed()]
         self.assertEqual(len(cards()), 5)
         self.press(Keys.TAB, Keys.TAB)  # past the page that compares two, into the search field
-        self.press(*"adb ad")
+        self.press(*"adb-edge-ad")
         self.assertEqual(len(cards()), 1)
         self.assertEqual(self.find("#found").text, "1 shown")
-        self.press(*[Keys.BACKSPACE] * 6)
+        self.press(*[Keys.BACKSPACE] * 11)
         self.press(Keys.TAB, "i")  # the answer: intersecting
         self.assertEqual(len(cards()), 3)
         self.press(Keys.TAB, Keys.TAB, Keys.ENTER)
@@ -35,6 +35,13 @@ class Page(PageInBrowser):
         self.browser.get(f"file://{self.out / 'index.html'}#words=nowhere")
         self.browser.refresh()
         self.wait(lambda: self.find("#found").text.startswith("none fits"))
+        self.browser.get(f"file://{self.out / 'index.html'}#words=EPA")  # which GJK is often asked together with
+        self.browser.refresh()
+        self.wait(lambda: self.find("#found").text == "nothing about “epa”: gjkstep decides whether objects intersect, not how deep")
+        for words in ("support+point", "voronoi", "separating+axis"):  # of captions, and as others call it
+            self.browser.get(f"file://{self.out / 'index.html'}#words={words}")
+            self.browser.refresh()
+            self.wait(lambda: len(cards()) >= 1)
         self.browser.get(f"file://{self.out / 'index.html'}")
         self.browser.refresh()
         self.wait(lambda: len(cards()) == 5)
