@@ -118,11 +118,11 @@ std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const P
     return ObjectionToProof{
         std::string(key_of(form)),
         "a " + kind_of(form, Dimension::space) +
-            " cannot be certified in a scene, whose proofs are drawn for sets of points only; give points"};
+            " cannot be certified in a scene, whose proofs are drawn for sets of points only. Give points"};
   if (moves(pose))
     return ObjectionToProof{"pose",
-                            "an object that its pose moves cannot be certified, because its points are rounded then; "
-                            "give the points where they are"};
+                            "an object that its pose moves cannot be certified, because its points are rounded then. "
+                            "Give the points where they are"};
   return std::nullopt;
 }
 

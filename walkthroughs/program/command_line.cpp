@@ -19,7 +19,7 @@ const Walkthrough& walkthrough_named(const std::string& name) {
   if (std::filesystem::exists(name, unknown) && !std::filesystem::is_directory(name, unknown))
     throw UsageError(
         in_quotes(name) +
-        " is a file, not a walkthrough; give a scene file a name that ends in .json, and draw a trace with "
+        " is a file, not a walkthrough. Give a scene file a name that ends in .json. Draw a trace with "
         "'gjkstep render --from-trace FILE'");
   throw UsageError("there is no walkthrough " + in_quotes(name) + "; did you mean '" + nearest_name(name) +
                    "'? 'gjkstep list' shows all");

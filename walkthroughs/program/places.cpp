@@ -51,7 +51,7 @@ bool is_one_of(const std::vector<std::string>& names, const std::string& file) {
 
 [[noreturn]] void refuse(const std::string& one, const std::string& other, const fs::path& where) {
   throw UsageError(one + " and " + other + " have the same place, " + where.string() +
-                   ": one would be written over the other; choose another place for one of them");
+                   ": one would be written over the other. Choose another place for one of them");
 }
 
 /// Requires: there is one. Names the first few.
@@ -62,7 +62,7 @@ bool is_one_of(const std::vector<std::string>& names, const std::string& file) {
   if (named < files.size()) words += " and " + std::to_string(files.size() - named) + " more";
   throw UsageError(
       words + (files.size() == 1 ? " is not of gjkstep, or was" : " are not of gjkstep, or were") +
-      " changed since, and would be overwritten or removed; nothing is written: choose another place with " +
+      " changed since, and would be overwritten or removed. Nothing is written. Choose another place with " +
       elsewhere + ", or say --force");
 }
 

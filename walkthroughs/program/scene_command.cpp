@@ -27,7 +27,7 @@ struct SceneCommand {
     expect_output_apart_from(*check);
     const std::string declared = summary(read_scene(*check));  // before the first word that says it is well
     std::cout << printable(*check) << ": ok: " << declared
-              << (is_scene_file(*check) ? "" : "; before it is drawn, give it a name that ends in .json") << '\n';
+              << (is_scene_file(*check) ? "" : ". Before it is drawn, give it a name that ends in .json") << '\n';
     return ok;
   }
 };

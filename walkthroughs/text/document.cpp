@@ -118,7 +118,7 @@ std::string reason_of_syntax_error(const Progress& progress, const nlohmann::det
     return at_column + "after \\u come four hexadecimal digits, as in \\u00e4; write them, or the letter itself";
   if (said.find("after backslash") != std::string::npos)
     return at_column + "a backslash begins an escape such as \\n, and this is none; write \\\\ for a backslash";
-  return at_column + said + "; check brackets, commas and quotes there";
+  return at_column + said + ". Check brackets, commas and quotes there";
 }
 
 }  // namespace

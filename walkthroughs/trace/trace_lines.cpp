@@ -218,7 +218,7 @@ void understand(const Value& value, const auto& field, R& record) {
     record.*field.member = candidate;
     if (field.say(record) == text) return;
   }
-  value.fail("is " + in_quotes(text) + ", which no search says there; " + trace_advice);
+  value.fail("is " + in_quotes(text) + ", which no search says there. " + trace_advice);
 }
 
 template <class R>
@@ -229,7 +229,7 @@ void require_derived(const Value& object, const auto& field, const R& record) {
   const Value given = member(object, field.key);
   expect(given, Kind::string, "a string");
   if (given.text() != said)
-    given.fail("is " + in_quotes(given.text()) + ", but the other fields say " + in_quotes(said) + "; " + trace_advice);
+    given.fail("is " + in_quotes(given.text()) + ", but the other fields say " + in_quotes(said) + ". " + trace_advice);
 }
 
 template <Record R>
@@ -363,12 +363,12 @@ std::string read_name(const Value& value) {
 void require_known_version(const Value& root) {
   const auto schema = root.is(Kind::object) ? root.member("schema") : std::nullopt;
   if (!schema || !schema->is(Kind::string) || schema->text() != "gjkstep-trace")
-    root.fail("is not the first line of a trace: it has no \"schema\": \"gjkstep-trace\"; " + trace_advice);
+    root.fail("is not the first line of a trace: it has no \"schema\": \"gjkstep-trace\". " + trace_advice);
   const Value version = member(root, "version");
   expect(version, Kind::number, "a number");
   if (version.number() != trace_version && version.number() != oldest_trace_version)
-    version.fail("version " + number_text(version.number()) + " is not known; this program reads versions " +
-                 std::to_string(oldest_trace_version) + " and " + std::to_string(trace_version) + ": " + trace_advice);
+    version.fail("version " + number_text(version.number()) + " is not known. This program reads versions " +
+                 std::to_string(oldest_trace_version) + " and " + std::to_string(trace_version) + ". " + trace_advice);
 }
 
 // -- Events -----------------------------------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ class TraceReader {
   std::optional<Complaint> complaint(bool is_cut_off) const {
     const auto cut_off = [&](const std::string& missing) -> std::optional<Complaint> {
       if (!is_cut_off) return std::nullopt;
-      return about(lines_ + 1, "the trace is cut off: " + missing + " is missing; " + trace_advice);
+      return about(lines_ + 1, "the trace is cut off: " + missing + " is missing. " + trace_advice);
     };
     if (!file_) return cut_off("its first line");
     if (is_complete()) return std::nullopt;
@@ -41,7 +41,7 @@ class TraceReader {
     if (!parting) return std::nullopt;
     if (parting->event < events().size())
       return about(lines_ - events().size() + parting->event + 1,
-                   parting->what + "; the trace contradicts itself: " + trace_advice);
+                   parting->what + ". The trace contradicts itself. " + trace_advice);
     return cut_off(parting->what + " of the scene " + in_quotes(scene().name));
   }
 
@@ -98,10 +98,10 @@ class TraceReader {
 /// Returns: what is wrong with that line. One without line break behind it may be all that is left of one.
 std::optional<Complaint> read_line(std::string_view text, bool is_ended, TraceReader& reader) {
   if (text.find_first_not_of(" \t\r") == std::string_view::npos)
-    return about(1, "is empty; a trace has an event on each line: " + trace_advice);
+    return about(1, "is empty, but a trace has an event on each line. " + trace_advice);
   const Document document(text, Document::Comments::refused);
   if (document.complaint() && !is_ended)
-    return about(1, "the line ends in the middle, so the trace is cut off; " + trace_advice);
+    return about(1, "the line ends in the middle, so the trace is cut off. " + trace_advice);
   if (!document.complaint()) reader.read(document.root());
   return document.complaint();
 }
