@@ -84,20 +84,19 @@ class Captions {
                              {mark, value + compared + ": " + what, name + "·d", number(*event.value)});
     };
     if (event.iteration == 1) return of_first_point(event, name, frame);
-    const std::string move = "the move to " + name;
     if (event.verdict == Crossing::not_crossed && *event.value == 0)
-      return frame("", move + " just reached the origin's level, and that counts as missed", Mark::no,
+      return frame("", name + " lies level with the origin along d, and that counts as missed", Mark::no,
                    "taken for a proof, which it is not");
     if (event.verdict == Crossing::not_crossed)
-      return frame(
-          " < 0",
-          move + " did not cross the origin" +
-              (in_float() ? ", as far as floats tell" : " (Eq. 9). Nothing of the difference reaches that far along d"),
-          Mark::no, "the origin was not crossed (Eq. 9)");
+      return frame(" < 0",
+                   name + " stops short of the origin along d" +
+                       (in_float() ? ", as far as floats tell" : " (Eq. 9). Nothing of the difference reaches farther"),
+                   Mark::no, "the origin was not crossed (Eq. 9)");
     if (!(*event.value > 0))
-      return frame(as_zero(*event.value), move + " just reached the origin's level. The search goes on", Mark::none,
+      return frame(as_zero(*event.value), name + " lies level with the origin along d. The search goes on", Mark::none,
                    "this proves nothing");
-    return frame(" > 0", move + " crossed the origin. The search goes on", Mark::yes, "the origin was crossed");
+    return frame(" > 0", name + " lies beyond the origin along d: the move crossed it. The search goes on", Mark::yes,
+                 "the origin was crossed");
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
@@ -426,8 +425,11 @@ class Captions {
 
   /// Of an edge in space: in the plane of its triangle stands the foot of the origin.
   std::string beyond_edge(const gjk::RegionTested<double>& event, const std::string& feature) const {
-    const std::string who = scene_.dimension == Dimension::space ? "the foot of the origin " : "the origin ";
-    return who + (event.verdict == Verdict::rejected ? "does not lie" : "lies") + " beyond edge " + feature;
+    const std::string lies = event.verdict == Verdict::rejected ? "does not lie" : "lies";
+    const std::string face = names_.sorted(event.face.empty() ? gjk::Roles("ABC") : event.face);
+    const bool is_flat = scene_.dimension == Dimension::plane;
+    return (is_flat ? "the origin " : "in the plane of " + face + " the origin's foot ") + lies + " beyond edge " +
+           feature;
   }
 
   std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) const {
@@ -443,7 +445,7 @@ class Captions {
     const std::string lies = is_above ? "the origin lies " : "the origin does not lie ";
     if (event.feature.size() == 4) return "no face sees the origin: it lies in tetrahedron " + feature;
     if (event.face.empty()) return lies + "above face " + feature;
-    return beyond_edge(event, feature) + " of face " + names_.sorted(event.face);
+    return beyond_edge(event, feature);
   }
 
   /// The inequality that decides: "GE_n·GO = 5.2 > 0".
@@ -472,8 +474,8 @@ class Captions {
   Frame decided(const gjk::RegionTested<double>& event, const std::string& conclusion) const {
     if (event.expression.empty()) return frame_about(Focus::region, conclusion, {decision(event)});
     const std::string label(to_string(label_of(event)));
-    return frame_by_number(Focus::region, inequality(event), conclusion + (label.empty() ? "" : " (" + label + ")"),
-                           decision(event));
+    return frame_by_number(Focus::region, inequality(event),
+                           conclusion + (label.empty() ? "" : " (region " + label + ")"), decision(event));
   }
 
   /// One line for each reason: "skipped R4, R5, R6: …".

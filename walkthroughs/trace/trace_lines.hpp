@@ -16,7 +16,7 @@ gjk::Event<double> read_event(const Value& line);
 
 /// What to do about a trace that is refused, whoever wrote it.
 inline const std::string trace_advice =
-    "Write it anew with 'gjkstep trace NAME'. What a line may hold says 'gjkstep trace --schema'";
+    "Write it anew with 'gjkstep trace NAME'. 'gjkstep trace --schema' lists what a line may hold";
 
 inline Value member(const Value& object, std::string_view key) {
   return text::reading::required(object, key, trace_advice);
