@@ -31,15 +31,13 @@ Frame caption_of_direction(const gjk::FilterTried<double>& event, const Names& n
   if (event.numbers.empty())
     return frame_about(Focus::proof, "the filter cannot prove the direction: some numbers are too large or too small");
   const gjk::FilterValue& gap = event.numbers[0];
-  const std::string number =
-      name_of(gap, names) + " = " + short_number(gap.value) + (event.holds ? " > " : " ≤ ") + short_number(event.bound);
-  Frame frame = event.holds ? frame_by_number(Focus::proof, number,
-                                              "the filter proves it. All of the difference stays short of the origin, "
-                                              "whatever was rounded",
-                                              {Mark::yes, number + ", more than all that was rounded"})
-                            : frame_by_number(Focus::proof, number,
-                                              "the filter proves nothing. Rounding alone may have made so small a gap",
-                                              {Mark::no, number + ", which rounding may make"});
+  const std::string number = name_of(gap, names) + " = " + short_number(gap.value) + (event.holds ? " > " : " ≤ ") +
+                             short_number(event.bound) + ", the error bound";
+  Frame frame =
+      frame_by_number(Focus::proof, number,
+                      event.holds ? "proven. All of the difference stays short of the origin, whatever was rounded"
+                                  : "not proven. Rounding alone may have made so small a gap",
+                      {event.holds ? Mark::yes : Mark::no, number});
   append_bound(frame.facts, 16, "sum that points of this size can make along d");
   if (!event.holds) frame.facts.push_back({Mark::none, undecided});
   return frame;
@@ -63,13 +61,12 @@ Frame caption_of_tetrahedron(const gjk::FilterTried<double>& event, const Names&
     list += (list.empty() ? "" : ", ") + name_of(each, names) + " = " + short_number(each.value);
   const std::string lie = "all four lie beyond ±" + short_number(event.bound) + ", on one side of 0";
   Frame frame = event.holds
-                    ? frame_about(Focus::proof,
-                                  "the filter proves it: the origin lies inside the tetrahedron, whatever was rounded",
+                    ? frame_about(Focus::proof, "proven: the origin lies inside the tetrahedron, whatever was rounded",
                                   {{Mark::yes, lie},
                                    {Mark::none, list},
                                    {Mark::none, "each is the volume, six times, between the origin and one face"}})
                     : frame_about(Focus::proof,
-                                  "the filter proves nothing. The origin may lie outside the tetrahedron, or nearer to "
+                                  "not proven. The origin may lie outside the tetrahedron, or nearer to "
                                   "a face than rounding can tell",
                                   {{Mark::no, "not " + lie}, {Mark::none, list}});
   append_bound(frame.facts, 64, "product of three coordinates");
@@ -148,9 +145,8 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
   const bool is_largest = event.expression.form != gjk::Expression::Form::reach && event.vertex;
   Frame frame = frame_by_number(
       Focus::sign, as_sentence(name) + " = " + with_error(event),
-      is_largest
-          ? "whether any point reaches across is in doubt. Those that reach farthest are compared in whole numbers"
-          : "the sign is in doubt. Integers decide",
+      is_largest ? "whether any point reaches across is in doubt. Those that reach farthest are compared in integers"
+                 : "the sign is in doubt. It is computed again in integers",
       {Mark::none, name + " = " + with_error(event) + ": of either sign, or 0"});
   frame.facts.push_back({Mark::answer, exactly(event)});
   frame.facts.push_back(

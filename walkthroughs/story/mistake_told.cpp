@@ -29,8 +29,8 @@ std::string how_search_ended(const gjk::Result<double>& mistaken, const gjk::Res
   const bool meet = right.status == gjk::Status::intersecting;
   const std::string truth = std::string("the objects ") + (meet ? "do intersect" : "do not intersect");
   if (mistaken.status == gjk::Status::undecided)
-    return (mistaken.cycle_start ? "It never ends" : "It ends without an answer") +
-           std::string(meet ? ", which Algorithm 1 takes for a no. " : ", which happens to do no harm. ") +
+    return (mistaken.cycle_start ? "It goes round for ever" : "It ends without an answer") +
+           std::string(meet ? ", and Algorithm 1 then says no. " : ", which happens to do no harm. ") +
            as_sentence(truth);
   if (mistaken.status != right.status) return "A wrong answer: " + truth;
   return "The same answer, found " + std::string(mistaken.iterations > right.iterations ? "later" : "sooner") +
@@ -43,7 +43,7 @@ std::string how_long_unnoticed(Mistake mistake) {
   if (is_none_along_axes(mistake)) return none_along_axes;
   const auto thrown = pairs_to_notice(mistake, TestPairs::triangles),
              touching = pairs_to_notice(mistake, TestPairs::grid_triangles);
-  const std::string words = "it takes " + thrown.text() + " random pairs of triangles to notice the mistake";
+  const std::string words = "a test needs " + thrown.text() + " random pairs of triangles to find it";
   return thrown.is_more && !touching.is_more ? words + ", but " + touching.text() + " on a grid, where they touch"
                                              : words;
 }
