@@ -86,7 +86,7 @@ template <class S>
 std::string reason_in_words(const RegionTested<S>& test) {
   std::string words = in_words(test.reason.is, test);
   if (test.reason.goes_on_as_if) words += ", but these rules go on as if " + in_words(*test.reason.goes_on_as_if, test);
-  const bool is_segment_by_other_vector =  // only AB×AO×AB is zero exactly there
+  const bool is_segment_by_other_vector =  // only (AB×AO)×AB is zero exactly there
       test.simplex_size == 2 && test.feature == "AB" && test.expression.form != Expression::Form::dot &&
       test.expression != "AB×AO×AB";
   if (!is_segment_by_other_vector) return words;

@@ -6,11 +6,11 @@
 ///     const auto again = gjk::collision<double>(shape_a, shape_b, options, trace);   // the same run, with its events
 ///
 /// What the algorithm rests on (Section 3.4), as numbered properties. The tests quote them:
-///  P1. The support function returns a point farthest in the direction given, a support point. It is never given the
+///  P1. The support function returns a support point: a point farthest in the direction given. It is never given the
 ///      zero vector.
 ///  P2. Every vertex of the simplex lies on the hull of the Minkowski difference. No point of the difference lies
 ///      farther in the direction in which the vertex was found. (A search that starts inside has one vertex that need
-///      not.)
+///      not lie there.)
 ///  P3. A is the vertex added last. The others stay in the order in which they were added. There are two exceptions:
 ///      Algorithm 4 moves below a triangle, and Algorithm 5 keeps a face.
 ///  P4. Normals point away from the simplex: no vertex of the triangle or tetrahedron lies on their side of A.
