@@ -42,8 +42,9 @@ struct SeparatingDirection {
   friend bool operator==(const SeparatingDirection&, const SeparatingDirection&) = default;
 };
 
-/// Apart, by a direction that need not be a vector of doubles: on the line or plane through these one to three points of the
-/// difference some point v is nearest to the origin, and −v separates the sets as a SeparatingDirection does.
+/// Apart, by a direction that need not be a vector of doubles. These one to three points of the difference span a
+/// point, a line or a plane. Some point v of it is nearest to the origin, and −v separates the sets as a
+/// SeparatingDirection does.
 struct SeparatingFeature {
   IndexPairs of;
   friend bool operator==(const SeparatingFeature&, const SeparatingFeature&) = default;
@@ -83,7 +84,7 @@ struct CertifiedResult {
   Certificate certificate;
   Proof proof = Proof::exact_fallback;
   int iterations = 0;           ///< of the first search
-  int fallback_iterations = 0;  ///< of the second; 0 where there was none
+  int fallback_iterations = 0;  ///< of the exact fallback; 0 where there was none
   friend bool operator==(const CertifiedResult&, const CertifiedResult&) = default;
 };
 

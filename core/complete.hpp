@@ -1,5 +1,6 @@
-/// Rules that skip nothing because of history but what one step proves: the simplex is reduced to its feature nearest to the
-/// origin. What the report's rules save is what these ask beyond them; and these cannot go round in a circle, but for rounding.
+/// Rules that reduce the simplex to its feature nearest to the origin. Because of history they skip only what one step
+/// proves. They ask beyond the report's rules exactly what those save. These rules cannot go round in a cycle, but for
+/// rounding.
 #pragma once
 
 #include <array>
@@ -22,16 +23,16 @@ constexpr Face face_with(Role X, Role Y) {
   return is(Role::B, Role::C) ? Face::ABC : is(Role::C, Role::D) ? Face::ACD : Face::ADB;
 }
 
-/// What nearest_with_A() wants to know of a simplex, in numbers of S; each answer is computed and told once.
+/// What nearest_with_A() wants to know of a simplex, in numbers of S. Each answer is computed and told once.
 ///
-/// Requires of triangles and tetrahedra: their normals point away from what is left behind (P4, P5 of gjk.hpp), which the
-/// orders of the report's rules take care of.
+/// Requires of triangles and tetrahedra: their normals point away from what is left behind (P4, P5 of gjk.hpp). The
+/// orders of the report's rules take care of that.
 template <class Step>
 class Nearness {
  public:
   explicit Nearness(const Step& step) : step_(step) {}
 
-  /// AX·AO > 0: the origin lies beyond the plane through A across AX, on the side of X.
+  /// AX·AO > 0: the origin lies on the side of X of the plane through A across AX.
   bool is_toward(Role X) const {
     const auto AX = step_.edge(X);
     const auto AX_AO = AX.dot(step_.AO());
@@ -75,7 +76,8 @@ class Nearness {
     return beyond;
   }
 
-  /// Returns: whether nothing else is to be asked of the edge AX, once the origin is beyond it in the plane of AX and AY.
+  /// Returns: whether nothing else is to be asked of the edge AX, once the origin is beyond it in the plane of AX and
+  /// AY.
   bool is_settled(Role X, Role Y) const {
     if (!toward_[index(X)]) return false;
     for (const Role Z : {Role::B, Role::C, Role::D})
@@ -90,8 +92,9 @@ class Nearness {
 
 }  // namespace detail
 
-/// All regions in which the point nearest to the origin can be, A's among them; see nearest.hpp for those that need no test.
-/// In exact numbers each step brings the simplex nearer to the origin, so that none comes back and the search ends.
+/// Tests all regions in which the point nearest to the origin can be, A's among them. nearest.hpp says which regions
+/// need no test. In exact numbers each step brings the simplex nearer to the origin. So none comes back, and the search
+/// ends.
 template <class ZeroTest = ExactZeroTest>
 struct Complete : Intended<ZeroTest> {
   template <class Rules, class S, class Obs>

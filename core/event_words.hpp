@@ -80,12 +80,13 @@ std::string in_words(RegionReason reason, const RegionTested<S>& test) {
   return "no face sees the origin: it lies in the tetrahedron";
 }
 
-/// Returns: why, in the letters of the simplex. Of a variant what the numbers say, and how the search goes on all the same.
+/// Returns: why, in the letters of the simplex. Of a variant it says what the numbers say, and how the search goes on
+/// all the same.
 template <class S>
 std::string reason_in_words(const RegionTested<S>& test) {
   std::string words = in_words(test.reason.is, test);
   if (test.reason.goes_on_as_if) words += ", but these rules go on as if " + in_words(*test.reason.goes_on_as_if, test);
-  const bool is_segment_by_other_vector =  // only AB×AO×AB is zero exactly there
+  const bool is_segment_by_other_vector =  // only (AB×AO)×AB is zero exactly there
       test.simplex_size == 2 && test.feature == "AB" && test.expression.form != Expression::Form::dot &&
       test.expression != "AB×AO×AB";
   if (!is_segment_by_other_vector) return words;
@@ -93,7 +94,8 @@ std::string reason_in_words(const RegionTested<S>& test) {
          ", from which these rules conclude: " + words;
 }
 
-/// Returns: how the value of a sign was computed, "(AB·AO)(AB·AC) − (AC·AO)(AB·AB)"; empty where its expression says that.
+/// Returns: how the value of a sign was computed, "(AB·AO)(AB·AC) − (AC·AO)(AB·AB)"; empty where its expression says
+/// that.
 template <class S>
 std::string formula_of(const SignTaken<S>& sign) {
   if (sign.face.empty()) return "";

@@ -1,7 +1,9 @@
-/// Everything that GJK tells while it runs. A complete list of events replays, draws and checks a run without the shapes.
+/// Everything that GJK tells while it runs. A complete list of events replays, draws and checks a run without the
+/// shapes.
 ///
-/// Events are values. What follows from others is a function here; what they are called is in event_words.hpp. Roles and
-/// expressions use the report's letters for the simplex that is being processed, the one of the last VertexAdded.
+/// Events are values. What follows from other values is a function here. What they are called is in event_words.hpp.
+/// Roles and expressions use the report's letters for the simplex that is being processed. That is the one of the last
+/// VertexAdded.
 #pragma once
 
 #include <concepts>
@@ -26,7 +28,7 @@ struct SearchStarted {
   friend bool operator==(const SearchStarted&, const SearchStarted&) = default;
 };
 
-/// Eqs. 5-8 were asked for the farthest vertex of the difference.
+/// Eqs. 5-8 were asked for the support point of the difference.
 template <class S>
 struct SupportFound {
   int iteration = 0;
@@ -95,15 +97,19 @@ enum class RegionReason {
   no_face_sees_origin,
 };
 
-/// What the numbers say, and where a variant goes on otherwise, as if they said what.
+/// `is`: what the numbers say.
+/// `goes_on_as_if`: where a variant goes on otherwise, what it takes them to say.
 struct Finding {
   RegionReason is = RegionReason::ruled_out_before;
   std::optional<RegionReason> goes_on_as_if = {};
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 
-/// One region of Algorithms 2-5. `chosen` means that the value stands in `relation` to zero, `rejected` that it does not;
-/// `possible` that it does and that this alone does not decide: only the complete rules (complete.hpp) say so.
+/// One region of Algorithms 2-5. Its verdict is
+///  - `chosen` where the value stands in `relation` to zero,
+///  - `rejected` where it does not,
+///  - `possible` where it does and this alone does not decide. Only the complete rules (complete.hpp) say so.
+///
 /// Regions that the algorithm does not reach, because it has chosen one before, are not told.
 template <class S>
 struct RegionTested {
@@ -124,8 +130,10 @@ struct RegionTested {
 /// The report's names of regions (Figs. 6 and 7).
 enum class RegionLabel { none, R1, R2, R3, R4, R5, R6, R7, R3_or_R4 };
 
-/// Returns: the name of the region that a test decides about; of a segment found to hold the origin, of faces of a tetrahedron and
-/// of what else the complete rules ask the report has none.
+/// Returns: the report's name of the region that a test decides about. The report has none for
+///  - a segment found to hold the origin,
+///  - faces of a tetrahedron,
+///  - what else the complete rules ask.
 template <class S>
 RegionLabel label_of(const RegionTested<S>& test) {
   using enum RegionLabel;
@@ -184,10 +192,10 @@ struct Finished {
   friend bool operator==(const Finished&, const Finished&) = default;
 };
 
-// -- Of certified_collision() (certified/certified.hpp), after those of its first search ----------------------------------------
+// -- Of certified_collision() (certified/certified.hpp), after those of its first search ------------------------------
 //
 // Its exact fallback also tells VertexAdded, SupportFound where it asks the support functions, and DirectionChosen; its
-// iterations count on from those of the first. Directions are rounded there, what is decided with them is not.
+// iterations count on from those of the first search. Directions are rounded there, what is decided with them is not.
 
 /// A number that a proof rests on.
 struct FilterValue {
@@ -196,8 +204,9 @@ struct FilterValue {
   friend bool operator==(const FilterValue&, const FilterValue&) = default;
 };
 
-/// It was tried to prove what the first search had found in the numbers of that search (C1, C2 of certified/certified.hpp). The proof
-/// holds where all numbers are larger than `bound`, or all are smaller than -bound; of a direction the one larger.
+/// The filter was tried on what the first search had found, in the numbers of that search (C1, C2 of
+/// certified/certified.hpp). The proof holds where all numbers are larger than `bound`, or all are smaller than -bound.
+/// Of a direction the one number has to be larger.
 template <class S>
 struct FilterTried {
   int iteration = 0;

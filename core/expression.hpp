@@ -1,8 +1,8 @@
-/// What the report writes for the vectors and numbers that decide: "AB×AO×AB", "ABn·AO". As values, which the rules make from
-/// their operands, and which names are made of at the end.
+/// What the report writes for the vectors and numbers that decide: "AB×AO×AB", "ABn·AO". Here they are values. The
+/// rules make them from their operands, and names are made of them at the end.
 ///
-/// A is the newest vertex of the simplex that is processed, O the origin, X×Y×Z is (X×Y)×Z, and ABn, ABCn are the normals of
-/// Eqs. 10, 11 and 14.
+/// A is the newest vertex of the simplex that is processed, O the origin. X×Y×Z is (X×Y)×Z. ABn and ABCn are the
+/// normals of Eqs. 10, 11 and 14.
 #pragma once
 
 #include <optional>

@@ -3,14 +3,16 @@
 ///
 ///     const auto result = gjk::collision<double>(shape_a, shape_b);                  // plain: no events, no heap
 ///     gjk::Trace<double> trace;
-///     const auto again = gjk::collision<double>(shape_a, shape_b, options, trace);   // the same run, told
+///     const auto again = gjk::collision<double>(shape_a, shape_b, options, trace);   // the same run, with its events
 ///
-/// What the algorithm rests on (Section 3.4), as numbered properties; the tests quote them:
-///  P1. The support function returns a point farthest in the direction given, and is never given the zero vector.
-///  P2. Every vertex of the simplex lies on the hull of the Minkowski difference: no point of the difference lies
-///      farther in the direction in which it was found. (A search that starts inside has one vertex that need not.)
-///  P3. A is the vertex added last. The others stay in the order in which they were added, except where Algorithm 4
-///      moves below a triangle and where Algorithm 5 keeps a face.
+/// What the algorithm rests on (Section 3.4), as numbered properties. The tests quote them:
+///  P1. The support function returns a support point: a point farthest in the direction given. It is never given the
+///      zero vector.
+///  P2. Every vertex of the simplex lies on the hull of the Minkowski difference. No point of the difference lies
+///      farther in the direction in which the vertex was found. (A search that starts inside has one vertex that need
+///      not lie there.)
+///  P3. A is the vertex added last. The others stay in the order in which they were added. There are two exceptions:
+///      Algorithm 4 moves below a triangle, and Algorithm 5 keeps a face.
 ///  P4. Normals point away from the simplex: no vertex of the triangle or tetrahedron lies on their side of A.
 ///  P5. Of four vertices, A lies in the direction of BC×BD. (Without the crossing test it may lie in their plane.)
 ///
@@ -74,8 +76,8 @@ auto reach(const Vertex<S>& vertex, const Vec3<S>& d) {
       .dot(vector(d, ZeroTest::size(d), NoWords(NamedVector())));
 }
 
-/// One run of Algorithm 1. Its result is written where the caller will have it: a copy of the evidence costs as much as an
-/// iteration.
+/// One run of Algorithm 1. It writes its result where the caller will have it. A copy of the witness simplex and the
+/// separating axis costs as much as an iteration.
 template <class S, class Rules, class A, class B, class Obs>
 class Search {
  public:
@@ -97,9 +99,11 @@ class Search {
   using ZeroTest = typename Rules::ZeroTest;
   using Reach = decltype(reach<ZeroTest>(std::declval<Vertex<S>>(), std::declval<Vec3<S>>()));
 
-  /// The plain call's: everything inlined, the shapes, too. In the pieces in which GCC 12 leaves it otherwise, queries of
-  /// triangles take a tenth longer and more, as tests/bench/peers measures them. It takes a third longer to compile: not where
-  /// GJKSTEP_COMPILED_SOONER is defined, and not under sanitizers, whose checks of all that is inlined take minutes.
+  /// For the plain call. Everything is inlined, the shapes, too. GCC 12 leaves the search in pieces otherwise. Queries
+  /// of triangles then take a tenth longer and more, as tests/bench/peers measures them.
+  ///
+  /// Compiling takes a third longer. So nothing is inlined by force where GJKSTEP_COMPILED_SOONER is defined. Neither
+  /// is it under sanitizers: their checks of all that is inlined take minutes.
 #if defined(GJKSTEP_COMPILED_SOONER) || defined(__SANITIZE_ADDRESS__)
   void search_in_one_piece() { search(); }
 #else
@@ -133,10 +137,11 @@ class Search {
     return finish(Status::undecided, Reason::iteration_limit);
   }
 
-  /// Algorithm 2 about a vertex that no support function has found. Returns: whether the origin is there.
+  /// Algorithm 2 for a vertex that no support function has found. Returns: whether the origin is there.
   ///
-  /// Here we differ: it lies within the difference, not on its hull (P2). No rule minds, since each rests on the moves: the first
-  /// leads from this vertex toward the origin, as it would from one of the hull.
+  /// Here we differ from the report: this vertex lies within the difference, not on its hull (P2). No rule minds, since
+  /// each rests on the moves. The first move leads from this vertex toward the origin, as it would from one of the
+  /// hull.
   bool is_found_at(const PointOfEach<S>& inside) {
     const Vertex<S> start{inside.a, inside.b, inside.a - inside.b};
     if (remembers()) remember(start.w);
@@ -145,16 +150,17 @@ class Search {
     return Rules::process_0simplex(Step<Rules, S, Obs>(result_.simplex, tell_)).contains_origin();
   }
 
-  /// Where nobody listens, most searches have ended before anything is compared.
+  /// Without an observer, most searches have ended before anything is compared.
   static constexpr int first_to_compare = Teller<Obs>::somebody_listens ? 0 : 8;
 
   static constexpr bool goes_on_after(Reason reason) {
     return reason == Reason::origin_not_crossed && Rules::not_crossed() == NotCrossed::process_the_simplex;
   }
 
-  /// Section 3.1.3. Algorithm 1 prints the addition of the vertex first; here the tests come first, which changes nothing.
+  /// Section 3.1.3. Algorithm 1 prints the addition of the vertex first. Here the tests come first, which changes
+  /// nothing.
   ///
-  /// Without the crossing test a vertex seen before ends the search, but for one exception: a vertex dropped earlier
+  /// Without the crossing test a vertex seen before ends the search. There is one exception: a vertex dropped earlier
   /// that comes back from across the origin is progress. Ending there would leave intersecting sets undecided.
   std::optional<Reason> reason_to_stop_at(const Vertex<S>& vertex, const Reach& w_d) {
     const bool is_new = !remembers() || remember(vertex.w);
@@ -173,14 +179,15 @@ class Search {
     return verdict == Crossing::crossed ? std::nullopt : std::optional(Reason::origin_not_crossed);
   }
 
-  /// Returns: whether the rules are right to find the origin in the simplex. Where a segment points at the origin or a triangle
-  /// is flat they rely on the last move having crossed it (Eq. 9); without the crossing test that is looked at here.
+  /// Returns: whether the rules are right to find the origin in the simplex. Where a segment points at the origin or a
+  /// triangle is flat, they rely on Eq. 9: the last move has crossed the origin. Without the crossing test this is
+  /// looked at here.
   bool may_be_believed(const Reach& w_d) const {
     return options_.crossing_test == CrossingTest::on || Rules::crossed(w_d);
   }
 
-  /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart; what is not
-  /// a number proves nothing.
+  /// The search stops without having found the origin. Only a finite w·d < 0 proves that the sets are apart. What is
+  /// not a number proves nothing.
   void finish_outside(const Vertex<S>& vertex, const Reach& w_d, Reason reason) {
     if (!is_finite(w_d.value)) return finish(Status::undecided, Reason::unusable_direction);
     if (Rules::crossed(w_d)) return finish(Status::undecided, reason);
@@ -194,8 +201,8 @@ class Search {
     tell_([&] { return Finished<S>{.result = result_}; });
   }
 
-  /// What an iteration begins with, and what all later ones follow from. Of the vertices seen only the run without the
-  /// crossing test asks.
+  /// What an iteration begins with. All later iterations follow from it. Only the run without the crossing test asks
+  /// for the number of vertices seen.
   struct State {
     int iteration;
     Vec3<S> direction;
@@ -210,9 +217,14 @@ class Search {
     return options_.crossing_test == CrossingTest::on || earlier.vertices_seen == seen_.size();
   }
 
-  /// Returns: whether the next iteration would begin as an earlier one did; writes which. Where somebody listens all earlier
-  /// ones are known. Else one is, which is replaced whenever it is as old as it was far from the start (Brent 1980): so the search
-  /// ends after at most three times as many iterations as the way into the circle, once around it, or the first comparison takes.
+  /// Returns: whether the next iteration would begin as an earlier one did. Writes which one.
+  ///
+  /// With an observer all earlier states are known. Without one a single state is (Brent 1980). It is replaced whenever
+  /// it is as old as it was far from the start. So the search ends after at most three times as many iterations as the
+  /// longest of these takes:
+  ///  - the way into the cycle;
+  ///  - once around it;
+  ///  - the first comparison.
   [[gnu::noinline]] bool comes_back() {
     const auto now = [&] { return State{result_.iterations + 1, direction_, result_.simplex, seen_.size()}; };
     const State* same = nullptr;
@@ -265,11 +277,11 @@ class Search {
 
 }  // namespace detail
 
-/// Asks Algorithms 2-5 about one simplex, chosen by its size. They answer rightly only after the history that Algorithm 1
-/// gives them, see rules.hpp. `simplex`: becomes what is kept of it.
+/// Asks the one of Algorithms 2-5 that belongs to the size of the simplex. It answers correctly only after the history
+/// that Algorithm 1 gives it, see rules.hpp. `simplex`: becomes what is kept of it.
 ///
 /// Requires: 1 <= size <= 4.
-/// Observer: called with the events of this step; their iteration is 0.
+/// Observer: called with the events of this step. Their iteration is 0.
 template <class Rules = AsIntended, class S, class Obs = const NobodyListens>
 requires Observer<Obs, S> Next<S> process(Simplex<S>& simplex, CrossingTest crossing_test = CrossingTest::on,
                                           Obs&& observer = NobodyListens{}) {
@@ -280,15 +292,21 @@ requires Observer<Obs, S> Next<S> process(Simplex<S>& simplex, CrossingTest cros
 /// Algorithm 1: do the convex sets `a` and `b` have a point in common?
 ///
 /// Requires: finite shapes. S is float, double, long double or an exact number type.
-/// Returns: the answer with its evidence; undecided at the iteration limit (at once, where it is below 1), where a search
-/// direction is zero, infinite or not a number, and where the search goes round in a circle. With the crossing test on and nobody listening it allocates nothing.
-/// Observer: called with every event, see events.hpp; the run is the same with and without one, but that a circle is noticed at
-/// once where somebody listens, later else.
-/// Errors: none of its own; what a support function or the observer throws passes through.
+/// Returns: the answer with its witness simplex or its separating axis. It is undecided
+///  - at the iteration limit (at once, where that is below 1);
+///  - where a search direction is zero, infinite or not a number;
+///  - where the search goes round in a cycle.
 ///
-/// An exact S answers rightly whenever it decides. In floating point the rules compare rounded products with zero, as the
-/// report does: sets that touch, or are coplanar askew, may be found apart or together; and products of up to four
-/// differences overflow or vanish where these are beyond about 1e±75 (double) or 1e±8 (float), with arbitrary answers.
+/// With the crossing test on and without an observer it allocates nothing.
+/// Observer: called with every event, see events.hpp. The run is the same with and without one, but for cycles. With an
+/// observer a cycle is noticed at once, without one later.
+/// Errors: none of its own. What a support function or the observer throws passes through.
+///
+/// An exact S answers correctly whenever it decides. In floating point the rules compare rounded products with zero, as
+/// the report does:
+///  - Sets that touch, or are coplanar in a plane askew, may be found apart or together.
+///  - Products of up to four differences overflow or vanish where these are beyond about 1e±75 (double) or 1e±8
+///    (float). The answers are then arbitrary.
 template <class S = double, class Rules = AsIntended, Shape<S> A, Shape<S> B, class Obs = const NobodyListens>
 requires Observer<Obs, S> Result<S> collision(const A& a, const B& b, const Options<S>& options = {},
                                               Obs&& observer = NobodyListens{}) {

@@ -5,7 +5,7 @@
 
 namespace gjk {
 
-/// Either the simplex contains the origin; or the search goes on from it, in a direction.
+/// Either the simplex contains the origin, or the search goes on from it in a direction.
 template <class S>
 class Next {
  public:

@@ -25,8 +25,9 @@ enum class CrossingTest {
   off,  ///< go on until the support function has no new vertex to offer (Section 3.1.2)
 };
 
-/// A point of each set, best well inside, such as PointSet::mean(). Answers that a search gives are about the sets with these
-/// points added: where one lies outside by rounding, as it may of flat sets, so much may be found that the sets do not have.
+/// A point of each set, best well inside, such as PointSet::mean(). A search answers for the sets with these points
+/// added. Such a point may lie outside its set by rounding, as it may of flat sets. Then so much may be found that the
+/// sets do not have.
 template <class S>
 struct PointOfEach {
   Vec3<S> a, b;
@@ -38,14 +39,14 @@ struct Options {
       Vec3<S>(S(1), S(0), S(0));  ///< any length but zero; not looked at where a search starts inside
   int iteration_limit = 20;       ///< Algorithm 1; below 1 nothing is tried
   CrossingTest crossing_test = CrossingTest::on;
-  /// Where given, the search starts inside: with the vertex inside->a − inside->b, which has no indices and for which no
-  /// support function is asked. It spares half an iteration to a whole one.
+  /// Where given, the search starts inside, with the vertex inside->a − inside->b. That vertex has no indices, and no
+  /// support function is asked for it. It spares half an iteration to a whole one.
   std::optional<PointOfEach<S>> inside = {};
 };
 
-/// Returns: a first direction that often separates sets that are apart: from a point inside A to one inside B, such as
-/// their centers; +x where these coincide. Between two balls all vertices that it leads to lie on one line, to rounding: a
-/// few of a thousand such queries end undecided.
+/// Returns: a first direction that often separates sets that are apart. It leads from a point inside A to one inside B,
+/// such as their centers. It is +x where these coincide. Between two balls all vertices that it leads to lie on one
+/// line, to rounding. A few of a thousand such queries end undecided.
 template <class S>
 Vec3<S> first_direction_between(const Vec3<S>& center_a, const Vec3<S>& center_b) {
   return center_a == center_b ? Options<S>{}.first_direction : Vec3<S>(center_b - center_a);
@@ -53,15 +54,20 @@ Vec3<S> first_direction_between(const Vec3<S>& center_a, const Vec3<S>& center_b
 
 /// Proof of separation: every point w of the difference has w·direction <= support_value < 0.
 ///
-/// In floating point it is one where support_value < -6ε(r(A) + r(B)), ε being the scalar's epsilon and r the largest
-/// |x d.x| + |y d.y| + |z d.z| of the points (x, y, z) of a set, d being the direction; sets that are nearer to each other may
-/// be found a rounding error apart. For, with u = ε/2 and r(w) <= r(A) + r(B), and but for terms of u²:
-///  - w = a - b is off by a factor 1 ± u in each component, and its product with d of three products and two sums by 3u r(w):
-///    support_value differs from (a - b)·d by at most 4u r(w);
-///  - a was found by comparing such products, each off by 3u r(A) at most, so no point of A reaches farther than a by more
-///    than 6u r(A); likewise for B.
-/// Together 10u (r(A) + r(B)) = 5ε (r(A) + r(B)), the sixth ε being for what is left out. This holds for point sets whose
-/// products neither overflow nor vanish; other shapes add the error of the points that they compute.
+/// In floating point it is a proof where support_value < -6ε(r(A) + r(B)). Here ε is the scalar's epsilon and d the
+/// direction. r is the largest |x d.x| + |y d.y| + |z d.z| of the points (x, y, z) of a set. Sets that are nearer to
+/// each other may be found a rounding error apart.
+///
+/// The reason, with u = ε/2 and r(w) <= r(A) + r(B), and but for terms of u²:
+///  1. w = a - b is off by a factor 1 ± u in each component.
+///  2. Its product with d has three products and two sums. It is off by 3u r(w).
+///  3. So support_value differs from (a - b)·d by at most 4u r(w).
+///  4. a was found by comparing such products, each off by 3u r(A) at most. So no point of A reaches farther than a by
+///     more than 6u r(A). Likewise for B.
+///  5. Together that is 10u (r(A) + r(B)) = 5ε (r(A) + r(B)). The sixth ε is for what is left out.
+///
+/// This holds for point sets whose products neither overflow nor vanish. Other shapes add the error of the points that
+/// they compute.
 template <class S>
 struct Separation {
   Vec3<S> direction;

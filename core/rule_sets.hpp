@@ -1,5 +1,8 @@
-/// The sets of rules and the zero tests by name, for callers who learn only while they run which of them is wanted. A further
-/// set of rules is a type in rules.hpp (or a header of its own), an enumerator and a row here, and a line in with_rules().
+/// The sets of rules and the zero tests by name, for callers who learn only at run time which of them is wanted. A
+/// further set of rules is
+///  - a type in rules.hpp (or a header of its own),
+///  - an enumerator and a row here,
+///  - a line in with_rules().
 #pragma once
 
 #include <array>
@@ -38,8 +41,8 @@ constexpr std::string_view to_string(ZeroTestKind test) { return zero_tests[stat
 
 /// Calls use.template operator()<Rules>(), such as [&]<class Rules>() { ... }, with the rules of that name.
 ///
-/// Returns: what it returns; the type must be the same for all rules.
-/// Errors: std::invalid_argument for what is no enumerator; what `use` throws passes through.
+/// Returns: what it returns. The type must be the same for all rules.
+/// Errors: std::invalid_argument for what is no enumerator. What `use` throws passes through.
 template <class ZeroTest, class Use>
 decltype(auto) with_rules(RuleSet rules, Use&& use) {
   switch (rules) {

@@ -1,10 +1,11 @@
-/// Algorithms 2-5 of ARL-TR-7474: in which region of the simplex does the origin lie, what is kept, where to search next.
+/// Algorithms 2-5 of ARL-TR-7474. In which region of the simplex does the origin lie? What is kept, and where does the
+/// search go next?
 ///
 /// Naming. A is the newest vertex, then B, C, D (Role). AB = B - A, AO = -A. X×Y×Z is (X×Y)×Z. Normals point out of the
 /// simplex: ABCn out of a tetrahedron, ABn out of a triangle across its edge AB.
 ///
-/// The functions answer "where is the origin?" correctly only after the history that Algorithm 1 gives them; each
-/// says which. They are not a closest-feature test for an arbitrary simplex.
+/// The functions answer "where is the origin?" correctly only after the history that Algorithm 1 gives them. Each says
+/// which history that is. They are not a closest-feature test for an arbitrary simplex.
 #pragma once
 
 #include "telling.hpp"
@@ -17,9 +18,11 @@ enum class NotCrossed { answer_at_once, process_the_simplex };
 /// What Algorithm 1 does with the first point, which was found without a move that could have crossed the origin.
 enum class FirstPoint { taken_as_it_is, tested };
 
-/// The report's rules as its text means them: first Algorithms 2-5, then their details, all that is easily got wrong, each by
-/// its name. A variant derives from this class and hides a detail, or one of the algorithms: both are asked of Rules, the
-/// most derived class. Values are told as they were computed, relations and verdicts as the zero test has them.
+/// The report's rules as its text means them: first Algorithms 2-5, then their details, each by its name. The details
+/// are all that is easily got wrong.
+///
+/// A variant derives from this class and hides a detail, or one of the algorithms. Both are asked of Rules, the most
+/// derived class. Values are told as they were computed. Relations and verdicts are told as the zero test has them.
 template <class ZeroTest_ = ExactZeroTest>
 struct Intended {
   using ZeroTest = ZeroTest_;
@@ -34,16 +37,19 @@ struct Intended {
     return step.keep_all(AO);
   }
 
-  /// Algorithm 3. Not a test for the ends of the segment: the origin cannot lie beyond them, because
-  ///  1. the last search started at B and went along BO, so the origin is not behind B (R1);
-  ///  2. the move to A crossed the origin (Eq. 9), so the origin is not beyond A (R2).
+  /// Algorithm 3. It does not test the ends of the segment. The origin cannot lie beyond them:
+  ///  1. The last search started at B and went along BO. So the origin is not behind B (R1).
+  ///  2. The move to A crossed the origin (Eq. 9). So the origin is not beyond A (R2).
   ///
   ///               R3
   ///      R1   B ────── A   R2
   ///               R4
   ///
-  /// Outcomes: (AB×AO)×AB = 0 (the origin is A, or lies on AB) → contained. Else (R3 or R4, one expression for both) keep
-  /// both, search along (AB×AO)×AB. AO itself would not do: it may return B, then A, then B again.
+  /// Outcomes, in this order:
+  ///  - (AB×AO)×AB = 0: the origin is A, or lies on AB → contained.
+  ///  - Else R3 or R4, one expression for both → keep both, search along (AB×AO)×AB.
+  ///
+  /// AO itself would not do as search direction: it may return B, then A, then B again.
   template <class Rules, class S, class Obs>
   static Next<S> process_1simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
@@ -55,9 +61,10 @@ struct Intended {
     return step.keep_all(direction);
   }
 
-  /// Algorithm 4. Not a test for the far side of BC or for the corners, because
-  ///  1. the last search started at BC, whose ends had been ruled out, and went toward the origin: it is not in R4, R5, R6;
-  ///  2. the move to A crossed the origin (Eq. 9): it is not in R2.
+  /// Algorithm 4. It does not test the far side of BC, nor the corners:
+  ///  1. The last search started at BC, whose ends had been ruled out, and went toward the origin. So the origin is not
+  ///     in R4, R5, R6.
+  ///  2. The move to A crossed the origin (Eq. 9). So the origin is not in R2.
   ///
   ///              R2
   ///               A
@@ -66,8 +73,12 @@ struct Intended {
   ///       R4  B ───── C  R6      R1 reaching above and below the paper
   ///              R5
   ///
-  /// Outcomes: R3 → keep [B, A]. R7 → keep [C, A]. Else R1: in the plane → contained; above → keep all, search along
-  /// ABCn; below → search along −ABCn and swap A and B, so that BC×BD of the next simplex points to its A.
+  /// Outcomes, in this order:
+  ///  - R3 → keep [B, A].
+  ///  - R7 → keep [C, A].
+  ///  - Else R1, in the plane → contained.
+  ///  - R1, above → keep all, search along ABCn.
+  ///  - R1, below → search along −ABCn and swap A and B. Then BC×BD of the next simplex points to its A.
   template <class Rules, class S, class Obs>
   static Next<S> process_2simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
@@ -91,9 +102,9 @@ struct Intended {
     return step.keep(Rules::kept_below_triangle(), -ABCn);
   }
 
-  /// Algorithm 5. Not a closest-feature test: the first face that sees the origin is taken. Seven features lie on the
-  /// side from which the last search came and A is ruled out by the crossing test; what is left are the three faces
-  /// that meet A, their edges, and the inside.
+  /// Algorithm 5. It is not a closest-feature test: the first face that sees the origin is taken. Seven features lie on
+  /// the side from which the last search came. The crossing test rules out A. What is left are the three faces that
+  /// meet A, their edges, and the inside.
   ///
   /// Requires (Section 3.2.4): A lies in the direction BC×BD. Then the normals of Eq. 14 point outward.
   ///
@@ -103,7 +114,7 @@ struct Intended {
   ///          ⟍ │ ⟋
   ///            C
   ///
-  /// Outcomes: per face, in the order ABC, ACD, ADB: see process_face. No face sees the origin → contained.
+  /// Outcomes: those of process_face, per face, in the order ABC, ACD, ADB. No face sees the origin → contained.
   template <class Rules, class S, class Obs>
   static Next<S> process_3simplex(detail::Step<Rules, S, Obs> step) {
     const auto AO = step.AO();
@@ -138,17 +149,19 @@ struct Intended {
     return {a, b};
   }
 
-  /// Eq. 9 for the vertex w found along d. Touching the origin proves nothing, so it counts as crossed; and so do a value
-  /// that the zero test cannot tell from zero, or sets that touch would be found apart here before Algorithms 2-5 could find
-  /// them touching, and a value that is not a number.
+  /// Eq. 9 for the vertex w found along d. Beside a positive w·d, these count as crossed:
+  ///  - Touching the origin, since it proves nothing.
+  ///  - A value that the zero test cannot tell from zero. Else sets that touch would be found apart here, before
+  ///    Algorithms 2-5 could find them touching.
+  ///  - A value that is not a number.
   static bool crossed(const auto& w_d) { return !w_d.is_negative(); }
 
   // -- Where the origin is --------------------------------------------------------------------------------------------
 
   static bool is_at_origin(const auto& AO) { return AO.is_zero(); }
   static bool is_on_segment(const auto& direction) { return direction.is_zero(); }
-  /// What is not a number is not beyond an edge, and no face sees it: its simplex is kept whole, or, as a tetrahedron, taken to
-  /// contain the origin. Only finite products give answers that mean something.
+  /// What is not a number is not beyond an edge, and no face sees it. A segment or triangle is then kept whole. A
+  /// tetrahedron is taken to contain the origin. Only finite products give answers that mean something.
   static bool is_beyond_edge(const auto& AXn_AO) { return AXn_AO.is_positive(); }
   /// What is not a number is below: the search goes on, and ends as soon as it sees that direction.
   static Side side_of_triangle(const auto& ABCn_AO) { return ABCn_AO.side(); }
@@ -164,17 +177,17 @@ struct Intended {
   static auto ACDn(const auto& AC, const auto& AD) { return AC.cross(AD); }
   static auto ADBn(const auto& AD, const auto& AB) { return AD.cross(AB); }
 
-  /// Of the edges of a face APQ of the tetrahedron. They belong to the face: ACn of ABC is not ACn of ACD (Section 3.2.4).
-  /// `earlier`: the normal of the face that has been looked at before and has the edge, too, if there is one. It has no part in
-  /// the formula.
+  /// Normals of the edges of a face APQ of the tetrahedron. They belong to the face: ACn of ABC is not ACn of ACD
+  /// (Section 3.2.4). `earlier`: the normal of the face looked at before that has the edge, too, if there is one. It
+  /// has no part in the formula.
   static auto AQn(Face, const auto& AQ, const auto& APQn, const auto& /*earlier*/) { return APQn.cross(AQ); }
   static auto APn(Face, const auto& AP, const auto& APQn, const auto& /*earlier*/) { return AP.cross(APQn); }
 
   // -- What to keep, and where to search ------------------------------------------------------------------------------
 
   static auto from_segment(const auto& AB, const auto& AO) { return detail::triple(AB, AO); }
-  /// From the edge AX of a triangle or tetrahedron. Not along AXn, the edge's normal in the plane of its face: the origin
-  /// may lie above or below that plane (Section 3.2.3).
+  /// From the edge AX of a triangle or tetrahedron. Not along AXn, the edge's normal in the plane of its face: the
+  /// origin may lie above or below that plane (Section 3.2.3).
   static auto from_edge(const auto& AX, const auto& AO, const auto& /*AXn*/) { return detail::triple(AX, AO); }
 
   static constexpr Kept kept_below_triangle() { return {"CAB", ReductionReason::turned_below_triangle}; }
@@ -184,7 +197,7 @@ struct Intended {
     return {{roles.Q, roles.P, Role::A}, ReductionReason::face_keeps_normal};
   }
 
-  // -- Parts of Algorithms 4 and 5 --------------------------------------------------------------------------------------
+  // -- Parts of Algorithms 4 and 5 ------------------------------------------------------------------------------------
 
   /// The origin lies beyond the edge from A to X: Simplex([X, A]), searched along (AX×AO)×AX.
   template <class Rules, class S, class Obs>
@@ -192,8 +205,8 @@ struct Intended {
     return step.keep({{X, Role::A}, ReductionReason::beyond_edge}, Rules::from_edge(AX, step.AO(), AXn));
   }
 
-  /// The origin lies above the face APQ, whose outward normal is APQn = AP×AQ. The vertex off the face is dropped. Normals of
-  /// faces that were looked at before and have an edge in common with this one are there for AQn and APn; where there is none,
+  /// The origin lies above the face APQ, whose outward normal is APQn = AP×AQ. The vertex off the face is dropped. AQn
+  /// and APn are also given the normals of faces that were looked at before and share the edge. Where there is none,
   /// ABCn fills the place.
   ///
   /// Outcomes: beyond AQ → keep [Q, A]. Beyond AP → keep [P, A]. Else keep the face, search along APQn.
@@ -212,16 +225,19 @@ struct Intended {
   }
 };
 
-/// Algorithm 1 read literally: it adds the vertex and processes the simplex after it has found P·dir < 0, and
-/// contains_origin() may overwrite the answer. Wrong: for two balls side by side the same vertex comes back, the segment
-/// AB has no length, and (AB×AO)×AB = 0 reads as "the origin lies on AB".
+/// Algorithm 1 read literally. After it has found P·dir < 0, it adds the vertex and processes the simplex. Then
+/// contains_origin() may overwrite the answer.
+///
+/// This is wrong. For two balls side by side the same vertex comes back, and the segment AB has no length. Then
+/// (AB×AO)×AB = 0 reads as "the origin lies on AB".
 template <class ZeroTest = ExactZeroTest>
 struct Printed : Intended<ZeroTest> {
   static constexpr NotCrossed not_crossed() { return NotCrossed::process_the_simplex; }
 };
 
-/// A faster variant that the report does not have: w·d < 0 proves at the first point, too, that the sets are apart. Worth
-/// having where the first direction is a good guess, such as first_direction_between(); tests/bench/peers measures it.
+/// A faster variant that the report does not have: w·d < 0 proves at the first point, too, that the sets are apart. It
+/// is worth having where the first direction is a good guess, such as first_direction_between(). tests/bench/peers
+/// measures it.
 template <class ZeroTest = ExactZeroTest>
 struct Eager : Intended<ZeroTest> {
   static constexpr FirstPoint first_point() { return FirstPoint::tested; }

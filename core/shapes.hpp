@@ -31,7 +31,7 @@ struct SupportPoint {
   friend bool operator==(const SupportPoint&, const SupportPoint&) = default;
 };
 
-/// Anything with a support function is a shape; it may return a plain Vec3<S> where it has no vertices to number.
+/// Anything with a support function is a shape. It may return a plain Vec3<S> where it has no vertices to number.
 ///
 /// Requires of support(d): a point of the set with the largest dot product with d, for every finite d that is not zero.
 template <class T, class S>
@@ -41,7 +41,7 @@ concept Shape = requires(const T& shape, const Vec3<S>& d) {
 
 namespace detail {
 
-/// Points in blocks of eight: all x first, then all y, then all z, so that a processor multiplies several at a time. On
+/// Points in blocks of eight: all x first, then all y, then all z. So a processor multiplies several at a time. On
 /// larger sets this takes half the time of asking point by point.
 template <class S>
 class PointBlocks {
@@ -60,8 +60,8 @@ class PointBlocks {
 
   bool empty() const { return blocks_.empty(); }
 
-  /// Returns: where in the list the first of the farthest points is, as PointSet::support() says. Never inlined: small sets,
-  /// which have no blocks, should not have this in their way.
+  /// Returns: where in the list the first of the farthest points is, as PointSet::support() says. Never inlined: small
+  /// sets, which have no blocks, should not have this in their way.
   [[gnu::noinline]] std::size_t farthest(const Vec3<S>& d) const {
     std::size_t best = 0;
     Reaches reaches = reach(blocks_[0], d);
@@ -89,8 +89,9 @@ class PointBlocks {
     return block.col(0) * d.x() + (block.col(1) * d.y() + block.col(2) * d.z());
   }
 
-  /// Requires: `most` is the largest of `reaches`; kept, not computed again, for a compiler that is allowed to contract products
-  /// might then round them otherwise. All are compared: a loop that ends early would be guessed wrongly by the processor.
+  /// Requires: `most` is the largest of `reaches`. It is kept, not computed again: a compiler that is allowed to
+  /// contract products might then round them otherwise. All are compared: the processor would guess wrongly how a loop
+  /// that ends early goes on.
   /// Returns: below `size`, whatever is not a number.
   static std::size_t first_equal(const Reaches& reaches, const S& most) {
     unsigned equal = 1U << (size - 1);
@@ -126,13 +127,15 @@ class PointSet {
 
   const std::vector<Vec3<S>>& points() const { return points_; }
 
-  /// Returns: the largest |x|, |y| and |z| of its points. What bounds on rounding need to know of a set; computed with each
-  /// query it would cost as much as the query.
+  /// Returns: the largest |x|, |y| and |z| of its points. Bounds on rounding need to know that of a set. Computed with
+  /// each query it would cost as much as the query.
   const Vec3<S>& extent() const { return extent_; }
 
-  /// Returns: the mean of its n points, well inside, for searches to start from (Options::inside); not finite where the sum
-  /// overflows. It is off by at most nur in each component, r being the extent and u half the epsilon of S, and but for terms of
-  /// u²: n − 1 sums of at most nr are rounded, divided by n, and so is the quotient.
+  /// Returns: the mean of its n points, well inside, for searches to start from (Options::inside). It is not finite
+  /// where the sum overflows.
+  ///
+  /// It is off by at most nur in each component, but for terms of u². Here r is the extent and u half the epsilon of S.
+  /// The reason: n − 1 sums of at most nr are rounded and divided by n. The quotient is rounded, too.
   const Vec3<S>& mean() const requires std::floating_point<S> { return mean_; }
 
  private:
@@ -186,9 +189,10 @@ class Sphere {
 template <std::floating_point S>
 class Cylinder {
  public:
-  /// `axis`: any length but zero. `height`: from cap to cap; `center` lies halfway.
-  /// Without height it is a disc, without radius a segment.
-  /// Errors: std::invalid_argument unless radius and height are finite and not negative and the axis is finite and not zero.
+  /// `axis`: any length but zero. `height`: from cap to cap; `center` lies halfway. Without height it is a disc,
+  /// without radius a segment.
+  /// Errors: std::invalid_argument unless radius and height are finite and not negative and the axis is finite and not
+  /// zero.
   Cylinder(Vec3<S> center, Vec3<S> axis, S radius, S height)
       : center_(std::move(center)), axis_(std::move(axis)), radius_(radius), height_(height) {
     if (!(radius >= 0 && height >= 0 && std::isfinite(radius) && std::isfinite(height)))
@@ -202,13 +206,14 @@ class Cylinder {
 
   /// The cap on the side of d, and on it the rim point on the side of d, found from (axis×d)×axis.
   ///
-  /// Where d is a multiple of the axis that product is exactly zero: all points of the cap are equally far, and its middle
-  /// is returned. Where d is perpendicular to the axis both caps are equally far, and the one along the axis is taken
-  /// (rounding decides where the components of an axis askew are rounded).
+  /// Where d is a multiple of the axis that product is exactly zero. All points of the cap are then equally far, and
+  /// its middle is returned. Where d is perpendicular to the axis both caps are equally far. Then the one along the
+  /// axis is taken. (Rounding decides where the components of an axis askew are rounded.)
   ///
-  /// Axis and d have a largest component of 1 or -1. So a multiple of the axis is the axis itself or its opposite, however
-  /// its quotients were rounded; and close to the axis, where cross products are little but rounding error, two of the
-  /// three components of axis×d are exact, which keeps the rim point in the plane of its cap.
+  /// Axis and d have a largest component of 1 or -1.
+  ///  - So a multiple of the axis is the axis itself or its opposite, however its quotients were rounded.
+  ///  - Close to the axis cross products are little but rounding error. There two of the three components of axis×d are
+  ///    exact. This keeps the rim point in the plane of its cap.
   SupportPoint<S> support(const Vec3<S>& d) const {
     const Vec3<S> scaled = d / d.cwiseAbs().maxCoeff();  // as in Sphere
     const Vec3<S> cap = scaled.dot(axis_) < S(0) ? Vec3<S>(center_ - to_cap_) : Vec3<S>(center_ + to_cap_);
@@ -232,8 +237,8 @@ class Cylinder {
   Vec3<S> to_cap_ = Vec3<S>::Zero();
 };
 
-/// A rigid motion: x ↦ rotation·x + translation. Products are written as dot products, because Eigen's matrix product
-/// does not compile for the exact numbers of Boost.
+/// A rigid motion: x ↦ rotation·x + translation. Products are written as dot products. Eigen's matrix product does not
+/// compile for the exact numbers of Boost.
 template <class S>
 struct Pose {
   Eigen::Matrix<S, 3, 3> rotation = Eigen::Matrix<S, 3, 3>::Identity();  ///< orthogonal, determinant 1
@@ -243,10 +248,11 @@ struct Pose {
     return Vec3<S>(rotation.row(0).dot(x), rotation.row(1).dot(x), rotation.row(2).dot(x)) + translation;
   }
 
-  /// Returns: `d` turned back, as the resting shape sees it; its length changes.
+  /// Returns: `d` turned back, as the resting shape sees it. Its length changes.
   ///
-  /// Floating-point directions are first scaled by a power of two, which rounds nothing: otherwise the largest finite ones
-  /// would overflow in the product and the smallest vanish, and the shape would be asked in no direction (P1).
+  /// Floating-point directions are first scaled by a power of two, which rounds nothing. Otherwise the largest finite
+  /// ones would overflow in the product, and the smallest would vanish. The shape would then be asked in no direction
+  /// (P1).
   Vec3<S> turned_back(const Vec3<S>& d) const {
     Vec3<S> scaled = d;
     if constexpr (std::floating_point<S>) {
@@ -263,7 +269,7 @@ class Posed {
  public:
   Posed(A shape, Pose<S> pose) : shape_(std::move(shape)), pose_(std::move(pose)) {}
 
-  /// The farthest point of the moved shape is the moved farthest point along d turned back.
+  /// The support point of the moved shape is the moved support point of the shape at rest, along d turned back.
   SupportPoint<S> support(const Vec3<S>& d) const {
     const SupportPoint<S> own = shape_.support(pose_.turned_back(d));
     return {pose_(own.point), own.index};
@@ -305,8 +311,8 @@ struct Vertex {
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-/// Eq. 4: { X - Y }. Refers to its two sets, which must outlive it. It contains the origin exactly when the sets have
-/// a point in common (Section 2.3).
+/// Eq. 4: { X - Y }. Refers to its two sets, which must outlive it. It contains the origin exactly when the sets have a
+/// point in common (Section 2.3).
 template <class S, Shape<S> A, Shape<S> B>
 class MinkowskiDifference {
  public:

@@ -23,8 +23,8 @@ constexpr std::optional<Role> role_named(char letter) {
   return letter < 'A' || letter > 'D' ? std::nullopt : std::optional(static_cast<Role>(letter - 'A'));
 }
 
-/// Roles of up to four vertices, each once: a feature as the report writes it, "ADB", or what is kept of a simplex, oldest
-/// first, "CA". Written as that in code, too: event.feature == "ADB".
+/// Roles of up to four vertices, each once. A feature is written as in the report, "ADB". What is kept of a simplex is
+/// written oldest first, "CA". The same is written in code: event.feature == "ADB".
 class Roles {
  public:
   constexpr Roles() = default;

@@ -23,8 +23,8 @@ struct Kept {
 
 namespace detail {
 
-/// Hands events of one iteration to an observer. An event is described by a function that makes it, so that nothing
-/// is made, and nothing computed for it, when nobody listens.
+/// Hands events of one iteration to an observer. An event is described by a function that makes it. So nothing is made,
+/// and nothing computed for it, when nobody listens.
 template <class Obs>
 class Teller {
  public:
@@ -64,9 +64,9 @@ struct Region {
   Roles feature, face = {};
 };
 
-/// One call of Algorithms 2-5: the simplex as its vectors, and the telling of what the rules find out about it. The rules
-/// decide; where a variant decides otherwise than its numbers say, the relation told is that of the numbers, and the reason
-/// says how the search goes on.
+/// One call of Algorithms 2-5: the simplex as its vectors, and the telling of what the rules find out about it. The
+/// rules decide. A variant may decide otherwise than its numbers say. Then the relation told is that of the numbers,
+/// and the reason says how the search goes on.
 template <class Rules_, class S, class Obs>
 class Step {
  public:
@@ -154,7 +154,7 @@ class Step {
     return side;
   }
 
-  /// Of a vector that leads from a vertex or an edge to the origin: whether the origin is there.
+  /// `v` leads from a vertex or an edge to the origin. Returns: whether the origin is there.
   template <class Vector>
   bool is_zero(const Region& region, const Vector& v) const {
     const bool found = v.is_zero();
@@ -165,7 +165,7 @@ class Step {
     return found;
   }
 
-  /// A question of the complete rules, the answer to which the caller knows. `decides`: whether a yes settles it.
+  /// A question of the complete rules. The caller knows the answer. `decides`: whether a yes settles it.
   template <class Height>
   void tell_question(const Region& region, const Height& X_AO, Relation asked, bool holds, bool decides,
                      RegionReason reason) const {
@@ -197,8 +197,8 @@ class Step {
     return Next<S>::search_along(direction.value);
   }
 
-  /// The last that is done in a step: it changes the simplex, in place. Where the kept one is returned, a query of two
-  /// triangles takes 68 ns for 52, one of two tetrahedra 85 ns for 67 (GCC 12).
+  /// The last that is done in a step: it changes the simplex, in place. Returning the kept one takes longer (GCC 12). A
+  /// query of two triangles then takes 68 ns instead of 52, one of two tetrahedra 85 ns instead of 67.
   template <class Direction>
   Next<S> keep(const Kept& kept, const Direction& direction) const {
     tell_([&] {
@@ -241,7 +241,8 @@ class Step {
     return event;
   }
 
-  /// The sign test behind nearly all regions: does the origin lie on the side of A's feature that the normal n points to?
+  /// The sign test behind nearly all regions: does the origin lie on the side of A's feature that the normal n points
+  /// to?
   template <class Height>
   bool tell_sight(const Region& region, const Height& n_AO, bool chosen) const {
     tell_([&] {

@@ -1,6 +1,6 @@
-/// The vectors of Algorithms 2-5. With the value of each go what the zero test needs to know of its factors, and, where
-/// somebody listens, its name and formula. All are made by the same operation, so none can be that of another product;
-/// what nobody needs takes no room and no time.
+/// The vectors of Algorithms 2-5. With each value goes what the zero test needs to know of its factors. With an
+/// observer its name and formula go with it, too. All are made by the same operation. So none can be that of another
+/// product. What nobody needs takes no room and no time.
 #pragma once
 
 #include <concepts>
@@ -71,8 +71,8 @@ struct NoVector {
 
 // -- Scalar products --------------------------------------------------------------------------------------------------
 
-/// X·Y, and X itself where somebody listens. Each of the three questions is answered with no where the product is not a
-/// number.
+/// X·Y, and X itself where somebody listens. Where the product is not a number, each of the three questions is answered
+/// with no.
 template <class S, class Size, class Factor>
 struct Product {
   S value;
@@ -83,8 +83,8 @@ struct Product {
   bool is_positive() const { return size.snap(value) > S(0); }
   bool is_negative() const { return size.snap(value) < S(0); }
 
-  /// Of the point to which Y leads, X being the normal of the plane from which it leads there. Below, too, is what is not a
-  /// number.
+  /// Returns: the side of the point to which Y leads. X is the normal of the plane from which it leads there. What is
+  /// not a number is below, too.
   Side side() const { return is_zero() ? Side::in_plane : is_positive() ? Side::above : Side::below; }
 };
 
@@ -123,7 +123,7 @@ struct Vector {
   auto dot(const Vector<S, SizeY, Told>& Y) const {
     return product(value.dot(Y.value), size * Y.size);
   }
-  /// Returns: X·AO, computed as −(X·A): the sign of a product that is 0 depends on it, and is told.
+  /// Returns: X·AO, computed as −(X·A). The sign of a product that is 0 depends on that, and it is told.
   template <class SizeAO>
   auto dot(const ToOrigin<S, SizeAO, Told>& AO) const {
     return product(-value.dot(AO.A()), AO.size * size);
@@ -155,7 +155,7 @@ ToOrigin<S, Size, Told> to_origin_from(const Vec3<S>& A, const Size& size, const
   return {{-A, size, told}};
 }
 
-/// Returns: X×Y×X, the part of Y perpendicular to X, |X|² times as long.
+/// Returns: (X×Y)×X, the part of Y perpendicular to X, |X|² times as long.
 template <class S, class SizeX, class SizeY, class Told>
 auto triple(const Vector<S, SizeX, Told>& X, const Vector<S, SizeY, Told>& Y) {
   const auto size = Y.size * (X.size * X.size);

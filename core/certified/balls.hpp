@@ -1,8 +1,9 @@
-/// Collision tests of balls, and of balls and sets of points, that are exact: never wrong, never undecided. Needs what
+/// Collision tests of balls, and of balls and sets of points. They are exact: never wrong, never undecided. Needs what
 /// certified.hpp needs.
 ///
-/// The assumptions are those of certified.hpp. What is decided are polynomials in the coordinates and radii, each by its exact
-/// sign (C3): is the distance of the centers, or of the center from the hull of the points, at most the sum of the radii?
+/// The assumptions are those of certified.hpp. The question is whether a distance is at most the sum of the radii. It
+/// is the distance of the centers, or of the center from the hull of the points. Polynomials in the coordinates and
+/// radii decide that, each by its exact sign (C3).
 #pragma once
 
 #include "certified.hpp"
@@ -11,9 +12,9 @@ namespace gjk {
 
 namespace detail {
 
-/// Requires: the feature of the difference that is nearest to the origin, v being the nearest point of it.
-/// Returns: whether |v| <= r + s, squared and multiplied by the square of what v's distance is measured along: |AB×AO|² is
-/// |v|²|AB|², and (ABCn·AO)² is |v|²|ABCn|².
+/// Requires: the feature of the difference that is nearest to the origin. v is the nearest point of it.
+/// Returns: whether |v| <= r + s. Both sides are squared and multiplied by the square of what v's distance is measured
+/// along. For an edge |AB×AO|² is |v|²|AB|². For a triangle (ABCn·AO)² is |v|²|ABCn|².
 template <class S>
 bool is_within(const ExactSimplex<S>& nearest, const ExactDifference<S>& difference, S r, S s) {
   const auto excess = [&]<class N>(const FromA<N>& A) {
@@ -28,8 +29,8 @@ bool is_within(const ExactSimplex<S>& nearest, const ExactDifference<S>& differe
   return nearest.sign(excess) <= 0;
 }
 
-/// Returns: whether the hulls of two sets of points are at most r + s apart. Walks to the feature of the difference that is
-/// nearest to the origin: it ends as C4 says.
+/// Returns: whether the hulls of two sets of points are at most r + s apart. Walks to the feature of the difference
+/// that is nearest to the origin. That walk ends as C4 says.
 template <class S>
 Status status_within(const PointSet<S>& a, const PointSet<S>& b, S r, S s) {
   expect_usual_arithmetic();
@@ -52,7 +53,7 @@ PointSet<S> center_of(const Sphere<S>& ball) {
 
 }  // namespace detail
 
-/// Do they have a point in common? Exactly; touching is intersecting.
+/// Do they have a point in common? The answer is exact. Touching is intersecting.
 ///
 /// Requires: finite numbers. Errors: as certified_collision().
 template <class S>

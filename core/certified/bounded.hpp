@@ -1,4 +1,5 @@
-/// A double that knows its error, and vectors of it or of any other number: enough to take the sign of a polynomial.
+/// A double that knows its error (dynamic error bound), and vectors of it or of any other number. That is enough to
+/// take the sign of a polynomial.
 #pragma once
 
 #include <cmath>
@@ -6,14 +7,15 @@
 
 namespace gjk::detail {
 
-/// u, half the distance from 1 to the next number: rounding to nearest moves a number by at most u times its size.
+/// u, half the distance from 1 to the next number. Rounding to nearest moves a number by at most u times its size.
 template <class S>
 inline constexpr double roundoff_of = std::numeric_limits<S>::epsilon() / 2.0;
 inline constexpr double roundoff = roundoff_of<double>;
 
-/// The number that is meant lies within `error` of `value`. An operation rounds its value by u|value| and its error by less
-/// than 16u of it (six operations at most); what underflow loses is far below 1e-300 (each product at most 2^-1075, and no
-/// sum). Where something overflows the error is infinite or not a number, and no sign is certain.
+/// The number that is meant lies within `error` of `value`.
+///  - An operation rounds its value by u|value|. It rounds its error by less than 16u of it (six operations at most).
+///  - What underflow loses is far below 1e-300: each product at most 2^-1075, and no sum.
+///  - Where something overflows the error is infinite or not a number, and no sign is certain.
 struct Bounded {
   double value = 0, error = 0;
 
@@ -37,7 +39,7 @@ struct Bounded {
 /// −1, 0 or 1. Requires: a certain sign.
 inline int sign_of(const Bounded& x) { return x.value > 0 ? 1 : x.value < 0 ? -1 : 0; }
 
-/// A vector of any numbers that can be added and multiplied: Eigen would want to know more of them.
+/// A vector of any numbers that can be added and multiplied. Eigen would want to know more of them.
 template <class N>
 struct Triple {
   N x, y, z;

@@ -1,35 +1,44 @@
-/// Collision tests whose answer is proven: exact geometric computation by filtered predicates. This header is the one to begin with.
+/// Collision tests whose answer is proven: exact geometric computation by filtered predicates. This header is the one
+/// to begin with.
 ///
 ///     const gjk::CertifiedResult result = gjk::certified_collision(set_a, set_b);
 ///     result.status;        // intersecting or separated
 ///     result.certificate;   // why: see certificate.hpp; holds() of check.hpp multiplies it out
 ///
-/// | sets                         | call                          | answer                                                  |
-/// |------------------------------|-------------------------------|---------------------------------------------------------|
-/// | hulls of points              | certified_collision()         | never wrong, never undecided; with a certificate        |
-/// | balls, among them and points | certified_status(), balls.hpp | never wrong, never undecided                            |
-/// | all else, posed shapes too   | certified_shapes(), shapes.hpp| never wrong; undecided near contact, with a bound on it |
+/// What to call for which sets:
+///  - Hulls of points: certified_collision(). Never wrong, never undecided; with a certificate.
+///  - Balls, among them and points: certified_status() of balls.hpp. Never wrong, never undecided.
+///  - All else, posed shapes too: certified_shapes() of shapes.hpp. Never wrong; undecided near contact, with a bound
+///    on it.
 ///
-/// How: collision() runs in S. What it finds, a separating axis or a tetrahedron around the origin, is tried against a static
-/// error bound (filter.hpp). Where that does not suffice the exact fallback (exact_fallback.hpp) searches for the min-norm point, like Wolfe's
-/// algorithm, by signs that are exact: dynamic error bounds first, whole numbers of any length where these leave a doubt. The filter costs
-/// a few products; of random pairs some ten in a million need the fallback, of touching ones all, which then take five times as long
-/// (measured: tests/study/results/certified.md).
+/// How it works:
+///  1. collision() runs in S. It finds a separating axis or a tetrahedron around the origin.
+///  2. The filter (filter.hpp) tries that against a static error bound.
+///  3. Where that does not suffice the exact fallback (exact_fallback.hpp) searches for the min-norm point, like
+///     Wolfe's algorithm. It goes by signs that are exact. Dynamic error bounds come first, whole numbers of any length
+///     where these leave a doubt.
 ///
-/// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers, kept by others; nothing else of the core needs it).
+/// The filter costs a few products. Of random pairs some ten in a million need the fallback. Of touching ones all do,
+/// and then take five times as long (measured: tests/study/results/certified.md).
 ///
-/// What is proven, under which assumptions, as numbered properties; the tests quote them. The assumptions: IEEE arithmetic,
-/// rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no harm.)
-///  C1. A direction d is a proof where −w·d > 16u·s, w being the point found along d and s = Σ (r_A + r_B)|d|: see SeparationFilter.
-///  C2. Four points are a proof where four determinants are larger than 64uM³, M being the largest coordinate of the points:
-///      see ContainmentFilter. One of them may be the difference of the means of the sets, which is known less well: larger than
-///      64uM³ + 8(n_A r_A + n_B r_B)uM², see error_of_mean().
-///  C3. Each sign that the exact fallback goes by is that of the exact number: see exact_fallback.hpp.
-///  C4. The exact fallback ends: |v|, the distance of the simplex from the origin, falls strictly, v depends only on the
-///      feature that is kept, and there are finitely many of them.
-///  C5. Whatever the first search does, wrong rules included, costs time and never truth: of it only points of the difference and
-///      one direction with its farthest point are taken, and what they prove is looked at anew. Of a search that starts inside
-///      the first vertex is no such point, unless the caller has given the means of the sets: which these know themselves.
+/// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers of another project). Nothing else of
+/// the core needs Boost.
+///
+/// What is proven, under which assumptions, as numbered properties. The tests quote them. The assumptions: IEEE
+/// arithmetic, rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no
+/// harm.)
+///  C1. A direction d is a proof where −w·d > 16u·s. Here w is the support point found along d, and s = Σ (r_A +
+///      r_B)|d|. See SeparationFilter.
+///  C2. Four points are a proof where four determinants are larger than 64uM³, M being the largest coordinate of the
+///      points. See ContainmentFilter. One of the points may be the difference of the means of the sets, which is known
+///      less well. Then the determinants have to be larger than 64uM³ + 8(n_A r_A + n_B r_B)uM², see error_of_mean().
+///  C3. Each sign that the exact fallback goes by is that of the exact number. See exact_fallback.hpp.
+///  C4. The exact fallback ends. |v|, the distance of the simplex from the origin, falls strictly. v depends only on
+///      the feature that is kept, and there are finitely many features.
+///  C5. Whatever the first search does, wrong rules included, costs time and never truth. Of it only points of the
+///      difference and one direction with the support point found along it are taken. What they prove is looked at
+///      anew. Of a search that starts inside, the first vertex is no such point. It is one where the caller has given
+///      the means of the sets, which the sets know themselves.
 #pragma once
 
 #include <cmath>
@@ -49,15 +58,16 @@ namespace detail {
 
 // -- Both searches ---------------------------------------------------------------------------------------------------
 
-/// Whether rules ask the difference itself for its farthest points, as Eq. 8 does: what is proven rests on that, and on nothing
-/// else of them.
+/// Whether rules ask the difference itself for its support points, as Eq. 8 does. What is proven rests on that, and on
+/// nothing else of the rules.
 template <class Rules, class S>
 concept AsksTheDifference = std::same_as<decltype(Rules::template difference<S>(std::declval<const PointSet<S>&>(),
                                                                                 std::declval<const PointSet<S>&>())),
                                          MinkowskiDifference<S, PointSet<S>, PointSet<S>>>;
 
-/// Of a search that started inside. Returns: how far the components of the vertex that it started from may be off: 0 where that
-/// is dropped; infinite where it is not the difference of the means, and so has no name.
+/// Of a search that started inside. Returns: how far the components of the vertex that it started from may be off. It
+/// is 0 where that vertex is dropped. It is infinite where that vertex is not the difference of the means, and so has
+/// no name.
 template <class S>
 double error_of_start(const Simplex<S>& simplex, const PointSet<S>& a, const PointSet<S>& b) {
   for (int i = 0; i < simplex.size(); ++i) {
@@ -76,7 +86,7 @@ void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
     pairs.add({simplex[i].a.index.value_or(IndexPair::mean), simplex[i].b.index.value_or(IndexPair::mean)});
 }
 
-/// Adds those that support functions have found; one at least, whichever.
+/// Adds the vertices that support functions have found. Adds one at least, whichever.
 template <class S>
 void add_found_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
   for (int i = 0; i < simplex.size(); ++i)
@@ -84,7 +94,8 @@ void add_found_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
   if (pairs.size() == 0) pairs.add({});
 }
 
-/// What certified_collision() does after its first search, whose rules it does not ask for: compiled once for all of them.
+/// What certified_collision() does after its first search. It does not ask for the rules of that search, so it is
+/// compiled once for all of them.
 template <class S, class Obs>
 CertifiedResult prove(const Result<S>& guess, const PointSet<S>& a, const PointSet<S>& b, const Options<S>& options,
                       Obs& observer) {
@@ -130,13 +141,14 @@ CertifiedResult certify(const PointSet<S>& a, const PointSet<S>& b, const Option
 
 }  // namespace detail
 
-/// Do the convex hulls of two sets of points have a point in common? Asked by collision() with any rules; what it finds is
-/// proven in S, and where that fails decided anew, exactly. No iteration limit, no tolerance; touching is intersecting.
+/// Do the convex hulls of two sets of points have a point in common? collision() is asked, with any rules. What it
+/// finds is proven in S. Where that fails it is decided anew, exactly. There is no iteration limit and no tolerance.
+/// Touching is intersecting.
 ///
-/// `observer`: is told the events of collision(), then the proofs, the exact fallback and the end. Nothing is made for one that
-/// is not there. collision() finds a cycle at once where somebody listens: of a pair that goes round the numbers of iterations
+/// `observer`: is told the events of collision(), then the proofs, the exact fallback and the end. Without one no event
+/// is made. With an observer collision() finds a cycle at once. Of a pair that goes round, the numbers of iterations
 /// and the certificate may then be others.
-/// Requires: finite coordinates; any S but float and double would need its own bounds.
+/// Requires: finite coordinates. Any S but float and double would need its own bounds.
 /// Returns: the answer with its certificate. Never undecided.
 /// Errors: std::runtime_error where denormal numbers are flushed to zero or rounding is not to nearest.
 template <class S, class Rules = AsIntended, class Obs = const NobodyListens>

@@ -1,4 +1,5 @@
-/// Does a certificate hold? Multiplied out in fractions, without any code of what made it. Needs Eigen and Boost.Multiprecision.
+/// Does a certificate hold? It is multiplied out in fractions, without any code of what made it. Needs Eigen and
+/// Boost.Multiprecision.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@ Fractions fractions(const Vec3<S>& v) {
 
 inline Fractions minus(const Fractions& u, const Fractions& v) { return {u[0] - v[0], u[1] - v[1], u[2] - v[2]}; }
 
-/// Gauss's elimination; each row has its right side as its last number. Returns: the solution, if there is exactly one.
+/// Gauss's elimination. Each row has its right side as its last number. Returns: the solution, if there is exactly one.
 inline std::optional<Fractions> solution_of(std::vector<Fractions> rows, std::size_t unknowns) {
   for (std::size_t i = 0; i < unknowns; ++i) {
     const auto pivot = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(std::min(i, rows.size())), rows.end(),
@@ -91,7 +92,7 @@ bool holds(const SeparatingDirection& certificate, const PointSet<S>& a, const P
   return certificate.d.allFinite() && detail::separates(detail::fractions(certificate.d), a, b);
 }
 
-/// Returns: −v, exactly: v = w₀ + Σ tₖ(wₖ − w₀), where every (wᵢ − w₀)·v is 0; none where these are no such points.
+/// Returns: −v, exactly. v = w₀ + Σ tₖ(wₖ − w₀), where every (wᵢ − w₀)·v is 0. None where these are no such points.
 template <class S>
 std::optional<detail::Fractions> direction_of(const SeparatingFeature& certificate, const PointSet<S>& a,
                                               const PointSet<S>& b) {
@@ -119,7 +120,7 @@ bool holds(const SeparatingFeature& certificate, const PointSet<S>& a, const Poi
   return d && detail::separates(*d, a, b);
 }
 
-/// Returns: λ, exactly: Σ λₖwₖ = 0, where Σ λₖ = 1; none where these are no points with exactly one such λ.
+/// Returns: λ, exactly. Σ λₖwₖ = 0, where Σ λₖ = 1. None where these are no points with exactly one such λ.
 template <class S>
 std::optional<detail::Fractions> weights_of(const CommonSimplex& certificate, const PointSet<S>& a,
                                             const PointSet<S>& b) {

@@ -1,6 +1,9 @@
-/// The exact fallback of certified.hpp, a search for the min-norm point (Wolfe 1976): it walks to the feature of the difference of two
-/// sets of points that is nearest to the origin, or into the origin, and each of its decisions is exact (C3, C4). Signs are taken of
-/// doubles that know their error, and of whole numbers where that leaves a doubt. Needs Eigen and Boost.Multiprecision.
+/// The exact fallback of certified.hpp, a search for the min-norm point (Wolfe 1976). It walks to the feature of the
+/// difference of two sets of points that is nearest to the origin, or into the origin. Each of its decisions is exact
+/// (C3, C4).
+///
+/// Signs are taken of doubles that know their error (dynamic error bounds). Where that leaves a doubt they are taken of
+/// whole numbers. Needs Eigen and Boost.Multiprecision.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +41,9 @@ struct BinaryFraction {
   }
 };
 
-/// Two sets of points and the points of their difference, in either number: in whole numbers times one power of two, in
-/// doubles times another that brings the largest coordinate near 1, so that no polynomial overflows. Floats are widened.
+/// Two sets of points and the points of their difference, in either kind of number. Whole numbers are the coordinates
+/// times one power of two. Doubles are the coordinates times another, which brings the largest near 1: so no polynomial
+/// overflows. Floats are widened.
 template <class S>
 class ExactDifference {
  public:
@@ -53,7 +57,7 @@ class ExactDifference {
 
   const PointSet<S>& a() const { return a_; }
   const PointSet<S>& b() const { return b_; }
-  /// Of the power of two with which bounded numbers are multiplied.
+  /// Returns: the exponent of the power of two with which bounded numbers are multiplied.
   int exponent() const { return exponent_; }
 
   template <class N>
@@ -79,7 +83,8 @@ class ExactDifference {
     for (const IndexPair pair : pairs) simplex.add(vertex(pair));
     return simplex;
   }
-  /// Returns: of which powers of two times itself a polynomial of that degree is computed. Once whole numbers were made.
+  /// Returns: the powers of two with which a polynomial of that degree is multiplied where it is computed. That of
+  /// whole numbers is known once whole numbers were made.
   Powers powers(int degree) const { return {degree * exponent_, least_exponent_ ? -degree * *least_exponent_ : 0}; }
 
   /// Requires: a coordinate, or a radius.
@@ -126,8 +131,8 @@ struct FromA {
   const Triple<N>& operator[](Role X) const { return to[static_cast<std::size_t>(X)]; }
 };
 
-/// −v times a positive factor, v being the point nearest to the origin of the hull of at most three vertices, in its
-/// interior. `side`: of the triangle, on which the origin lies.
+/// −v times a positive factor. v is the point nearest to the origin of the hull of at most three vertices, and lies in
+/// its interior. `side`: of the triangle, on which the origin lies.
 template <class N>
 Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
   const auto &AO = A.AO, &AB = A[Role::B];
@@ -137,8 +142,8 @@ Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
   return side > 0 ? ABCn : -ABCn;
 }
 
-/// A simplex, by the indices of its vertices, that tells where the origin is. The whole numbers are made where the first
-/// sign is in doubt.
+/// A simplex, by the indices of its vertices, that tells where the origin is. The whole numbers are made where the
+/// first sign is in doubt.
 template <class S, class Obs = const NobodyListens>
 class ExactSimplex {
  public:
@@ -165,9 +170,10 @@ class ExactSimplex {
     if constexpr (tells) tell_.keep(order);
   }
 
-  /// C3. `polynomial`: of the vectors from A, in either number. Returns: −1, 0 or 1, taken of doubles that know their error
-  /// where that leaves no doubt, and of whole numbers where it does. `words`: makes what is told, of a polynomial of that
-  /// degree.
+  /// C3. `polynomial`: of the vectors from A, in either kind of number, of degree `degree`.
+  /// `words`: makes what is told of it.
+  /// Returns: −1, 0 or 1. The sign is taken of doubles that know their error where that leaves no doubt. Where there is
+  /// a doubt it is taken of whole numbers.
   template <class Polynomial, class Words>
   int sign(const Polynomial& polynomial, int degree, const Words& words) const {
     const Bounded quick = polynomial(bounded_);
@@ -179,7 +185,7 @@ class ExactSimplex {
     tell_.sign(words, difference_.powers(degree), quick, &exact);
     return sign_of(exact);
   }
-  /// That of one that is not told.
+  /// The sign of a polynomial that is not told.
   template <class Polynomial>
   int sign(const Polynomial& polynomial) const {
     const Bounded quick = polynomial(bounded_);
@@ -221,7 +227,8 @@ class ExactSimplex {
                 });
   }
 
-  /// Requires: the point nearest to the origin in the interior of the simplex. Returns: whether that is the origin.
+  /// Requires: the point of the simplex nearest to the origin lies in its interior. Returns: whether that point is the
+  /// origin.
   bool contains_origin() const {
     switch (size()) {
       case 1:
@@ -237,14 +244,14 @@ class ExactSimplex {
     }
   }
 
-  /// Returns: of toward_origin(), in the letters of before the others were dropped.
+  /// Returns: the words for toward_origin(), in the letters from before the others were dropped.
   Expression words_of_direction() const {
     if (size() == 1) return AO;
     if (size() == 2) return {Expression::Form::triple, tell_.edge(Role::B), AO};
     const NamedVector ABCn = tell_.normal(Role::B, Role::C);
     return {side_of_origin(Role::B, Role::C) > 0 ? Expression::Form::vector : Expression::Form::negative, ABCn};
   }
-  /// Returns: of the polynomials that its components are.
+  /// Returns: the degree of the polynomials that the components of that direction are.
   int degree_of_direction() const { return size() == 2 ? 3 : size() == 3 ? 2 : 1; }
 
   template <class N>
@@ -303,8 +310,8 @@ struct HighestBits {
   unsigned cut;
 };
 
-/// What is cut off is less than 1, and doubles round what is left by half a step, which is u of its power of two. That and 1 is a
-/// double, so that their sum, where it is rounded, is no less.
+/// What is cut off is less than 1. Doubles round what is left by half a step, which is u of its power of two. Half a
+/// step plus 1 is a double. So the sum made here, where it is rounded, is no less.
 inline HighestBits highest_bits(const Triple<Whole>& d) {
   const auto bits = [](const Whole& x) { return x == 0 ? 0U : static_cast<unsigned>(msb(abs(x))) + 1; };
   const unsigned most = std::max({bits(d.x), bits(d.y), bits(d.z)}), cut = most > 60 ? most - 60 : 0;
@@ -345,7 +352,7 @@ class AlongDirection {
   /// Returns: w·d, and its error.
   Bounded reach(IndexPair vertex) const { return dot(difference_.template w<Bounded>(vertex), bounded_); }
 
-  /// Returns: a point of the difference with w·d >= 0, not always the farthest; none where there is none.
+  /// Returns: a point of the difference with w·d >= 0, not always the support point. None where there is none.
   std::optional<IndexPair> vertex_across() const {
     const IndexPair found = near_farthest();
     from_.tell()([&] { return SupportFound<S>{.direction = told(), .vertex = difference_.vertex(found)}; });
@@ -363,7 +370,8 @@ class AlongDirection {
     return sign_of(exact) >= 0 ? std::optional(farthest) : std::nullopt;
   }
 
-  /// Returns: a point of the difference nearer to the origin than all of the simplex, (w − A)·d > 0; none where there is none.
+  /// Returns: a point of the difference nearer to the origin than all of the simplex, (w − A)·d > 0. None where there
+  /// is none.
   std::optional<IndexPair> vertex_nearer() const {
     const IndexPair found = near_farthest();
     if (is_nearer(found)) return found;
@@ -384,7 +392,8 @@ class AlongDirection {
                         w_d, exact, difference_.vertex(vertex));
   }
 
-  /// Returns: the direction that the support functions are asked in; undone what it was divided by, where that is exact.
+  /// Returns: the direction in which the support functions are asked. What it was divided by is undone, where that is
+  /// exact.
   Vec3<S> told() const {
     const Vec3<S> own = rough_.unaryExpr([this](S x) { return std::scalbn(x, exponent_ - power_); });
     const auto is_kept = [](S before, S after) { return before == 0 || std::isnormal(after); };
@@ -416,12 +425,14 @@ class AlongDirection {
     return error < 0x1p-20 * largest;
   }
 
-  /// Makes the direction that the support functions are asked in, so small that none of their products overflows, and how
-  /// far they may be off.
+  /// Makes the direction in which the support functions are asked. It is so small that none of their products
+  /// overflows. Also computes how far the support functions may be off.
   ///
-  /// For a point p and the one that was found, p*: p·d − p*·d is at most 2Σ r|d − rough|, plus two roundings of p·rough in the
-  /// scan, 6uΣ r|rough|, and where candidates are compared in doubles as much again: 12u, 16u with what is rounded here. What
-  /// underflows in a scan is at most three times half the least denormal number, twice.
+  /// Let p be a point, and p* the one that was found. p·d − p*·d is at most the sum of
+  ///  - 2Σ r|d − rough|;
+  ///  - two roundings of p·rough in the scan, 6uΣ r|rough|;
+  ///  - as much again where candidates are compared in doubles: 12u, and 16u with what is rounded here;
+  ///  - what underflows in a scan: at most three times half the least denormal number, twice.
   void aim() {
     double largest = 0;
     for (const Bounded& c : components(bounded_)) largest = std::max(largest, std::abs(c.value));
@@ -442,8 +453,8 @@ class AlongDirection {
            8 * static_cast<double>(std::numeric_limits<S>::denorm_min());
   }
 
-  /// Returns: the point of the set farthest along d (where `toward` is −1, along −d), exactly. `near_farthest`: the one found
-  /// by its support function.
+  /// Returns: the support point of the set along d (where `toward` is −1, along −d), exactly.
+  /// `near_farthest`: the point found by its support function.
   int farthest_of(const PointSet<S>& set, int near_farthest, int toward) const {
     const Vec3<double> along = toward * rough_.template cast<double>();
     const auto roughly = [&](int i) {
@@ -482,8 +493,9 @@ class AlongDirection {
   int exponent_ = 0;
 };
 
-/// Walks to the feature of the difference that is nearest to the origin, or into the origin. Each vertex that it adds brings
-/// it nearer (C4), each decision is exact (C3). `offered`: at least one vertex, to begin with; good ones save scans.
+/// Walks to the feature of the difference that is nearest to the origin, or into the origin. Each vertex that it adds
+/// brings it nearer (C4). Each decision is exact (C3). `offered`: at least one vertex, to begin with; good ones save
+/// scans.
 template <class S, class Obs>
 [[gnu::noinline]] void decide_exactly(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered,
                                       Teller<Obs>& tell, CertifiedResult& result) {

@@ -1,5 +1,5 @@
-/// The filter of certified.hpp: what the first search has found is proven in its own numbers, by static bounds on what was
-/// rounded on the way (C1, C2). Needs Eigen only.
+/// The filter of certified.hpp: what the first search has found is proven in its own numbers. Static error bounds cover
+/// what was rounded on the way (C1, C2). Needs Eigen only.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace gjk::detail {
 
-/// Between which powers of two the proofs stay, so that what over- and underflows does not count.
+/// The powers of two between which the proofs stay, so that overflow and underflow do not count.
 template <class S>
 struct Range;
 template <>
@@ -24,13 +24,16 @@ struct Range<float> {
   static constexpr double least_reach = 0x1p-100, largest_reach = 0x1p126, least_norm = 0x1p-40, largest_norm = 0x1p40;
 };
 
-/// C1. Returns: whether d separates the sets, w·d having been found as `support_value` by their support functions.
+/// C1. Returns: whether d separates the sets. Their support functions have found w·d as `support_value`.
 ///
-/// s = Σ (r_A + r_B)|d| is as far as points can be along d (r: PointSet::extent()). The scan computes a·d to 3u of its part of
-/// s, so no point lies farther than the one found by more than 6u·s; w = a − b and w·d are off by 4u·s. Together 10u·s;
-/// 16u·s is asked for, since s and this very product are rounded, too. Fifteen products may underflow (of the point found and of
-/// one that is farther in both scans, and of w·d), each by half the least denormal number; where s is not tiny they are far below
-/// the 6u·s left over; and where s is not huge, nothing overflows.
+/// The static error bound:
+///  1. s = Σ (r_A + r_B)|d| is as far as points can be along d (r: PointSet::extent()).
+///  2. The scan computes a·d to 3u of its part of s. So no point lies farther than the one found by more than 6u·s.
+///  3. w = a − b and w·d are off by 4u·s.
+///  4. Together 10u·s. 16u·s is asked for, since s and this very product are rounded, too.
+///  5. Fifteen products may underflow, each by half the least denormal number. They are those of the point found and of
+///     one that is farther in both scans, and of w·d. Where s is not tiny they are far below the 6u·s left over.
+///  6. Where s is not huge, nothing overflows.
 template <class S>
 class SeparationFilter {
  public:
@@ -55,14 +58,17 @@ class SeparationFilter {
 
 /// C2. Returns: whether the origin lies strictly inside the tetrahedron.
 ///
-/// With v(x, y, z) = (x×y)·z, a·v(b,c,d) − b·v(a,c,d) + c·v(a,b,d) − d·v(a,b,c) = 0 for any four vectors: where the four
+/// Let v(x, y, z) = (x×y)·z. For any four vectors a·v(b,c,d) − b·v(a,c,d) + c·v(a,b,d) − d·v(a,b,c) = 0. Where the four
 /// coefficients have one strict sign, the origin is a convex combination of all four points.
 ///
-/// Each of the six products of three components in v meets 8 roundings (three differences a − b, product, difference,
-/// product, two sums) and is at most M³, M being the largest component of all: 48uM³ is the error, and 64uM³ is asked for.
+/// The static error bound, M being the largest component of all:
+///  1. Each of the six products of three components in v is at most M³.
+///  2. Each meets 8 roundings: three differences a − b, product, difference, product, two sums.
+///  3. 48uM³ is the error, and 64uM³ is asked for.
 ///
-/// `mean_error`: how far the components of one of the points may be off beside that, see error_of_mean(). Each product has one
-/// of them at most, times M²: 6M² is the error that it makes, and 8M² is asked for.
+/// `mean_error`: how far the components of one of the points may be off beside that, see error_of_mean(). Each product
+/// has one of them at most, times M². So `mean_error` makes an error of 6M² times itself, and 8M² times it is asked
+/// for.
 template <class S>
 class ContainmentFilter {
  public:
@@ -93,9 +99,10 @@ class ContainmentFilter {
   double error_ = 0, bcd_ = 0, acd_ = 0, abd_ = 0, abc_ = 0;
 };
 
-/// C2. Returns: by how much the components of the mean of n points of that extent may be off, see PointSet::mean(). What terms
-/// of u² add is less than what ContainmentFilter asks for beyond, if nu is at most a quarter; and a denormal quotient is off by
-/// less than the least number, which is nothing beside what M has to be.
+/// C2. Returns: by how much the components of the mean of n points of that extent may be off, see PointSet::mean().
+///
+/// If nu is at most a quarter, terms of u² add less than what ContainmentFilter asks for beyond. A denormal quotient is
+/// off by less than the least number. That is nothing beside what M has to be.
 template <class S>
 double error_of_mean(std::size_t n, S extent) {
   const double nu = static_cast<double>(n) * roundoff_of<S>;

@@ -5,8 +5,8 @@
 
 namespace gjk {
 
-/// Fractions without limit; every finite float is one. Expression templates are off, because Eigen keeps what a function of the scalar
-/// returns.
+/// Fractions without limit. Every finite float is one. Expression templates are off, because Eigen keeps what a
+/// function of the scalar returns.
 using Fraction =
     boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 

@@ -1,20 +1,23 @@
-/// Collision tests of shapes whose points are computed, such as cylinders, sums, and what a pose moves: never wrong, and where
-/// their points are known too badly for an answer undecided, with a bound on how near the shapes are. Needs Eigen only.
+/// Collision tests of shapes whose points are computed, such as cylinders, sums, and what a pose moves. The answer is
+/// never wrong. Where their points are known too badly for an answer it is undecided, with a bound on how near the
+/// shapes are. Needs Eigen only.
 ///
 ///     const gjk::ShapesResult result = gjk::certified_shapes(can, gjk::Posed(box, pose));
 ///     result.status;  // intersecting, separated, or undecided
 ///     result.gap;     // undecided: no farther apart than that, and no deeper in each other
 ///
-/// A point w of the difference is known to ε: the errors of both shapes, see C6 in support_error.hpp, and what w itself and its
-/// product with a direction are rounded by. The assumptions are those of certified.hpp.
-///  C7. Apart: a direction d with −w·d > ε|d|, w being the point found along it. For no point of the difference is farther
-///      along d than w by more than that.
-///  C8. Together: a closed surface of triangles between points that were found, which goes around the origin, and of which no
-///      triangle comes as near to it as ε. Were every point where it truly is, no triangle would have passed the origin on the
-///      way there; so the surface still goes around it, and the origin is in the hull of its points.
-///  C9. No farther apart than the triangle of that surface that is nearest to the origin, and 2ε; of a flat difference, which has
-///      none, than g where it surrounds the origin once grown by a ball of radius g. And no deeper in each other than the
-///      difference reaches along the direction in which it reaches least, and ε (C7).
+/// A point w of the difference is known to ε. ε has the errors of both shapes, see C6 in support_error.hpp. It also has
+/// what w itself and its product with a direction are rounded by. The assumptions are those of certified.hpp.
+///  C7. Apart: a direction d with −w·d > ε|d|, w being the point found along it. For no point of the difference is
+///      farther along d than w by more than ε|d|.
+///  C8. Together: a closed surface of triangles between points that were found. It goes around the origin, and no
+///      triangle of it comes as near to the origin as ε. Move every point to where it truly is: no triangle passes the
+///      origin on the way there. So the surface still goes around the origin, and the origin is in the hull of its
+///      points.
+///  C9. Bounds. The shapes are no farther apart than the triangle of that surface nearest to the origin is from it,
+///      plus 2ε. A flat difference has no such surface. There they are no farther apart than g, where the difference
+///      grown by a ball of radius g surrounds the origin. Find the direction in which the difference reaches least: the
+///      shapes are no deeper in each other than it reaches there, plus ε (C7).
 #pragma once
 
 #include <algorithm>
@@ -33,8 +36,8 @@ namespace gjk {
 
 struct ShapesResult {
   Status status = Status::undecided;
-  /// Where undecided: the shapes are at most so far apart, and to part them takes a move of at most so much (C9); infinite where
-  /// their points are beyond a millionth of what S can hold. Else 0.
+  /// Where undecided, a bound (C9). The shapes are at most so far apart, and to part them takes a move of at most so
+  /// much. It is infinite where their points are beyond a millionth of what S can hold. Where decided it is 0.
   double gap = 0;
   int iterations = 0;               ///< how many times each of the two support functions was called
   Vec3<double> direction{0, 0, 0};  ///< where separated: a·d < b·d for all points a and b
@@ -44,20 +47,26 @@ namespace detail {
 
 using Place = Vec3<double>;
 
-/// Not inlined: GCC 12 vectorizes from -O2 on, and leaves the rounding out where two numbers are turned to float and back.
+/// Not inlined: GCC 12 vectorizes from -O2 on. It then leaves the rounding out where two numbers are turned to float
+/// and back.
 template <class S>
 [[gnu::noinline]] Vec3<S> rounded(const Place& direction) {
   return direction.cast<S>();
 }
 
-/// The difference of two shapes, grown by a ball, asked about points; keeps what directions prove. Lengths are in units of a
-/// power of two near the shapes' size: so no product of three is beyond all doubles, or lost below them, however large or small
-/// the shapes are. What a coordinate loses below the least double there is nothing beside ε.
+/// The difference of two shapes, grown by a ball, asked about points. It keeps what directions prove.
+///
+/// Lengths are in units of a power of two near the shapes' size. So no product of three is beyond all doubles, or lost
+/// below them, however large or small the shapes are. What a coordinate loses below the least double there is nothing
+/// beside ε.
 template <class S, class A, class B>
 class BoundedDifference {
  public:
-  /// ε: w = a − b is rounded by u|w|, and w·d/|d| or the height of a triangle is off by 6.5u|w| at most: 3u for the product, 2.5u
-  /// for the length, 1u for the quotient; how far it reaches with ε (C9) is a sum, rounded by another u. All in doubles.
+  /// ε, all in doubles:
+  ///  - w = a − b is rounded by u|w|.
+  ///  - w·d/|d| or the height of a triangle is off by 6.5u|w| at most: 3u for the product, 2.5u for the length, 1u for
+  ///    the quotient.
+  ///  - How far it reaches with ε (C9) is a sum, rounded by another u.
   BoundedDifference(const A& a, const B& b) : a_(a), b_(b) {
     const SupportError of_a = support_error(a), of_b = support_error(b);
     if (const double largest = std::max({of_a.size, of_b.size, of_a.error, of_b.error}); std::isfinite(largest))
@@ -72,18 +81,21 @@ class BoundedDifference {
     return in_units(nearest) < length ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
   }
 
-  /// ε; once the difference is grown by a ball, more: its radius over |d| is off by 3.5u, the way and the point are rounded by u
-  /// each, and the height by 6.5u.
+  /// ε; once the difference is grown by a ball, more:
+  ///  - The ball's radius over |d| is off by 3.5u.
+  ///  - The way and the point are rounded by u each.
+  ///  - The height is off by 6.5u.
   double error(double radius = 0) const { return error_ + 16 * roundoff * radius; }
-  /// No point of it is farther from the origin.
+  /// No point of the difference is farther from the origin.
   double size() const { return size_; }
   int times_asked() const { return times_asked_; }
-  /// The difference itself reaches at most so far along some direction: to part the shapes takes no more than that.
+  /// The difference itself reaches at most so far along some direction. To part the shapes takes no more than that.
   double least_reach() const { return least_reach_; }
   /// C7.
   const std::optional<Place>& separation() const { return separation_; }
 
-  /// Requires: a vector with a largest component near 1. Returns: a point far along it of the difference grown by `radius`.
+  /// Requires: a vector with a largest component near 1. Returns: a point far along it of the difference grown by
+  /// `radius`.
   Place far_along(const Place& direction, double radius) {
     const Vec3<S> d = rounded<S>(direction);
     const Place along = d.template cast<double>();
@@ -111,7 +123,7 @@ class BoundedDifference {
   std::optional<Place> separation_;
 };
 
-/// A closed surface of triangles, each counter-clockwise seen from outside, which points are added to.
+/// A closed surface of triangles, each counter-clockwise seen from outside. Points are added to it.
 class Surface {
   using Edge = std::array<std::size_t, 2>;
 
@@ -138,8 +150,8 @@ class Surface {
                                [&](std::size_t i) { return face.normal.dot(p) > face.normal.dot(points_[i]); });
   }
 
-  /// Takes away the lowest face and those beside it that p is beyond, and joins p to the edges of what is left. It stays closed,
-  /// whatever rounds: each edge that is left open has two triangles again.
+  /// Takes away the lowest face and those beside it that p is beyond. Joins p to the edges of what is left. The surface
+  /// stays closed, whatever rounds: each edge that is left open has two triangles again.
   void add(const Place& p) {
     std::vector<Edge> open;
     for (const Face& face : take_away(p))
@@ -154,11 +166,12 @@ class Surface {
     for (const auto& [i, j] : open) add_face(i, j, points_.size() - 1);
   }
 
-  /// Whether rounding has made it run through itself: else it has two triangles less than twice as many as corners. It would double
-  /// with each point then.
+  /// Whether rounding has made it run through itself. If not, it has two triangles less than twice as many as corners.
+  /// If so, it would double with each point.
   bool is_tangled() const { return faces_.size() > 2 * points_.size(); }
 
-  /// Returns: how far from the origin some point of it is: of each triangle that below the origin, or one on its rim.
+  /// Returns: how far from the origin some point of it is. Of each triangle that is the point below the origin, or one
+  /// on its rim.
   double nearness() const {
     double least = std::numeric_limits<double>::infinity();
     for (const Face& face : faces_) {
@@ -172,9 +185,11 @@ class Surface {
     return least;
   }
 
-  /// C8. Returns: whether it goes around the origin. It does where a ray from there crosses it from inside to outside more often
-  /// than the other way, each crossing being certain. (Turned inside out it would, too; that is not looked for.) A ray through
-  /// each face is tried, beside its middle: across from that many a shape has a corner.
+  /// C8. Returns: whether it goes around the origin. It does where a ray from there crosses it from inside to outside
+  /// more often than the other way, each crossing being certain. Turned inside out it would go around it, too. That is
+  /// not looked for.
+  ///
+  /// A ray through each face is tried, beside the face's middle: across from the middle many a shape has a corner.
   bool goes_around_origin() const {
     return std::ranges::any_of(faces_, [this](const Face& face) {
       const auto& [i, j, k] = face.corners;
@@ -189,8 +204,9 @@ class Surface {
     return {{{i, j}, {j, k}, {k, i}}};
   }
 
-  /// Returns: the lowest face and those that p is beyond, as far as they hang together by their edges. Beyond any other, such as
-  /// one of a flat side in whose plane p lies, rounding alone has put it: without that the surface would run through itself.
+  /// Returns: the lowest face and those that p is beyond, as far as they hang together by their edges. Rounding alone
+  /// has put p beyond any other face, such as one of a flat side in whose plane p lies. If such faces were taken away,
+  /// too, the surface would run through itself.
   std::vector<Face> take_away(const Place& p) {
     std::vector<Face> taken;
     const auto take = [&](auto face) {
@@ -208,7 +224,7 @@ class Surface {
     return taken;
   }
 
-  /// The normal is first brought near length 1: squares of the least doubles would vanish.
+  /// The normal is first brought near length 1. Squares of the least doubles would vanish.
   void add_face(std::size_t i, std::size_t j, std::size_t k) {
     const Place n = (points_[j] - points_[i]).cross(points_[k] - points_[i]);
     const Place normal = (n / n.cwiseAbs().maxCoeff()).normalized();
@@ -222,9 +238,9 @@ class Surface {
     return squared > 0 ? (a + std::clamp(-a.dot(along) / squared, 0.0, 1.0) * along).norm() : a.norm();
   }
 
-  /// With det(x, y, z) = (x×y)·z, the line along g crosses the triangle abc where det(g, a, b), det(g, b, c) and det(g, c, a) have
-  /// one sign, and that on the side of g where it is the one of det(a, b, c), which says which way. Returns: nothing where that
-  /// is in doubt.
+  /// Let det(x, y, z) = (x×y)·z. The line along g crosses the triangle abc where three have one sign: det(g, a, b),
+  /// det(g, b, c) and det(g, c, a). It does so on the side of g where that sign is the one of det(a, b, c). det(a, b,
+  /// c) says which way. Returns: nothing where that is in doubt.
   std::optional<int> crossings_of(const Place& g) const {
     int sum = 0;
     for (const Face& face : faces_) {
@@ -237,7 +253,7 @@ class Surface {
     }
     return sum;
   }
-  /// Returns: that of det(x, y, z); 0 where it is in doubt.
+  /// Returns: the sign of det(x, y, z); 0 where it is in doubt.
   static int sign(const Place& x, const Place& y, const Place& z) {
     const auto bounded = [](const Place& v) { return Triple<Bounded>{{v.x()}, {v.y()}, {v.z()}}; };
     const Bounded det = dot(cross(bounded(x), bounded(y)), bounded(z));
@@ -250,8 +266,8 @@ class Surface {
 
 constexpr int most_points = 200;  // 60 were seen
 
-/// Returns: four points of the grown difference in no plane, found where they are far from those found before; nothing where
-/// the difference is flat, or apart.
+/// Returns: four points of the grown difference in no plane. Each is found where it is far from those found before.
+/// Nothing where the difference is flat, or apart.
 template <class Difference>
 std::optional<std::array<Place, 4>> first_corners(Difference& difference, double radius) {
   std::array<Place, 4> w;
@@ -281,8 +297,10 @@ struct Surrounded {
       std::numeric_limits<double>::infinity();  ///< of what does not surround it; infinite where that is flat
 };
 
-/// Expands a surface of points of the difference grown by `radius` toward the origin, until it goes around it farther than ε
-/// (C8), or a direction separates (C7), or nothing more is found.
+/// Expands a surface of points of the difference grown by `radius` toward the origin. It ends where
+///  - the surface goes around the origin farther than ε (C8),
+///  - a direction separates (C7),
+///  - nothing more is found.
 template <class Difference>
 Surrounded surrounded(Difference& difference, double radius) {
   const auto corners = first_corners(difference, radius);
@@ -300,11 +318,11 @@ Surrounded surrounded(Difference& difference, double radius) {
   return {false, surface.nearness()};
 }
 
-/// C9. Requires: neither apart nor together by what was found. Returns: a bound on the distance; on the way there they may be found
-/// apart, which ends it.
+/// C9. Requires: neither apart nor together by what was found. Returns: a bound on the distance. On the way there they
+/// may be found apart, which ends it.
 ///
-/// Beside ε, what the nearness itself is rounded by: the way to a point of a triangle, by 9u|w| at most, which is no more than
-/// another ε.
+/// Beside ε the bound has what the nearness itself is rounded by. That is the way to a point of a triangle, rounded by
+/// 9u|w| at most. It is no more than another ε.
 template <class Difference>
 double distance_at_most(Difference& difference, double nearness) {
   double distance = std::min(nearness, difference.size()) + 2 * difference.error();
@@ -318,7 +336,7 @@ double distance_at_most(Difference& difference, double nearness) {
 /// Do they have a point in common? Touching is intersecting, but seldom decided.
 ///
 /// Requires: finite shapes. S, float or double, is what their points are computed in.
-/// Errors: std::runtime_error as certified_collision(); what a support function throws passes through.
+/// Errors: std::runtime_error as certified_collision(). What a support function throws passes through.
 template <class S = double, class A, class B>
 requires BoundedShape<A, S> && BoundedShape<B, S> ShapesResult certified_shapes(const A& a, const B& b) {
   detail::expect_usual_arithmetic();

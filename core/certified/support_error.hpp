@@ -1,11 +1,14 @@
-/// How well the support functions of shapes.hpp know their points: what proofs about shapes whose points are computed rest on.
+/// How well the support functions of shapes.hpp know their points. Proofs about shapes whose points are computed rest
+/// on that.
 ///
-///  C6. For a shape and SupportError{size, error} = support_error(shape): the shape lies within `size` of the origin; and for every direction d
-///      whose largest component is between 2^-10 and 2^10, near_support(shape, d) is within `error` of a point of the shape, and
-///      no point of the shape lies farther along d by more than error·|d|.
+///  C6. Of a shape let SupportError{size, error} = support_error(shape). The shape lies within `size` of the origin.
+///      Let d be any direction whose largest component is between 2^-10 and 2^10. Then near_support(shape, d) is within
+///      `error` of a point of the shape. And no point of the shape lies farther along d than near_support(shape, d) by
+///      more than error·|d|.
 ///
-/// A shape is what its numbers say, as they are stored: the rotation of a pose by its matrix, not by an angle. u is half the
-/// epsilon of S; terms of u² are far below what each bound leaves over, and so is what overflows not, see SupportError.
+/// A shape is what its numbers say, as they are stored: the rotation of a pose is its matrix, not an angle. u is half
+/// the epsilon of S. Terms of u² are far below what each bound leaves over. So is what does not overflow, see
+/// SupportError.
 #pragma once
 
 #include <concepts>
@@ -53,8 +56,11 @@ Vec3<S> near_support(const PointSet<S>& points, const Vec3<S>& d) {
 
 // -- Balls ------------------------------------------------------------------------------------------------------------
 
-/// c + r d/|d|. The components of d divided by the largest turn it by u, and the point by ur. The norm is off by 2.5u of it, the
-/// quotient by 1u, the product by 1u; their sum is rounded by u(|c| + r). Together 6.5ur + u|c|.
+/// c + r d/|d|:
+///  1. The components of d divided by the largest turn it by u, and the point by ur.
+///  2. The norm is off by 2.5u of it, the quotient by 1u, the product by 1u.
+///  3. Their sum is rounded by u(|c| + r).
+///  4. Together 6.5ur + u|c|.
 template <class S>
 SupportError support_error(const Sphere<S>& ball) {
   const double center = detail::sum_of_sizes(ball.center()), r = static_cast<double>(ball.radius());
@@ -67,16 +73,25 @@ Vec3<S> near_support(const Sphere<S>& ball, const Vec3<S>& d) {
 
 // -- Cylinders --------------------------------------------------------------------------------------------------------
 
-/// Here a and s are the axis and d, each divided by its largest component, so that 1 <= |a|, |s| <= √3, and H half the height.
+/// Here a and s are the axis and d, each divided by its largest component. So 1 <= |a|, |s| <= √3. H is half the
+/// height.
 ///
-/// From the point computed to the cylinder: the quotient a turns it by u, u(H + r); norm, quotient and product make the way to
-/// the cap off by 4.5uH, and two sums round by u(|c| + H) and u(|c| + H + r). a×s is off by at most 7u; where it is longer than
-/// 16u, more than 0.9 of it is perpendicular to a, so that of (a×s)×a, which rounds by 2.5u|a×s||a|, at most 2.8u are out of
-/// the plane of the cap. Quotient and products bring that to 5u, and the length is off by 5.5u. Together 13ur + 9uH + 2u|c|.
+/// From the point computed to the cylinder:
+///  1. The quotient a turns it by u: u(H + r).
+///  2. Norm, quotient and product make the way to the cap off by 4.5uH.
+///  3. Two sums round by u(|c| + H) and u(|c| + H + r).
+///  4. a×s is off by at most 7u. Where it is longer than 16u, more than 0.9 of it is perpendicular to a.
+///  5. (a×s)×a rounds by 2.5u|a×s||a|. So at most 2.8u of it are out of the plane of the cap.
+///  6. Quotient and products bring that to 5u, and the length is off by 5.5u.
+///  7. Together 13ur + 9uH + 2u|c|.
 ///
-/// Along d: the other cap is taken where s·a, which is off by 3u|s||a|, has the wrong sign: 8uH. s is d turned by u: 2u(H + r).
-/// The error of a×s turns the way to the rim, which costs less than 4ur. Where a×s is no longer than 16u in any component, it is
-/// at most 35u long: there near_support() takes the middle of the cap, which costs 35ur. Together with the above 54ur + 19uH.
+/// Along d:
+///  1. The other cap is taken where s·a, which is off by 3u|s||a|, has the wrong sign: 8uH.
+///  2. s is d turned by u: 2u(H + r).
+///  3. The error of a×s turns the way to the rim, which costs less than 4ur.
+///  4. Where a×s is no longer than 16u in any component, it is at most 35u long. There near_support() takes the middle
+///     of the cap, which costs 35ur.
+///  5. Together with the above 54ur + 19uH.
 template <class S>
 SupportError support_error(const Cylinder<S>& can) {
   const double center = detail::sum_of_sizes(can.center()), r = static_cast<double>(can.radius());
@@ -92,11 +107,14 @@ Vec3<S> near_support(const Cylinder<S>& can, const Vec3<S>& d) {
 
 // -- Shapes that are moved, and sums ----------------------------------------------------------------------------------
 
-/// Where the rotation is one to a thousandth: else it is not known how far it stretches.
+/// The error is finite where the rotation is one to a thousandth. Else it is not known how far it stretches.
 ///
-/// Of a point x, each component of the rotated one is a sum of three products, off by 3u of their sizes: together 3√3u|x|, and
-/// moved it is rounded by u(|x| + |t|). The direction turned back is as much off, 3√3u|d|, and so is what it finds, twice, for
-/// a point and the one that would be farther. Together 17u·size + u|t|, and the error of the shape at rest.
+///  1. Of a point x, each component of the rotated one is a sum of three products, off by 3u of their sizes: together
+///     3√3u|x|.
+///  2. Moved, it is rounded by u(|x| + |t|).
+///  3. The direction turned back is as much off, 3√3u|d|. So is what it finds, twice: for a point and for the one that
+///     would be farther.
+///  4. Together 17u·size + u|t|, and the error of the shape at rest.
 template <class S, class A>
 SupportError support_error(const Posed<S, A>& posed) {
   const Eigen::Matrix<double, 3, 3> R = posed.pose().rotation.template cast<double>();
@@ -126,7 +144,7 @@ Vec3<S> near_support(const MinkowskiSum<S, A, B>& sum, const Vec3<S>& d) {
   return near_support(sum.a(), d) + near_support(sum.b(), d);
 }
 
-/// A shape whose points are known that well.
+/// A shape whose support points are known that well.
 template <class T, class S>
 concept BoundedShape = requires(const T& shape, const Vec3<S>& d) {
   { support_error(shape) } -> std::same_as<SupportError>;

@@ -27,7 +27,7 @@ struct SignWords {
   bool operator==(const SignWords&) const = default;
 };
 
-/// Of which power of two times themselves numbers were computed.
+/// The powers of two with which numbers were multiplied where they were computed.
 struct Powers {
   int bounded = 0;  ///< doubles that know their error
   int whole = 0;    ///< whole numbers
@@ -48,8 +48,8 @@ FeatureKept<S> kept(const Simplex<S>& before, const Roles& roles, bool contains_
   return {.before = before, .after = before.only(roles), .kept = roles, .contains_origin = contains_origin};
 }
 
-/// Hands events on. The searches know one by one what they have found; a vertex of the second is new only where none of the first
-/// lies at its place.
+/// Hands events on. Each search knows only what it has found itself. So here a vertex of the exact fallback is new only
+/// where none of the first search lies at its place.
 template <class S, class Obs>
 class OneRun {
  public:
@@ -72,7 +72,7 @@ class OneRun {
   std::vector<Vec3<S>> found_;
 };
 
-/// Tells what the exact fallback does; each sign once a simplex, however often it is asked for.
+/// Tells what the exact fallback does. It tells each sign once a simplex, however often it is asked for.
 template <class S, class Obs = const NobodyListens>
 class FallbackTeller {
  public:
@@ -91,7 +91,7 @@ class FallbackTeller {
     letters_ = in_order;
     told_.clear();
   }
-  /// Roles change with what is kept, letters do not until the next vertex comes.
+  /// Roles change with what is kept. Letters do not until the next vertex comes.
   void keep(const Roles& roles) {
     const std::array<Role, 4> before = letters_;
     int i = roles.size();

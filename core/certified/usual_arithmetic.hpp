@@ -1,7 +1,9 @@
-/// What everything that is proven assumes of arithmetic: that of IEEE, rounded to nearest, no denormal numbers flushed to zero.
-/// GCC tells a program of -ffast-math and of each of its parts, clang 14 of the whole and of -ffinite-math-only; linked with
-/// -funsafe-math-optimizations its programs flush denormal numbers, which is found when they run. Its -fassociative-math and
-/// -freciprocal-math alone are found by nobody: do not use them.
+/// What everything that is proven assumes of arithmetic: that of IEEE, rounded to nearest, no denormal numbers flushed
+/// to zero. What is found of settings that break it:
+///  - GCC tells a program of -ffast-math and of each of its parts.
+///  - clang 14 tells it of the whole and of -ffinite-math-only.
+///  - Programs that clang links with -funsafe-math-optimizations flush denormal numbers. That is found when they run.
+///  - clang's -fassociative-math and -freciprocal-math alone are found by nobody: do not use them.
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
@@ -22,8 +24,9 @@ static_assert(FLT_EVAL_METHOD == 0, "bounds on rounding need doubles that are ro
 static_assert(std::numeric_limits<double>::is_iec559);
 static_assert(1e-300 != 0, "constants must be doubles: compile without -fsingle-precision-constant");
 
-/// Whether arithmetic is what the proofs assume; no compiler may know beforehand. One comparison finds denormal results that
-/// are flushed to zero as well as denormal operands that count as zero; the other two find rounding that is not to nearest.
+/// Whether arithmetic is what the proofs assume. No compiler may know beforehand. The first comparison finds denormal
+/// results that are flushed to zero, and denormal operands that count as zero. The other two find rounding that is not
+/// to nearest.
 inline bool arithmetic_behaves_as_usual() {
   volatile double normal = 0x1.8p-1022, one = 1;
   volatile double denormal = normal - 0x1p-1022;
@@ -31,8 +34,8 @@ inline bool arithmetic_behaves_as_usual() {
   return denormal != 0 && x + quarter == 1 && x + three_quarters > 1;
 }
 
-/// The same, asked with each query. Where a processor's settings can be read they are: denormal numbers as operands take many
-/// processors a quarter of a query.
+/// The same, asked with each query. Where a processor's settings can be read they are. The reason: denormal numbers as
+/// operands take many processors a quarter of a query.
 inline bool arithmetic_is_usual() {
 #ifdef __SSE2__
   constexpr unsigned operands_are_zero = 1U << 6, results_are_flushed = 1U << 15, rounding = 3U << 13;
