@@ -48,11 +48,11 @@ class Query {
 std::vector<Contender> cgal_contenders() {
   return {
       {.name = exact_peer,
-       .how =
-           "CGAL " CGAL_VERSION_STR
-           ", `CGAL::do_intersect` of triangles and tetrahedra that are not flat, with exact predicates "
-           "(`Exact_predicates_inexact_constructions_kernel`); what is other is not asked; a test of its own for each "
-           "two of these shapes, and so not one of the peers below, which know convex sets by their support",
+       .how = "CGAL " CGAL_VERSION_STR
+              ", `CGAL::do_intersect` of triangles and tetrahedra that are not flat, with exact predicates "
+              "(`Exact_predicates_inexact_constructions_kernel`). Other shapes are not asked. It has a test of its own "
+              "for each two of these shapes. So it is not one of the peers below, which know convex sets by their "
+              "support.",
        .prepare = batch_of<Query>,
        .is_peer = false}};
 }

@@ -47,8 +47,8 @@ std::vector<Contender> gjkstep_contenders() {
        .prepare = batch_of<Query<gjk::AsIntended>>,
        .is_peer = false},
       {.name = "gjkstep eager",
-       .how = "`gjk::collision<double, gjk::Eager<>>(a, b, options)`, which starts from one center to the other (MPR "
-              "is told the centers, too) and tests the first point",
+       .how = "`gjk::collision<double, gjk::Eager<>>(a, b, options)`, which starts from one center to the other and "
+              "tests the first point. MPR is told the centers, too.",
        .prepare = batch_of<Query<gjk::Eager<>, between_centers>>,
        .is_peer = false},
       {.name = "gjkstep inside",

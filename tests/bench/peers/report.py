@@ -4,7 +4,7 @@
     build/gjkstep-peers > peers.csv
     tests/bench/peers/report.py peers.csv > tests/bench/peers/results.md
 """
-import csv, sys
+import csv, sys, textwrap
 
 exact = "CGAL exact"  # a peer that is always right about what it can be asked
 speed_aim = 1.5       # how many times as long the fastest peer is to take
@@ -93,12 +93,16 @@ def proofs(matches, provers):
 
 # -- Aims -------------------------------------------------------------------------------------------------------------
 
+def bullet(words):
+    return textwrap.fill(f"* {words}", 140, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False) + "\n"
+
+
 def parted(beginning, otherwise, judged):
     """`judged`: a family, what stands in brackets behind it, and whether it is as it should be; or None where nothing can be said."""
     lists = {holds: ", ".join(f"{family} ({words})" for family, words, met in filter(None, judged) if met == holds) for holds in (True, False)}
     if not any(lists.values()):
         return ""
-    return f"* {beginning} on: {lists[True] or 'none'}" + (f"; {otherwise} on: {lists[False]}" if lists[False] else "") + "\n"
+    return bullet(f"{beginning} on: {lists[True] or 'none'}" + (f". {otherwise} on: {lists[False]}" if lists[False] else ""))
 
 
 def beside_the_fastest(family, match, name):
@@ -121,30 +125,38 @@ def aims(matches, names, provers):
     ours = [name for name in names if name != exact and not next(iter(matches.values()))[name]["is_peer"]]
     of_each = lambda judge, *of: [judge(family, match, *of) for family, match in matches.items()]
     lost = ", ".join(f"{family} ({match[names[0]]['lost']})" for family, match in matches.items() if match[names[0]]["lost"])
-    return ("".join(parted(f"{name} is at least {speed_aim} times as fast as the fastest peer", "less", of_each(beside_the_fastest, name))
+    return ("".join(parted(f"{name} is at least {speed_aim} times as fast as the fastest peer", "Less", of_each(beside_the_fastest, name))
                     for name in ours) +
-            "".join(parted(f"{name} takes no longer beside {guesser} than is aimed at", "longer", of_each(beside_the_guess, name, guesser))
+            "".join(parted(f"{name} ÷ {guesser} is within the aim", "Above it", of_each(beside_the_guess, name, guesser))
                     for name, guesser in provers.items()) +
-            "".join(parted(f"{name} is at least as fast as {exact}", "slower", of_each(beside_the_exact, name)) for name in provers) +
-            f"* {names[0]} is right wherever a peer is{f', except about pairs of: {lost}' if lost else ''}\n" +
+            "".join(parted(f"{name} is at least as fast as {exact}", "Slower", of_each(beside_the_exact, name)) for name in provers) +
+            bullet(f"A peer is right and {names[0]} is not, about pairs of: {lost}" if lost else f"{names[0]} is right wherever a peer is") +
             "".join(f"* {name}, {family}, {row['first_failure']}\n"
                     for family, match in matches.items() for name, row in match.items() if row["first_failure"]))
 
 
 def page(lines):
     head, parts = read(lines)
-    text = f"""# The plain call beside what people use
+    text = f"""# The plain call beside other libraries
 
-The same pairs, one process, one thread, processor time; the contenders take turns, and the median of their turns counts.
+All are asked about the same pairs, in one process and one thread. Processor time counts.
+The contenders take turns, and the median of their turns counts.
 Shapes are made beforehand. Truth is exact: `tests/study/truth/oracle.hpp`.
 
-{"".join(f"* {line}" + chr(10) for line in head)}
-Wrong answers: `+` false positives, `−` false negatives, `?` undecided or an exception, `!` crashed or out of time; after
-three of these the rest is not asked, nor is what a contender has no call for. Sets are closed: touching is intersecting. "No worse": not right on no more pairs.
+{"".join(map(bullet, head))}
+Signs of wrong answers:
 
-Timed are the first pairs, as many as stay in the cache; who has no answer to some
-pair is not timed. "–": not timed, or no such peer. The fastest peer may be one that is wrong about most pairs, as the
-table of wrong answers shows.
+* `+` false positives, `−` false negatives, `?` undecided or an exception, `!` crashed or out of time
+* After three that crashed or were out of time, the rest is not asked. Nor is what a contender has no call for.
+* Sets are closed: touching is intersecting.
+* "Fastest no worse": the fastest of the peers that are not right on at most as many pairs.
+
+Times:
+
+* The first pairs are timed, as many as stay in the cache.
+* A contender that has no answer to some pair is not timed.
+* "–": not timed, or no such peer.
+* The fastest peer may be wrong about most pairs, as the table of wrong answers shows.
 """
     for title, matches in parts.items():
         first = next(iter(matches.values()))

@@ -108,7 +108,7 @@ TEST_CASE("judge: the recipe says what happens", "[judge]") {
   const auto doubles = run("judge --json -- " + quoted(kit::program()) + " query");
   const auto all = nlohmann::json::parse(doubles.out)["all"];
   const int wrong = all["wrong_yes"].get<int>() + all["wrong_no"].get<int>(), unproved = all["false_evidence"];
-  CHECK(has(recipe, "in doubles is wrong on " + std::to_string(wrong) + " of these pairs, " + std::to_string(unproved) +
+  CHECK(has(recipe, "in doubles is wrong on " + std::to_string(wrong) + " of these pairs. " + std::to_string(unproved) +
                         " of its right answers have evidence that proves nothing"));
 }
 

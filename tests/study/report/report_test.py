@@ -70,7 +70,7 @@ class Goldens(InFolder):
     def test_a_study_of_certified_answers_alone_has_tables_of_these(self):
         run_study("run", "--pairs", 20, "--families", "triangles", "--rules", "certified,certified-eager", "--scalar", "double", "--out", self.folder)
         study = Study([self.folder])
-        self.assertIn("says otherwise: double, rules certified. Certified answers", tables.tables_md(study))
+        self.assertIn("says otherwise: double, rules certified.\nCertified answers", tables.tables_md(study))
         self.assertIn("Certified answers have no limit.", tables.settings_md(study))
         self.assertIn("title 'certified: 0 of 20 wrong or undecided'", pictures.error_vs_time(study))
         self.assertIn("\n$data << EOD\n", pictures.iterations(study))

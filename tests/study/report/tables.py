@@ -1,21 +1,23 @@
 """Tables of a study in Markdown; each varies one thing."""
-import collections
+import collections, textwrap
 from data import add, all_but_scalar, in_short, in_words, is_certified, mean, percentile_99, row
 
-of_round_shapes = ("Certified answers about sets of points, and about balls, are never undecided; about cylinders, whose points are computed, they "
-                   "are where these are known too badly. Balls and cylinders take no second search and have no certificate. ")
+of_round_shapes = ("Certified answers about sets of points, and about balls, are never undecided.\n"
+                   "The points of cylinders are computed. Where they are not known well enough, the answer is undecided.\n"
+                   "Balls and cylinders need no exact fallback, and have no certificate.\n")
 
 
 def head(study, title):
-    return (f"# {title}\n\nMade by `{study.head['command']}` and `report.py`, with seed {study.head['seed']}, {study.head['version']}, "
-            f"compiled by {study.head['compiler']}.\n\n")
+    return (f"# {title}\n\nMade by `{study.head['command']}` and `report.py`.\n"
+            f"Seed: {study.head['seed']}. Version: {study.head['version']}. Compiler: {study.head['compiler']}.\n\n")
 
 
 def how_to_read(study):
-    return ("Rates are shares of the pairs asked where a table names no others, with the ends of their 95 % score intervals (Wilson 1927); where "
-            "nothing was seen, only the upper end. Families that were listed to the last pair are a census, \"of all\", and have none. Unless a "
-            f"table says otherwise: {study.usual.scalar}, {all_but_scalar(study.usual)}. {of_round_shapes if study.certified() else ''}"
-            "Every combination is in counts.csv, which the command writes.\n\n")
+    return ("Rates are shares of the pairs asked, where a table names no others.\n"
+            "Behind a rate are the ends of its 95 % score interval (Wilson 1927). Where nothing was seen, only the upper end is there.\n"
+            "A family that was listed to the last pair is a census, \"of all\", and has no interval.\n"
+            f"Unless a table says otherwise: {study.usual.scalar}, {all_but_scalar(study.usual)}.\n"
+            f"{of_round_shapes if study.certified() else ''}Every combination is in counts.csv, which the command writes.\n\n")
 
 
 def heading(columns):
@@ -36,7 +38,7 @@ def rate_table(study, columns):
             nothing.append(family)
         else:
             seen += row(family, *cells)
-    below = f"Nothing was seen in: {', '.join(nothing)}.\n" if nothing else ""
+    below = textwrap.fill(f"Nothing was seen in: {', '.join(nothing)}.", 140, break_on_hyphens=False) + "\n" if nothing else ""
     return heading(columns) + seen + ("\n" + below if below else "") if seen else below
 
 
@@ -89,14 +91,17 @@ def iterations(study):
 
 def tables_md(study):
     return (head(study, "Accuracy") + how_to_read(study) +
-            "## Families\n\nOf each pair it is known exactly whether the sets have a point in common; touching counts: by CGAL's exact predicates; by "
-            "CGAL's exact linear program, with a certificate that is multiplied out in fractions; or by formulas in fractions. Float is asked about the "
-            "pair as float writes it, and its answer held against the truth about that pair; how often writing it in float changed the truth is told "
-            "beside it.\n\n" + families(study) + "\n## Wrong or undecided, by scalar\n\n" +
+            "## Families\n\nIt is known exactly of each pair whether the sets have a point in common. Touching counts.\n"
+            "The truth comes from CGAL's exact predicates, from CGAL's exact linear program, or from formulas in fractions.\n"
+            "Each answer of the linear program has a certificate, which is multiplied out in fractions.\n"
+            "Float is asked about the pair as float writes it. Its answer is held against the truth about that pair.\n"
+            "*Changed by float* tells how often writing the pair in float changed the truth.\n\n" + families(study) +
+            "\n## Wrong or undecided, by scalar\n\n" +
             rate_table(study, {title: rates(study, setting, "failures") for title, setting in study.scalars_and_certified().items()}) +
-            "\n## Iterations\n\nHits and misses by truth; an undecided query counts with the iterations that it took." +
-            (" A certified answer about points takes the same search first; how often a second follows, and its iterations, is in certified.md."
-             if study.certified() else "") + "\n\n" + iterations(study))
+            "\n## Iterations\n\nHits and misses are told apart by the truth. An undecided query counts with the iterations that it took.\n" +
+            ("A certified answer about points takes the same search first.\n"
+             "How often the exact fallback follows, and its iterations, is in certified.md.\n" if study.certified() else "") +
+            "\n" + iterations(study))
 
 
 def errors_md(study):
@@ -105,11 +110,12 @@ def errors_md(study):
     settings = {f"In {scalar}": study.usual._replace(scalar=scalar) for scalar in ("double", "float") if scalar in study.scalars}
     settings |= {title: setting for title, setting in study.certified().items() if setting.rules != study.usual.rules}
     return (head(study, "Errors of each kind") + how_to_read(study) +
-            "A false positive can only happen to a pair that is apart, a false negative only to one that meets: each is told as a share of these. A "
-            "family without such pairs says so.\n" +
+            "A false positive can only happen to a pair that is apart, and is told as a share of these.\n"
+            "A false negative can only happen to a pair that meets, and is told as a share of those.\n"
+            "A family without such pairs says so.\n" +
             "".join(f"\n## {title}\n\n" + rate_table(study, {words: rates(study, setting, of) for words, of in kinds.items()})
                     for title, setting in settings.items()) +
-            "\n## Undecided, by scalar\n\nIn circles: a simplex and a direction came back, so no limit would have helped.\n\n" +
+            "\n## Undecided, by scalar\n\n*In circles*: a simplex and a direction came back, so no limit would have helped.\n\n" +
             rate_table(study, {title: undecided(study, setting) for title, setting in study.scalars_and_certified().items()}))
 
 
@@ -135,12 +141,16 @@ def settings_md(study):
 def timings_md(study):
     settings = ({} if is_certified(study.usual.rules) else scalars_and_zero_tests(study)) | study.certified()
     cell = lambda setting: lambda family: (time := study.nanoseconds(family, setting)) is not None and f"{time:.0f}"
-    return (head(study, "Speed") + f"Measured on {study.processors}, by the CPU clock of the thread that asks (CLOCK_THREAD_CPUTIME_ID), which stands "
-            f"still while the processor serves others. Nanoseconds per query: {study.usual.scalar}, {all_but_scalar(study.usual)}; columns vary scalar "
-            "and zero test. Shapes are made before the clock starts. The methods take turns with the same batch of up to 256 pairs, each limit after a "
-            "pass with which the caches warm up, and another limit first in each turn; of five turns, of exact numbers three and 16 pairs, the median "
-            "counts. One reading of the clock in each batch is part of it. Balls and cylinders pay for the choice of the form at each support call. " +
-            (of_round_shapes if study.certified() else "") + "\n\n" +
+    return (head(study, "Speed") +
+            f"Measured on {study.processors}, by the CPU clock of the thread that asks (CLOCK_THREAD_CPUTIME_ID).\n"
+            "That clock stands still while the processor serves others. One reading of it in each batch is part of the time.\n"
+            f"Numbers are nanoseconds per query: {study.usual.scalar}, {all_but_scalar(study.usual)}.\n"
+            "Columns vary scalar and zero test. Shapes are made before the clock starts.\n"
+            "The methods take turns with the same batch of up to 256 pairs, and the median of five turns counts.\n"
+            "With exact numbers there are three turns, of up to 16 pairs.\n"
+            "Each limit is measured after a pass with which the caches warm up. Each turn begins with another limit.\n"
+            "Balls and cylinders pay for the choice of the form at each support call.\n" +
+            (of_round_shapes if study.certified() else "") + "\n" +
             table(study, {title: cell(setting) for title, setting in settings.items()}) + float_and_double(study))
 
 
@@ -151,9 +161,9 @@ def float_and_double(study):
     if not study.head["compiler"].startswith("GNU 12.") or None in times or times[0] < times[1]:
         return ""
     took = [mean(study.iterations(family, setting, "hits") + study.iterations(family, setting, "misses")) for setting in both]
-    return (f"\nFloat is not the faster one, and not for more iterations ({family}: {took[0]:.2f} in float, {took[1]:.2f} in double) but for how GCC 12 "
-            "packs the three numbers of a point into vector registers: compiled with -fno-tree-slp-vectorize, which forbids that, float takes no longer "
-            "than double.\n")
+    return (f"\nFloat is not the faster one. It does not take more iterations ({family}: {took[0]:.2f} in float, {took[1]:.2f} in double).\n"
+            "The reason is how GCC 12 packs the three numbers of a point into vector registers.\n"
+            "Compiled with -fno-tree-slp-vectorize, which forbids that, float takes no longer than double.\n")
 
 
 def certified_md(study):
@@ -161,10 +171,12 @@ def certified_md(study):
     if not study.certified():
         return ""
     return (head(study, "Certified answers") + of_round_shapes +
-            "Where the first search proves nothing a second one follows. Each pair is timed alone by the CPU clock of the thread that asks, on "
-            f"{study.processors}; reading the clock once is part of it, caches and branches have just seen other pairs, and of the slowest pair the least "
-            "of five askings counts.\n" + "".join(f"\n## {title}\n\n{certified_summary(study, setting)}\n{certified_table(study, setting)}"
-                                                   for title, setting in study.certified().items()))
+            "A filter follows the plain search. Where it proves nothing, the exact fallback follows.\n"
+            f"Each pair is timed alone, by the CPU clock of the thread that asks, on {study.processors}.\n"
+            "Reading the clock once is part of the time. Caches and branches have just seen other pairs.\n"
+            "Of the slowest pair the least of five askings counts.\n" +
+            "".join(f"\n## {title}\n\n{certified_summary(study, setting)}\n{certified_table(study, setting)}"
+                    for title, setting in study.certified().items()))
 
 
 def per_query(alone, how):
@@ -172,7 +184,7 @@ def per_query(alone, how):
 
 
 def second(study, family, setting):
-    """Queries by iterations of their second search, those that needed none left out; and the share that needed one."""
+    """Queries by iterations of their exact fallback, those that needed none left out; and the share that needed one."""
     histogram = study.iterations(family, setting, "second searches")
     some = collections.Counter({k: n for k, n in histogram.items() if k})
     return some, some.total() / histogram.total() if histogram else 0
@@ -186,7 +198,7 @@ def certified_table(study, setting):
         "pairs": count(lambda counts: counts["pairs"]),
         "wrong": count(lambda counts: counts["false_positives"] + counts["false_negatives"]),
         "undecided": count(lambda counts: counts["undecided"]),
-        "second searches: share": told(lambda some, share: in_short(share)),
+        "exact fallbacks: share": told(lambda some, share: in_short(share)),
         "iterations of these: mean, max": told(lambda some, _: f"{mean(some):.2f}, {max(some)}" if some else ""),
         "ns without": alone(lambda times: per_query(times, "without")),
         "ns with": alone(lambda times: per_query(times, "with")),
@@ -206,10 +218,10 @@ def certified_summary(study, setting):
         searches += second(study, family, setting)[0]
         add(times, alone[family])
     holds = f"{counts['false_certificates']} do not hold" if counts["false_certificates"] else "all hold"
-    return (f"{counts['pairs']} pairs: {counts['false_positives'] + counts['false_negatives']} wrong, {counts['undecided']} undecided. "
-            f"{counts['certificates']} certificates, those of the first pairs of each family, were multiplied out in fractions: {holds}. "
-            f"{in_short(searches.total() / counts['pairs'])} of the pairs took a second search" +
+    return (f"{counts['pairs']} pairs: {counts['false_positives'] + counts['false_negatives']} wrong, {counts['undecided']} undecided.\n"
+            f"{counts['certificates']} certificates, those of the first pairs of each family, were multiplied out in fractions: {holds}.\n"
+            f"{in_short(searches.total() / counts['pairs'])} of the pairs took the exact fallback" +
             (f", of {mean(searches):.2f} iterations in the mean and {max(searches)} at most" if searches else "") + "." +
             "".join(f" {words} it a query took {per_query(times, how)} ns." for how, words in (("without", "Without"), ("with", "With"))
                     if times[f"{how}_second_search"]) +
-            f" The slowest, pair {times['slowest_pair']} of {slowest}, took {times['slowest_nanoseconds'] / 1000:.1f} µs.\n")
+            f"\nThe slowest, pair {times['slowest_pair']} of {slowest}, took {times['slowest_nanoseconds'] / 1000:.1f} µs.\n")
