@@ -29,40 +29,47 @@ namespace walkthroughs::program {
 namespace {
 
 std::string footer() {
-  return R"(Standard input: JSON Lines, each {"a": OBJECT, "b": OBJECT}. An object is as in scene files
-('gjkstep scene --example'), a point [x, y] means [x, y, 0], and a pair may say "dimension": 2; one of
+  return R"(INPUT
+Standard input holds JSON Lines, each {"a": OBJECT, "b": OBJECT}. An OBJECT is one of
 )" + shapes_in_lines("  {", "}") +
-         R"(with a "pose" and a "name" if you like; exact takes points, boxes and their sums only. Eager rules and --start between search
-first from the center of a, for points their mean, to that of b; the others along +x. A number is read as the nearest
-double and then converted. A line may have 16 MiB, and end in CR LF. What it says of the pair as a whole, "name", "family",
-"answer", "notes" and "source", is not looked at.
-Standard output: one line for each, in the same order,
+         R"(It may have a "pose" and a "name", as in scene files ('gjkstep scene --example').
+A point [x, y] means [x, y, 0]. A pair may say "dimension": 2. --scalar exact takes points, boxes and their sums only.
+A number is read as the nearest double, and then converted. A line may have 16 MiB, and end in CR LF.
+"name", "family", "answer", "notes" and "source" of a pair are not looked at.
+The first direction is +x. With --start between, and with eager rules, it leads from the center of a to that of b.
+The center of points is their mean. With --start inside the first vertex is the difference of these centers; it has no indices.
+
+OUTPUT
+One line for each, in the same order:
   {"status": "intersecting", "separated" or "undecided", "iterations": n, "reason": "...", "evidence": {...}}
-Evidence: where separated, a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0; else the
-simplex, its newest vertex last, each w = a - b. An index is the position in "points", from 0. Numbers are the
-shortest that read back the same in the scalar. Strings are: the fractions of exact ("1/3"), long doubles beyond all
-doubles, "inf", "-inf" and "nan".
-Where differences of points are beyond about 1e±75 (double) or 1e±8 (float), products of them overflow or vanish, and
-the answer is arbitrary; long-double and exact have room for all numbers that a line may hold.
-With --start inside the first vertex is the difference of these centers; in "simplex" it is the one without indices.
-With --certified every answer is true, whatever rounds or overflows, in --scalar float or double, for any finite numbers.
-About points and spheres that no pose moves none is "undecided". Of points, where rules, zero test, start and iterations
-steer the first search only:
+The evidence of separated is a direction d, the points a and b farthest along d and -d, and (a - b)·d < 0.
+Else it is the simplex, its newest vertex last, each w = a - b. An index is the position in "points", from 0.
+Numbers are the shortest that read back the same in the scalar. Some are strings: the fractions of exact ("1/3"), long
+doubles beyond all doubles, "inf", "-inf" and "nan".
+Differences of points beyond about 1e±75 (double) or 1e±8 (float) overflow or vanish in products. The answer is then
+arbitrary. long-double and exact have room for all numbers that a line may hold.
+A bad line, also a blank one, gives {"error": "...", "line": n}. The others are answered.
+Answers are written before more is read, so a program may ask one pair and wait.
+
+--certified
+Every answer is true, whatever rounds or overflows, in --scalar float or double, for any finite numbers.
+About points and spheres that no pose moves none is "undecided". Of points:
   {"status": "...", "iterations": n, "second_iterations": m, "proof": "...", "certificate": {...}}
-Proof: "direction" or "tetrahedron", where what the first search found is proof enough; else "second-search", m iterations
-that no rounding misleads. A certificate is about the numbers as read and converted, multiplied without rounding:
+The proof is "direction" or "tetrahedron" where what the first search found is proof enough. Else it is "second-search":
+an exact fallback of m iterations. Rules, zero test, start and iterations steer the first search only.
+A certificate is about the numbers as read and converted, multiplied without rounding:
   {"direction": [x, y, z]}     separated: this d has a·d < b·d for all points a and b
   {"nearest": [[i, j], ...]}   separated: so has d = -v, v being the point nearest to 0 of the hull of these a[i] - b[j]
   {"simplex": [[i, j], ...]}   intersecting: 0 is in the hull of these a[i] - b[j]; index -1 is the mean of all points
-With --fractions each number is "p/q", and there are those to check with: "direction" beside "nearest"; beside "simplex"
-"weights" w[k] >= 0, whose sum is 1, and the common "point", the sum of all w[k] a[i] and also that of all w[k] b[j].
-If a sphere is one of the two, {"status": "...", "proof": "distance"}: squared distances, compared exactly. Points of cylinders,
-of sums and of what a pose moves are computed, and known to some roundings:
+With --fractions each number is "p/q", and there is what a check needs. "direction" stands beside "nearest".
+Beside "simplex" stand "weights" w[k] >= 0, whose sum is 1, and "point". This is the sum of all w[k] a[i], and also of
+all w[k] b[j]: a point of both objects.
+If a sphere is one of the two: {"status": "...", "proof": "distance"}. Squared distances were compared exactly.
+Points of cylinders, of sums and of what a pose moves are computed, and known to some roundings:
   {"status": "separated", "iterations": n, "proof": "direction", "certificate": {"direction": [x, y, z]}}
   {"status": "intersecting", "iterations": n, "proof": "surface"}, one of points found that goes around 0
   {"status": "undecided", "iterations": n, "gap": g}: no farther apart than g, and no deeper in each other
-A bad line, also a blank one, gives {"error": "...", "line": n}, and the others are answered.
-Answers are written before more is read, so a program may ask one pair and wait.
+
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
 }
 
@@ -172,8 +179,7 @@ Command add_query_command(CLI::App& app) {
       1, scene_limits::iterations);
   CLI::Option* const start = command->add_option(
       "--start", query->start,
-      "search first between: from the center of a to that of b, as eager rules do anyway; or start inside: with the "
-      "difference of the centers as the first vertex");
+      "between: search first from the center of a to that of b; inside: begin with the difference of the centers");
   CLI::Option* const first_direction =
       command->add_option("--first-direction", query->first_direction, "search first along x,y,z")->excludes(start);
   expect_direction(first_direction);

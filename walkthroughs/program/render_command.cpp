@@ -464,8 +464,8 @@ void add_sizes(CLI::App& command, RenderCommand& render) {
   command.add_option("--size", render.size,
                      "width and height in pixels; if not given, what the scene file says, or 1280x720");
   expect_number(command.add_option("--text-scale", render.text_scale,
-                                   "all text so many times as large, and the pictures in what room is left; if not "
-                                   "given, what the scene file says, else 1, for slides " +
+                                   "all text so many times as large, and the pictures in what room is left. If not "
+                                   "given: what the scene file says, else 1, for slides " +
                                        number_text(render::themes::slides.text)),
                 render::least_text_scale, render::most_text_scale);
 }
