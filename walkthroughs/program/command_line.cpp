@@ -67,7 +67,7 @@ constexpr const char* backend_variable = "GJKSTEP_GL";
 /// Requires: `source` is where the name was found. Errors: UsageError.
 render::Backend backend_named(const std::string& name, const std::string& source) {
   std::string names;
-  for (const render::Backend each : render::all_backends()) {
+  for (const render::Backend each : render::all_backends) {
     if (render::name_of(each) == name) return each;
     names.append(names.empty() ? "" : " or ").append(render::name_of(each));
   }
