@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "render/file.hpp"
-#include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/output/renderer.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/program/exit_code.hpp"
 #include "walkthroughs/program/number_option.hpp"
@@ -228,7 +228,7 @@ int run(int argc, char** argv) {
   const std::vector<Question> all = questions(count, seed);
   const std::filesystem::path folder = out;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    render::write_png(folder / (number_of(i) + ".png"), picture_of(all[i], studio, look), {});
+    render::write_file(folder / (number_of(i) + ".png"), render::encode_png(picture_of(all[i], studio, look), {}));
     texts += number_of(i) + ": " + all[i].text + "\n";
     key += number_of(i) + ": " + all[i].answer + " (" + all[i].kind + ")\n";
   }
