@@ -1,8 +1,7 @@
-#include "walkthroughs/output/movie.hpp"
-
 #include <cmath>
 #include <cstdio>
 
+#include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs::output {

@@ -18,7 +18,6 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
-#include "walkthroughs/output/movie.hpp"
 #include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
@@ -129,7 +128,8 @@ class Rendering {
                           command_.captions ? "--out and --captions" : "--out");
     expect_writable();
     Studio studio{chosen_backend(command_.gl)};
-    Renderer renderer(studio);  // it writes what it was given even when it goes early: before what it is given
+    // It writes what it was given even when it goes early: before what it is given.
+    Renderer renderer(studio, [this](const auto&... what) { report(what...); });
     for (const Selection::Chosen& each : selection_.chosen()) render(each, renderer);
     renderer.finish();
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
@@ -161,29 +161,16 @@ class Rendering {
 
   /// One for each format that is asked for, in the order in which each story is given to them.
   void make_sinks() {
-    const auto report_frame = [this](const std::filesystem::path& file, const Story& story, std::size_t index) {
-      const FrameFile frame{file.string(), story, index};
-      if (command_.captions) frames_.push_back(frame);
-      report(frame);
-    };
-    const auto report_svg = [](const std::filesystem::path& file, const Story& story, std::size_t index) {
-      report({file, story, index});
-    };
-    const auto report_file = [](const std::filesystem::path& file, const Story& story) {
-      std::cout << printable(file.string()) << "  " << story.walkthrough.title << std::endl;
-    };
-    sinks_.push_back(std::make_unique<Frames>(report_frame, has_svg() ? FrameWritten(report_svg) : nullptr));
-    if (command_.apng) sinks_.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time, report_file)));
-    if (command_.strip) sinks_.push_back(std::make_unique<OneFile>(strip(report_file)));
-    if (command_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet(report_file)));
+    sinks_.push_back(std::make_unique<Frames>(has_svg()));
+    if (command_.apng) sinks_.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time)));
+    if (command_.strip) sinks_.push_back(std::make_unique<OneFile>(strip()));
+    if (command_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet()));
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
-      sinks_.push_back(
-          std::make_unique<OneFile>(paper_sheets(*paper, !command_.text_scale, note_small_letters, report_file)));
-    using Pictures = PagesWanted::Pictures;
-    const Pictures pictures = command_.page == "single" ? Pictures::inside : Pictures::beside;
+      sinks_.push_back(std::make_unique<OneFile>(paper_sheets(*paper, !command_.text_scale, note_small_letters)));
+    const bool has_files_beside = command_.page != "single";
     if (has_pages())
       sinks_.push_back(std::make_unique<Pages>(
-          PagesWanted{pictures, command_.out, options_of_pictures(), selection_.origins()}, report_file));
+          PagesWanted{has_files_beside, command_.out, options_of_pictures(), selection_.origins()}));
   }
 
   /// Corners of a planar hull have letters of their own anyway.
@@ -328,13 +315,18 @@ class Rendering {
   }
 
   /// One line for each file, and how far it is.
-  static void report(const FrameFile& frame) {
-    const std::size_t count = frame.story.frames.size();
+  void report(const std::filesystem::path& file, const Story& story, std::optional<std::size_t> frame) {
+    const std::string name = printable(file.string());
+    if (!frame) {
+      std::cout << name << "  " << story.walkthrough.title << std::endl;
+      return;
+    }
+    if (command_.captions && file.extension() == ".png") frames_.push_back({file.string(), story, *frame});
+    const std::size_t count = story.frames.size();
     progress("");
-    std::cout << printable(frame.file) << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
-    if (frame.index + 1 < count)
-      progress(frame.story.walkthrough.name + ": frame " + std::to_string(frame.index + 1) + " of " +
-               std::to_string(count));
+    std::cout << name << "  " << plain(story.frames[*frame].caption) << std::endl;
+    if (*frame + 1 < count)
+      progress(story.walkthrough.name + ": frame " + std::to_string(*frame + 1) + " of " + std::to_string(count));
   }
 
   /// On a terminal, what is being done: in place of what was being done before, nothing where `what` is empty.
