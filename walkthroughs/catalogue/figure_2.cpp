@@ -81,7 +81,7 @@ void name_parts(Panel& panel, const Pinboard& board, Band band, const Style& sty
 }
 
 int draw_board(render::Canvas& canvas, const render::Box& box, const Style& style, const Pinboard& board, Band band) {
-  const auto [low, high] = Bounds(board.stretched);
+  const auto [low, high] = render::Box::around(board.stretched);
   const render::Box room = draw_panel_title(canvas, box, "the plane, with a pin at each point", style);
   Panel panel(canvas, room, render::View::fit(low, high, room.grown(-margin), any_scale));
   draw_band(panel, board, band, style);

@@ -9,6 +9,7 @@
 namespace walkthroughs::picture {
 namespace {
 
+using render::Box;
 using render::Stroke;
 using render::Vec2;
 
@@ -30,6 +31,14 @@ std::vector<KeyEntry> key_beside(const Shown& shown) {
   return key_of_origin(views, shown.style);
 }
 
+/// Returns: the origin, and everything that the search ever finds.
+std::vector<Point> found_by(const Telling& telling) {
+  std::vector<Point> found = {Point::Zero()};
+  for (const auto& event : telling.trace.events)
+    if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) found.push_back(support->vertex.w);
+  return found;
+}
+
 Stroke solid(Stroke stroke) {
   stroke.dash = {};
   return stroke;
@@ -49,7 +58,7 @@ class DifferencePicture {
         outline_(shown.telling.panels.hull
                      ? outline_of_difference(shown.telling.scene, shown.stage.difference, shown.lens)
                      : std::vector<Vec2>{}),
-        center_(outline_.empty() ? pencil_.at(middle_of_search()) : middle_of(outline_)) {}
+        center_(outline_.empty() ? pencil_.at(middle_of(found_by(shown.telling))) : middle_of(outline_)) {}
 
   void set() {
     if (!pencil_.in_space()) panel_.grid(shown_.stage.placing.scale, style_.grid);
@@ -171,7 +180,7 @@ class DifferencePicture {
   void direction() {
     if (!now_.direction) return;
     const Simplex& from = now_.direction->from;
-    const Point start = from.size() > 0 ? middle_of(points_of(from)) : middle_of_search();
+    const Point start = from.size() > 0 ? middle_of(points_of(from)) : middle_of(found_by(shown_.telling));
     pencil_.direction(start, now_.direction->value, style_.direction, "d");
   }
 
@@ -240,14 +249,6 @@ class DifferencePicture {
     return unit * unit.dot(now_.found->w);
   }
 
-  /// Returns: the middle of everything that the search ever finds.
-  Point middle_of_search() const {
-    std::vector<Point> found = {Point::Zero()};
-    for (const auto& event : shown_.telling.trace.events)
-      if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) found.push_back(support->vertex.w);
-    return middle_of(found);
-  }
-
   bool in_simplex(const Point& w) const { return std::ranges::count(points_of(now_.simplex), w) > 0; }
 
   void ring(const Point& p, render::Color color) {
@@ -288,7 +289,7 @@ bool shows_gap(const Moment& now) {
   return now.result && now.result->separation;
 }
 
-int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) {
+void draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
@@ -319,48 +320,38 @@ int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) 
   picture.origin();
   picture.names();
   if (focus == Focus::region) picture.name_rejected_faces();
-  const std::optional<Inset> inset = inset_in(shown, place.frame, place.view);
-  if (inset) panel.keep_clear(inset->frame);
-  const int crowded = panel.place_labels(shown.style.smallest_label());
-  if (inset)
-    draw_inset(canvas, *inset, place.view, style,
-               [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
-  return crowded;
+  finish_with_inset(canvas, panel, inset_in(shown, place.frame, place.view), style,
+                    [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
 }
 
 }  // namespace
 
-Bounds bounds_of_difference(const Telling& telling, const Stage& stage, const Lens& lens) {
-  Bounds box(lens(Point::Zero()));
-  if (telling.panels.hull)
-    for (const Vec2& corner : outline_of_difference(telling.scene, stage.difference, lens)) box.add(corner);
-  for (const auto& event : telling.trace.events)
-    if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) box.add(lens(support->vertex.w));
+Box bounds_of_difference(const Stage& stage, const Lens& lens) {
+  Box box = Box::around(lens(found_by(*stage.telling)));
+  if (stage.telling->panels.hull)
+    for (const Vec2& corner : outline_of_difference(stage.telling->scene, stage.difference, lens)) box.add(corner);
   return box;
 }
 
-Bounds bounds_of_decision(const Moment& now, const Lens& lens) {
-  Bounds box(lens(Point::Zero()));
-  for (const Point& p : points_of(now.processed)) box.add(lens(p));
-  box.grow(Vec2::Constant(0.3 * box.size()));
-  return box;
+Box bounds_of_decision(const Moment& now, const Lens& lens) {
+  Box box = Box::around(lens(points_of(now.processed)));
+  box.add(lens(Point::Zero()));
+  return box.grown(0.3 * box.longer_side());
 }
 
-Bounds bounds_of_move(const Moment& now, const Lens& lens) {
-  Bounds box(lens(Point::Zero()));
-  box.add(lens(now.direction->value.stableNormalized()));
-  for (const Point& p : points_of(now.simplex)) box.add(lens(p));
-  if (now.found) box.add(lens(now.found->w));
-  return box;
+Box bounds_of_move(const Moment& now, const Lens& lens) {
+  std::vector<Point> points = points_of(now.simplex);
+  points.insert(points.end(), {Point::Zero(), now.direction->value.stableNormalized()});
+  if (now.found) points.push_back(now.found->w);
+  return Box::around(lens(points));
 }
 
-int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
-  const int crowded = draw_search(canvas, place, shown);
-  if (shown.is_parting) canvas.outline(corners_of(place.frame.grown(-3)), shown.style.parting);
-  return crowded;
+void draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
+  draw_search(canvas, place, shown);
+  if (shown.is_parting) canvas.outline(place.frame.grown(-3).corners(), shown.style.parting);
 }
 
-int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
+void draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   draw_panel_title(canvas, place.frame, place.title, shown.style, {key_of_newest(shown.style), key_beyond(shown)});
   render::Panel panel(canvas, below_title(place.frame, shown.style), place.view);
   DifferencePicture picture(panel, shown);
@@ -376,7 +367,7 @@ int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   picture.origin();
   for (const Point& corner : points_of(shown.now.simplex)) picture.name(corner);
   if (shown.now.found) picture.name(shown.now.found->w);
-  return panel.place_labels(shown.style.smallest_label());
+  canvas.add_crowded(panel.place_labels(shown.style.smallest_label()));
 }
 
 }  // namespace walkthroughs::picture
