@@ -93,14 +93,8 @@ constexpr double subscript_drop = 0.2;
 
 // ---------------------------------------------------------------------------------------------- FreeType
 
-struct LibraryDeleter {
-  void operator()(FT_Library library) const { FT_Done_FreeType(library); }
-};
-struct FaceDeleter {
-  void operator()(FT_Face face) const { FT_Done_Face(face); }
-};
-using Library = std::unique_ptr<FT_LibraryRec_, LibraryDeleter>;
-using Face = std::unique_ptr<FT_FaceRec_, FaceDeleter>;
+using Library = std::unique_ptr<FT_LibraryRec_, decltype(&FT_Done_FreeType)>;
+using Face = std::unique_ptr<FT_FaceRec_, decltype(&FT_Done_Face)>;
 
 void expect_memory(FT_Error error) {
   if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
@@ -109,7 +103,7 @@ void expect_memory(FT_Error error) {
 Library open_library() {
   FT_Library library = nullptr;
   if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();  // there is no other reason
-  return Library(library);
+  return {library, FT_Done_FreeType};
 }
 
 /// FreeType calls a file that it finds no memory for one of an unknown format.
@@ -123,7 +117,7 @@ Face open_face(FT_Library library, const std::filesystem::path& file) {
   std::error_code unknown;
   const bool regular = std::filesystem::is_regular_file(file, unknown);  // a pipe would block
   const FT_Error error = regular ? FT_New_Face(library, file.c_str(), 0, &face) : FT_Err_Cannot_Open_Resource;
-  if (error == 0) return Face(face);
+  if (error == 0) return {face, FT_Done_Face};
   expect_memory(error);
   if (regular && !memory_limit().empty()) expect_memory_for(file);
   const std::string what = std::filesystem::exists(file, unknown)
@@ -154,7 +148,7 @@ struct CachedGlyph {
 
 struct Font::Impl {
   struct LoadedFace {
-    Face face;
+    Face face{nullptr, FT_Done_Face};
     FT_Pos cap_height;
     std::filesystem::path file;
     long size = 0;  // that is set, in 26.6

@@ -61,13 +61,10 @@ class OsmesaContext final : public CurrentContext {
   GlFunction function(const char* name) const override { return Osmesa::get().address_of(name); }
 
  private:
-  struct Deleter {
-    void operator()(OSMesaContext context) const { Osmesa::get().destroy_context(context); }
-  };
-
   // OSMesa wants a buffer of its own, though everything is drawn into a framebuffer object.
   std::array<unsigned char, 4> pixel_{};
-  std::unique_ptr<std::remove_pointer_t<OSMesaContext>, Deleter> context_;
+  std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&OSMesaDestroyContext)> context_{
+      nullptr, Osmesa::get().destroy_context};
 };
 
 }  // namespace

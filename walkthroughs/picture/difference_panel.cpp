@@ -46,7 +46,13 @@ Stroke solid(Stroke stroke) {
 
 // -- The picture ------------------------------------------------------------------------------------------------------
 
-/// What both pictures of a difference set share.
+/// Whether the search has ended in front of the origin.
+bool shows_gap(const Moment& now) {
+  if (now.certified && now.in_exact_fallback) return now.certified->status == gjk::Status::separated;
+  return now.result && now.result->separation;
+}
+
+/// Draws a difference set, and what the search does in it.
 class DifferencePicture {
  public:
   DifferencePicture(render::Panel& panel, const Shown& shown)
@@ -60,9 +66,62 @@ class DifferencePicture {
                      : std::vector<Vec2>{}),
         center_(outline_.empty() ? pencil_.at(middle_of(found_by(shown.telling))) : middle_of(outline_)) {}
 
+  /// All that the search has found so far. `frame`: of the panel.
+  void search(render::Canvas& canvas, const Box& frame) {
+    const Focus focus = shown_.focus;
+    const bool separated = shows_gap(now_);
+    const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
+    set();
+    pencil_.triad(canvas, frame);  // behind the search, which it must not hide
+    if (focus == Focus::region) draw_regions(pencil_, shown_);
+    if (now_.found && searching) beyond_found();
+    segments();
+    if (focus == Focus::support || focus == Focus::direction || focus == Focus::repetition || separated) direction();
+    if (focus == Focus::crossing) crossing();
+    vertices();
+    if (focus == Focus::reduction || focus == Focus::kept) dropped();
+    if (focus == Focus::repetition) repetition();
+    origin();
+    names();
+    if (focus == Focus::region) name_rejected_faces(pencil_, shown_);
+  }
+
+  /// One move: where it started, where it ended, and whether it crossed the origin.
+  void move() {
+    set();
+    if (now_.found) beyond_found();
+    segments();
+    direction();
+    if (shown_.focus == Focus::crossing) {
+      crossing();
+      name_projection();
+    }
+    vertices();
+    origin();
+    for (const Point& corner : points_of(now_.simplex)) name(corner);
+    if (now_.found) name(now_.found->w);
+  }
+
+  /// What a small picture around the origin shows.
+  void inset() {
+    hull();
+    if (shown_.focus == Focus::region) draw_regions(pencil_, shown_);
+    if (shown_.focus == Focus::crossing) {
+      beyond_found();
+      crossing();
+    }
+    segments();
+    vertices();
+    panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+    panel_.drop_labels();
+    for (const Point& corner : points_of(now_.simplex))
+      if (panel_.holds(pencil_.at(corner), style_.point_radius)) name(corner);
+  }
+
+ private:
   void set() {
     if (!pencil_.in_space()) panel_.grid(shown_.stage.placing.scale, style_.grid);
-    if (!outline_.empty()) hull();
+    hull();
   }
 
   void names() {
@@ -86,24 +145,6 @@ class DifferencePicture {
                  style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
   }
 
-  void triad(render::Canvas& canvas, const render::Box& frame) { pencil_.triad(canvas, frame); }
-
-  /// What a small picture around the origin shows.
-  void inset() {
-    if (!outline_.empty()) hull();
-    if (shown_.focus == Focus::region) regions();
-    if (shown_.focus == Focus::crossing) {
-      beyond_found();
-      crossing();
-    }
-    segments();
-    vertices();
-    panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
-    panel_.drop_labels();
-    for (const Point& corner : points_of(now_.simplex))
-      if (panel_.holds(pencil_.at(corner), style_.point_radius)) name(corner);
-  }
-
   void origin() {
     const gjk::Roles face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : gjk::Roles();
     if (face.empty())
@@ -116,9 +157,6 @@ class DifferencePicture {
     else  // where lines have sides
       panel_.label_on_its_side(at, toward, "O", style_.label(style_.theme.ink));
   }
-
-  void regions() { draw_regions(pencil_, shown_); }
-  void name_rejected_faces() { walkthroughs::picture::name_rejected_faces(pencil_, shown_); }
 
   /// Where no point of the set can lie, because the support function has looked.
   void beyond_found() { pencil_.out_of_reach(now_.found->w, now_.direction->value); }
@@ -195,7 +233,6 @@ class DifferencePicture {
                    style_.label(style_.theme.vermillion, render::Weight::bold), line_label_gap);
   }
 
- private:
   /// The origin above or below the plane of a triangle: its way there, hidden where the plane is in front of it.
   void drop(const gjk::Roles& face) {
     Point corners[3];
@@ -216,6 +253,7 @@ class DifferencePicture {
   }
 
   void hull() {
+    if (outline_.empty()) return;
     if (pencil_.in_space() && shown_.focus == Focus::region)  // its edges would hide the regions
       panel_.polygon(outline_, style_.hull_fill.with_alpha(60));
     else
@@ -283,13 +321,9 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
   return inset_of(O, asked, shape, below_title(frame, shown.style), view, shown.telling.panels.close_up);
 }
 
-/// Whether the search has ended in front of the origin.
-bool shows_gap(const Moment& now) {
-  if (now.certified && now.in_exact_fallback) return now.certified->status == gjk::Status::separated;
-  return now.result && now.result->separation;
-}
+}  // namespace
 
-void draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) {
+void draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
@@ -302,29 +336,14 @@ void draw_search(render::Canvas& canvas, const Place& place, const Shown& shown)
                                      looking       ? key_beyond(shown)
                                      : is_skipping ? key_of_skipped(style)
                                                    : key_of_line("earlier", style.former)});
-  render::Panel panel(canvas, below_title(place.frame, style), place.view);
-  DifferencePicture picture(panel, shown);
-  picture.set();
-  picture.triad(canvas, place.frame);  // behind the search, which it must not hide
-  const bool separated = shows_gap(shown.now);
-  const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
-  if (focus == Focus::region) picture.regions();
-  if (shown.now.found && searching) picture.beyond_found();
-  picture.segments();
-  if (focus == Focus::support || focus == Focus::direction || focus == Focus::repetition || separated)
-    picture.direction();
-  if (focus == Focus::crossing) picture.crossing();
-  picture.vertices();
-  if (focus == Focus::reduction || focus == Focus::kept) picture.dropped();
-  if (focus == Focus::repetition) picture.repetition();
-  picture.origin();
-  picture.names();
-  if (focus == Focus::region) picture.name_rejected_faces();
-  finish_with_inset(canvas, panel, inset_in(shown, place.frame, place.view), style,
-                    [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
+  {
+    render::Panel panel(canvas, below_title(place.frame, style), place.view);
+    DifferencePicture(panel, shown).search(canvas, place.frame);
+    finish_with_inset(canvas, panel, inset_in(shown, place.frame, place.view), style,
+                      [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
+  }
+  if (shown.is_parting) canvas.outline(place.frame.grown(-3).corners(), style.parting);
 }
-
-}  // namespace
 
 Box bounds_of_difference(const Stage& stage, const Lens& lens) {
   Box box = Box::around(lens(found_by(*stage.telling)));
@@ -346,27 +365,10 @@ Box bounds_of_move(const Moment& now, const Lens& lens) {
   return Box::around(lens(points));
 }
 
-void draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
-  draw_search(canvas, place, shown);
-  if (shown.is_parting) canvas.outline(place.frame.grown(-3).corners(), shown.style.parting);
-}
-
 void draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   draw_panel_title(canvas, place.frame, place.title, shown.style, {key_of_newest(shown.style), key_beyond(shown)});
   render::Panel panel(canvas, below_title(place.frame, shown.style), place.view);
-  DifferencePicture picture(panel, shown);
-  picture.set();
-  if (shown.now.found) picture.beyond_found();
-  picture.segments();
-  picture.direction();
-  if (shown.focus == Focus::crossing) {
-    picture.crossing();
-    picture.name_projection();
-  }
-  picture.vertices();
-  picture.origin();
-  for (const Point& corner : points_of(shown.now.simplex)) picture.name(corner);
-  if (shown.now.found) picture.name(shown.now.found->w);
+  DifferencePicture(panel, shown).move();
   canvas.add_crowded(panel.place_labels(shown.style.smallest_label()));
 }
 
