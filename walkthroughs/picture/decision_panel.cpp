@@ -50,42 +50,16 @@ class DecisionPicture {
         shown_(shown),
         style_(shown.style),
         is_alone_(is_alone),
-        lens_{std::nullopt, view.plane} {}
-
-  /// Chooses how much what decides is stretched: an origin that stands nearer to its plane than its mark is wide is told
-  /// from one in the plane.
-  void stretch() {
-    if (view_.kind != Kind::edge_on && view_.kind != Kind::crossing) return;
-    const double length = std::abs(view_.height) * fit(bounds()).scale();
-    if (length == 0 || length >= least_height) return;
-    (view_.kind == Kind::crossing ? lens_.plane.stretch.x() : lens_.plane.stretch.y()) =
-        round_factor(wanted_height / length);
+        lens_{std::nullopt, view.plane} {
+    bounds = bounds_now();
+    stretch();
   }
 
-  /// Returns: what must be shown, in scene units.
-  Box bounds() const {
-    Box box = Box::around(corners());
-    box.add(at_origin());
-    if (view_.kind == Kind::true_shape) box = box.grown(0.1 * (box.max - box.min));  // room for the regions around
-    if (view_.kind == Kind::crossing) box.add({0, -0.15 * box.max.y()});             // room for the product
-    if (view_.kind != Kind::edge_on) return box;
-    box.add({box.min.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
-    if (!is_alone_) return box;
-    const double width = box.width();
-    for (const double side : {-0.22, 0.18})
-      box.add({box.min.x(), side * width});  // so that an empty side is seen to be empty
-    if (has_fourth() && lens_.plane.stretch.y() == 1) {
-      const Vec2 at = lens_(vertex(shown_, fourth(view_.face)));
-      if (std::abs(at.y()) <= deepest * width) box.add(at);
-    }
-    return box;
-  }
-
-  View fit(const Box& box) const {
+  View fit() const {
     const Box room = below_title(frame_, style_);
     const double across = frame_.width() < narrow ? narrow_margin : margin;
     const double upright = std::min(margin_below(), most_margin * room.height());
-    return View::fit(box.min, box.max, room.grown(-Vec2(across, upright)));
+    return View::fit(bounds.min, bounds.max, room.grown(-Vec2(across, upright)));
   }
 
   void draw(render::Canvas& canvas, const View& view) {
@@ -108,7 +82,39 @@ class DecisionPicture {
     });
   }
 
+  Box bounds;  ///< what must be shown, in scene units
+
  private:
+  /// Chooses how much what decides is stretched: an origin that stands nearer to its plane than its mark is wide is told
+  /// from one in the plane.
+  void stretch() {
+    if (view_.kind != Kind::edge_on && view_.kind != Kind::crossing) return;
+    const double length = std::abs(view_.height) * fit().scale();
+    if (length == 0 || length >= least_height) return;
+    (view_.kind == Kind::crossing ? lens_.plane.stretch.x() : lens_.plane.stretch.y()) =
+        round_factor(wanted_height / length);
+    bounds = bounds_now();
+  }
+
+  /// Returns: what must be shown where things are stretched as now.
+  Box bounds_now() const {
+    Box box = Box::around(corners());
+    box.add(at_origin());
+    if (view_.kind == Kind::true_shape) box = box.grown(0.1 * (box.max - box.min));  // room for the regions around
+    if (view_.kind == Kind::crossing) box.add({0, -0.15 * box.max.y()});             // room for the product
+    if (view_.kind != Kind::edge_on) return box;
+    box.add({box.min.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
+    if (!is_alone_) return box;
+    const double width = box.width();
+    for (const double side : {-0.22, 0.18})
+      box.add({box.min.x(), side * width});  // so that an empty side is seen to be empty
+    if (has_fourth() && lens_.plane.stretch.y() == 1) {
+      const Vec2 at = lens_(vertex(shown_, fourth(view_.face)));
+      if (std::abs(at.y()) <= deepest * width) box.add(at);
+    }
+    return box;
+  }
+
   double margin_below() const {
     if (is_alone_) return margin;
     return view_.kind == Kind::true_shape ? flat_margin : low_margin;
@@ -409,20 +415,15 @@ std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& vi
 void draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views,
                    const Shown& shown) {
   const std::vector<Box> places = places_of(frame, views);
+  const bool below_each_other = are_below_each_other(views);
   std::vector<DecisionPicture> pictures;
-  std::vector<Box> boxes;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    pictures.emplace_back(places[i], views[i], shown, !are_below_each_other(views) && !views[i].is_left_behind());
-    pictures[i].stretch();
-    boxes.push_back(pictures[i].bounds());
-  }
-  if (are_below_each_other(views)) share_width(boxes[0], boxes[1]);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    pictures.emplace_back(places[i], views[i], shown, !below_each_other && !views[i].is_left_behind());
+  if (below_each_other) share_width(pictures[0].bounds, pictures[1].bounds);
   double scale = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < views.size(); ++i) scale = std::min(scale, pictures[i].fit(boxes[i]).scale());
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const View own = pictures[i].fit(boxes[i]);
-    pictures[i].draw(canvas, are_below_each_other(views) ? own.with_scale(scale) : own);
-  }
+  for (const DecisionPicture& picture : pictures) scale = std::min(scale, picture.fit().scale());
+  for (DecisionPicture& picture : pictures)
+    picture.draw(canvas, below_each_other ? picture.fit().with_scale(scale) : picture.fit());
 }
 
 }  // namespace walkthroughs::picture
