@@ -3,7 +3,6 @@
 #include <GL/glcorearb.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <initializer_list>
 #include <thread>
