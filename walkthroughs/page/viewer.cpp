@@ -1,9 +1,8 @@
-#include "walkthroughs/page/viewer.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "render/html.hpp"
+#include "walkthroughs/page/page.hpp"
 
 namespace walkthroughs::page {
 

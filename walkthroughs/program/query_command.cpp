@@ -20,6 +20,7 @@
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/program/standard_output.hpp"
 #include "walkthroughs/query/query.hpp"
+#include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
@@ -66,8 +67,6 @@ Answers are written before more is read, so a program may ask one pair and wait.
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
 }
 
-enum Answer { all_answered = 0, bad_lines = 3 };
-
 std::size_t read_some(std::span<char> bytes) {
   for (;;) {
     const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
@@ -93,10 +92,7 @@ Enumerator choice(const std::string& option, const std::string& word,
 /// Returns: "as-intended: the report's rules; as-printed: ...".
 template <class E, std::size_t count>
 std::string words_and_meanings(const std::array<gjk::Named<E>, count>& table) {
-  std::string text;
-  for (const gjk::Named<E>& each : table)
-    text.append(text.empty() ? "" : "; ").append(each.name).append(": ").append(each.meaning);
-  return text;
+  return joined(table, "; ", [](const auto& each) { return std::string(each.name).append(": ").append(each.meaning); });
 }
 
 /// Errors: UsageError.
@@ -134,10 +130,10 @@ struct QueryCommand {
     places.write_standard_output();
     places.expect_apart();
     const QueryTally tally = answer_lines(options, read_some, write_to_standard_output);
-    if (tally.bad == 0) return all_answered;
+    if (tally.bad == 0) return ok;
     std::cerr << "gjkstep: " << tally.bad << " of " << tally.lines << (tally.lines == 1 ? " line is" : " lines are")
               << " not answered; the first is line " << tally.first_bad << ", and its \"error\" says why\n";
-    return bad_lines;
+    return bad_input;
   }
 
  private:

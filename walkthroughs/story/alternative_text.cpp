@@ -20,9 +20,7 @@ using Places = std::vector<Point>;
 
 /// Returns: "A (1, 2), B (3, 4)".
 std::string with_names(const Places& places, const Names& names, Dimension dimension) {
-  std::string text;
-  for (const Point& w : places) text += (text.empty() ? "" : ", ") + names.label(w) + " " + vector(w, dimension);
-  return text;
+  return joined(places, ", ", [&](const Point& w) { return names.label(w) + " " + vector(w, dimension); });
 }
 
 /// Returns: of the difference, as far as they have names.
@@ -118,10 +116,7 @@ Sentences panels_in_words(const Story& story, std::size_t index, Describe descri
 }  // namespace
 
 std::string description(const Story& story, std::size_t index) {
-  std::string text;
-  for (const std::string& sentences : panels_in_words(story, index, described))
-    text += (text.empty() ? "" : "\n") + sentences;
-  return text;
+  return joined(panels_in_words(story, index, described), "\n");
 }
 
 std::vector<std::string> picture_in_words(const Story& story, std::size_t index) {

@@ -1,4 +1,4 @@
-#include "walkthroughs/page/index_entry.hpp"
+#include "walkthroughs/page/page.hpp"
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"

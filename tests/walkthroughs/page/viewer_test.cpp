@@ -1,4 +1,4 @@
-#include "walkthroughs/page/viewer.hpp"
+#include "walkthroughs/page/page.hpp"
 
 #include <stdexcept>
 

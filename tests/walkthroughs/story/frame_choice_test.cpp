@@ -1,4 +1,4 @@
-#include "walkthroughs/story/frame_choice.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
