@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 
 namespace walkthroughs::catalogue {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "walkthroughs/text/shell_word.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::output {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "walkthroughs/text/decimal.hpp"
+#include "walkthroughs/model/number_text.hpp"
 
 namespace walkthroughs::story {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
