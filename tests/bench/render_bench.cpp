@@ -37,7 +37,7 @@
 
 #include "render/image.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/output/renderer.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"

@@ -4,7 +4,7 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <iterator>
 
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 
 namespace walkthroughs::catalogue {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "walkthroughs/output/frames.hpp"
-#include "walkthroughs/text/shell_word.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::output {
 namespace {

@@ -13,7 +13,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
-#include "walkthroughs/text/shell_word.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs::output {

@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/program/places.hpp"
-#include "walkthroughs/text/decimal.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::program {

@@ -15,7 +15,6 @@
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
-#include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs::program {
 namespace {

@@ -27,7 +27,7 @@ bool is_one_of(const std::exception& error) {
 
 ExitCode code_of(const std::exception& error) {
   if (is_one_of<UsageError>(error)) return wrong_usage;
-  if (is_one_of<InputError, render::FontError, render::ReadError>(error)) return bad_input;
+  if (is_one_of<InputError, render::FontError>(error)) return bad_input;
   if (is_one_of<render::ContextError>(error)) return no_context;
   return is_one_of<render::FileError>(error) ? cannot_write : unexpected;
 }

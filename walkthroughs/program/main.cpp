@@ -11,7 +11,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/exit_code.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::program {

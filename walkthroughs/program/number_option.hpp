@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/gjk.hpp"
-#include "walkthroughs/text/decimal.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::program {

@@ -21,7 +21,7 @@
 #include "walkthroughs/program/standard_output.hpp"
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/story/words.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/text_file.hpp"

@@ -27,7 +27,6 @@
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
-#include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
 
 namespace walkthroughs::program {

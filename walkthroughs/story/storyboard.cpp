@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
-#include "walkthroughs/text/decimal.hpp"
+#include "walkthroughs/model/number_text.hpp"
 
 namespace walkthroughs::story {
 namespace {

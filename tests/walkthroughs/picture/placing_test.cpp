@@ -4,7 +4,7 @@
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/picture/stage.hpp"
 #include "walkthroughs/story/storyboard.hpp"
