@@ -7,7 +7,6 @@
 
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/places.hpp"
-#include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/printable.hpp"
 
@@ -28,12 +27,6 @@ const Walkthrough& walkthrough_named(const std::string& name) {
 std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {
   const std::vector<const Walkthrough*> found = find_walkthroughs(name);
   return found.empty() ? std::vector{&walkthrough_named(name)} : found;
-}
-
-render::Size parse_size(const std::string& text) {
-  if (const auto size = size_in(text)) return *size;
-  throw UsageError("--size " + in_quotes(text) + ": expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
-                   std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
 }
 
 void expect_named(const std::string& option, const std::string& name, const std::string& example) {
