@@ -132,14 +132,6 @@ std::vector<HalfSpace> tested_half_spaces(const Answer& answer, const Simplex& s
 
 // -- The grid ---------------------------------------------------------------------------------------------------------
 
-std::vector<Vec2> Window::corners() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
-
-Window Window::with_margin() const {
-  constexpr double share = 0.1;  // of its size, on each side
-  const Vec2 margin = (high - low) * share;
-  return {low - margin, high + margin, height};
-}
-
 RegionGrid::RegionGrid(const Window& window, int columns, int rows, const std::function<std::string(const Point&)>& ask)
     : window_(window), columns_(columns), rows_(rows) {
   const Vec2 size = window.high - window.low;

@@ -65,9 +65,12 @@ struct Window {
   render::Vec2 low, high;
   double height = 0;
 
-  std::vector<render::Vec2> corners() const;
+  std::vector<render::Vec2> corners() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
   /// Returns: a larger one with the same middle, for pictures that are wider or higher than this one.
-  Window with_margin() const;
+  Window with_margin() const {
+    const render::Vec2 margin = (high - low) * 0.1;  // on each side
+    return {low - margin, high + margin, height};
+  }
 };
 
 /// A text for each cell of a window: what holds at its middle.

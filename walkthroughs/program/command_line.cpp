@@ -30,12 +30,6 @@ std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {
   return found.empty() ? std::vector{&walkthrough_named(name)} : found;
 }
 
-render::Size parse_size(const std::string& text) {
-  if (const auto size = size_in(text)) return *size;
-  throw UsageError("--size " + in_quotes(text) + ": expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
-                   std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
-}
-
 void expect_named(const std::string& option, const std::string& name, const std::string& example) {
   if (name.empty() || name.starts_with("--")) throw UsageError(option + " " + in_quotes(name) + ": name " + example);
   if (name == "-")

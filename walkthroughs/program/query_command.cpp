@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/gjk.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/number_option.hpp"
@@ -105,6 +106,19 @@ void expect_scalar_with_proofs(QueryScalar scalar) {
     throw UsageError("--certified is for --scalar float and double, whose rounding it bounds; leave out --scalar");
 }
 
+/// Returns: the direction x,y,z, written in decimal; nothing where a number is not finite, or all are 0.
+std::optional<Point> direction_in(std::string_view text) {
+  Point direction;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t end = i < 2 ? text.find(',') : text.size();
+    const auto number = decimal<double>(text.substr(0, end));
+    if (!number || end == std::string_view::npos) return std::nullopt;
+    direction[i] = *number;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return gjk::is_usable_direction(direction) ? std::optional(direction) : std::nullopt;
+}
+
 /// Errors: UsageError.
 Point first_direction_in(const std::string& text, QueryScalar scalar) {
   const Point direction = *direction_in(text);
@@ -172,7 +186,11 @@ Command add_query_command(CLI::App& app) {
       "difference of the centers as the first vertex");
   CLI::Option* const first_direction =
       command->add_option("--first-direction", query->first_direction, "search first along x,y,z")->excludes(start);
-  expect_direction(first_direction);
+  first_direction->check(CLI::Validator(
+      [](const std::string& text) -> std::string {
+        return direction_in(text) ? "" : "expected three finite numbers x,y,z, not all 0, found " + in_quotes(text);
+      },
+      "x,y,z"));
   CLI::Option* const certified = command->add_flag("--certified", query->certified,
                                                    "prove each answer, with a certificate where it is about points");
   command

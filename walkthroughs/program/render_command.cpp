@@ -25,6 +25,7 @@
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
+#include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
@@ -106,6 +107,13 @@ class Selection {
     chosen.push_back(std::move(one));
   }
 };
+
+/// Reads "1280x720". Errors: UsageError.
+render::Size parse_size(const std::string& text) {
+  if (const auto size = size_in(text)) return *size;
+  throw UsageError("--size " + in_quotes(text) + ": expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
+                   std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
+}
 
 /// One run of the command.
 class Rendering {

@@ -115,10 +115,6 @@ Sentences panels_in_words(const Story& story, std::size_t index, Describe descri
 
 }  // namespace
 
-std::string description(const Story& story, std::size_t index) {
-  return joined(panels_in_words(story, index, described), "\n");
-}
-
 std::vector<std::string> picture_in_words(const Story& story, std::size_t index) {
   return panels_in_words(story, index, described_briefly);
 }
@@ -126,7 +122,7 @@ std::vector<std::string> picture_in_words(const Story& story, std::size_t index)
 std::string alternative_text(const Story& story, std::size_t index) {
   const Frame& frame = story.frames[index];
   std::string text = plain(frame.caption);
-  if (const std::string seen = description(story, index); !seen.empty()) text += "\n" + seen;
+  for (const std::string& seen : panels_in_words(story, index, described)) text += "\n" + seen;
   for (const Fact& fact : frame.facts)
     text += std::string("\n") + marks_in_words[static_cast<int>(fact.mark)] + plain(fact.text) + ".";
   return text;
