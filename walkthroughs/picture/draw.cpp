@@ -254,10 +254,9 @@ std::vector<Cell> cells(const StagedStory& story) {
   if (story.walkthrough.layout != Layout::search) {
     const std::size_t last = story.frames.size() - 1;
     for (std::size_t s = 0; s < story.tellings.size(); ++s) {
-      std::string said;
-      for (const Fact& fact : story.frames[last].facts)
-        if (said.empty() && fact.text.starts_with(story.tellings[s].scene.name)) said = fact.text;
-      list.push_back({last, s, title_of_scene(story, s, story.frames[last]), said});
+      const std::vector<Fact>& facts = story.frames[last].facts;
+      const auto said = std::ranges::find(facts, &story.tellings[s].scene, &Fact::of);
+      list.push_back({last, s, title_of_scene(story, s, story.frames[last]), said == facts.end() ? "" : said->text});
     }
     return list;
   }

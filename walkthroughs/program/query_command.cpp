@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/gjk.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/number_option.hpp"

@@ -25,7 +25,6 @@
 #include "walkthroughs/story/alternative_text.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
-#include "walkthroughs/text/decimal.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 #include "walkthroughs/trace/trace_file.hpp"

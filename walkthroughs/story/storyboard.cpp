@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
-#include "walkthroughs/model/number_text.hpp"
 
 namespace walkthroughs::story {
 namespace {
@@ -76,7 +76,7 @@ std::optional<Frame> frame_of(const Story& story, std::size_t scene, std::size_t
 
 /// Adds what `one` says of its scene to a frame about several.
 void join(Frame& all, const Scene& scene, const Frame& one) {
-  for (const Fact& fact : one.facts) all.facts.push_back({fact.mark, scene.name + ": " + fact.text});
+  for (const Fact& fact : one.facts) all.facts.push_back({fact.mark, scene.name + ": " + fact.text, {}, {}, &scene});
   all.moments.push_back(one.moments[0]);
   all.events.push_back(one.events[0]);
 }
@@ -213,7 +213,7 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   if (i == common && said.size() == 2) frame.own_focus = {first.focus, said[1].second.focus};
   for (const auto& [scene, one] : said) {
     const Focus about = i == common ? Focus::parting : one.focus;
-    frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption});
+    frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption, {}, {}, scene});
     if (told && (i == common || is_between) && !one.facts.empty())
       frame.facts.push_back({Fact::Mark::none, one.facts[0].text});
   }
