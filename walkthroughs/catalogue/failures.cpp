@@ -31,10 +31,8 @@ std::vector<Corner> moved(std::vector<Corner> corners, double unit, double offse
   return corners;
 }
 
-}  // namespace
-
-std::vector<Walkthrough> failures() {
-  const Failure all[] = {
+std::vector<Failure> all_failures() {
+  return {
       // Range: w·d is a product of four lengths, and so is ABn·AO.
       {.name = "vanished-product",
        .title = "Apart, and found together: a product too small for a float",
@@ -80,8 +78,13 @@ std::vector<Walkthrough> failures() {
                 .truth = "a point that reaches across the origin was missed"},
        .scene = scene_of("quadrilateral a", moved({{3, 6}, {-8, 9}, {2, 1}, {-9, 9}}, 1, 16e6), "quadrilateral b",
                          moved({{9, -2}, {-1, 4}, {-2, 9}, {-2, -6}}, 1, 16e6))}};
+}
+
+}  // namespace
+
+std::vector<Walkthrough> failures() {
   std::vector<Walkthrough> walkthroughs;
-  for (const Failure& each : all) walkthroughs.push_back(told(each));
+  for (const Failure& each : all_failures()) walkthroughs.push_back(told(each));
   return walkthroughs;
 }
 

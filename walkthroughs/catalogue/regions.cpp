@@ -43,7 +43,7 @@ std::vector<RegionRow> at_vertex() {
 // Figure 6 names the sides of AB, Algorithm 3 treats them alike ("R3 or R4"). Here R3 is the left side of the move from B to
 // A and R4 the right side, so that R3 of the segment AB is on the same side as R3 of the triangle ABC in Figure 7.
 
-std::vector<RegionRow> around_segment() {
+std::vector<RegionRow> beside_segment() {
   return {
       {.name = "r3",
        .title = "the origin lies in R3",
@@ -58,7 +58,11 @@ std::vector<RegionRow> around_segment() {
        .text = "R4: the origin lies to the right of the move from B to A",
        .scene = scene_of("quadrilateral", {{0, -3}, {1, -1}, {-2, 0}, {-2, -2}}, "triangle", {{1, 0}, {3, 1}, {0, 3}}),
        .remarks = {{At::region_tested, 2, "it lies to the right of the move from B to A, in R4", "R3 or R4"},
-                   {At::direction_chosen, 2, "AB×AO×AB serves R3 and R4 alike, while AO might lead back to B"}}},
+                   {At::direction_chosen, 2, "AB×AO×AB serves R3 and R4 alike, while AO might lead back to B"}}}};
+}
+
+std::vector<RegionRow> on_segment() {
+  return {
       {.name = "on-segment",
        .title = "the origin lies on AB",
        .summary = "AB and AO are parallel, AB×AO×AB is zero: the objects intersect",
@@ -72,9 +76,13 @@ std::vector<RegionRow> around_segment() {
        .summary = "AO is zero, and with it AB×AO×AB: the objects touch at one point",
        .text = "A is the origin",
        .scene = scene_of("parallelogram", {{-1, -2}, {0, -1}, {-1, 1}, {-2, 0}}, "triangle", {{-1, 1}, {2, 3}, {0, 4}}),
-       .remarks = {{At::region_tested, 2, "A is the origin: AO = 0, and the test for the segment covers this case too",
-                    "AB"},
-                   {At::end, 2, "they touch at one point, (−1, 1), and touching counts as intersecting"}}},
+       .remarks = {
+           {At::region_tested, 2, "A is the origin: AO = 0, and the test for the segment covers this case too", "AB"},
+           {At::end, 2, "they touch at one point, (−1, 1), and touching counts as intersecting"}}}};
+}
+
+std::vector<RegionRow> skipped_around_segment() {
+  return {
       {.name = "r1-cannot-happen",
        .title = "the origin cannot lie in R1",
        .summary = "R1 lies beyond B, and the search has just left B toward the origin",
@@ -95,7 +103,7 @@ std::vector<RegionRow> around_segment() {
 
 // -- A triangle ----------------------------------------------------------------------------------------------------------
 
-std::vector<RegionRow> around_triangle() {
+std::vector<RegionRow> beyond_edges_of_triangle() {
   return {
       {.name = "r3",
        .title = "the origin lies in R3",
@@ -113,7 +121,11 @@ std::vector<RegionRow> around_triangle() {
        .text = "R7: the origin lies beyond AC",
        .scene = scene_of("triangle", {{2, 0}, {1, 3}, {-2, 1}}, "parallelogram", {{0, -1}, {2, -4}, {3, -2}, {1, 1}}),
        .remarks = {{At::region_tested, 3, "ACn = ABCn×AC: in the other order it would point into the triangle", "R7"},
-                   {At::reduced, 3, "[C, A] is listed oldest first, so A stays the newest"}}},
+                   {At::reduced, 3, "[C, A] is listed oldest first, so A stays the newest"}}}};
+}
+
+std::vector<RegionRow> within_triangle() {
+  return {
       {.name = "r1-above",
        .title = "the origin lies in R1, above the triangle",
        .summary = "the origin lies above ABC: nothing is dropped, the search goes along ABCn",
@@ -155,9 +167,13 @@ std::vector<RegionRow> around_triangle() {
        .summary = "A is the origin: every product with AO is zero, the objects touch at one point",
        .text = "A is the origin",
        .scene = scene_of("triangle", {{-2, 2}, {-3, -1}, {-1, 0}}, "parallelogram", {{1, 3}, {-1, 3}, {-2, 2}, {0, 2}}),
-       .remarks = {{At::region_tested, 3, "AO = 0 makes all three products zero, which leads to R1 and to the answer",
-                    "R1"},
-                   {At::end, 3, "they touch at one point, (−2, 2), and touching counts as intersecting"}}},
+       .remarks = {
+           {At::region_tested, 3, "AO = 0 makes all three products zero, which leads to R1 and to the answer", "R1"},
+           {At::end, 3, "they touch at one point, (−2, 2), and touching counts as intersecting"}}}};
+}
+
+std::vector<RegionRow> skipped_around_triangle() {
+  return {
       {.name = "r2-cannot-happen",
        .title = "the origin cannot lie in R2",
        .summary = "R2 lies beyond A: where the origin lies there, the crossing test has ended the search",
@@ -198,7 +214,7 @@ std::vector<RegionRow> around_triangle() {
 
 // ABC, ACD and ADB stand for faces, and "the ACn of ABC" for the normal of the edge AC in the plane of the face ABC.
 
-std::vector<RegionRow> around_tetrahedron() {
+std::vector<RegionRow> above_ABC() {
   return {{.name = "face-abc",
            .title = "the origin lies above ABC",
            .summary = "the first face sees the origin and is kept: D is dropped",
@@ -225,8 +241,11 @@ std::vector<RegionRow> around_tetrahedron() {
                              {{-1, 0, -3}, {-3, 1, 1}, {1, -2, 4}}),
            .remarks = {{At::region_tested, 4, "ABn = AB×ABCn lies in the plane of ABC and points out of it across AB",
                         "ABC AB"},
-                       {At::direction_chosen, 4, "the same as in R3 of a triangle"}}},
-          {.name = "face-acd",
+                       {At::direction_chosen, 4, "the same as in R3 of a triangle"}}}};
+}
+
+std::vector<RegionRow> above_ACD() {
+  return {{.name = "face-acd",
            .title = "the origin lies above ACD",
            .summary = "ABC does not see the origin, ACD does and is kept: B is dropped",
            .text = "the origin lies above the face ACD",
@@ -250,8 +269,11 @@ std::vector<RegionRow> around_tetrahedron() {
            .scene = scene_of("triangle a", {{2, 4, -4}, {0, -1, -1}, {3, -1, -3}}, "triangle b",
                              {{1, 2, 3}, {2, 2, -2}, {4, 0, 4}}),
            .remarks = {{At::region_tested, 4, "this ACn = AC×ACDn belongs to ACD: the ACn of ABC is another vector",
-                        "ACD AC"}}},
-          {.name = "face-adb",
+                        "ACD AC"}}}};
+}
+
+std::vector<RegionRow> above_ADB() {
+  return {{.name = "face-adb",
            .title = "the origin lies above ADB",
            .summary = "only the last face sees the origin and is kept: C is dropped, B becomes the oldest",
            .text = "the origin lies above the face ADB",
@@ -275,8 +297,11 @@ std::vector<RegionRow> around_tetrahedron() {
            .scene = scene_of("triangle a", {{-4, 3, -2}, {-5, -3, -3}, {0, 1, 3}}, "triangle b",
                              {{-4, 1, 3}, {-2, 0, 4}, {2, 2, 4}}),
            .remarks = {{At::region_tested, 4, "this ADn = AD×ADBn belongs to ADB: the ADn of ACD is another vector",
-                        "ADB AD"}}},
-          {.name = "inside",
+                        "ADB AD"}}}};
+}
+
+std::vector<RegionRow> within_tetrahedron() {
+  return {{.name = "inside",
            .title = "the origin lies inside",
            .summary = "none of the three faces that meet A sees the origin: the objects intersect",
            .text = "the origin lies in the tetrahedron",
@@ -309,8 +334,11 @@ std::vector<RegionRow> around_tetrahedron() {
            .scene = scene_of("triangle", {{-2, 0, 2}, {-3, 0, -2}, {1, -3, 1}}, "tetrahedron",
                              {{-1, 3, 2}, {-2, 0, 2}, {1, 2, 0}, {-1, 2, -2}}),
            .remarks = {{At::region_tested, 4, "AO = 0 makes all three products zero, which is not above", "ABCD"},
-                       {At::end, 4, "they touch at one point, (−2, 0, 2), and touching counts as intersecting"}}},
-          {.name = "skipped-features",
+                       {At::end, 4, "they touch at one point, (−2, 0, 2), and touching counts as intersecting"}}}};
+}
+
+std::vector<RegionRow> skipped_around_tetrahedron() {
+  return {{.name = "skipped-features",
            .title = "eight features need no test",
            .summary = "B, C, D, BC, CD, DB and BCD are left behind, A is ruled out by the crossing test",
            .text = "B, C, D, BC, CD, DB, BCD and A; skipped, because the search left BCD and crossed the origin",
@@ -338,11 +366,21 @@ Walkthrough region_walkthrough(int dimension_of_simplex, const RegionRow& row) {
 }  // namespace
 
 std::vector<Walkthrough> region_cases() {
-  const std::vector<RegionRow> by_dimension[] = {at_vertex(), around_segment(), around_triangle(),
-                                                 around_tetrahedron()};
+  const std::pair<int, std::vector<RegionRow>> tables[] = {{0, at_vertex()},
+                                                           {1, beside_segment()},
+                                                           {1, on_segment()},
+                                                           {1, skipped_around_segment()},
+                                                           {2, beyond_edges_of_triangle()},
+                                                           {2, within_triangle()},
+                                                           {2, skipped_around_triangle()},
+                                                           {3, above_ABC()},
+                                                           {3, above_ACD()},
+                                                           {3, above_ADB()},
+                                                           {3, within_tetrahedron()},
+                                                           {3, skipped_around_tetrahedron()}};
   std::vector<Walkthrough> all;
-  for (int dimension = 0; dimension < 4; ++dimension)
-    for (const RegionRow& row : by_dimension[dimension]) all.push_back(region_walkthrough(dimension, row));
+  for (const auto& [dimension, rows] : tables)
+    for (const RegionRow& row : rows) all.push_back(region_walkthrough(dimension, row));
   return all;
 }
 
