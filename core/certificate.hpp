@@ -1,9 +1,6 @@
 /// What proves an answer about two sets of points to everyone who can multiply.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <string_view>
 #include <variant>
 
@@ -19,22 +16,7 @@ struct IndexPair {
 };
 
 /// One to four points of the difference; those of a certificate are affinely independent.
-class IndexPairs {
- public:
-  int size() const { return size_; }
-  const IndexPair* begin() const { return pairs_.data(); }
-  const IndexPair* end() const { return begin() + size_; }
-  const IndexPair& operator[](int i) const { return pairs_[static_cast<std::size_t>(i)]; }
-  /// Requires: size() < 4.
-  void add(IndexPair pair) { pairs_[static_cast<std::size_t>(size_++)] = pair; }
-  friend bool operator==(const IndexPairs& x, const IndexPairs& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end());
-  }
-
- private:
-  std::array<IndexPair, 4> pairs_{};
-  int size_ = 0;
-};
+using IndexPairs = UpToFour<IndexPair>;
 
 /// Apart: a·d < b·d for every a of A and b of B.
 struct SeparatingDirection {

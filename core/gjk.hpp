@@ -256,9 +256,7 @@ class Search {
   }
 
   bool has(const Vec3<S>& w) const {
-    for (int i = 0; i < result_.simplex.size(); ++i)
-      if (result_.simplex[i].w == w) return true;
-    return false;
+    return std::any_of(result_.simplex.begin(), result_.simplex.end(), [&](const auto& each) { return each.w == w; });
   }
 
   FirstDirection why_first_direction() const {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "events.hpp"
-#include "next.hpp"
 #include "vectors.hpp"
 
 namespace gjk {
@@ -19,6 +18,26 @@ enum class Face { ABC, ACD, ADB };
 struct Kept {
   Roles order;
   ReductionReason why;
+};
+
+/// What Algorithms 2-5 return: either the simplex contains the origin; or the search goes on from it, in a direction.
+template <class S>
+class Next {
+ public:
+  static Next origin_found() { return {}; }
+  static Next search_along(const Vec3<S>& direction) { return Next(direction); }
+
+  bool contains_origin() const { return contains_origin_; }
+
+  /// Requires: not contains_origin().
+  const Vec3<S>& direction() const { return direction_; }
+
+ private:
+  Next() {}
+  explicit Next(const Vec3<S>& direction) : contains_origin_(false), direction_(direction) {}
+
+  bool contains_origin_ = true;
+  Vec3<S> direction_;
 };
 
 namespace detail {
@@ -124,22 +143,14 @@ class Step {
 
   template <class Vector>
   bool is_at_origin(const Vector& AO) const {
-    const bool found = Rules::is_at_origin(AO);
-    tell_([&] {
-      return compared_with_zero({.feature = "A"}, AO, found, RegionReason::A_is_origin, RegionReason::origin_elsewhere);
-    });
-    return found;
+    return tell_comparison({.feature = "A"}, AO, Rules::is_at_origin(AO), RegionReason::A_is_origin,
+                           RegionReason::origin_elsewhere);
   }
-
   template <class Vector>
   bool is_on_segment(const Vector& direction) const {
-    const bool found = Rules::is_on_segment(direction);
-    tell_([&] {
-      return compared_with_zero({.feature = "AB"}, direction, found,
-                                by_crossing_test(RegionReason::on_segment, RegionReason::on_line),
-                                RegionReason::beside_segment);
-    });
-    return found;
+    const RegionReason on = by_crossing_test(RegionReason::on_segment, RegionReason::on_line);
+    return tell_comparison({.feature = "AB"}, direction, Rules::is_on_segment(direction), on,
+                           RegionReason::beside_segment);
   }
 
   template <class Height>
@@ -157,12 +168,9 @@ class Step {
   /// `v` leads from a vertex or an edge to the origin. Returns: whether the origin is there.
   template <class Vector>
   bool is_zero(const Region& region, const Vector& v) const {
-    const bool found = v.is_zero();
     const bool is_vertex = region.feature.size() == 1;
-    const RegionReason on = is_vertex ? RegionReason::A_is_origin : RegionReason::on_edge,
-                       off = is_vertex ? RegionReason::no_edge_leads_to_origin : RegionReason::nearest_on_edge;
-    tell_([&] { return compared_with_zero(region, v, found, on, off); });
-    return found;
+    return tell_comparison(region, v, v.is_zero(), is_vertex ? RegionReason::A_is_origin : RegionReason::on_edge,
+                           is_vertex ? RegionReason::no_edge_leads_to_origin : RegionReason::nearest_on_edge);
   }
 
   /// A question of the complete rules. The caller knows the answer. `decides`: whether a yes settles it.
@@ -230,15 +238,20 @@ class Step {
     event.value = n_AO.value;
     return event;
   }
+
+  /// A vector is compared with the zero vector; `found`: what comes of it.
   template <class Vector>
-  RegionTested<S> compared_with_zero(const Region& region, const Vector& v, bool found, RegionReason if_zero,
-                                     RegionReason if_not) const {
-    auto event = tested(region);
-    event.expression = v.told.called;
-    event.value = v.value;
-    event.relation = v.is_zero() ? Relation::zero : Relation::not_zero;
-    event.reason = finding(v.is_zero() ? if_zero : if_not, found ? if_zero : if_not);
-    return event;
+  bool tell_comparison(const Region& region, const Vector& v, bool found, RegionReason if_zero,
+                       RegionReason if_not) const {
+    tell_([&] {
+      auto event = tested(region);
+      event.expression = v.told.called;
+      event.value = v.value;
+      event.relation = v.is_zero() ? Relation::zero : Relation::not_zero;
+      event.reason = finding(v.is_zero() ? if_zero : if_not, found ? if_zero : if_not);
+      return event;
+    });
+    return found;
   }
 
   /// The sign test behind nearly all regions: does the origin lie on the side of A's feature that the normal n points

@@ -1,9 +1,8 @@
-#include "render/apng.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "render/image.hpp"
 #include "render/png_chunk.hpp"
 
 namespace render {

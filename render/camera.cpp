@@ -35,10 +35,7 @@ constexpr double thickness =
 
 Seen seen(const Face& face, const Camera& camera) {
   Seen result{{camera(face.corners.front()), camera(face.corners.front())}, face.outward().stableNormalized(), 0};
-  for (const Vec3& corner : face.corners) {
-    result.around.min = result.around.min.cwiseMin(camera(corner));
-    result.around.max = result.around.max.cwiseMax(camera(corner));
-  }
+  for (const Vec3& corner : face.corners) result.around.add(camera(corner));
   const double facing = camera.toward_viewer().dot(result.normal);
   result.normal *= std::abs(facing) <= thickness ? 0 : std::copysign(1, facing);
   result.offset = result.normal.dot(face.middle());

@@ -14,7 +14,7 @@ constexpr double min_dash_period = 0.5;  // pixels: finer dashes could not be to
 constexpr double circle_error = 0.1;     // pixels between a circle and the polygon that stands for it
 
 /// Returns `dash` stretched so that the line around `corners`, whose last one is the first one again, ends with a gap.
-Dash fitted(const Dash& dash, std::span<const Vec2> corners) {
+Dash stretched(const Dash& dash, std::span<const Vec2> corners) {
   double perimeter = 0;
   for (std::size_t i = 1; i < corners.size(); ++i) perimeter += (corners[i] - corners[i - 1]).norm();
   const double period = dash.length + dash.gap;
@@ -64,7 +64,7 @@ void Canvas::outline(std::span<const Vec2> corners, const Stroke& stroke) {
   std::vector<Vec2> closed(corners.begin(), corners.end());
   closed.push_back(corners.front());
   Stroke around = stroke;
-  if (stroke.dash.gap > 0) around.dash = fitted(stroke.dash, closed);
+  if (stroke.dash.gap > 0) around.dash = stretched(stroke.dash, closed);
   polyline(closed, around);
 }
 
@@ -108,9 +108,7 @@ void Canvas::plus(const Vec2& center, double half, const Stroke& stroke) {
   line(center - half * Vec2::UnitY(), center + half * Vec2::UnitY(), stroke);
 }
 
-void Canvas::rectangle(const Box& box, Color fill) {
-  polygon(std::array<Vec2, 4>{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}, fill);
-}
+void Canvas::rectangle(const Box& box, Color fill) { polygon(box.corners(), fill); }
 
 void Canvas::text(const Vec2& position, std::string_view text, const TextStyle& style) {
   if (are_drawable({&position, 1})) shapes_.push_back(shape::Text{position, std::string(text), style});
@@ -148,14 +146,19 @@ Box Canvas::ink_box(const Vec2& position, std::string_view text, const TextStyle
   for (const PlacedGlyph& glyph : placed.line.glyphs) {
     if (glyph.width == 0) continue;
     const Vec2 corner = placed.whole_pen() + Vec2(glyph.x, glyph.y);
-    ink.min = ink.min.cwiseMin(corner);
-    ink.max = ink.max.cwiseMax(corner + Vec2(glyph.width, glyph.height));
+    ink.add(corner);
+    ink.add(corner + Vec2(glyph.width, glyph.height));
   }
   if (ink.min.x() > ink.max.x()) return {position, position};
   return {to_page(ink.min), to_page(ink.max)};
 }
 
 double Canvas::cap_height(const TextStyle& style) const { return set("", style).cap_height / scale_; }
+
+TextStyle Canvas::fitted(std::string_view text, TextStyle style, double room) const {
+  if (const double needed = width(text, style); needed > room) style.size *= room / needed;
+  return style;
+}
 
 TextLine Canvas::set(std::string_view text, const TextStyle& style) const {
   return font_.set(text, style.size * scale_, style.weight);
@@ -177,7 +180,7 @@ std::vector<std::string> wrap(const Canvas& canvas, std::string_view text, const
     const std::string word(text.substr(at, end - at));
     std::string& line = lines.back();
     const std::string longer = line.empty() ? word : line + " " + word;
-    if (line.empty() || canvas.text_box(Vec2::Zero(), longer, style).width() <= width) {
+    if (line.empty() || canvas.width(longer, style) <= width) {
       line = longer;
     } else {
       lines.push_back(word);

@@ -120,10 +120,20 @@ class Canvas {
   Box ink_box(const Vec2& position, std::string_view text, const TextStyle& style) const;
   /// Returns: the height of capitals.
   double cap_height(const TextStyle& style) const;
+  /// Returns: the width of a line of text.
+  double width(std::string_view text, const TextStyle& style) const {
+    return text_box(Vec2::Zero(), text, style).width();
+  }
+  /// Returns: `style`, smaller where the text would be wider than `room`.
+  TextStyle fitted(std::string_view text, TextStyle style, double room) const;
 
   /// Nothing outside `box` is drawn until unclip().
   void clip(const Box& box);
   void unclip();
+
+  /// Who draws labels counts here those that found no clear place, and lines of text that had no room.
+  void add_crowded(int count) { crowded_ += count; }
+  int crowded() const { return crowded_; }
 
   std::span<const Shape> shapes() const { return shapes_; }
   /// For tests, which draw what is wrong on purpose.
@@ -158,6 +168,7 @@ class Canvas {
   double scale_;
   Vec2 offset_;  // of the page in the image, in pixels
   std::vector<Shape> shapes_;
+  int crowded_ = 0;
 };
 
 /// Returns: `text` broken at spaces into lines no wider than `width` page units; a longer word stands alone.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
-#include <vector>
 
 namespace render {
 namespace {
@@ -73,7 +71,7 @@ void compare_row(const Image& expected, const Image& actual, int y, Groups& grou
   for (int x = 0; x < expected.size().width; ++x) {
     const int most = pixel_difference(e + channels * x, a + channels * x);
     ++found.histogram[static_cast<std::size_t>(most)];
-    if (most <= found.tolerance.channel) continue;
+    if (most <= tolerance::channel) continue;
     groups.add(x);
     if (found.off++ == 0) found.box = {x, y, x, y};
     found.box = {std::min(found.box.min_x, x), found.box.min_y, std::max(found.box.max_x, x), y};
@@ -83,7 +81,7 @@ void compare_row(const Image& expected, const Image& actual, int y, Groups& grou
 
 Verdict verdict_of(const Comparison& found) {
   if (found.largest_difference() == 0) return Verdict::same;
-  const bool within = found.off <= found.allowed && found.largest_group <= found.tolerance.group;
+  const bool within = found.off <= found.allowed && found.largest_group <= tolerance::group;
   return within ? Verdict::within_tolerance : Verdict::different;
 }
 
@@ -93,7 +91,7 @@ std::string pixels(std::int64_t count) { return std::to_string(count) + (count =
 
 }  // namespace
 
-std::int64_t Tolerance::allowed(Size size) const {
+std::int64_t tolerance::allowed(Size size) {
   const std::int64_t all = std::int64_t{size.width} * size.height;
   return std::min(std::max(few, all / one_in), all / small_one_in);
 }
@@ -116,15 +114,13 @@ int Comparison::largest_difference() const {
   return std::max(0, static_cast<int>(histogram.rend() - last) - 1);
 }
 
-Comparison compare(const Image& expected, const Image& actual, const Tolerance& tolerance) {
-  if (tolerance != Tolerance{} && tolerance.reason.empty())
-    throw std::invalid_argument("compare: a tolerance of its own needs a reason");
-  Comparison found{.tolerance = tolerance, .expected = expected.size(), .actual = actual.size()};
+Comparison compare(const Image& expected, const Image& actual) {
+  Comparison found{.expected = expected.size(), .actual = actual.size()};
   if (found.expected != found.actual) {
     found.verdict = Verdict::other_size;
     return found;
   }
-  found.allowed = tolerance.allowed(found.expected);
+  found.allowed = tolerance::allowed(found.expected);
   Groups groups(found.expected.width);
   for (int y = 0; y < found.expected.height; ++y) compare_row(expected, actual, y, groups, found);
   found.largest_group = groups.largest();
@@ -139,9 +135,9 @@ std::string in_words(const Comparison& c) {
   const auto limit = [](std::int64_t most) { return " (" + std::to_string(most) + " may be)"; };
   if (c.off == 0)
     return "no pixel is off; channels differ by up to " + std::to_string(c.largest_difference()) +
-           limit(c.tolerance.channel);
+           limit(tolerance::channel);
   return pixels(c.off) + (c.off == 1 ? " is off" : " are off") + limit(c.allowed) + "; the largest group is " +
-         pixels(c.largest_group) + limit(c.tolerance.group) + "; all within " +
+         pixels(c.largest_group) + limit(tolerance::group) + "; all within " +
          in_words(Size{c.box.width(), c.box.height()}) + " at (" + std::to_string(c.box.min_x) + ", " +
          std::to_string(c.box.min_y) + ")";
 }

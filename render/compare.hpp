@@ -8,7 +8,10 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "render/image.hpp"
 
@@ -17,20 +20,18 @@ namespace render {
 /// How far two pictures of the same thing may differ. Measured with Mesa's llvmpipe on other processor classes: without
 /// AVX and FMA 18 of 921,600 pixels differ, scattered, two of them by a whole step of multisampling.
 /// The tests of render/compare.cpp pin both sides of each number.
-struct Tolerance {
-  int channel = 2;                  ///< a pixel is off when one of its channels differs by more
-  std::int64_t few = 8;             ///< so many pixels may be off,
-  std::int64_t one_in = 50'000;     ///< in a large picture that part of all of them, 2e-5,
-  std::int64_t small_one_in = 100;  ///< and in a small one no more than that part
-  std::int64_t group = 4;           ///< so many pixels that are off may hang together, by an edge or a corner
-  std::string reason = {};          ///< why not the numbers above; required with others
+namespace tolerance {
+inline constexpr int channel = 2;                  ///< a pixel is off when one of its channels differs by more
+inline constexpr std::int64_t few = 8;             ///< so many pixels may be off,
+inline constexpr std::int64_t one_in = 50'000;     ///< in a large picture that part of all of them, 2e-5,
+inline constexpr std::int64_t small_one_in = 100;  ///< and in a small one no more than that part
+inline constexpr std::int64_t group = 4;  ///< so many pixels that are off may hang together, by an edge or a corner
 
-  /// Returns: how many pixels of a picture of that size may be off.
-  std::int64_t allowed(Size size) const;
-  friend bool operator==(const Tolerance&, const Tolerance&) = default;
-};
+/// Returns: how many pixels of a picture of that size may be off.
+std::int64_t allowed(Size size);
+}  // namespace tolerance
 
-/// compare() gives the first four of two pictures; the others are about files (render/compare_files.hpp).
+/// compare() gives the first four of two pictures; the others are about files.
 enum class Verdict { same, within_tolerance, different, other_size, missing, extra, unreadable };
 
 /// Returns: whether the comparison is passed.
@@ -51,7 +52,6 @@ struct PixelBox {
 /// What compare() found. Everything below `actual` is 0 where the sizes differ.
 struct Comparison {
   Verdict verdict = Verdict::same;
-  Tolerance tolerance = {};
   Size expected = {}, actual = {};
   std::int64_t off = 0, allowed = 0;             ///< pixels that are off, and that may be
   std::int64_t largest_group = 0;                ///< the most pixels that are off and hang together
@@ -62,10 +62,9 @@ struct Comparison {
   int largest_difference() const;
 };
 
-/// Passes where at most `tolerance.allowed()` pixels are off and no 8-connected group of them is larger than
-/// `tolerance.group`. Memory: besides the pictures, a few words for each pixel of a row and for each group.
-/// Errors: std::invalid_argument where `tolerance` is not the usual one and gives no reason.
-Comparison compare(const Image& expected, const Image& actual, const Tolerance& tolerance = {});
+/// Passes where at most tolerance::allowed() pixels are off and no 8-connected group of them is larger than
+/// tolerance::group. Memory: besides the pictures, a few words for each pixel of a row and for each group.
+Comparison compare(const Image& expected, const Image& actual);
 
 /// Returns: one line of plain text, such as "15 pixels are off (8 may be); the largest group is 3 pixels (4 may be); …".
 std::string in_words(const Comparison& comparison);
@@ -75,5 +74,39 @@ inline constexpr int difference_gain = 16;
 /// Returns: a picture of the differences of the channels, `difference_gain` times as large, on black.
 /// Requires: pictures of the same size.
 Image difference(const Image& expected, const Image& actual);
+
+// -- PNG files, and folders of them --
+
+enum class Sides { both, only_expected, only_actual };
+
+/// One picture and where each side has it, or would have it.
+struct FilePair {
+  std::string name;  ///< relative to both folders, with / between folders
+  std::filesystem::path expected, actual;
+  Sides sides = Sides::both;
+};
+
+/// Returns: the names of all *.png (or *.PNG) in `folder` and below, relative to it, sorted. Links are followed. Nothing
+/// that may hold pictures is left out: whatever else has such a name, a folder that cannot be read, a link that leads back
+/// to a folder around it, and one that leads nowhere, which may have led to a folder, are listed, and found unreadable when
+/// they are compared.
+/// Errors: ReadError where `folder` itself cannot be read, or where it takes more than 1,000 links, as folders of links
+/// to folders of links do.
+std::vector<std::string> pictures_in(const std::filesystem::path& folder);
+
+/// Returns: every name that either folder has, sorted. Errors: as pictures_in().
+std::vector<FilePair> file_pairs(const std::filesystem::path& expected, const std::filesystem::path& actual);
+
+/// One pair of files with what was found. `comparison` is of use where both pictures are there.
+struct ComparedFiles {
+  FilePair files;
+  Verdict verdict = Verdict::same;
+  std::string words;                      ///< one line of plain text about the verdict
+  std::optional<Image> expected, actual;  ///< empty: no such file, or unreadable
+  Comparison comparison = {};
+};
+
+/// Reads both files, as far as there are, and compares them. A file that cannot be read is the verdict `unreadable`.
+ComparedFiles compare_files(const FilePair& files);
 
 }  // namespace render

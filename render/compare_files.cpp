@@ -1,11 +1,10 @@
-#include "render/compare_files.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <iterator>
 #include <new>
 #include <system_error>
 
+#include "render/compare.hpp"
 #include "render/file.hpp"
 
 namespace render {
@@ -100,7 +99,7 @@ Image read_picture(const fs::path& path) {
   }
 }
 
-void compare_pictures(ComparedFiles& found, const Tolerance& tolerance) {
+void compare_pictures(ComparedFiles& found) {
   const Sides sides = found.files.sides;
   if (sides != Sides::only_actual) found.expected = read_picture(found.files.expected);
   if (sides != Sides::only_expected) found.actual = read_picture(found.files.actual);
@@ -111,7 +110,7 @@ void compare_pictures(ComparedFiles& found, const Tolerance& tolerance) {
     found.verdict = Verdict::extra;
     found.words = "only the actual side has it";
   } else {
-    found.comparison = compare(*found.expected, *found.actual, tolerance);
+    found.comparison = compare(*found.expected, *found.actual);
     found.verdict = found.comparison.verdict;
     found.words = in_words(found.comparison);
   }
@@ -135,10 +134,10 @@ std::vector<FilePair> file_pairs(const fs::path& expected, const fs::path& actua
   return pairs;
 }
 
-ComparedFiles compare_files(const FilePair& files, const Tolerance& tolerance) {
+ComparedFiles compare_files(const FilePair& files) {
   ComparedFiles found{.files = files, .words = {}, .expected = {}, .actual = {}};
   try {
-    compare_pictures(found, tolerance);
+    compare_pictures(found);
   } catch (const ReadError& error) {
     found.verdict = Verdict::unreadable;
     found.words = error.what();

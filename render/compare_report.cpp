@@ -1,7 +1,7 @@
 #include "render/compare_report.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -131,23 +131,25 @@ std::string pictures(const ComparedFiles& pair) {
          side(pair.actual, "actual", pair.files.name) + difference_figure(pair) + "</div>\n";
 }
 
+/// A row of a table; `kind` is its class.
+std::string row(const std::string& head, const std::string& cells, const std::string& kind = "") {
+  return (kind.empty() ? "<tr>" : "<tr class=\"" + kind + "\">") + "<th scope=\"row\">" + head + "</th>" + cells +
+         "</tr>\n";
+}
+
 std::string fact(const std::string& what, std::int64_t value, std::int64_t limit) {
   const bool over = value > limit;
-  return "<tr><th scope=\"row\">" + what + "</th><td class=\"" + (over ? "number over" : "number") + "\">" +
-         std::to_string(value) + "</td><td>" + std::string(over ? "✗ " : "") + "at most " + std::to_string(limit) +
-         " may be</td></tr>\n";
+  return row(what, std::string("<td class=\"") + (over ? "number over" : "number") + "\">" + std::to_string(value) +
+                       "</td><td>" + (over ? "✗ " : "") + "at most " + std::to_string(limit) + " may be</td>");
 }
 
 std::string facts(const Comparison& c) {
   std::string html = "<table>\n" + fact("pixels off", c.off, c.allowed) +
-                     fact("largest group of them", c.largest_group, c.tolerance.group);
+                     fact("largest group of them", c.largest_group, tolerance::group);
   if (c.off > 0)
-    html += "<tr><th scope=\"row\">bounding box</th><td colspan=\"2\">" + std::to_string(c.box.width()) + "×" +
-            std::to_string(c.box.height()) + " at (" + std::to_string(c.box.min_x) + ", " +
-            std::to_string(c.box.min_y) + ")</td></tr>\n";
-  if (!c.tolerance.reason.empty())
-    html += "<tr><th scope=\"row\">tolerance of its own</th><td colspan=\"2\">" + escaped(c.tolerance.reason) +
-            "</td></tr>\n";
+    html += row("bounding box", "<td colspan=\"2\">" + std::to_string(c.box.width()) + "×" +
+                                    std::to_string(c.box.height()) + " at (" + std::to_string(c.box.min_x) + ", " +
+                                    std::to_string(c.box.min_y) + ")</td>");
   return html + "</table>\n";
 }
 
@@ -158,21 +160,21 @@ std::string bin(const Comparison& c, int from, int to) {
   const double all = static_cast<double>(c.expected.width) * c.expected.height;
   const double part = std::log1p(static_cast<double>(count)) / std::log1p(all);
   const std::string range = from == to ? std::to_string(from) : std::to_string(from) + "–" + std::to_string(to);
-  return std::string("<tr") + (from > c.tolerance.channel ? " class=\"off\"" : "") + "><th scope=\"row\">" + range +
-         "</th><td class=\"number\">" + std::to_string(count) +
-         "</td><td><span class=\"bar\" style=\"width:" + std::to_string(static_cast<int>(std::lround(160 * part))) +
-         "px\"></span></td></tr>\n";
+  return row(range,
+             "<td class=\"number\">" + std::to_string(count) + "</td><td><span class=\"bar\" style=\"width:" +
+                 std::to_string(static_cast<int>(std::lround(160 * part))) + "px\"></span></td>",
+             from > tolerance::channel ? "off" : "");
 }
 
 /// Bins grow by powers of two, and one ends where pixels begin to be off.
 std::string histogram(const Comparison& c) {
+  static_assert(std::has_single_bit(unsigned{tolerance::channel}));
   std::string html =
       "<table class=\"histogram\"><caption>Histogram: difference of the most different channel, pixels; bars "
       "logarithmic; orange: off</caption>\n";
   html += bin(c, 0, 0);
   for (int from = 1, to = 0; from <= 255; from = to + 1) {
     to = std::min(255, from == 1 ? 1 : 2 * (from - 1));
-    if (from <= c.tolerance.channel && c.tolerance.channel < to) to = c.tolerance.channel;
     html += bin(c, from, to);
   }
   return html + "</table>\n";
@@ -199,30 +201,28 @@ std::string cell(const std::optional<std::string>& value) {
 /// What rendered each side.
 std::string origin(const ReportHead& head) {
   std::string html =
-      "<table class=\"origin\"><tr><th></th><th scope=\"col\">expected</th><th scope=\"col\">actual</th>";
-  html += "<th></th></tr>\n<tr><th scope=\"row\">pictures</th>" + cell(head.expected) + cell(head.actual) +
-          "<td></td></tr>\n";
-  if (!head.expected_by && !head.actual_by)
-    html += "<tr><th scope=\"row\">rendered by</th>" + cell({}) + cell({}) + "<td></td></tr>\n";
+      "<table class=\"origin\"><tr><th></th><th scope=\"col\">expected</th><th scope=\"col\">actual</th>"
+      "<th></th></tr>\n";
+  html += row("pictures", cell(head.expected) + cell(head.actual) + "<td></td>");
+  if (!head.expected_by && !head.actual_by) html += row("rendered by", cell({}) + cell({}) + "<td></td>");
   const bool both = head.expected_by && head.actual_by;
   for (const RenderedByLine& line :
        side_by_side(head.expected_by.value_or(RenderedBy{}), head.actual_by.value_or(RenderedBy{}))) {
     const bool marked = both && line.differs();
-    html += std::string(marked ? "<tr class=\"differs\">" : "<tr>") + "<th scope=\"row\">" + escaped(line.key) +
-            "</th>" + cell(line.expected) + cell(line.actual) + (marked ? "<td>≠ differs</td>" : "<td></td>") +
-            "</tr>\n";
+    const std::string last = marked ? "<td>≠ differs</td>" : "<td></td>";
+    html += row(escaped(line.key), cell(line.expected) + cell(line.actual) + last, marked ? "differs" : "");
   }
   return html + "</table>\n";
 }
 
 /// The rule, in the words of the page.
 std::string rule() {
-  const Tolerance usual;
-  return "<p>A pixel is off when a channel differs by more than " + std::to_string(usual.channel) +
-         ". Two pictures pass when at most " + std::to_string(usual.few) +
-         " pixels are off (in large pictures: one in " + std::to_string(usual.one_in) + "; in small ones: one in " +
-         std::to_string(usual.small_one_in) + ") and no group of them, joined by edges or corners, is larger than " +
-         std::to_string(usual.group) + ".</p>\n";
+  return "<p>A pixel is off when a channel differs by more than " + std::to_string(tolerance::channel) +
+         ". Two pictures pass when at most " + std::to_string(tolerance::few) +
+         " pixels are off (in large pictures: one in " + std::to_string(tolerance::one_in) +
+         "; in small ones: one in " + std::to_string(tolerance::small_one_in) +
+         ") and no group of them, joined by edges or corners, is larger than " + std::to_string(tolerance::group) +
+         ".</p>\n";
 }
 
 std::string pictures_in_words(int count) { return std::to_string(count) + (count == 1 ? " picture" : " pictures"); }

@@ -4,9 +4,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "render/compare_files.hpp"
+#include "render/compare.hpp"
 #include "render/rendered_by.hpp"
 
 namespace render {

@@ -1,8 +1,8 @@
-#include "render/coverage.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "render/triangles.hpp"
 
 namespace render {
 namespace {
@@ -33,11 +33,7 @@ Polygon cleaned(std::span<const Vec2> corners) {
   }
   while (polygon.size() > 1 && polygon.back() == polygon.front()) polygon.pop_back();
 
-  double area = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-    const Vec2 a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
-    area += a.x() * b.y() - a.y() * b.x();
-  }
+  const double area = signed_area(polygon);
   if (area == 0) return {};
   if (area < 0) std::reverse(polygon.begin(), polygon.end());
   return polygon.size() > most_corners ? simplified(polygon, least_corner) : polygon;
@@ -93,8 +89,7 @@ Polygon cell_of(std::size_t index, const std::vector<Ramp>& ramps, const Box& bo
   const auto clip = [](const Polygon& polygon, const Ramp& ramp) {
     return clip_polygon(polygon, ramp.gradient, ramp.offset);
   };
-  Polygon cell = {bounds.min, {bounds.max.x(), bounds.min.y()}, bounds.max, {bounds.min.x(), bounds.max.y()}};
-  cell = clip(cell, ramps[index]);
+  Polygon cell = clip(bounds.corners(), ramps[index]);
   for (std::size_t other = 0; other < ramps.size() && !cell.empty(); ++other) {
     if (other != index) cell = clip(cell, ramps[other] - ramps[index]);
   }

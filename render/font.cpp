@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <map>
 #include <new>
-#include <set>
 #include <string>
 #include <tuple>
 
@@ -94,14 +93,8 @@ constexpr double subscript_drop = 0.2;
 
 // ---------------------------------------------------------------------------------------------- FreeType
 
-struct LibraryDeleter {
-  void operator()(FT_Library library) const { FT_Done_FreeType(library); }
-};
-struct FaceDeleter {
-  void operator()(FT_Face face) const { FT_Done_Face(face); }
-};
-using Library = std::unique_ptr<FT_LibraryRec_, LibraryDeleter>;
-using Face = std::unique_ptr<FT_FaceRec_, FaceDeleter>;
+using Library = std::unique_ptr<FT_LibraryRec_, decltype(&FT_Done_FreeType)>;
+using Face = std::unique_ptr<FT_FaceRec_, decltype(&FT_Done_Face)>;
 
 void expect_memory(FT_Error error) {
   if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
@@ -110,7 +103,7 @@ void expect_memory(FT_Error error) {
 Library open_library() {
   FT_Library library = nullptr;
   if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();  // there is no other reason
-  return Library(library);
+  return {library, FT_Done_FreeType};
 }
 
 /// FreeType calls a file that it finds no memory for one of an unknown format.
@@ -124,7 +117,7 @@ Face open_face(FT_Library library, const std::filesystem::path& file) {
   std::error_code unknown;
   const bool regular = std::filesystem::is_regular_file(file, unknown);  // a pipe would block
   const FT_Error error = regular ? FT_New_Face(library, file.c_str(), 0, &face) : FT_Err_Cannot_Open_Resource;
-  if (error == 0) return Face(face);
+  if (error == 0) return {face, FT_Done_Face};
   expect_memory(error);
   if (regular && !memory_limit().empty()) expect_memory_for(file);
   const std::string what = std::filesystem::exists(file, unknown)
@@ -155,7 +148,7 @@ struct CachedGlyph {
 
 struct Font::Impl {
   struct LoadedFace {
-    Face face;
+    Face face{nullptr, FT_Done_Face};
     FT_Pos cap_height;
     std::filesystem::path file;
     long size = 0;  // that is set, in 26.6
@@ -168,65 +161,60 @@ struct Font::Impl {
   std::vector<std::uint8_t> atlas;
   int shelf_top = 0, shelf_height = 0, shelf_x = 0;  // the row of the atlas that is being filled
 
-  FT_Face resized(Weight weight, long size);
-  const CachedGlyph& glyph(Weight weight, FT_UInt index, long size);
-  CachedGlyph render(FT_Face face, FT_UInt index);
-  void store(PlacedGlyph& glyph, const FT_Bitmap& bitmap);
+  FT_Face resized(Weight weight, long size) {
+    LoadedFace& loaded = faces[static_cast<std::size_t>(weight)];
+    if (loaded.size == size) return loaded.face.get();
+    // At 72 dots per inch a point is a pixel.
+    if (const FT_Error error = FT_Set_Char_Size(loaded.face.get(), 0, size, 72, 72); error != 0) {
+      expect_memory(error);
+      throw FontError("FreeType cannot set the text size " + std::to_string(from_26_6(size)) + " pixels" +
+                      memory_limit());
+    }
+    loaded.size = size;
+    return loaded.face.get();
+  }
+
+  const CachedGlyph& glyph(Weight weight, FT_UInt index, long size) {
+    const auto key = std::tuple(weight, index, size);
+    const auto found = glyphs.find(key);
+    if (found != glyphs.end()) return found->second;
+    return glyphs.emplace(key, render(resized(weight, size), index)).first->second;
+  }
+
+  CachedGlyph render(FT_Face face, FT_UInt index) {
+    const FT_Error error = FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP | FT_LOAD_RENDER);
+    if (error != 0) {
+      expect_memory(error);
+      throw FontError("FreeType cannot draw glyph " + std::to_string(index) + " of " + face->family_name +
+                      " (FreeType error " + std::to_string(error) + ")" + memory_limit());
+    }
+    const FT_GlyphSlot slot = face->glyph;
+    CachedGlyph result{{.x = slot->bitmap_left, .y = -slot->bitmap_top}, slot->advance.x};
+    store(result.bitmap, slot->bitmap);
+    return result;
+  }
+
+  // Shelves: glyphs side by side until a row is full, then a new row below the tallest of them.
+  void store(PlacedGlyph& glyph, const FT_Bitmap& bitmap) {
+    glyph.width = std::min(static_cast<int>(bitmap.width), atlas_width);
+    glyph.height = static_cast<int>(bitmap.rows);
+    if (glyph.width == 0 || glyph.height == 0) return;
+
+    if (shelf_x + glyph.width > atlas_width) {
+      shelf_top += shelf_height;
+      shelf_height = shelf_x = 0;
+    }
+    shelf_height = std::max(shelf_height, glyph.height);
+    atlas.resize(static_cast<std::size_t>(shelf_top + shelf_height) * atlas_width);
+    glyph.atlas_x = shelf_x;
+    glyph.atlas_y = shelf_top;
+    shelf_x += glyph.width;
+    for (int y = 0; y < glyph.height; ++y) {
+      std::copy_n(bitmap.buffer + y * bitmap.pitch, glyph.width,
+                  atlas.data() + (glyph.atlas_y + y) * atlas_width + glyph.atlas_x);
+    }
+  }
 };
-
-FT_Face Font::Impl::resized(Weight weight, long size) {
-  LoadedFace& loaded = faces[static_cast<std::size_t>(weight)];
-  if (loaded.size == size) return loaded.face.get();
-  // At 72 dots per inch a point is a pixel.
-  if (const FT_Error error = FT_Set_Char_Size(loaded.face.get(), 0, size, 72, 72); error != 0) {
-    expect_memory(error);
-    throw FontError("FreeType cannot set the text size " + std::to_string(from_26_6(size)) + " pixels" +
-                    memory_limit());
-  }
-  loaded.size = size;
-  return loaded.face.get();
-}
-
-const CachedGlyph& Font::Impl::glyph(Weight weight, FT_UInt index, long size) {
-  const auto key = std::tuple(weight, index, size);
-  const auto found = glyphs.find(key);
-  if (found != glyphs.end()) return found->second;
-  return glyphs.emplace(key, render(resized(weight, size), index)).first->second;
-}
-
-CachedGlyph Font::Impl::render(FT_Face face, FT_UInt index) {
-  const FT_Error error = FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP | FT_LOAD_RENDER);
-  if (error != 0) {
-    expect_memory(error);
-    throw FontError("FreeType cannot draw glyph " + std::to_string(index) + " of " + face->family_name +
-                    " (FreeType error " + std::to_string(error) + ")" + memory_limit());
-  }
-  const FT_GlyphSlot slot = face->glyph;
-  CachedGlyph result{{.x = slot->bitmap_left, .y = -slot->bitmap_top}, slot->advance.x};
-  store(result.bitmap, slot->bitmap);
-  return result;
-}
-
-// Shelves: glyphs side by side until a row is full, then a new row below the tallest of them.
-void Font::Impl::store(PlacedGlyph& glyph, const FT_Bitmap& bitmap) {
-  glyph.width = std::min(static_cast<int>(bitmap.width), atlas_width);
-  glyph.height = static_cast<int>(bitmap.rows);
-  if (glyph.width == 0 || glyph.height == 0) return;
-
-  if (shelf_x + glyph.width > atlas_width) {
-    shelf_top += shelf_height;
-    shelf_height = shelf_x = 0;
-  }
-  shelf_height = std::max(shelf_height, glyph.height);
-  atlas.resize(static_cast<std::size_t>(shelf_top + shelf_height) * atlas_width);
-  glyph.atlas_x = shelf_x;
-  glyph.atlas_y = shelf_top;
-  shelf_x += glyph.width;
-  for (int y = 0; y < glyph.height; ++y) {
-    std::copy_n(bitmap.buffer + y * bitmap.pitch, glyph.width,
-                atlas.data() + (glyph.atlas_y + y) * atlas_width + glyph.atlas_x);
-  }
-}
 
 Font::Font(const std::filesystem::path& directory) : impl_(std::make_unique<Impl>()) {
   const std::array<const char*, 2> files = {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"};

@@ -25,6 +25,13 @@ void append_needed(std::span<const Vec2> polygon, std::size_t first, std::size_t
 
 }  // namespace
 
+double signed_area(std::span<const Vec2> polygon) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    twice += turn(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  return twice / 2;
+}
+
 double distance_to_segment(const Vec2& p, const Vec2& from, const Vec2& to) {
   const Vec2 along = to - from, to_p = p - from;
   const double squared = along.squaredNorm();

@@ -156,10 +156,6 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   return png;
 }
 
-void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
-  write_file(path, encode_png(image, text));
-}
-
 Image decode_png(std::span<const std::uint8_t> png, const std::string& name) {
   expect_whole(png, name);
   // libpng's simplified reader converts every kind of PNG, and returns errors instead of jumping.

@@ -1,8 +1,10 @@
 /// 8-bit RGB pictures in memory and as PNG files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,8 +54,15 @@ struct PngText {
 /// Errors: FileError, also where the picture is larger than max_image_side.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text);
 
-/// Writes encode_png() to `path` as write_file() does. Errors: FileError.
-void write_png(const std::filesystem::path& path, const Image& image, const PngText& text);
+/// Animated PNG, https://www.w3.org/TR/png-3/: pictures of one size, each with the time for which it is shown. A viewer that
+/// knows nothing of animation shows the first picture.
+/// Returns: a file that runs through `count` pictures for ever. `png` is asked once for each, in order, for what encode_png()
+/// returned; `seconds` for how long it is shown, rounded to milliseconds (above a minute: to hundredths).
+/// Requires: count >= 1; 0 <= seconds <= 600.
+/// Errors: std::invalid_argument where a picture has not the size of the first one.
+std::vector<std::uint8_t> encode_apng(std::size_t count,
+                                      const std::function<std::vector<std::uint8_t>(std::size_t index)>& png,
+                                      const std::function<double(std::size_t index)>& seconds, const PngText& text);
 
 /// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white). What comes after the
 /// end chunk is no part of the picture and not looked at. `name` is what errors call it.

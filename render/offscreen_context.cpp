@@ -3,7 +3,6 @@
 #include <GL/glcorearb.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <initializer_list>
 #include <thread>
@@ -13,13 +12,18 @@
 namespace render {
 namespace {
 
-constexpr std::array all = {Backend::osmesa, Backend::egl};
+struct BuiltIn {
+  Backend backend;
+  std::string_view title;
+  std::unique_ptr<CurrentContext> (*make)();
+};
 
-constexpr auto list_of_build() {
-  using namespace built_in;
+/// The build names those of these two that it has by GJKSTEP_BACKENDS, the default first.
+constexpr auto of_build = [] {
+  [[maybe_unused]] constexpr BuiltIn osmesa{Backend::osmesa, "OSMesa", make_osmesa_context};
+  [[maybe_unused]] constexpr BuiltIn egl{Backend::egl, "EGL surfaceless", make_egl_context};
   return std::array{GJKSTEP_BACKENDS};
-}
-constexpr auto of_build = list_of_build();
+}();
 
 const BuiltIn& find(Backend backend) {
   const auto* const found = std::ranges::find(of_build, backend, &BuiltIn::backend);
@@ -51,14 +55,14 @@ void refuse_wrong_settings() {
     require(loaded, {});
 }
 
+thread_local bool has_context = false;
+
 /// Mesa draws with threads of its own, and waits without end for one that it could not start.
 void expect_threads() {
   std::thread([] {}).join();
 }
 
 }  // namespace
-
-std::span<const Backend> all_backends() { return all; }
 
 std::span<const Backend> built_in_backends() {
   static constexpr auto list = [] {
@@ -80,17 +84,12 @@ std::string suspects() {
   return set + memory_limit();
 }
 
-CurrentContext::CurrentContext() {
-  if (taken_) throw ContextError("this thread has an OpenGL context already: destroy it first, or use another thread");
-  taken_ = true;
-}
-
-CurrentContext::~CurrentContext() { taken_ = false; }
-
 OffscreenContext::OffscreenContext(Backend backend) {
   const BuiltIn& chosen = find(backend);
   refuse_wrong_settings();
   expect_threads();
+  if (has_context)
+    throw ContextError("this thread has an OpenGL context already: destroy it first, or use another thread");
   title_ = chosen.title;
   context_ = chosen.make();
   const std::string renderer = text(GL_RENDERER);
@@ -98,9 +97,10 @@ OffscreenContext::OffscreenContext(Backend backend) {
     throw ContextError(std::string(title_) + " would draw with '" + renderer +
                        "', whose pixels are others than those of Mesa's llvmpipe" + suspects());
   }
+  has_context = true;
 }
 
-OffscreenContext::~OffscreenContext() = default;
+OffscreenContext::~OffscreenContext() { has_context = false; }
 
 GlFunction OffscreenContext::function(const char* name) const {
   if (const GlFunction found = context_->function(name)) return found;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-#include "render/context_backend.hpp"
+#include "render/offscreen_context.hpp"
 
 namespace render {
 namespace {
@@ -59,36 +59,30 @@ EGLDisplay software_display() {
 
 class EglContext final : public CurrentContext {
  public:
-  EglContext();
-  ~EglContext() override;
+  EglContext() {
+    constexpr std::array attributes = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    if (eglBindAPI(EGL_OPENGL_API))
+      context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    if (context_ == EGL_NO_CONTEXT)
+      throw ContextError("EGL gives no OpenGL 3.3 core context" + last_error() + suspects() + install);
+    if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+      const std::string error = last_error();
+      eglDestroyContext(display_, context_);
+      throw ContextError("EGL cannot make its OpenGL context current" + error + suspects());
+    }
+  }
+  ~EglContext() override {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+  }
   GlFunction function(const char* name) const override { return eglGetProcAddress(name); }
 
  private:
   EGLDisplay display_ = software_display();
   EGLContext context_ = EGL_NO_CONTEXT;
 };
-
-EglContext::EglContext() {
-  constexpr std::array attributes = {
-      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-  if (eglBindAPI(EGL_OPENGL_API)) {
-    context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
-  }
-  if (context_ == EGL_NO_CONTEXT) {
-    throw ContextError("EGL gives no OpenGL 3.3 core context" + last_error() + suspects() + install);
-  }
-  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-    const std::string error = last_error();
-    eglDestroyContext(display_, context_);
-    throw ContextError("EGL cannot make its OpenGL context current" + error + suspects());
-  }
-}
-
-EglContext::~EglContext() {
-  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(display_, context_);
-}
 
 }  // namespace
 

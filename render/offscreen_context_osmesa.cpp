@@ -5,7 +5,7 @@
 #include <string>
 #include <type_traits>
 
-#include "render/context_backend.hpp"
+#include "render/offscreen_context.hpp"
 
 namespace render {
 namespace {
@@ -41,39 +41,31 @@ struct Osmesa {
 
 class OsmesaContext final : public CurrentContext {
  public:
-  OsmesaContext();
+  OsmesaContext() {
+    constexpr std::array attributes = {OSMESA_FORMAT,
+                                       OSMESA_RGBA,
+                                       OSMESA_PROFILE,
+                                       OSMESA_CORE_PROFILE,
+                                       OSMESA_CONTEXT_MAJOR_VERSION,
+                                       3,
+                                       OSMESA_CONTEXT_MINOR_VERSION,
+                                       3,
+                                       OSMESA_DEPTH_BITS,
+                                       0,
+                                       0};
+    context_.reset(Osmesa::get().create_context(attributes.data(), nullptr));
+    if (context_ == nullptr) throw ContextError("OSMesa gives no OpenGL 3.3 core context" + suspects() + install);
+    if (!Osmesa::get().make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1))
+      throw ContextError("OSMesa cannot make its OpenGL context current" + suspects());
+  }
   GlFunction function(const char* name) const override { return Osmesa::get().address_of(name); }
 
  private:
-  struct Deleter {
-    void operator()(OSMesaContext context) const { Osmesa::get().destroy_context(context); }
-  };
-
   // OSMesa wants a buffer of its own, though everything is drawn into a framebuffer object.
   std::array<unsigned char, 4> pixel_{};
-  std::unique_ptr<std::remove_pointer_t<OSMesaContext>, Deleter> context_;
+  std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&OSMesaDestroyContext)> context_{
+      nullptr, Osmesa::get().destroy_context};
 };
-
-OsmesaContext::OsmesaContext() {
-  constexpr std::array attributes = {OSMESA_FORMAT,
-                                     OSMESA_RGBA,
-                                     OSMESA_PROFILE,
-                                     OSMESA_CORE_PROFILE,
-                                     OSMESA_CONTEXT_MAJOR_VERSION,
-                                     3,
-                                     OSMESA_CONTEXT_MINOR_VERSION,
-                                     3,
-                                     OSMESA_DEPTH_BITS,
-                                     0,
-                                     0};
-  context_.reset(Osmesa::get().create_context(attributes.data(), nullptr));
-  if (context_ == nullptr) {
-    throw ContextError("OSMesa gives no OpenGL 3.3 core context" + suspects() + install);
-  }
-  if (!Osmesa::get().make_current(context_.get(), pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
-    throw ContextError("OSMesa cannot make its OpenGL context current" + suspects());
-  }
-}
 
 }  // namespace
 

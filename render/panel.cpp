@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace render {
@@ -76,17 +76,15 @@ bool contains(const Box& outer, const Box& inner) {
 bool contains(std::span<const Vec2> corners, const Vec2& point) {
   int left = 0, right = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec2 edge = corners[(i + 1) % corners.size()] - corners[i], to = point - corners[i];
-    const double turn = edge.x() * to.y() - edge.y() * to.x();
-    left += turn > 0;
-    right += turn < 0;
+    const double side = turn(corners[(i + 1) % corners.size()] - corners[i], point - corners[i]);
+    left += side > 0;
+    right += side < 0;
   }
   return left == 0 || right == 0;
 }
 
 bool contains(std::span<const Vec2> corners, const Box& box) {
-  return contains(corners, box.min) && contains(corners, box.max) && contains(corners, {box.min.x(), box.max.y()}) &&
-         contains(corners, {box.max.x(), box.min.y()});
+  return std::ranges::all_of(box.corners(), [&](const Vec2& corner) { return contains(corners, corner); });
 }
 
 Vec2 middle_of(std::span<const Vec2> corners) {
@@ -105,9 +103,7 @@ bool are_apart(const Vec2& from, const Vec2& to, const Vec2& p, const Vec2& q) {
   constexpr double least = 1e-6;  // page units
   const Vec2 along = to - from;
   const double length = along.norm();
-  const auto distance = [&](const Vec2& point) {
-    return (along.x() * (point - from).y() - along.y() * (point - from).x()) / length;
-  };
+  const auto distance = [&](const Vec2& point) { return turn(along, point - from) / length; };
   const double of_p = distance(p), of_q = distance(q);
   return (of_p > least && of_q < -least) || (of_p < -least && of_q > least);
 }
@@ -215,8 +211,7 @@ void Panel::hatch(std::span<const Vec2> corners, double spacing, const Stroke& s
 }
 
 std::vector<Vec2> Panel::corners() const {
-  const Vec2 a = view_.scene(frame_.min), b = view_.scene(frame_.max);
-  return {{a.x(), b.y()}, {b.x(), b.y()}, {b.x(), a.y()}, {a.x(), a.y()}};
+  return Box::around(std::array{view_.scene(frame_.min), view_.scene(frame_.max)}).corners();
 }
 
 std::vector<Vec2> Panel::to_page(std::span<const Vec2> scene) const {
@@ -229,6 +224,16 @@ void Panel::avoid_outline(std::span<const Vec2> page, double radius) {
   for (std::size_t i = 0; i < page.size(); ++i) {
     avoid({page[i], page[(i + 1) % page.size()], radius});
   }
+}
+
+void Panel::avoid(const Obstacle& obstacle) {
+  (2 * obstacle.radius < least_obstacle ? fine_lines_ : obstacles_).push_back(obstacle);
+}
+
+bool Panel::holds(const Vec2& point, double margin) const {
+  const Box within = frame_.grown(-margin);
+  const Vec2 at = view_.page(point);
+  return (at.array() >= within.min.array() && at.array() <= within.max.array()).all();
 }
 
 // ---------------------------------------------------------------------------------------------- labels
@@ -254,197 +259,206 @@ void Panel::drop_labels() {
   area_names_.clear();
 }
 
-int Panel::place_labels(double smallest) {
-  Arrangement best = arranged(1, smallest);
-  for (double size = 1; best.crowded > 0 && size > smallest;) {
-    size = std::max(smallest, next_smaller * size);
-    Arrangement smaller = arranged(size, smallest);
-    if (smaller.crowded < best.crowded) best = std::move(smaller);
-  }
-  for (const std::vector<PlacedLabel>& group : best.groups) {
-    for (const PlacedLabel& label : group)
-      if (label.leader) canvas_.line(label.leader->first, label.leader->second, {label.style.color, leader_width});
-    for (const PlacedLabel& label : group) canvas_.text(label.baseline, label.text, label.style);
-  }
-  drop_labels();
-  return best.crowded;
-}
-
-// Points first: their names have the least choice.
-Panel::Arrangement Panel::arranged(double size, double smallest) {
-  Arrangement all;
-  std::vector<Box> taken = kept_clear_;
-  const std::size_t drawn = obstacles_.size();
-  const auto place_all = [&](const auto& labels) {
-    std::vector<PlacedLabel>& group = all.groups.emplace_back();
-    for (const auto& label : labels) {
-      const Place place = best_place(label, taken);
-      taken.push_back(place.box);
-      all.crowded += place.clear ? 0 : 1;
-      group.push_back({leader(label, place.box), place.baseline, label.text, label.style});
-      if (const auto& line = group.back().leader) obstacles_.push_back({line->first, line->second, leader_width / 2});
-    }
-  };
-  const auto sized = [size](auto label) {
-    label.style.size *= size;
-    return label;
-  };
-  std::vector<Label> labels;
-  for (const Label& label : labels_) labels.push_back(sized(label));
-  place_all(labels);
-  for (const AreaName& usual : area_names_) {
-    AreaName area = sized(usual);
-    const bool fits = shorten(area, taken, smallest / size);
-    if (area.text.empty()) continue;
-    if (fits)
-      place_all(std::span(&area, 1));
-    else
-      place_all(std::vector{Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap}});
-  }
-  obstacles_.erase(obstacles_.begin() + static_cast<std::ptrdiff_t>(drawn), obstacles_.end());
-  return all;
-}
-
-std::optional<std::pair<Vec2, Vec2>> Panel::leader(const Label& label, const Box& box) const {
-  const Vec2 end = label.anchor.cwiseMax(box.min).cwiseMin(box.max), way = end - label.anchor;
-  if (!(way.norm() > leader_from)) return std::nullopt;
-  const Vec2 unit = way.normalized();
-  return std::pair{label.anchor + unit * (anchor_radius + leader_gap), end - unit * leader_gap};
-}
-
-bool Panel::shorten(AreaName& area, std::span<const Box> taken, double smallest) const {
-  const double usual = area.style.size;
-  const auto fits = [&](double size) {
-    area.style.size = usual * size;
-    return best_place(area, taken).clear;
-  };
-  if (area.shorter.empty() || fits(1) || (smallest < 1 && fits(smallest))) return true;
-  for (const std::string& text : area.shorter) {
-    area.text = text;
-    if (text.empty() || fits(1) || fits(small_area_name) || (smallest < 1 && fits(smallest * small_area_name)))
-      return true;
-  }
-  area.text = area.shorter.front();
-  return false;
-}
-
-Panel::Place Panel::best_place(const AreaName& area, std::span<const Box> taken) const {
-  const Box ink = canvas_.ink_box(Vec2::Zero(), area.text, area.style);
-  const Vec2 middle = middle_of(area.corners);
-  Box around{area.corners.front(), area.corners.front()};
-  for (const Vec2& corner : area.corners) {
-    around = {around.min.cwiseMin(corner), around.max.cwiseMax(corner)};
-  }
-  Place best{middle, moved(ink, middle), false};
-  double least = std::numeric_limits<double>::infinity();
-  const Box tried{around.min.cwiseMax(frame_.min), around.max.cwiseMin(frame_.max)};
-  for (double y = tried.min.y(); y <= tried.max.y(); y += area_pitch) {
-    for (double x = tried.min.x(); x <= tried.max.x(); x += area_pitch) {
-      const Box box = moved(ink, {x, y});
-      double cost = (box.center() - middle).norm() / area_pitch;
-      if (cost >= least || !contains(area.corners, box)) continue;
-      const double overlap = cost_of(box, taken);
-      cost += overlap;
-      if (cost > least) continue;
-      for (const double clearance : area_clearances) cost += cost_near * obstacles_near(box, clearance);
-      if (cost >= least) continue;
-      least = cost;
-      best = {{x, y}, box, overlap < cost_obstacle};
+/// All labels where they are to be drawn, at one size of their own; the names of areas perhaps smaller.
+class Panel::Arrangement {
+ public:
+  /// Points first: their names have the least choice.
+  Arrangement(const Panel& panel, double size, double smallest)
+      : panel_(&panel), obstacles_(panel.obstacles_), taken_(panel.kept_clear_), groups_(1) {
+    const auto sized = [size](auto label) {
+      label.style.size *= size;
+      return label;
+    };
+    for (const Label& label : panel.labels_) place(sized(label));
+    for (const AreaName& usual : panel.area_names_) {
+      AreaName area = sized(usual);
+      const bool fits = shorten(area, smallest / size);
+      if (area.text.empty()) continue;
+      groups_.emplace_back();
+      if (fits)
+        place(area);
+      else
+        place(Label{middle_of(area.corners), Vec2(0, -1), area.text, area.style, beside_area_gap});
     }
   }
-  return best;
-}
 
-// A label is placed by the middle of its capitals: that keeps "p" and "p_1" on one line beside points of one height.
-Panel::Place Panel::best_place(const Label& label, std::span<const Box> taken) const {
-  const double rise = canvas_.cap_height(label.style) / 2;  // of the middle above the baseline
-  const Box ink = canvas_.ink_box(Vec2::Zero(), label.text, label.style);
-  const Vec2 half(std::max(-ink.min.x(), ink.max.x()), std::max(rise, ink.max.y() + rise));
+  /// Returns: how many labels are not clear of lines, of each other, and of the frame.
+  int crowded() const { return crowded_; }
 
-  Place best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t spread = 0; spread < spreads.size(); ++spread) {
-    for (int attempt = 0; attempt < directions; ++attempt) {
-      const int turns = turns_of(attempt);
-      const double astray = cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
-      if (astray >= least) continue;
-      const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
-      const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
-      const Vec2 baseline = middle + Vec2(0, rise);
-      Place place{baseline, moved(ink, baseline)};
-      const double cost = cost_of(place.box, taken) + cost_of_leader(label, place.box, taken) + astray +
-                          (is_nearer_elsewhere(label, place.box) ? cost_elsewhere : 0) +
-                          (label.stays_on_its_side ? cost_across * lines_between(label, place.box) : 0);
-      if (cost >= least) continue;
-      least = cost;
-      place.clear = cost < cost_obstacle;
-      best = place;
+  void draw(Canvas& canvas) const {
+    for (const std::vector<PlacedLabel>& group : groups_) {
+      for (const auto& [place, text, style] : group)
+        if (place.leader) canvas.line(place.leader->first, place.leader->second, {style.color, leader_width});
+      for (const auto& [place, text, style] : group) canvas.text(place.baseline, text, style);
     }
   }
-  return best;
-}
 
-bool Panel::is_nearer_elsewhere(const Label& label, const Box& box) const {
-  const double own = (box.center() - label.anchor).norm();
-  return std::ranges::any_of(labels_, [&](const Label& other) {
-    return (other.anchor - label.anchor).norm() > anchor_radius && (box.center() - other.anchor).norm() < own;
-  });
-}
+ private:
+  using Leader = std::optional<std::pair<Vec2, Vec2>>;
+  struct Place {
+    Vec2 baseline = Vec2::Zero();  // its middle
+    Box box;                       // of the letters
+    bool clear = false;            // of everything else
+    Leader leader = {};            // the thin line that ties a label to its anchor where it stands far from it
+  };
+  struct PlacedLabel {
+    Place place;
+    std::string text;
+    TextStyle style;
+  };
 
-int Panel::lines_between(const Label& label, const Box& box) const {
-  const Vec2 middle = box.center();
-  return static_cast<int>(std::ranges::count_if(obstacles_, [&](const Obstacle& line) {
-    return distance_to_segment(label.anchor, line.from, line.to) > anchor_radius + line.radius &&
-           are_apart(line.from, line.to, label.anchor, middle) && are_apart(label.anchor, middle, line.from, line.to);
-  }));
-}
-
-double Panel::cost_of(const Box& box, std::span<const Box> taken) const {
-  double cost = contains(frame_.grown(-frame_margin), box) ? 0 : cost_outside;
-  for (const Box& other : taken) {
-    if (box.grown(label_clearance).overlaps(other))
-      cost += cost_label;
-    else if (box.grown(label_comfort).overlaps(other))
-      cost += cost_near_label;
+  /// Puts a label or the name of an area into the last group.
+  void place(const auto& label) {
+    const Place best = best_place(label);
+    groups_.back().push_back({best, label.text, label.style});
+    taken_.push_back(best.box);
+    crowded_ += best.clear ? 0 : 1;
+    if (best.leader) obstacles_.push_back({best.leader->first, best.leader->second, leader_width / 2});
   }
-  return cost + cost_obstacle * obstacles_near(box, line_clearance) +
-         cost_fine_line * std::min<double>(most_fine_lines, fine_lines_near(box));
-}
 
-double Panel::cost_of_leader(const Label& label, const Box& box, std::span<const Box> taken) const {
-  const auto line = leader(label, box);
-  if (!line) return 0;
-  const auto crosses = [&](const Box& other) { return clip_segment(line->first, line->second, other).has_value(); };
-  return cost_obstacle * static_cast<double>(std::ranges::count_if(taken, crosses));
-}
+  static Leader leader_of(const Label& label, const Box& box) {
+    const Vec2 end = label.anchor.cwiseMax(box.min).cwiseMin(box.max), way = end - label.anchor;
+    if (!(way.norm() > leader_from)) return std::nullopt;
+    const Vec2 unit = way.normalized();
+    return std::pair{label.anchor + unit * (anchor_radius + leader_gap), end - unit * leader_gap};
+  }
 
-void Panel::avoid(const Obstacle& obstacle) {
-  (2 * obstacle.radius < least_obstacle ? fine_lines_ : obstacles_).push_back(obstacle);
-}
-
-bool Panel::holds(const Vec2& point, double margin) const {
-  const Box within = frame_.grown(-margin);
-  const Vec2 at = view_.page(point);
-  return (at.array() >= within.min.array() && at.array() <= within.max.array()).all();
-}
-
-bool Panel::Obstacle::is_near(const Box& box, double clearance) const {
-  const double reach = radius + clearance;
-  // Most are far away, which is quickly seen: labels are tried in hundreds of places among thousands of lines.
-  if (std::max(from.x(), to.x()) < box.min.x() - reach || std::min(from.x(), to.x()) > box.max.x() + reach ||
-      std::max(from.y(), to.y()) < box.min.y() - reach || std::min(from.y(), to.y()) > box.max.y() + reach)
+  /// Makes the name fit, rather down to `smallest` of its size than with fewer words. Returns: whether it does.
+  bool shorten(AreaName& area, double smallest) const {
+    const double usual = area.style.size;
+    const auto fits = [&](double size) {
+      area.style.size = usual * size;
+      return best_place(area).clear;
+    };
+    if (area.shorter.empty() || fits(1) || (smallest < 1 && fits(smallest))) return true;
+    for (const std::string& text : area.shorter) {
+      area.text = text;
+      if (text.empty() || fits(1) || fits(small_area_name) || (smallest < 1 && fits(smallest * small_area_name)))
+        return true;
+    }
+    area.text = area.shorter.front();
     return false;
-  return clip_segment(from, to, box.grown(reach)).has_value();
-}
+  }
 
-int Panel::fine_lines_near(const Box& box) const {
-  return static_cast<int>(
-      std::ranges::count_if(fine_lines_, [&](const Obstacle& line) { return line.is_near(box, line_clearance); }));
-}
+  Place best_place(const AreaName& area) const {
+    const Box ink = panel_->canvas_.ink_box(Vec2::Zero(), area.text, area.style);
+    const Vec2 middle = middle_of(area.corners);
+    const Box around = Box::around(area.corners);
+    Place best{middle, moved(ink, middle), false};
+    double least = std::numeric_limits<double>::infinity();
+    const Box tried{around.min.cwiseMax(panel_->frame_.min), around.max.cwiseMin(panel_->frame_.max)};
+    for (double y = tried.min.y(); y <= tried.max.y(); y += area_pitch) {
+      for (double x = tried.min.x(); x <= tried.max.x(); x += area_pitch) {
+        const Box box = moved(ink, {x, y});
+        double cost = (box.center() - middle).norm() / area_pitch;
+        if (cost >= least || !contains(area.corners, box)) continue;
+        const double overlap = cost_of(box);
+        cost += overlap;
+        if (cost > least) continue;
+        for (const double clearance : area_clearances) cost += cost_near * count_near(box, obstacles_, clearance);
+        if (cost >= least) continue;
+        least = cost;
+        best = {{x, y}, box, overlap < cost_obstacle};
+      }
+    }
+    return best;
+  }
 
-int Panel::obstacles_near(const Box& box, double clearance) const {
-  return static_cast<int>(
-      std::ranges::count_if(obstacles_, [&](const Obstacle& obstacle) { return obstacle.is_near(box, clearance); }));
+  // A label is placed by the middle of its capitals: that keeps "p" and "p_1" on one line beside points of one height.
+  Place best_place(const Label& label) const {
+    const double rise = panel_->canvas_.cap_height(label.style) / 2;  // of the middle above the baseline
+    const Box ink = panel_->canvas_.ink_box(Vec2::Zero(), label.text, label.style);
+    const Vec2 half(std::max(-ink.min.x(), ink.max.x()), std::max(rise, ink.max.y() + rise));
+
+    Place best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t spread = 0; spread < spreads.size(); ++spread) {
+      for (int attempt = 0; attempt < directions; ++attempt) {
+        const int turns = turns_of(attempt);
+        const double astray = cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
+        if (astray >= least) continue;
+        const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
+        const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
+        const Vec2 baseline = middle + Vec2(0, rise);
+        Place place{baseline, moved(ink, baseline)};
+        place.leader = leader_of(label, place.box);
+        const double cost = cost_of(place.box) + cost_of_leader(place.leader) + astray +
+                            (is_nearer_elsewhere(label, place.box) ? cost_elsewhere : 0) +
+                            (label.stays_on_its_side ? cost_across * lines_between(label, place.box) : 0);
+        if (cost >= least) continue;
+        least = cost;
+        place.clear = cost < cost_obstacle;
+        best = place;
+      }
+    }
+    return best;
+  }
+
+  bool is_nearer_elsewhere(const Label& label, const Box& box) const {
+    const double own = (box.center() - label.anchor).norm();
+    return std::ranges::any_of(panel_->labels_, [&](const Label& other) {
+      return (other.anchor - label.anchor).norm() > anchor_radius && (box.center() - other.anchor).norm() < own;
+    });
+  }
+
+  int lines_between(const Label& label, const Box& box) const {
+    const Vec2 middle = box.center();
+    return static_cast<int>(std::ranges::count_if(obstacles_, [&](const Obstacle& line) {
+      return distance_to_segment(label.anchor, line.from, line.to) > anchor_radius + line.radius &&
+             are_apart(line.from, line.to, label.anchor, middle) && are_apart(label.anchor, middle, line.from, line.to);
+    }));
+  }
+
+  double cost_of(const Box& box) const {
+    double cost = contains(panel_->frame_.grown(-frame_margin), box) ? 0 : cost_outside;
+    for (const Box& other : taken_) {
+      if (box.grown(label_clearance).overlaps(other))
+        cost += cost_label;
+      else if (box.grown(label_comfort).overlaps(other))
+        cost += cost_near_label;
+    }
+    return cost + cost_obstacle * count_near(box, obstacles_, line_clearance) +
+           cost_fine_line * std::min<double>(most_fine_lines, count_near(box, panel_->fine_lines_, line_clearance));
+  }
+
+  double cost_of_leader(const Leader& line) const {
+    if (!line) return 0;
+    const auto crosses = [&](const Box& other) { return clip_segment(line->first, line->second, other).has_value(); };
+    return cost_obstacle * static_cast<double>(std::ranges::count_if(taken_, crosses));
+  }
+
+  static bool is_near(const Obstacle& line, const Box& box, double clearance) {
+    const auto& [from, to, radius] = line;
+    const double reach = radius + clearance;
+    // Most are far away, which is quickly seen: labels are tried in hundreds of places among thousands of lines.
+    if (std::max(from.x(), to.x()) < box.min.x() - reach || std::min(from.x(), to.x()) > box.max.x() + reach ||
+        std::max(from.y(), to.y()) < box.min.y() - reach || std::min(from.y(), to.y()) > box.max.y() + reach)
+      return false;
+    return clip_segment(from, to, box.grown(reach)).has_value();
+  }
+
+  static int count_near(const Box& box, const std::vector<Obstacle>& lines, double clearance) {
+    return static_cast<int>(
+        std::ranges::count_if(lines, [&](const Obstacle& line) { return is_near(line, box, clearance); }));
+  }
+
+  const Panel* panel_;
+  std::vector<Obstacle> obstacles_;  // of the panel, and leaders
+  std::vector<Box> taken_;
+  std::vector<std::vector<PlacedLabel>> groups_;  // of each the leaders are drawn before the letters
+  int crowded_ = 0;
+};
+
+int Panel::place_labels(double smallest) {
+  Arrangement best(*this, 1, smallest);
+  for (double size = 1; best.crowded() > 0 && size > smallest;) {
+    size = std::max(smallest, next_smaller * size);
+    Arrangement smaller(*this, size, smallest);
+    if (smaller.crowded() < best.crowded()) best = std::move(smaller);
+  }
+  best.draw(canvas_);
+  drop_labels();
+  return best.crowded();
 }
 
 }  // namespace render

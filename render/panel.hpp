@@ -1,10 +1,9 @@
 /// A part of the page that shows a scene: scene units in, page units out, nothing drawn outside, labels kept clear.
 #pragma once
 
-#include <optional>
+#include <limits>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "render/canvas.hpp"
@@ -17,7 +16,8 @@ class View {
   /// Returns: the view that shows the scene's box `low`..`high` centred in `frame`, with at most `max_scale` page units
   /// per scene unit.
   /// Requires: low <= high, which may coincide; all finite; 0 < max_scale.
-  static View fit(const Vec2& low, const Vec2& high, const Box& frame, double max_scale);
+  static View fit(const Vec2& low, const Vec2& high, const Box& frame,
+                  double max_scale = std::numeric_limits<double>::infinity());
 
   Vec2 page(const Vec2& scene) const { return center_page_ + scale_ * turned_over(scene - center_scene_); }
   Vec2 scene(const Vec2& page) const { return center_scene_ + turned_over(page - center_page_) / scale_; }
@@ -95,7 +95,6 @@ class Panel {
   struct Obstacle {
     Vec2 from, to;  ///< page units
     double radius;  ///< half the width of the line, or the radius of the disc
-    bool is_near(const Box& box, double clearance) const;
   };
   struct Label {
     Vec2 anchor, toward;  ///< page units; `toward` of length 1
@@ -110,44 +109,10 @@ class Panel {
     std::vector<std::string> shorter;
     TextStyle style;
   };
-  struct Place {
-    Vec2 baseline = Vec2::Zero();  ///< its middle
-    Box box;                       ///< of the letters
-    bool clear = false;            ///< of everything else
-  };
+  class Arrangement;
 
-  /// A label where it is to be drawn.
-  struct PlacedLabel {
-    std::optional<std::pair<Vec2, Vec2>> leader;
-    Vec2 baseline;
-    std::string text;
-    TextStyle style;
-  };
-  /// All labels; of a group the leaders are drawn before the letters.
-  struct Arrangement {
-    std::vector<std::vector<PlacedLabel>> groups = {};
-    int crowded = 0;
-  };
-
-  /// Returns: all labels at `size` of their own, of areas perhaps smaller.
-  Arrangement arranged(double size, double smallest);
   std::vector<Vec2> to_page(std::span<const Vec2> scene) const;
   void avoid_outline(std::span<const Vec2> page, double radius);
-  Place best_place(const Label& label, std::span<const Box> taken) const;
-  /// Returns: the thin line that ties a label to its anchor where it stands far from it.
-  std::optional<std::pair<Vec2, Vec2>> leader(const Label& label, const Box& box) const;
-  std::optional<std::pair<Vec2, Vec2>> leader(const AreaName&, const Box&) const {
-    return {};
-  }  // it stands in its area
-  bool is_nearer_elsewhere(const Label& label, const Box& box) const;
-  double cost_of_leader(const Label& label, const Box& box, std::span<const Box> taken) const;
-  Place best_place(const AreaName& area, std::span<const Box> taken) const;
-  /// Makes the name fit, rather down to `smallest` of its size than with fewer words. Returns: whether it does.
-  bool shorten(AreaName& area, std::span<const Box> taken, double smallest) const;
-  double cost_of(const Box& box, std::span<const Box> taken) const;
-  int obstacles_near(const Box& box, double clearance) const;
-  int lines_between(const Label& label, const Box& box) const;
-  int fine_lines_near(const Box& box) const;
   void avoid(const Obstacle& obstacle);
 
   Canvas& canvas_;

@@ -11,7 +11,8 @@ namespace render {
 
 class Rasterizer {
  public:
-  /// Compiles the shader in `context`, which must outlive the rasterizer and be used by nothing else.
+  /// Compiles the shader in `context`, which must outlive the rasterizer and be used by nothing else: what it makes there goes
+  /// with the context.
   /// Errors: ContextError.
   explicit Rasterizer(OffscreenContext& context);
   ~Rasterizer();

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/coverage.hpp"
-
 namespace render {
 namespace {
 

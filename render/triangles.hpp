@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/canvas.hpp"
@@ -13,7 +14,7 @@ namespace render {
 /// `u` and `v` mean what `kind` says.
 struct CanvasVertex {
   enum class Kind : std::uint32_t {
-    fill,     ///< u: coverage (see coverage.hpp)
+    fill,     ///< u: coverage (see below)
     capsule,  ///< (u,v): position along and across, in pixels, from the middle of a line with round caps
     ring,     ///< (u,v): position in pixels from the middle of a circle line
     glyph,    ///< (u,v): position in the font's atlas, in texels
@@ -38,5 +39,27 @@ struct Triangles {
 
 /// Returns: what is seen of the shapes. The glyphs of their texts are in the font's atlas then.
 Triangles triangles_of(const Canvas& canvas);
+
+// -- Coverage: which share of each pixel a convex polygon covers --
+//
+// The coverage of a pixel with middle `p` is the least of these linear functions of `p`:
+//  * per edge, the distance of `p` inside the edge + 1/2: a ramp one pixel wide across the edge;
+//  * per sharp corner, a ramp along its bisector, which lets the tip fade out instead of growing past the corner;
+//  * the width of the polygon, at most 1: a strip narrower than a pixel never covers a whole one.
+// Beside edges along the axes, however close together, this is exactly the area of the pixel inside the polygon.
+// The least of linear functions is linear on convex cells, and these cells tile the polygon: no cracks, no overlaps,
+// and each is drawn with nothing but interpolation.
+
+struct CoveragePoint {
+  Vec2 position;    ///< pixels
+  double coverage;  ///< 0..1
+};
+
+/// A convex polygon over which the coverage is linear.
+using CoverageCell = std::vector<CoveragePoint>;
+
+/// Requires: finite corners, in pixels, of a convex polygon of either sense.
+/// Returns: the cells inside `bounds` whose coverage is not 0; none for a polygon without area.
+std::vector<CoverageCell> coverage_cells(std::span<const Vec2> corners, const Box& bounds);
 
 }  // namespace render

@@ -112,7 +112,8 @@ def boost_elsewhere(root):
 
 
 # Looks for an equation, the beginning of a line of code or a region in a text.
-reads_sentence = re.compile(r'(find|find_first_of|substr|starts_with|ends_with)\("[^"]*( = |: |·|×|←|\bif\b|\belse\b|\bR[1-7])')
+reads_sentence = re.compile(
+    r'\b(?:text|caption|headline)\.(?:starts_with|contains)\(story|(find|find_first_of|substr|starts_with|ends_with)\("[^"]*( = |: |·|×|←|\bif\b|\belse\b|\bR[1-7])')
 
 
 def sentences_read(root):

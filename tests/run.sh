@@ -76,12 +76,12 @@ full() {
   # axe-core looks for what bars readers from pages, by the rules of WCAG. No package of Debian has it.
   npm install --silent --no-save --no-audit --no-fund --prefix build/checked/npm axe-core@4.14.1 ||
     printf 'no axe-core from npm: pages are not tried for barriers\n'
-  timed "compiling with warnings as errors" build build/checked all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DGJKSTEP_WERROR=ON
+  timed "compiling with warnings as errors" build build/checked all -DGJKSTEP_TESTS=ON -DGJKSTEP_STUDY=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
   export GJKSTEP_BARE_ROOT=1 GJKSTEP_OTHER_DEBIAN=1
   timed "running" test_in build/checked --label-exclude long
   # Without the study, which runs nothing that others get.
   timed "compiling with sanitizers" \
-    build build/sanitized all -DGJKSTEP_TESTS=ON -DGJKSTEP_WERROR=ON -DGJKSTEP_SANITIZE=ON
+    build build/sanitized all -DGJKSTEP_TESTS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DGJKSTEP_SANITIZE=ON
   # Mesa and LLVM keep some memory until the process ends; those leaks are left out by name. Where threads keep what a library loaded
   # later is guessed from calls, wrongly for Mesa's: the search for leaks then reads what is not there.
   export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.supp:print_suppressions=0:intercept_tls_get_addr=0"

@@ -41,7 +41,6 @@
 ///      the means of the sets, which the sets know themselves.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <limits>
 #include <utility>
@@ -70,10 +69,9 @@ concept AsksTheDifference = std::same_as<decltype(Rules::template difference<S>(
 /// no name.
 template <class S>
 double error_of_start(const Simplex<S>& simplex, const PointSet<S>& a, const PointSet<S>& b) {
-  for (int i = 0; i < simplex.size(); ++i) {
-    if (simplex[i].a.index) continue;
-    if (simplex[i].a.point != a.mean() || simplex[i].b.point != b.mean())
-      return std::numeric_limits<double>::infinity();
+  for (const Vertex<S>& vertex : simplex) {
+    if (vertex.a.index) continue;
+    if (vertex.a.point != a.mean() || vertex.b.point != b.mean()) return std::numeric_limits<double>::infinity();
     return error_of_mean(a.points().size(), a.extent().maxCoeff()) +
            error_of_mean(b.points().size(), b.extent().maxCoeff());
   }
@@ -82,15 +80,15 @@ double error_of_start(const Simplex<S>& simplex, const PointSet<S>& a, const Poi
 
 template <class S>
 void add_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
-  for (int i = 0; i < simplex.size(); ++i)
-    pairs.add({simplex[i].a.index.value_or(IndexPair::mean), simplex[i].b.index.value_or(IndexPair::mean)});
+  for (const auto& [a, b, w] : simplex)
+    pairs.add({a.index.value_or(IndexPair::mean), b.index.value_or(IndexPair::mean)});
 }
 
 /// Adds the vertices that support functions have found. Adds one at least, whichever.
 template <class S>
 void add_found_vertices(IndexPairs& pairs, const Simplex<S>& simplex) {
-  for (int i = 0; i < simplex.size(); ++i)
-    if (simplex[i].a.index) pairs.add({*simplex[i].a.index, *simplex[i].b.index});
+  for (const auto& [a, b, w] : simplex)
+    if (a.index) pairs.add({*a.index, *b.index});
   if (pairs.size() == 0) pairs.add({});
 }
 

@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
 
 #include "../certificate.hpp"
 #include "../nearest.hpp"
@@ -197,34 +196,25 @@ class ExactSimplex {
   // -- As nearest_with_A() asks
 
   bool is_toward(Role X) const {
-    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2,
-                [&] {
-                  return SignWords{{Expression::Form::dot, tell_.edge(X), AO}};
-                }) > 0;
+    return sign([=](const auto& A) { return dot(A[X], A.AO); }, 2, [&] { return product(tell_.edge(X), AO); }) > 0;
   }
   bool is_beyond(Role X, Role Y) const {
     const auto AXn_AO = [=](const auto& A) {
       return dot(A[X], A.AO) * dot(A[X], A[Y]) - dot(A[Y], A.AO) * dot(A[X], A[X]);
     };
-    return sign(AXn_AO, 4, [&] {
-             return SignWords{{Expression::Form::dot, tell_.normal(X), AO}, tell_.face(X, Y)};
-           }) >= 0;
+    return sign(AXn_AO, 4, [&] { return product(tell_.normal(X), AO, tell_.face(X, Y)); }) >= 0;
   }
   bool is_above(Role X, Role Y, Role Z) const {
     const int of_origin = side_of_origin(X, Y);
-    const int of_fourth = sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); }, 3,
-                               [&] {
-                                 return SignWords{{Expression::Form::dot, tell_.normal(X, Y), tell_.edge(Z)}};
-                               });
+    const auto AXYn_AZ = [=](const auto& A) { return dot(cross(A[X], A[Y]), A[Z]); };
+    const int of_fourth = sign(AXYn_AZ, 3, [&] { return product(tell_.normal(X, Y), tell_.edge(Z)); });
     return of_origin * of_fourth < 0;
   }
 
   /// Returns: the sign of AXYn·AO.
   int side_of_origin(Role X, Role Y) const {
-    return sign([=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); }, 3,
-                [&] {
-                  return SignWords{{Expression::Form::dot, tell_.normal(X, Y), AO}};
-                });
+    const auto AXYn_AO = [=](const auto& A) { return dot(cross(A[X], A[Y]), A.AO); };
+    return sign(AXYn_AO, 3, [&] { return product(tell_.normal(X, Y), AO); });
   }
 
   /// Requires: the point of the simplex nearest to the origin lies in its interior. Returns: whether that point is the
@@ -265,6 +255,10 @@ class ExactSimplex {
 
  private:
   static constexpr bool tells = FallbackTeller<S, Obs>::somebody_listens;
+
+  static SignWords product(const NamedVector& X, const NamedVector& Y, const Roles& face = {}) {
+    return {{Expression::Form::dot, X, Y}, face};
+  }
 
   /// `component`: what the component of an axis is called.
   template <class VectorOf, class Component>
@@ -342,10 +336,9 @@ class AlongDirection {
 
   /// C3. Returns: the sign of w·d.
   int sign(IndexPair vertex) const {
-    const auto w = [&]<class N>() { return difference_.template w<N>(vertex); };
-    const Bounded quick = dot(w.template operator()<Bounded>(), bounded_);
+    const Bounded quick = reach(vertex);
     if (quick.has_certain_sign()) return tell(vertex, "w·d", quick), sign_of(quick);
-    const Whole exact = dot(w.template operator()<Whole>(), whole());
+    const Whole exact = dot(difference_.template w<Whole>(vertex), whole());
     return tell(vertex, "w·d", quick, &exact), sign_of(exact);
   }
 
@@ -382,7 +375,11 @@ class AlongDirection {
  private:
   bool is_nearer(IndexPair vertex) const {
     const IndexPair A = from_.vertices()[from_.size() - 1];
-    return sign_along([&]<class N>() { return difference_.template w<N>(vertex) - difference_.template w<N>(A); }) > 0;
+    const auto nearer = [&]<class N>(const Triple<N>& d) {
+      return dot(difference_.template w<N>(vertex) - difference_.template w<N>(A), d);
+    };
+    const Bounded quick = nearer(bounded_);
+    return (quick.has_certain_sign() ? sign_of(quick) : sign_of(nearer(whole()))) > 0;
   }
 
   void tell(IndexPair vertex, const Expression& what, const Bounded& w_d, const Whole* exact = nullptr) const {
@@ -398,13 +395,6 @@ class AlongDirection {
     const Vec3<S> own = rough_.unaryExpr([this](S x) { return std::scalbn(x, exponent_ - power_); });
     const auto is_kept = [](S before, S after) { return before == 0 || std::isnormal(after); };
     return is_kept(rough_.x(), own.x()) && is_kept(rough_.y(), own.y()) && is_kept(rough_.z(), own.z()) ? own : rough_;
-  }
-
-  /// C3. `vector_in`: a vector in either number.
-  template <class VectorIn>
-  int sign_along(const VectorIn& vector_in) const {
-    const Bounded quick = dot(vector_in.template operator()<Bounded>(), bounded_);
-    return quick.has_certain_sign() ? sign_of(quick) : sign_of(dot(vector_in.template operator()<Whole>(), whole()));
   }
 
   IndexPair near_farthest() const {

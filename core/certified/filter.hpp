@@ -2,7 +2,6 @@
 /// what was rounded on the way (C1, C2). Needs Eigen only.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <concepts>
-#include <limits>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 
 #include "../telling.hpp"
 #include "bounded.hpp"
+#include "fraction.hpp"
 
 namespace gjk::detail {
 
@@ -34,13 +34,9 @@ struct Powers {
 };
 
 /// Returns: x times 2^power, reduced: "-3/1024", "12".
-inline std::string fraction_text(Whole x, int power) {
-  if (x == 0) return "0";
-  if (power >= 0) return Whole(x << static_cast<unsigned>(power)).str();
-  const int common = std::min(static_cast<int>(lsb(Whole(abs(x)))), -power);
-  x /= Whole(1) << static_cast<unsigned>(common);
-  if (common == -power) return x.str();
-  return x.str() + "/" + Whole(Whole(1) << static_cast<unsigned>(-power - common)).str();
+inline std::string fraction_text(const Whole& x, int power) {
+  const Fraction scale(Whole(Whole(1) << static_cast<unsigned>(std::abs(power))));
+  return (power >= 0 ? Fraction(x) * scale : Fraction(x) / scale).str();
 }
 
 template <class S>

@@ -37,8 +37,8 @@
 
 #include "render/image.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/model/run.hpp"
-#include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/output/renderer.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 

@@ -95,7 +95,7 @@ struct Off {
 };
 
 void require_counts(const Image& expected, const Image& actual, const Comparison& found) {
-  Off off(expected, actual, found.tolerance.channel);
+  Off off(expected, actual, tolerance::channel);
   require(std::ranges::count(off.at, true) == found.off);
   std::int64_t largest = 0;
   for (int y = 0; y < off.size.height; ++y)

@@ -65,10 +65,10 @@ class Checksum {
 int add_frame(Checksum& sum, const StagedStory& story, std::size_t frame, const Look& look, render::Font& font) {
   const render::Size page = walkthroughs::picture::page_of_frame(look.text);
   Canvas canvas(page, page, look.style.theme.paper, font);
-  const int crowded = draw_frame(canvas, story, frame, look);
+  draw_frame(canvas, story, frame, look);
   sum.add(canvas);
   sum.add(walkthroughs::story::alternative_text(story, frame));
-  return crowded;
+  return canvas.crowded();
 }
 
 // -- Lines: a name, and the checksum of each frame; of searches at random one for all ---------------------------------
@@ -104,7 +104,8 @@ Line line_of(const RandomSearch& each, render::Font& font) {
     sum.add(long{add_frame(sum, story, frame, each.look, font)});
   const render::Size page = strip_page(story, each.look);
   Canvas strip(page, page, each.look.style.theme.paper, font);
-  sum.add(long{draw_strip(strip, story, each.look)});
+  draw_strip(strip, story, each.look);
+  sum.add(long{strip.crowded()});
   sum.add(strip);
   return {each.name, {sum.text()}, each.options, each.scene};
 }

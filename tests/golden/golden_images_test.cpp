@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "render/compare_files.hpp"
+#include "render/compare.hpp"
 #include "render/compare_report.hpp"
 #include "render/file.hpp"
 #include "render/rendered_by.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/output/renderer.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
 namespace golden {

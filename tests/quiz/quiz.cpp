@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "render/file.hpp"
-#include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/output/renderer.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 #include "walkthroughs/program/exit_code.hpp"
@@ -268,9 +268,11 @@ int run(int argc, char** argv) {
   const std::vector<Question> all = questions(count, seed, letters == "fixed" ? Naming::fixed : Naming::roles);
   const std::filesystem::path folder = out;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    render::write_png(folder / (number_of(i) + ".png"), picture_of(all[i], all[i].frame, studio, look), {});
-    if (all[i].second)
-      render::write_png(folder / (number_of(i) + "-second.png"), picture_of(all[i], *all[i].second, studio, look), {});
+    const auto draw = [&](const std::string& file, std::size_t frame) {
+      render::write_file(folder / file, render::encode_png(picture_of(all[i], frame, studio, look), {}));
+    };
+    draw(number_of(i) + ".png", all[i].frame);
+    if (all[i].second) draw(number_of(i) + "-second.png", *all[i].second);
     texts += number_of(i) + ": " + all[i].text + "\n";
     key += number_of(i) + ": " + all[i].answer + " (" + all[i].kind + ")\n";
   }

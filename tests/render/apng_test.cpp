@@ -1,10 +1,9 @@
-#include "render/apng.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "render/image.hpp"
 #include "render/png_chunk.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/render/png_bytes.hpp"

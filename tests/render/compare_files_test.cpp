@@ -1,9 +1,8 @@
-#include "render/compare_files.hpp"
-
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "render/compare.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/folder.hpp"
 #include "tests/kit/pictures.hpp"
@@ -28,7 +27,7 @@ struct Folders {
 
 void draw(const fs::path& file, Color color, Size size = {16, 9}) {
   fs::create_directories(file.parent_path());
-  write_png(file, kit::plain(size, color), {});
+  write_file(file, encode_png(kit::plain(size, color), {}));
 }
 
 std::vector<Verdict> verdicts(const Folders& folders) {

@@ -67,16 +67,15 @@ TEST_CASE("A pixel is off when any one channel differs by three and not by two, 
 }
 
 TEST_CASE("The larger of the two limits counts and parts of a pixel do not") {
-  const Tolerance usual;
-  CHECK(usual.allowed({1, 1}) == 0);
-  CHECK(usual.allowed({20, 20}) == 4);
-  CHECK(usual.allowed({799, 1}) == 7);
-  CHECK(usual.allowed({40, 20}) == 8);
-  CHECK(usual.allowed({1000, 449}) == 8);
-  CHECK(usual.allowed({50'000, 9}) == 9);
-  CHECK(usual.allowed({449'999, 1}) == 8);
-  CHECK(usual.allowed({1280, 720}) == 18);
-  CHECK(usual.allowed({16384, 16384}) == 5368);
+  CHECK(tolerance::allowed({1, 1}) == 0);
+  CHECK(tolerance::allowed({20, 20}) == 4);
+  CHECK(tolerance::allowed({799, 1}) == 7);
+  CHECK(tolerance::allowed({40, 20}) == 8);
+  CHECK(tolerance::allowed({1000, 449}) == 8);
+  CHECK(tolerance::allowed({50'000, 9}) == 9);
+  CHECK(tolerance::allowed({449'999, 1}) == 8);
+  CHECK(tolerance::allowed({1280, 720}) == 18);
+  CHECK(tolerance::allowed({16384, 16384}) == 5368);
 }
 
 TEST_CASE("As many scattered pixels may be off as are allowed and not one more") {
@@ -159,14 +158,6 @@ TEST_CASE("The histogram counts each pixel once by its most different channel") 
   CHECK(found.histogram[1] == 0);
   CHECK(found.histogram[7] == 2);
   CHECK(found.histogram[155] == 1);
-}
-
-TEST_CASE("A tolerance of its own needs a written reason") {
-  const Image expected = plain({32, 32});
-  Image actual = expected;
-  for (const Pixel& pixel : scattered(9, 32)) add(actual, pixel, 3);
-  CHECK_THROWS_AS(compare(expected, actual, {.few = 9}), std::invalid_argument);
-  CHECK(passed(compare(expected, actual, {.few = 9, .reason = "a test"})));
 }
 
 TEST_CASE("The picture of the difference is sixteen times as large on black and ends at white") {

@@ -1,11 +1,10 @@
-#include "render/coverage.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "render/triangles.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 

@@ -1,10 +1,11 @@
 #include "render/rasterizer.hpp"
 
+#include <GL/glcorearb.h>
+
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "render/gl.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
 
@@ -114,8 +115,7 @@ TEST_CASE_METHOD(Studio, "sizes out of range are refused and leave the rasterize
 }
 
 TEST_CASE_METHOD(Studio, "what OpenGL finds wrong while it draws is told once, and not drawn over") {
-  const GlLoader load{context};
-  const PFNGLENABLEPROC enable = load("glEnable");
+  const auto enable = reinterpret_cast<PFNGLENABLEPROC>(context.function("glEnable"));
   enable(GL_TEXTURE_2D);  // which this profile of OpenGL does not know
   try {
     draw();

@@ -10,7 +10,7 @@
 #include "tests/kit/folder.hpp"
 #include "tests/walkthroughs/polygons.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace walkthroughs::test {

@@ -1,32 +1,23 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+#include <iterator>
 
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 
 namespace walkthroughs::catalogue {
 namespace {
 
 std::vector<Walkthrough> all_walkthroughs() {
-  std::vector<Walkthrough> all{figure_1(), figure_2(), figure_3()};
-  const auto append = [&](const std::vector<Walkthrough>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  append(figures_4_and_5());
-  append(figures_6_and_7());
-  append({figure_8()});
-  for (const auto family :
-       {region_cases, vehicle_and_threat, endless_searches, other_rules, failures, certified_answers})
-    append(family());
-  append({mistakes_survival()});
-  append(mistakes());
+  std::vector<Walkthrough> all;
+  for (const auto family : {figure_1, figure_2, figure_3, figures_4_and_5, figures_6_and_7, figure_8, region_cases,
+                            vehicle_and_threat, other_rules, failures, certified_answers, mistakes})
+    std::ranges::move(family(), std::back_inserter(all));
   return all;
 }
 
-std::string small_letters(std::string_view text) {
-  std::string small(text);
-  for (char& c : small)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return small;
-}
+constexpr const char* report = "ARL-TR-7474, ";
 
 }  // namespace
 
@@ -54,7 +45,7 @@ std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word) {
   for (const Walkthrough& w : whole_catalogue()) {
     const std::string said =
         w.name + "\n" + w.title + "\n" + w.summary + "\n" + (w.region_case ? w.region_case->text : "");
-    if (small_letters(said).find(small_letters(word)) != std::string::npos) found.push_back(&w);
+    if (boost::algorithm::icontains(said, word)) found.push_back(&w);
   }
   return found;
 }
@@ -70,6 +61,49 @@ std::string nearest_name(std::string_view name) {
   if (!begins_one && !saying.empty()) return saying.front()->name;
   const auto found = std::ranges::find(spellings, nearest(name, spellings)) - spellings.begin();
   return spellings[static_cast<std::size_t>(found) % whole_catalogue().size()];
+}
+
+Walkthrough diagrams_of(const std::string& name, const std::string& title, const std::string& place,
+                        const std::string& summary, std::vector<Diagram> (*draw)()) {
+  return {.name = name,
+          .title = title,
+          .source = report + place,
+          .summary = summary,
+          .layout = Layout::diagrams,
+          .diagrams = draw};
+}
+
+Walkthrough search_of(const std::string& name, const std::string& title, const std::string& place,
+                      const std::string& summary, Scene scene, std::vector<Remark> remarks) {
+  return {.name = name,
+          .title = title,
+          .source = report + place,
+          .summary = summary,
+          .naming = Naming::roles,
+          .scenes = {std::move(scene)},
+          .remarks = std::move(remarks)};
+}
+
+Walkthrough until_they_part(Scene first, Walkthrough second) {
+  second.layout = Layout::until_they_part;
+  second.scenes.insert(second.scenes.begin(), std::move(first));
+  return second;
+}
+
+Scene scene_of(const std::string& a, const std::vector<Corner>& corners_of_a, const std::string& b,
+               const std::vector<Corner>& corners_of_b, const std::string& name) {
+  Scene scene{.name = name, .a = {a, Points()}, .b = {b, Points()}};
+  const auto add = [&](Object& object, const std::vector<Corner>& corners) {
+    std::vector<Point> vertices;
+    for (const auto& [x, y, z] : corners) {
+      vertices.emplace_back(x, y, z);
+      if (z != 0) scene.dimension = Dimension::space;
+    }
+    object.form = points(std::move(vertices));
+  };
+  add(scene.a, corners_of_a);
+  add(scene.b, corners_of_b);
+  return scene;
 }
 
 }  // namespace walkthroughs::catalogue

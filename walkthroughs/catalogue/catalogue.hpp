@@ -25,23 +25,42 @@ std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word);
 std::string nearest_name(std::string_view name);
 
 // The walkthroughs by their families, each made in a file of its name.
-Walkthrough figure_1();
-Walkthrough figure_2();
-Walkthrough figure_3();
+std::vector<Walkthrough> figure_1();
+std::vector<Walkthrough> figure_2();
+std::vector<Walkthrough> figure_3();
 std::vector<Walkthrough> figures_4_and_5();
 std::vector<Walkthrough> figures_6_and_7();
-Walkthrough figure_8();
+std::vector<Walkthrough> figure_8();
 std::vector<Walkthrough> region_cases();
 std::vector<Walkthrough> vehicle_and_threat();
-std::vector<Walkthrough> endless_searches();
 std::vector<Walkthrough> other_rules();
 std::vector<Walkthrough> failures();
 std::vector<Walkthrough> certified_answers();
-Walkthrough mistakes_survival();
 std::vector<Walkthrough> mistakes();
 
 /// Returns: a search with a mistake in it, beside the report's, "mistakes/m14-order-below-triangle": the scene searched with that
 /// mistake, and as the report has it. Requires: a scene without a mistake, whose rules are the report's as intended.
 Walkthrough beside_the_report(Mistake mistake, Scene right);
+
+// What families are made of. `place`: in the report, "Section 2.2".
+
+Walkthrough diagrams_of(const std::string& name, const std::string& title, const std::string& place,
+                        const std::string& summary, std::vector<Diagram> (*draw)());
+
+/// Returns: a walkthrough of one search, whose vertices are called by their roles in the simplex.
+Walkthrough search_of(const std::string& name, const std::string& title, const std::string& place,
+                      const std::string& summary, Scene scene, std::vector<Remark> remarks = {});
+
+/// Returns: two searches on the same objects until they part, `first` and that of the walkthrough.
+Walkthrough until_they_part(Scene first, Walkthrough second);
+
+/// Of a polygon or a polyhedron.
+struct Corner {
+  double x, y, z = 0;
+};
+
+/// Returns: two sets of points, their corners in any order; in the plane, where all of them lie there.
+Scene scene_of(const std::string& a, const std::vector<Corner>& corners_of_a, const std::string& b,
+               const std::vector<Corner>& corners_of_b, const std::string& name = "search");
 
 }  // namespace walkthroughs::catalogue

@@ -1,10 +1,9 @@
-#include "walkthroughs/catalogue/chord.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
+
+#include "walkthroughs/catalogue/figure_objects.hpp"
 
 namespace walkthroughs::catalogue {
 namespace {
@@ -16,7 +15,8 @@ constexpr double rounding = 1e-9;  // sets are of size 1: a circle line is as wi
 constexpr double as_long = 0.99;   // parts outside that differ by less count as equally long
 constexpr int samples = 64;        // along a chord
 constexpr double first_angle = 13 * std::numbers::pi / 12;  // a chord found first lies aslant
-constexpr int halvings = 40;                                // to find where a chord leaves the set
+constexpr int rings = 6, around = 48;  // circles of points that chords join, and how many are on each
+constexpr int halvings = 40;           // to find where a chord leaves the set
 
 double fraction_of(int sample) { return (sample + 0.5) / samples; }
 
@@ -27,11 +27,6 @@ double border(const PlanarSet& set, const Chord& chord, double in, double out) {
     (set.contains(chord.at(middle)) ? in : out) = middle;
   }
   return (in + out) / 2;
-}
-
-bool leaves(const PlanarSet& set, const Chord& chord) {
-  return std::ranges::any_of(std::views::iota(0, samples),
-                             [&](int i) { return !set.contains(chord.at(fraction_of(i))); });
 }
 
 std::vector<Interval> parts_outside(const PlanarSet& set, const Chord& chord) {
@@ -73,6 +68,18 @@ Chord longest_outside(const std::vector<Chord>& chords) {
   return *best;
 }
 
+/// Returns: the middle of the unit disk and points on circles around it.
+std::vector<Vec2> points_of_rings() {
+  std::vector<Vec2> points = {Vec2::Zero()};
+  for (int ring = 1; ring <= rings; ++ring) {
+    for (int i = 0; i < around; ++i) {
+      const double angle = first_angle + 2 * std::numbers::pi * i / around;
+      points.push_back(Vec2(std::cos(angle), std::sin(angle)) * (1.0 * ring / rings));
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 bool PlanarSet::contains(const Vec2& p) const { return excess(p) <= rounding; }
@@ -87,8 +94,8 @@ ChordSearch deciding_chord(const PlanarSet& set, const std::vector<Vec2>& candid
     for (std::size_t j = i + 1; j < points.size(); ++j) {
       Chord chord{points[i], points[j]};
       ++search.tried;
-      if (leaves(set, chord)) {
-        chord.outside = parts_outside(set, chord);
+      chord.outside = parts_outside(set, chord);
+      if (!chord.outside.empty()) {
         leaving.push_back(chord);
       } else if (chord.length() >= long_enough && set.excess(chord.at(0.5)) > shallowest + rounding) {
         shallowest = set.excess(chord.at(0.5));
@@ -104,15 +111,6 @@ ChordSearch deciding_chord(const PlanarSet& set, const std::vector<Vec2>& candid
   return search;
 }
 
-std::vector<Vec2> points_of_rings(double radius, int rings, int around) {
-  std::vector<Vec2> points = {Vec2::Zero()};
-  for (int ring = 1; ring <= rings; ++ring) {
-    for (int i = 0; i < around; ++i) {
-      const double angle = first_angle + 2 * std::numbers::pi * i / around;
-      points.push_back(Vec2(std::cos(angle), std::sin(angle)) * (radius * ring / rings));
-    }
-  }
-  return points;
-}
+ChordSearch decide_convexity(const PlanarSet& set) { return deciding_chord(set, points_of_rings(), 1); }
 
 }  // namespace walkthroughs::catalogue

@@ -1,8 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 
@@ -17,6 +17,12 @@ constexpr double verdict_height = 56, verdict_baseline = 24;
 constexpr double any_scale = 1e9;
 constexpr int sides = 96;  // of a polygon that stands for a circle
 const Vec2 reach(1.25, 1.35);
+
+/// What is taken out of the disk to make the crescent. All three sets are made of the unit circle around the origin.
+struct Bite {
+  Vec2 center{0.65, 0};
+  double radius = 0.55;
+};
 
 std::vector<Vec2> arc(const Vec2& center, double radius, double from, double to) {
   std::vector<Vec2> points;
@@ -108,8 +114,12 @@ std::string tried(const Part& part) {
 }
 
 std::vector<Diagram> figure_1_diagrams() {
-  const std::array<Part, 3> parts = {Part{solid_disk(), draw_disk}, Part{circle(), draw_circle},
-                                     Part{crescent(), draw_crescent}};
+  const std::array<Part, 3> parts{
+      {{{"solid disk", [](const Vec2& p) { return p.norm() - 1; }}, draw_disk},
+       {{"circle", [](const Vec2& p) { return std::abs(p.norm() - 1); }}, draw_circle},
+       {{"solid crescent",
+         [](const Vec2& p) { return std::max(p.norm() - 1, Bite{}.radius - (p - Bite{}.center).norm()); }},
+        draw_crescent}}};
   Diagram diagram;
   diagram.caption = "A set is convex if the line between any two of its points stays inside.";
   for (const Part& part : parts) diagram.facts.push_back(tried(part));
@@ -129,13 +139,9 @@ std::vector<Diagram> figure_1_diagrams() {
 
 }  // namespace
 
-Walkthrough figure_1() {
-  return {.name = "figure-1",
-          .title = "Figure 1: convex and not convex",
-          .source = "ARL-TR-7474, Section 2.2",
-          .summary = "a solid disk, a circle and a crescent, each with the chord that decides",
-          .layout = Layout::diagrams,
-          .diagrams = figure_1_diagrams};
+std::vector<Walkthrough> figure_1() {
+  return {diagrams_of("figure-1", "Figure 1: convex and not convex", "Section 2.2",
+                      "a solid disk, a circle and a crescent, each with the chord that decides", figure_1_diagrams)};
 }
 
 }  // namespace walkthroughs::catalogue

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <functional>
 
-#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
@@ -20,9 +20,10 @@ constexpr double any_scale = 1e9;
 
 enum class Band { none, stretched, let_go, snapped };
 
-/// The pins, and what is computed from them.
+/// The pins, of which about half lie inside, and what is computed from them.
 struct Pinboard {
-  std::vector<Vec2> pins = figure_2_pins();
+  std::vector<Vec2> pins = {{-8.5, 0.5}, {-6, 2.25},  {-5, -0.75}, {-4, -2}, {-1.75, 1}, {-0.75, -1}, {0, 2.75},
+                            {1.5, 0.25}, {2.5, -2.5}, {4, 1.5},    {5, -1},  {7, 2},     {8.5, -1.25}};
   std::vector<Vec2> hull = convex_hull(pins);
   std::vector<Vec2> stretched = offset_outward(hull, stretch);
   std::vector<Vec2> halfway = offset_outward(hull, stretch* still_out);
@@ -80,8 +81,8 @@ void name_parts(Panel& panel, const Pinboard& board, Band band, const Style& sty
   panel.label(board.hull.front(), {-1, 0}, "corner", style.small_label());
 }
 
-int draw_board(render::Canvas& canvas, const render::Box& box, const Style& style, const Pinboard& board, Band band) {
-  const auto [low, high] = Bounds(board.stretched);
+int draw_board(const Pinboard& board, Band band, render::Canvas& canvas, const render::Box& box, const Style& style) {
+  const auto [low, high] = render::Box::around(board.stretched);
   const render::Box room = draw_panel_title(canvas, box, "the plane, with a pin at each point", style);
   Panel panel(canvas, room, render::View::fit(low, high, room.grown(-margin), any_scale));
   draw_band(panel, board, band, style);
@@ -90,41 +91,37 @@ int draw_board(render::Canvas& canvas, const render::Box& box, const Style& styl
   return panel.place_labels(style.smallest_label());
 }
 
-Diagram frame(const Pinboard& board, Band band, std::string caption, std::vector<std::string> facts,
-              std::string description) {
-  return {std::move(caption), std::move(facts), std::move(description),
-          [board, band](render::Canvas& canvas, const render::Box& box, const Style& style) {
-            return draw_board(canvas, box, style, board, band);
-          }};
-}
-
 std::vector<Diagram> figure_2_diagrams() {
   const Pinboard board;
   const std::string count = std::to_string(board.pins.size()), corners = std::to_string(board.hull.size());
   const std::string inside = std::to_string(board.pins.size() - board.hull.size());
-  return {
-      frame(board, Band::none, "Put a pin at each point of a finite set.", {count + " points"},
-            count + " pins, scattered over the plane."),
-      frame(board, Band::stretched, "Stretch a rubber band around all of them.", {"no pin touches the band"},
-            "The same pins, and a rubber band around all of them that touches none."),
-      frame(board, Band::let_go, "Let the band go: it collapses toward the pins.", {"dotted: where the band was"},
-            "The band is smaller and rounder at its corners; dots show where it was, arrows point inward."),
-      frame(board, Band::snapped, "The band snaps around the outermost pins: the convex hull of the points.",
-            {corners + " of the " + count + " pins are corners of the hull, " + inside + " lie inside and hold nothing",
-             "the corners were computed by Andrew's monotone chain"},
-            "The band is a convex polygon. The " + corners + " pins at its corners are filled; the other " + inside +
-                ", all inside, are hollow.")};
+  return {Diagram{"Put a pin at each point of a finite set.",
+                  {count + " points"},
+                  count + " pins, scattered over the plane.",
+                  std::bind_front(draw_board, board, Band::none)},
+          Diagram{"Stretch a rubber band around all of them.",
+                  {"no pin touches the band"},
+                  "The same pins, and a rubber band around all of them that touches none.",
+                  std::bind_front(draw_board, board, Band::stretched)},
+          Diagram{"Let the band go: it collapses toward the pins.",
+                  {"dotted: where the band was"},
+                  "The band is smaller and rounder at its corners; dots show where it was, arrows point inward.",
+                  std::bind_front(draw_board, board, Band::let_go)},
+          Diagram{"The band snaps around the outermost pins: the convex hull of the points.",
+                  {corners + " of the " + count + " pins are corners of the hull, " + inside +
+                       " lie inside and hold nothing",
+                   "the corners were computed by Andrew's monotone chain"},
+                  "The band is a convex polygon. The " + corners + " pins at its corners are filled; the other " +
+                      inside + ", all inside, are hollow.",
+                  std::bind_front(draw_board, board, Band::snapped)}};
 }
 
 }  // namespace
 
-Walkthrough figure_2() {
-  return {.name = "figure-2",
-          .title = "Figure 2: a rubber band finds the convex hull",
-          .source = "ARL-TR-7474, Section 2.2",
-          .summary = "pins in the plane, a band stretched around them, let go, snapped to the hull",
-          .layout = Layout::diagrams,
-          .diagrams = figure_2_diagrams};
+std::vector<Walkthrough> figure_2() {
+  return {diagrams_of("figure-2", "Figure 2: a rubber band finds the convex hull", "Section 2.2",
+                      "pins in the plane, a band stretched around them, let go, snapped to the hull",
+                      figure_2_diagrams)};
 }
 
 }  // namespace walkthroughs::catalogue

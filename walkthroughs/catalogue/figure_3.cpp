@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <functional>
 
-#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/lens.hpp"
@@ -25,9 +25,12 @@ const Point plus_x(1, 0, 0);
 
 Vec2 plane(const Point& p) { return p.head<2>(); }
 
-/// Everything that the three frames show.
+using PointSet = gjk::PointSet<double>;
+
+/// Everything that the three frames show. Section 2.4 puts the points of C farthest along +x on the line x = -1 and those of D
+/// farthest along -x on x = 1; "multiple points could be selected" of both.
 struct Example {
-  PointSet C = figure_3_C(), D = figure_3_D();
+  PointSet C{{{-1, 1, 0}, {-1, -1, 0}, {-3, -0.5, 0}}}, D{{{1, -1, 0}, {1, 1, 0}, {2.5, 0.5, 0}}};
   gjk::Vertex<double> farthest = gjk::MinkowskiDifference<double, PointSet, PointSet>(C, D).vertex(plus_x);
   std::vector<Vec2> outline = outline_by_support(gjk::MinkowskiDifference<double, PointSet, PointSet>(C, D), questions);
 };
@@ -107,8 +110,8 @@ int draw_difference(render::Canvas& canvas, const render::Box& frame, const Styl
   return panel.place_labels(style.smallest_label());
 }
 
-int draw_example(render::Canvas& canvas, const render::Box& box, const Style& style, const Example& example,
-                 Step step) {
+int draw_example(const Example& example, Step step, render::Canvas& canvas, const render::Box& box,
+                 const Style& style) {
   const std::vector<render::Box> frames = side_by_side(box, 2);
   // One scale for both, so that a length in one panel is the same length in the other.
   const auto scale_of = [&](const Vec2& low, const Vec2& high) {
@@ -119,50 +122,41 @@ int draw_example(render::Canvas& canvas, const render::Box& box, const Style& st
          draw_difference(canvas, frames[1], style, example, step, scale);
 }
 
-Diagram frame(const Example& example, Step step, std::string caption, std::vector<std::string> facts,
-              std::string description) {
-  return {std::move(caption), std::move(facts), std::move(description),
-          [example, step](render::Canvas& canvas, const render::Box& box, const Style& style) {
-            return draw_example(canvas, box, style, example, step);
-          }};
-}
-
-std::string in_plane(const Point& p) { return "(" + number(p.x()) + ", " + number(p.y()) + ")"; }
-
 std::vector<Diagram> figure_3_diagrams() {
   const Example example;
   const Point c = example.farthest.a.point, d = example.farthest.b.point, w = example.farthest.w;
   const std::string any = "; any point of that side would do";
   const std::string choices = "the report also names (0, −1) and (0, 1), against its own x = −1 and x = 1";
   return {
-      frame(example, Step::sets, "Of two triangles C and D, the support point of Mdiff(C, D) along +x is looked for.",
-            {"Mdiff(C, D): the differences X − Y of all points X of C and Y of D (Eq. 4)"},
-            "Left, triangle C on one side of the origin O and triangle D on the other, each with an upright side "
-            "facing the origin. Right, an empty plane with the origin, for their difference."),
-      frame(example, Step::supports,
-            "The point w = support(C, +x) − support(D, −x) needs no other point of Mdiff (Eq. 8).",
-            {"support(C, +x) = " + in_plane(c) + ", on the line x = " + number(c.x()) + any,
-             "support(D, −x) = " + in_plane(d) + ", on the line x = " + number(d.x()) + any, choices},
-            "The upright side of C lies on the dashed line x = -1, that of D on x = 1. One end of each is filled: the "
-            "point that the support function returned. The other end, as far, is hollow. Right, a single point w."),
-      frame(example, Step::difference, "No point of Mdiff(C, D) lies farther along +x than w.",
-            {"w = support(C, +x) − support(D, −x) = " + in_plane(c) + " − " + in_plane(d) + " = " + in_plane(w),
-             "x = " + number(w.x()) + ", whichever points of the two sides are taken",
-             "outline: " + std::to_string(questions) + " directions asked, " + std::to_string(example.outline.size()) +
-                 " corners found; O is not inside"},
-            "Left as before. Right the Minkowski Difference, a polygon left of the origin. Its upright right side lies "
-            "on the dashed line x = -2. The end w of it that was found is filled, the other end is hollow.")};
+      Diagram{"Of two triangles C and D, the support point of Mdiff(C, D) along +x is looked for.",
+              {"Mdiff(C, D): the differences X − Y of all points X of C and Y of D (Eq. 4)"},
+              "Left, triangle C on one side of the origin O and triangle D on the other, each with an upright side "
+              "facing the origin. Right, an empty plane with the origin, for their difference.",
+              std::bind_front(draw_example, example, Step::sets)},
+      Diagram{
+          "The point w = support(C, +x) − support(D, −x) needs no other point of Mdiff (Eq. 8).",
+          {"support(C, +x) = " + vector(c) + ", on the line x = " + number(c.x()) + any,
+           "support(D, −x) = " + vector(d) + ", on the line x = " + number(d.x()) + any, choices},
+          "The upright side of C lies on the dashed line x = -1, that of D on x = 1. One end of each is filled: the "
+          "point that the support function returned. The other end, as far, is hollow. Right, a single point w.",
+          std::bind_front(draw_example, example, Step::supports)},
+      Diagram{
+          "No point of Mdiff(C, D) lies farther along +x than w.",
+          {"w = support(C, +x) − support(D, −x) = " + vector(c) + " − " + vector(d) + " = " + vector(w),
+           "x = " + number(w.x()) + ", whichever points of the two sides are taken",
+           "outline: " + std::to_string(questions) + " directions asked, " + std::to_string(example.outline.size()) +
+               " corners found; O is not inside"},
+          "Left as before. Right the Minkowski Difference, a polygon left of the origin. Its upright right side lies "
+          "on the dashed line x = -2. The end w of it that was found is filled, the other end is hollow.",
+          std::bind_front(draw_example, example, Step::difference)}};
 }
 
 }  // namespace
 
-Walkthrough figure_3() {
-  return {.name = "figure-3",
-          .title = "Figure 3: two triangles and their Minkowski Difference",
-          .source = "ARL-TR-7474, Sections 2.3 and 2.4",
-          .summary = "the support point of the difference, from the support points of two triangles",
-          .layout = Layout::diagrams,
-          .diagrams = figure_3_diagrams};
+std::vector<Walkthrough> figure_3() {
+  return {diagrams_of("figure-3", "Figure 3: two triangles and their Minkowski Difference", "Sections 2.3 and 2.4",
+                      "the support point of the difference, from the support points of two triangles",
+                      figure_3_diagrams)};
 }
 
 }  // namespace walkthroughs::catalogue

@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 
-#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/lens.hpp"
@@ -33,15 +32,10 @@ enum class Show { tetrahedron, slice };
 /// The features that Algorithm 5 does not test because of the history.
 constexpr std::array ruled_out_features = {"A", "B", "C", "D", "BC", "CD", "BD"};
 
-/// An outward normal as Algorithm 5 has computed it (Eq. 14).
-struct Normal {
-  std::string feature, formula;
-  Point direction;
-};
-
 struct Sketch {
   Simplex simplex = figure_8_simplex();
-  render::Camera camera = figure_8_camera();
+  render::Camera camera{
+      -77, 13};  // in front of the face ACD and a little to the right, so that normals at its sides are seen
   Window window = figure_8_slice();
   RegionGrid grid = ask_everywhere(simplex, window.with_margin(), cell);
   std::vector<RegionGrid::Block> blocks = grid.blocks();
@@ -55,12 +49,12 @@ struct Sketch {
     return made;
   }
   Point middle() const { return (simplex[0].w + simplex[1].w + simplex[2].w + simplex[3].w) / 4; }
-  /// Returns: in the order of the first three faces. From the middle no face sees the origin, so all have been tested.
-  std::vector<Normal> normals() const {
-    std::vector<Normal> found;
-    for (const auto& test : ask(simplex, middle()).regions)
-      if (test.normal) found.push_back({to_string(test.feature), to_string(test.formula), test.normal->normalized()});
-    return found;
+  /// Returns: the tests of the first three faces, in their order, with the outward normals as Algorithm 5 has computed them
+  /// (Eq. 14). From the middle no face sees the origin, so all have been tested.
+  std::vector<gjk::RegionTested<double>> face_tests() const {
+    std::vector<gjk::RegionTested<double>> tests = ask(simplex, middle()).regions;
+    std::erase_if(tests, [](const auto& test) { return !test.normal; });
+    return tests;
   }
   std::vector<Vec2> project(const std::vector<Point>& points) const { return Lens{camera}(points); }
   /// Returns: the regions beyond the features that are ruled out.
@@ -115,15 +109,16 @@ enum class Names { shown, left_out };
 
 /// The normals of the faces that show their back or their front, as arrows from the middles of the faces.
 void draw_normals(Panel& panel, Side side, Names names, const Sketch& sketch, const Style& style) {
-  const std::vector<Normal> normals = sketch.normals();
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    if (sketch.camera.sees(normals[i].direction) != (side == Side::front)) continue;
+  const std::vector<gjk::RegionTested<double>> tests = sketch.face_tests();
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    const Point direction = tests[i].normal->normalized();
+    if (sketch.camera.sees(direction) != (side == Side::front)) continue;
     const Point middle = sketch.faces[i].middle();
-    const Vec2 from = sketch.camera(middle), to = sketch.camera(middle + normals[i].direction * normal_length);
+    const Vec2 from = sketch.camera(middle), to = sketch.camera(middle + direction * normal_length);
     panel.disc(from, 4 * style.theme.line, style.theme.blue);
     panel.arrow(from, to, style.normal);
     if (names == Names::left_out) continue;
-    panel.label(to, side == Side::back ? Vec2(to - from) : Vec2(1, 1), normals[i].feature + "_n",
+    panel.label(to, side == Side::back ? Vec2(to - from) : Vec2(1, 1), to_string(tests[i].feature) + "_n",
                 style.label(style.theme.blue, render::Weight::bold), 8);
   }
 }
@@ -240,23 +235,17 @@ std::string share_of_nearest(const Sketch& sketch) {
     regions[feature] = region_beyond(sketch.simplex, feature);
   const std::vector<std::vector<HalfSpace>> ruled = sketch.ruled_out();
   std::size_t all = 0, nearest = 0;
-  for (int row = 0; row < sketch.grid.rows(); ++row) {
-    for (int column = 0; column < sketch.grid.columns(); ++column) {
-      const Point origin = sketch.grid.middle(column, row);
-      if (std::ranges::any_of(ruled, [&](const auto& region) { return lies_in(origin, region); })) continue;
-      const std::string& answer = sketch.grid.at(column, row);
-      ++all;
-      nearest += answer == "inside" || lies_in(origin, regions.at(answer.substr(0, answer.find(' '))));
-    }
+  for (const auto& [origin, answer] : sketch.grid.cells()) {
+    if (std::ranges::any_of(ruled, [&](const auto& region) { return lies_in(origin, region); })) continue;
+    ++all;
+    nearest += answer == "inside" || lies_in(origin, regions.at(answer.substr(0, answer.find(' '))));
   }
   return (nearest == all ? "all " : with_commas(nearest) + " of ") + with_commas(all);
 }
 
 std::string normals_in_words(const Sketch& sketch) {
-  std::string text;
-  for (const Normal& normal : sketch.normals())
-    text += (text.empty() ? "" : ", ") + normal.feature + "_n = " + normal.formula;
-  return text + " point outward (Eq. 14)";
+  const auto say = [](const auto& test) { return to_string(test.feature) + "_n = " + to_string(test.formula); };
+  return joined(sketch.face_tests(), ", ", say) + " point outward (Eq. 14)";
 }
 
 std::vector<Diagram> figure_8_diagrams() {
@@ -281,13 +270,10 @@ std::vector<Diagram> figure_8_diagrams() {
 
 }  // namespace
 
-Walkthrough figure_8() {
-  return {.name = "figure-8",
-          .title = "Figure 8: a 3-simplex",
-          .source = "ARL-TR-7474, Section 3.2.4",
-          .summary = "a tetrahedron with the normals of its faces, and what Algorithm 5 answers in a slice of it",
-          .layout = Layout::diagrams,
-          .diagrams = figure_8_diagrams};
+std::vector<Walkthrough> figure_8() {
+  return {diagrams_of("figure-8", "Figure 8: a 3-simplex", "Section 3.2.4",
+                      "a tetrahedron with the normals of its faces, and what Algorithm 5 answers in a slice of it",
+                      figure_8_diagrams)};
 }
 
 }  // namespace walkthroughs::catalogue

@@ -1,68 +1,64 @@
 /// The objects of the report's figures. It prints neither their coordinates nor their measures.
 #pragma once
 
-#include <algorithm>
+#include <functional>
+#include <optional>
 
-#include "render/camera.hpp"
-#include "walkthroughs/catalogue/chord.hpp"
+#include "render/geometry.hpp"
+#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/region_grid.hpp"
-#include "walkthroughs/model/scene.hpp"
 
 namespace walkthroughs::catalogue {
 
-// The sets of Figure 1, all made of the unit circle around the origin.
+// Is a planar set convex? Section 2.2 asks of every two of its points whether the chord between them stays inside; here the
+// question is asked of finitely many.
 
-/// What is taken out of the disk to make the crescent.
-struct Bite {
-  render::Vec2 center{0.65, 0};
-  double radius = 0.55;
+/// A closed set of the plane.
+struct PlanarSet {
+  std::string name;
+  /// How far outside a point lies: at most 0 in the set, and the smaller the deeper in it.
+  std::function<double(const render::Vec2&)> excess;
+
+  bool contains(const render::Vec2& p) const;
 };
 
-inline PlanarSet solid_disk() {
-  return {"solid disk", [](const render::Vec2& p) { return p.norm() - 1; }};
-}
+struct Chord {
+  render::Vec2 from = render::Vec2::Zero(), to = render::Vec2::Zero();
+  std::vector<render::Interval> outside = {};  ///< the parts that are not in the set, in order
 
-inline PlanarSet circle() {
-  return {"circle", [](const render::Vec2& p) { return std::abs(p.norm() - 1); }};
-}
+  render::Vec2 at(double fraction) const { return from + (to - from) * fraction; }
+  double length() const { return (to - from).norm(); }
+};
 
-inline PlanarSet crescent() {
-  return {"solid crescent",
-          [](const render::Vec2& p) { return std::max(p.norm() - 1, Bite{}.radius - (p - Bite{}.center).norm()); }};
-}
+struct ChordSearch {
+  std::size_t tried = 0, leaving = 0;  ///< chords; those of them with a part outside the set
+  Chord chord;                         ///< the one that decides
+  /// In the middle of the longest part outside; empty where no chord leaves the set.
+  std::optional<render::Vec2> witness;
+};
 
-inline ChordSearch decide_convexity(const PlanarSet& set) { return deciding_chord(set, points_of_rings(1, 6, 48), 1); }
+/// Tries the chords between every two of those `candidates` that lie in the set.
+///
+/// Returns: the chord with the longest part outside; of those within 1 % of it the longest chord. Where none leaves the
+/// set, the one whose middle lies least deep in it, of the chords at least `long_enough`. Of equals the first.
+ChordSearch deciding_chord(const PlanarSet& set, const std::vector<render::Vec2>& candidates, double long_enough);
 
-/// The pins of Figure 2, of which about half lie inside.
-inline std::vector<render::Vec2> figure_2_pins() {
-  return {{-8.5, 0.5}, {-6, 2.25},  {-5, -0.75}, {-4, -2}, {-1.75, 1}, {-0.75, -1}, {0, 2.75},
-          {1.5, 0.25}, {2.5, -2.5}, {4, 1.5},    {5, -1},  {7, 2},     {8.5, -1.25}};
-}
-
-using PointSet = gjk::PointSet<double>;
-
-// The triangles of Figure 3. Section 2.4 puts the points of C farthest along +x on the line x = -1 and those of D farthest
-// along -x on x = 1; "multiple points could be selected" of both.
-
-inline PointSet figure_3_C() { return PointSet({{-1, 1, 0}, {-1, -1, 0}, {-3, -0.5, 0}}); }
-
-inline PointSet figure_3_D() { return PointSet({{1, -1, 0}, {1, 1, 0}, {2.5, 0.5, 0}}); }
+/// The same, of points all over the unit disk, and chords at least as long as its radius.
+ChordSearch decide_convexity(const PlanarSet& set);
 
 // The objects behind Figure 4, chosen so that the search makes every move that Section 3.1.2 tells. A triangle and a
 // quadrilateral with no parallel sides have a heptagon for a difference.
 
 /// Two objects that intersect.
 inline Scene figure_4_left_scene() {
-  return {.name = "left",
-          .a = {"triangle", points({{-1.25, 1.25, 0}, {0.5, 2.25, 0}, {2.25, 1.75, 0}})},
-          .b = {"quadrilateral", points({{-1.5, -1.5, 0}, {-1.25, 2.25, 0}, {1, 0, 0}, {1.25, -1.75, 0}})}};
+  return scene_of("triangle", {{-1.25, 1.25}, {0.5, 2.25}, {2.25, 1.75}}, "quadrilateral",
+                  {{-1.5, -1.5}, {-1.25, 2.25}, {1, 0}, {1.25, -1.75}}, "left");
 }
 
 /// Two objects that do not.
 inline Scene figure_4_right_scene() {
-  return {.name = "right",
-          .a = {"triangle", points({{-1, 2.5, 0}, {2.25, 0.5, 0}, {2.5, 2, 0}})},
-          .b = {"quadrilateral", points({{0.25, -1, 0}, {0.5, -2, 0}, {-1.75, -2.5, 0}, {-0.75, 0, 0}})}};
+  return scene_of("triangle", {{-1, 2.5}, {2.25, 0.5}, {2.5, 2}}, "quadrilateral",
+                  {{0.25, -1}, {0.5, -2}, {-1.75, -2.5}, {-0.75, 0}}, "right");
 }
 
 // The simplices of Figures 6-8 have the letters where the report has them.
@@ -79,8 +75,6 @@ inline Window figure_7_window() { return {.low = {-7.36, -2.3}, .high = {7.36, 2
 inline Simplex figure_8_simplex() {
   return simplex_of({{1.5, -0.85, 0}, {-1.6, -0.85, 0}, {0.1, 1.6, 0}, {0.05, 0.4, 2.4}});
 }
-/// In front of the face ACD and a little to the right of it, so that the normals at its sides are seen.
-inline render::Camera figure_8_camera() { return {-77, 13}; }
 /// A third of the way from BCD to A.
 inline Window figure_8_slice() { return {.low = {-4.5, -2.5}, .high = {4.5, 3.145}, .height = 0.8}; }
 

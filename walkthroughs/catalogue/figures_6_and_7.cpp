@@ -1,11 +1,10 @@
 // The regions around a segment and around a triangle, and what Algorithms 3 and 4 answer in them.
 
-#include <array>
 #include <functional>
 
-#include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/picture/region_picture.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs::catalogue {
@@ -21,21 +20,52 @@ constexpr double any_scale = 1e9;
 
 enum class Show { regions, answers };
 
+using Areas = std::vector<std::vector<Vec2>>;
+
 /// What both figures are made of.
 struct Sketch {
   Simplex simplex;
   Window window;
+  std::string_view ruled_out;  ///< of the report's regions, before any is asked: their numbers
   std::vector<RegionGrid::Block> blocks = ask_everywhere(simplex, window.with_margin(), cell).blocks();
 
   Vec2 at(Role role) const { return simplex.point(role).head<2>(); }
-  /// Returns: the part of the panel beyond a feature.
-  std::vector<Vec2> beyond(const Panel& panel, const char* feature) const {
-    return common_part(panel.corners(), region_beyond(simplex, feature), window.height);
+  /// Returns: of R1, R2, … what a panel shows.
+  Areas areas(const Panel& panel) const {
+    if (simplex.size() == 2) return regions_of_segment(at(Role::A), at(Role::B), panel.corners());
+    Areas all;
+    for (const char* feature : {"ABC", "A", "AB", "B", "BC", "C", "AC"})
+      all.push_back(common_part(panel.corners(), region_beyond(simplex, feature), window.height));
+    return all;
+  }
+  bool is_ruled_out(std::size_t area) const {
+    return ruled_out.find(static_cast<char>('1' + area)) != std::string_view::npos;
   }
   render::View view(const render::Box& room) const {
     return render::View::fit(window.low, window.high, room, any_scale);
   }
 };
+
+void draw_answers(Panel& panel, const Sketch& sketch, const Areas& areas, const Style& style) {
+  const auto fill = [&](const std::string& answer) {
+    return answer == "R1" ? style.chosen_fill : answer == "R3" ? style.object_a_fill : style.object_b_fill;
+  };
+  draw_blocks(panel, sketch.blocks, fill, style.theme.paper);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    if (sketch.is_ruled_out(i)) draw_ruled_out(panel, areas[i], style);
+}
+
+void name_areas(Panel& panel, const Sketch& sketch, const Areas& areas, Show show, const Style& style) {
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const std::string skipped = show == Show::answers && sketch.is_ruled_out(i) ? ": skipped" : "";
+    panel.name_area(areas[i], "R" + std::to_string(i + 1) + skipped, style.label(style.theme.ink));
+  }
+}
+
+void draw_vertex(Panel& panel, const Sketch& sketch, Role role, const Vec2& toward, const Style& style) {
+  draw_point(panel, sketch.at(role), style.theme.green, style);
+  panel.label(sketch.at(role), toward, {gjk::letter(role)}, style.label(style.theme.ink, render::Weight::bold));
+}
 
 /// `any`: what is told of any origin.
 std::vector<std::string> facts_of_answers(const Answer& any) {
@@ -49,44 +79,26 @@ std::vector<std::string> facts_of_answers(const Answer& any) {
 
 // -- Figure 6 ---------------------------------------------------------------------------------------------------------
 
-/// Returns: the part of the panel beyond AB at the left (+1) or right (-1) of the way from B to A.
-std::vector<Vec2> side_of_segment(const Sketch& sketch, const Panel& panel, double side) {
-  const Point A = sketch.simplex.point(Role::A), BA = A - sketch.simplex.point(Role::B);
-  return common_part(sketch.beyond(panel, "AB"), {{A, side * Point(-BA.y(), BA.x(), 0)}}, sketch.window.height);
-}
-
-void draw_answers_of_segment(Panel& panel, const Sketch& sketch, const Style& style) {
-  draw_blocks(
-      panel, sketch.blocks,
-      [&](const std::string& answer) { return answer == "R3" ? style.object_a_fill : style.object_b_fill; },
-      style.theme.paper);
-  for (const char* end : {"B", "A"}) draw_ruled_out(panel, sketch.beyond(panel, end), style);
-  const Vec2 A = sketch.at(Role::A), far = (A - sketch.at(Role::B)).normalized() * beyond_the_page;
-  panel.line(A - far, A + far, style.thin);
-}
-
 int draw_segment(const Sketch& sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {
   const render::Box room = draw_panel_title(canvas, box, "the 1-simplex AB and the regions around it", style);
   Panel panel(canvas, room, sketch.view(room));
-  if (show == Show::answers) draw_answers_of_segment(panel, sketch, style);
-  const render::Stroke border{style.theme.grey, 2 * style.theme.line};
-  panel.outline(panel.corners(), border);
-  for (const char* end : {"B", "A"}) panel.outline(sketch.beyond(panel, end), border);
-  panel.line(sketch.at(Role::B), sketch.at(Role::A), {style.theme.ink, 4 * style.theme.line});
-  for (const auto& [role, toward] : {std::pair(Role::A, Vec2(1, 1)), {Role::B, Vec2(-1, -1)}}) {
-    draw_point(panel, sketch.at(role), style.theme.green, style);
-    panel.label(sketch.at(role), toward, {gjk::letter(role)}, style.label(style.theme.ink, render::Weight::bold));
+  const Areas areas = sketch.areas(panel);
+  const Vec2 A = sketch.at(Role::A), B = sketch.at(Role::B), far = (A - B).normalized() * beyond_the_page;
+  if (show == Show::answers) {
+    draw_answers(panel, sketch, areas, style);
+    panel.line(A - far, A + far, style.thin);
   }
-  const std::string skipped = show == Show::answers ? ": skipped" : "";
-  panel.name_area(sketch.beyond(panel, "B"), "R1" + skipped, style.label(style.theme.ink));
-  panel.name_area(sketch.beyond(panel, "A"), "R2" + skipped, style.label(style.theme.ink));
-  panel.name_area(side_of_segment(sketch, panel, 1), "R3", style.label(style.theme.ink));
-  panel.name_area(side_of_segment(sketch, panel, -1), "R4", style.label(style.theme.ink));
+  const render::Stroke border{style.theme.grey, 2 * style.theme.line};
+  for (const std::vector<Vec2>& outlined : {panel.corners(), areas[0], areas[1]}) panel.outline(outlined, border);
+  panel.line(B, A, {style.theme.ink, 4 * style.theme.line});
+  draw_vertex(panel, sketch, Role::A, {1, 1}, style);
+  draw_vertex(panel, sketch, Role::B, {-1, -1}, style);
+  name_areas(panel, sketch, areas, show, style);
   return panel.place_labels(style.smallest_label());
 }
 
 std::vector<Diagram> figure_6_diagrams() {
-  const Sketch sketch{figure_6_simplex(), figure_6_window()};
+  const Sketch sketch{figure_6_simplex(), figure_6_window(), "12"};
   const std::string where =
       "The segment from B, lower left, to A, upper right, and the lines at right angles to it through both ends. R1 "
       "lies beyond B, R2 beyond A, R3 above the segment and R4 below it. ";
@@ -101,15 +113,6 @@ std::vector<Diagram> figure_6_diagrams() {
 }
 
 // -- Figure 7 ---------------------------------------------------------------------------------------------------------
-
-/// The report's regions; those that it rules out beforehand are marked.
-struct Region {
-  const char *label, *feature;
-  bool ruled_out;
-};
-constexpr std::array regions_of_triangle = {
-    Region{"R1", "ABC", false}, Region{"R2", "A", true}, Region{"R3", "AB", false}, Region{"R4", "B", true},
-    Region{"R5", "BC", true},   Region{"R6", "C", true}, Region{"R7", "AC", false}};
 
 struct TriangleSketch : Sketch {
   Answer inside = ask(simplex, (simplex[0].w + simplex[1].w + simplex[2].w) / 3);  // all of its tests are told
@@ -129,28 +132,6 @@ struct TriangleSketch : Sketch {
   }
 };
 
-void draw_answers_of_triangle(Panel& panel, const TriangleSketch& sketch, const Style& style) {
-  draw_blocks(
-      panel, sketch.blocks,
-      [&](const std::string& answer) {
-        return answer == "R1" ? style.chosen_fill : answer == "R3" ? style.object_a_fill : style.object_b_fill;
-      },
-      style.theme.paper);
-  for (const Region& region : regions_of_triangle)
-    if (region.ruled_out) draw_ruled_out(panel, sketch.beyond(panel, region.feature), style);
-  for (const auto& [from, to] : sketch.dividing_lines()) panel.line(from, to, style.thin);
-}
-
-void draw_corners(Panel& panel, const TriangleSketch& sketch, const Style& style) {
-  const Vec2 corners[] = {sketch.at(Role::A), sketch.at(Role::B), sketch.at(Role::C)};
-  panel.outline(corners, {style.theme.ink, 4 * style.theme.line});
-  for (const Role role : {Role::A, Role::B, Role::C}) {
-    draw_point(panel, sketch.at(role), style.theme.green, style);
-    panel.label(sketch.at(role), sketch.at(role) - sketch.middle(), {gjk::letter(role)},
-                style.label(style.theme.ink, render::Weight::bold));
-  }
-}
-
 /// The outward normals of AB and AC as Algorithm 4 has computed them.
 void draw_normals(Panel& panel, const TriangleSketch& sketch, const Style& style) {
   for (const gjk::RegionTested<double>& test : sketch.inside.regions) {
@@ -167,20 +148,23 @@ int draw_triangle(const TriangleSketch& sketch, Show show, render::Canvas& canva
                   const Style& style) {
   const render::Box room = draw_panel_title(canvas, box, "the 2-simplex ABC and the regions around it", style);
   Panel panel(canvas, room, sketch.view(room));
-  if (show == Show::answers) draw_answers_of_triangle(panel, sketch, style);
-  for (const Region& region : regions_of_triangle) {
-    const std::vector<Vec2> area = sketch.beyond(panel, region.feature);
-    if (region.feature != std::string("ABC")) panel.outline(area, {style.theme.grey, 1.5 * style.theme.line});
-    const std::string skipped = show == Show::answers && region.ruled_out ? ": skipped" : "";
-    panel.name_area(area, region.label + skipped, style.label(style.theme.ink));
+  const Areas areas = sketch.areas(panel);
+  if (show == Show::answers) {
+    draw_answers(panel, sketch, areas, style);
+    for (const auto& [from, to] : sketch.dividing_lines()) panel.line(from, to, style.thin);
   }
-  draw_corners(panel, sketch, style);
+  for (std::size_t i = 1; i < areas.size(); ++i) panel.outline(areas[i], {style.theme.grey, 1.5 * style.theme.line});
+  name_areas(panel, sketch, areas, show, style);
+  const Vec2 corners[] = {sketch.at(Role::A), sketch.at(Role::B), sketch.at(Role::C)};
+  panel.outline(corners, {style.theme.ink, 4 * style.theme.line});
+  for (const Role role : {Role::A, Role::B, Role::C})
+    draw_vertex(panel, sketch, role, sketch.at(role) - sketch.middle(), style);
   draw_normals(panel, sketch, style);
   return panel.place_labels(style.smallest_label());
 }
 
 std::vector<Diagram> figure_7_diagrams() {
-  const TriangleSketch sketch{{figure_7_simplex(), figure_7_window()}};
+  const TriangleSketch sketch{{figure_7_simplex(), figure_7_window(), "2456"}};
   const std::string where =
       "A triangle, A on top, B lower left, C lower right, and the lines at right angles to its sides through their "
       "ends. R1 is the inside, R2 lies beyond A, R3 beyond AB, R4 beyond B, R5 beyond BC, R6 beyond C and R7 beyond "
@@ -199,18 +183,10 @@ std::vector<Diagram> figure_7_diagrams() {
 }  // namespace
 
 std::vector<Walkthrough> figures_6_and_7() {
-  return {{.name = "figure-6",
-           .title = "Figure 6: the regions around a 1-simplex",
-           .source = "ARL-TR-7474, Section 3.2.2",
-           .summary = "the four regions around a segment, and what Algorithm 3 answers in them",
-           .layout = Layout::diagrams,
-           .diagrams = figure_6_diagrams},
-          {.name = "figure-7",
-           .title = "Figure 7: the regions around a 2-simplex",
-           .source = "ARL-TR-7474, Section 3.2.3",
-           .summary = "the seven regions around a triangle, and what Algorithm 4 answers in them",
-           .layout = Layout::diagrams,
-           .diagrams = figure_7_diagrams}};
+  return {diagrams_of("figure-6", "Figure 6: the regions around a 1-simplex", "Section 3.2.2",
+                      "the four regions around a segment, and what Algorithm 3 answers in them", figure_6_diagrams),
+          diagrams_of("figure-7", "Figure 7: the regions around a 2-simplex", "Section 3.2.3",
+                      "the seven regions around a triangle, and what Algorithm 4 answers in them", figure_7_diagrams)};
 }
 
 }  // namespace walkthroughs::catalogue

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "core/event_words.hpp"
 #include "core/gjk.hpp"
@@ -131,25 +132,15 @@ std::vector<HalfSpace> tested_half_spaces(const Answer& answer, const Simplex& s
 
 // -- The grid ---------------------------------------------------------------------------------------------------------
 
-std::vector<Vec2> Window::corners() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
-
-Window Window::with_margin() const {
-  constexpr double share = 0.1;  // of its size, on each side
-  const Vec2 margin = (high - low) * share;
-  return {low - margin, high + margin, height};
-}
-
 RegionGrid::RegionGrid(const Window& window, int columns, int rows, const std::function<std::string(const Point&)>& ask)
     : window_(window), columns_(columns), rows_(rows) {
-  texts_.reserve(static_cast<std::size_t>(columns * rows));
+  const Vec2 size = window.high - window.low;
   for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) texts_.push_back(ask(middle(column, row)));
-}
-
-Point RegionGrid::middle(int column, int row) const {
-  const Vec2 size = window_.high - window_.low;
-  return {window_.low.x() + size.x() * (column + 0.5) / columns_, window_.low.y() + size.y() * (row + 0.5) / rows_,
-          window_.height};
+    for (int column = 0; column < columns; ++column) {
+      const Point middle(window.low.x() + size.x() * (column + 0.5) / columns,
+                         window.low.y() + size.y() * (row + 0.5) / rows, window.height);
+      cells_.push_back({middle, ask(middle)});
+    }
 }
 
 Vec2 RegionGrid::corner(int column, int row) const {
@@ -157,12 +148,13 @@ Vec2 RegionGrid::corner(int column, int row) const {
   return {window_.low.x() + size.x() * column / columns_, window_.low.y() + size.y() * row / rows_};
 }
 
-const std::string& RegionGrid::at(int column, int row) const {
-  return texts_[static_cast<std::size_t>(row * columns_ + column)];
+const std::string& RegionGrid::text(int column, int row) const {
+  return cells_[static_cast<std::size_t>(row * columns_ + column)].text;
 }
 
 bool RegionGrid::are_alike(int row, int other) const {
-  return std::equal(&at(0, row), &at(0, row) + columns_, &at(0, other));
+  return std::ranges::all_of(std::views::iota(0, columns_),
+                             [&](int column) { return text(column, row) == text(column, other); });
 }
 
 std::vector<RegionGrid::Block> RegionGrid::blocks() const {
@@ -170,8 +162,8 @@ std::vector<RegionGrid::Block> RegionGrid::blocks() const {
   for (int row = 0, above = 0; row < rows_; row = above) {
     for (above = row + 1; above < rows_ && are_alike(row, above);) ++above;
     for (int column = 0, next = 0; column < columns_; column = next) {
-      for (next = column + 1; next < columns_ && at(next, row) == at(column, row);) ++next;
-      blocks.push_back({corner(column, row), corner(next, above), at(column, row)});
+      for (next = column + 1; next < columns_ && text(next, row) == text(column, row);) ++next;
+      blocks.push_back({corner(column, row), corner(next, above), text(column, row)});
     }
   }
   return blocks;
@@ -186,13 +178,9 @@ RegionGrid ask_everywhere(const Simplex& simplex, const Window& window, double c
 
 std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGrid& grid) {
   std::vector<AnsweredArea> areas;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const std::string& name = grid.at(column, row);
-      if (std::ranges::find(areas, name, &AnsweredArea::name) != areas.end()) continue;
-      areas.push_back({name, tested_half_spaces(ask(simplex, grid.middle(column, row)), simplex)});
-    }
-  }
+  for (const auto& [middle, name] : grid.cells())
+    if (std::ranges::count(areas, name, &AnsweredArea::name) == 0)
+      areas.push_back({name, tested_half_spaces(ask(simplex, middle), simplex)});
   return areas;
 }
 

@@ -65,9 +65,12 @@ struct Window {
   render::Vec2 low, high;
   double height = 0;
 
-  std::vector<render::Vec2> corners() const;
+  std::vector<render::Vec2> corners() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
   /// Returns: a larger one with the same middle, for pictures that are wider or higher than this one.
-  Window with_margin() const;
+  Window with_margin() const {
+    const render::Vec2 margin = (high - low) * 0.1;  // on each side
+    return {low - margin, high + margin, height};
+  }
 };
 
 /// A text for each cell of a window: what holds at its middle.
@@ -76,10 +79,12 @@ class RegionGrid {
   /// Requires: columns, rows >= 1.
   RegionGrid(const Window& window, int columns, int rows, const std::function<std::string(const Point&)>& ask);
 
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
-  Point middle(int column, int row) const;
-  const std::string& at(int column, int row) const;
+  struct Cell {
+    Point middle;
+    std::string text;
+  };
+  /// Returns: row by row from below.
+  const std::vector<Cell>& cells() const { return cells_; }
 
   /// Cells with the same text, merged.
   struct Block {
@@ -92,11 +97,12 @@ class RegionGrid {
  private:
   /// Returns: where a cell begins; of the cell behind the last where that ends.
   render::Vec2 corner(int column, int row) const;
+  const std::string& text(int column, int row) const;
   bool are_alike(int row, int other) const;
 
   Window window_;
   int columns_, rows_;
-  std::vector<std::string> texts_;  // of the cells, row by row from below
+  std::vector<Cell> cells_;
 };
 
 /// Returns: the grid of the algorithm's answers. `cell`: about how wide a cell is, in scene units.

@@ -1,7 +1,5 @@
 // The walkthroughs regions/…: each shows one case of Section 3.2, reached by a real search on two real objects.
 
-#include <utility>
-
 #include "walkthroughs/catalogue/catalogue.hpp"
 
 namespace walkthroughs::catalogue {
@@ -19,25 +17,6 @@ struct RegionRow {
   std::vector<Remark> remarks;  ///< in the letters of the simplex that is being processed
 };
 
-/// Two polygons, their corners in any order.
-Scene in_the_plane(std::string a, const std::vector<std::pair<double, double>>& corners_of_a, std::string b,
-                   const std::vector<std::pair<double, double>>& corners_of_b) {
-  const auto flat = [](const std::vector<std::pair<double, double>>& corners) {
-    std::vector<Point> vertices;
-    for (const auto& [x, y] : corners) vertices.emplace_back(x, y, 0);
-    return points(std::move(vertices));
-  };
-  return {.name = "search", .a = {std::move(a), flat(corners_of_a)}, .b = {std::move(b), flat(corners_of_b)}};
-}
-
-/// Two polyhedra, their corners in any order; or triangles that stand askew in space.
-Scene in_space(std::string a, std::vector<Point> corners_of_a, std::string b, std::vector<Point> corners_of_b) {
-  return {.name = "search",
-          .a = {std::move(a), points(std::move(corners_of_a))},
-          .b = {std::move(b), points(std::move(corners_of_b))},
-          .dimension = Dimension::space};
-}
-
 // -- A vertex ---------------------------------------------------------------------------------------------------------
 
 std::vector<RegionRow> at_vertex() {
@@ -46,8 +25,7 @@ std::vector<RegionRow> at_vertex() {
        .title = "the origin lies elsewhere",
        .summary = "a point has no regions: the search goes from A back toward the origin",
        .text = "A is not the origin: the origin lies elsewhere",
-       .scene =
-           in_the_plane("quadrilateral", {{1, 1}, {0, 3}, {-2, 1}, {-1, 0}}, "triangle", {{0, -1}, {1, -4}, {3, -3}}),
+       .scene = scene_of("quadrilateral", {{1, 1}, {0, 3}, {-2, 1}, {-1, 0}}, "triangle", {{0, -1}, {1, -4}, {3, -3}}),
        .remarks = {{At::region_tested, 1, "a point has no sides to test, so the only way to go is back along AO", "A"},
                    {At::direction_chosen, 1,
                     "only this search starts from a point, all later ones start from an edge or a face"}}},
@@ -55,7 +33,7 @@ std::vector<RegionRow> at_vertex() {
        .title = "A is the origin",
        .summary = "the first point found is the origin: the objects touch at one point",
        .text = "A is the origin",
-       .scene = in_the_plane("square", {{-2, 0}, {-1, -2}, {1, -1}, {0, 1}}, "triangle", {{1, -1}, {3, 0}, {2, 2}}),
+       .scene = scene_of("square", {{-2, 0}, {-1, -2}, {1, -1}, {0, 1}}, "triangle", {{1, -1}, {3, 0}, {2, 2}}),
        .remarks = {{At::region_tested, 1, "a direction AO = 0 could not be searched, so this is tested first", "A"},
                    {At::end, 1, "they touch at one point, (1, −1), and touching counts as intersecting"}}}};
 }
@@ -66,31 +44,30 @@ std::vector<RegionRow> at_vertex() {
 // A and R4 the right side, so that R3 of the segment AB is on the same side as R3 of the triangle ABC in Figure 7.
 
 std::vector<RegionRow> beside_segment() {
-  return {{.name = "r3",
-           .title = "the origin lies in R3",
-           .summary = "the origin lies to the left of the move from B to A",
-           .text = "R3: the origin lies to the left of the move from B to A",
-           .scene = in_the_plane("triangle a", {{-2, 3}, {-3, 1}, {0, 0}}, "triangle b", {{-1, -2}, {2, -2}, {0, 1}}),
-           .remarks = {{At::region_tested, 2, "it lies to the left of the move from B to A, in R3", "R3 or R4"},
-                       {At::direction_chosen, 2, "(AB×AO)×AB is perpendicular to AB and points to the origin's side"}}},
-          {.name = "r4",
-           .title = "the origin lies in R4",
-           .summary = "the origin lies to the right of the move from B to A: the same expression as for R3",
-           .text = "R4: the origin lies to the right of the move from B to A",
-           .scene = in_the_plane("quadrilateral", {{0, -3}, {1, -1}, {-2, 0}, {-2, -2}}, "triangle",
-                                 {{1, 0}, {3, 1}, {0, 3}}),
-           .remarks = {{At::region_tested, 2, "it lies to the right of the move from B to A, in R4", "R3 or R4"},
-                       {At::direction_chosen, 2, "(AB×AO)×AB serves R3 and R4 alike, while AO might lead back to B"}}}};
+  return {
+      {.name = "r3",
+       .title = "the origin lies in R3",
+       .summary = "the origin lies to the left of the move from B to A",
+       .text = "R3: the origin lies to the left of the move from B to A",
+       .scene = scene_of("triangle a", {{-2, 3}, {-3, 1}, {0, 0}}, "triangle b", {{-1, -2}, {2, -2}, {0, 1}}),
+       .remarks = {{At::region_tested, 2, "it lies to the left of the move from B to A, in R3", "R3 or R4"},
+                   {At::direction_chosen, 2, "(AB×AO)×AB is perpendicular to AB and points to the origin's side"}}},
+      {.name = "r4",
+       .title = "the origin lies in R4",
+       .summary = "the origin lies to the right of the move from B to A: the same expression as for R3",
+       .text = "R4: the origin lies to the right of the move from B to A",
+       .scene = scene_of("quadrilateral", {{0, -3}, {1, -1}, {-2, 0}, {-2, -2}}, "triangle", {{1, 0}, {3, 1}, {0, 3}}),
+       .remarks = {{At::region_tested, 2, "it lies to the right of the move from B to A, in R4", "R3 or R4"},
+                   {At::direction_chosen, 2, "(AB×AO)×AB serves R3 and R4 alike, while AO might lead back to B"}}}};
 }
 
-std::vector<RegionRow> boundaries_of_segment() {
+std::vector<RegionRow> on_segment() {
   return {
       {.name = "on-segment",
        .title = "the origin lies on AB",
        .summary = "AB and AO are parallel, (AB×AO)×AB is zero: the objects intersect",
        .text = "the origin lies on the segment AB",
-       .scene =
-           in_the_plane("parallelogram", {{-2, -1}, {-1, -3}, {0, 0}, {-1, 2}}, "triangle", {{0, 1}, {1, 3}, {-2, 2}}),
+       .scene = scene_of("parallelogram", {{-2, -1}, {-1, -3}, {0, 0}, {-1, 2}}, "triangle", {{0, 1}, {1, 3}, {-2, 2}}),
        .remarks = {{At::region_tested, 2, "AB and AO are parallel, so AB×AO = 0 and no direction is left to search",
                     "AB"},
                    {At::end, 2, "a search along the zero vector would have no meaning, hence the test for zero"}}},
@@ -98,21 +75,19 @@ std::vector<RegionRow> boundaries_of_segment() {
        .title = "A is the origin",
        .summary = "AO is zero, and with it (AB×AO)×AB: the objects touch at one point",
        .text = "A is the origin",
-       .scene =
-           in_the_plane("parallelogram", {{-1, -2}, {0, -1}, {-1, 1}, {-2, 0}}, "triangle", {{-1, 1}, {2, 3}, {0, 4}}),
+       .scene = scene_of("parallelogram", {{-1, -2}, {0, -1}, {-1, 1}, {-2, 0}}, "triangle", {{-1, 1}, {2, 3}, {0, 4}}),
        .remarks = {
            {At::region_tested, 2, "A is the origin: AO = 0, and the test for the segment covers this case too", "AB"},
            {At::end, 2, "they touch at one point, (−1, 1), and touching counts as intersecting"}}}};
 }
 
-std::vector<RegionRow> impossible_of_segment() {
+std::vector<RegionRow> skipped_around_segment() {
   return {
       {.name = "r1-cannot-happen",
        .title = "the origin cannot lie in R1",
        .summary = "R1 lies beyond B, and the search has just left B toward the origin",
        .text = "R1: beyond B; skipped, because the search left B toward the origin",
-       .scene =
-           in_the_plane("quadrilateral", {{-1, -3}, {1, -1}, {0, 2}, {-3, -1}}, "triangle", {{1, 3}, {0, 1}, {3, 2}}),
+       .scene = scene_of("quadrilateral", {{-1, -3}, {1, -1}, {0, 2}, {-3, -1}}, "triangle", {{1, 3}, {0, 1}, {3, 2}}),
        .remarks = {{At::direction_chosen, 1, "the search turns its back on what will be R1, beyond B"},
                    {At::region_tested, 2,
                     "this test would not notice R1, but the move from B to A went along BO, away from R1",
@@ -121,22 +96,20 @@ std::vector<RegionRow> impossible_of_segment() {
        .title = "the origin cannot lie in R2",
        .summary = "R2 lies beyond A: where the origin lies there, the crossing test has ended the search",
        .text = "R2: beyond A; skipped, because the move to A crossed the origin",
-       .scene =
-           in_the_plane("triangle", {{1, 2}, {-1, 2}, {0, -1}}, "rhombus", {{-3, -2}, {-1, -3}, {-2, -1}, {-4, 0}}),
+       .scene = scene_of("triangle", {{1, 2}, {-1, 2}, {0, -1}}, "rhombus", {{-3, -2}, {-1, -3}, {-2, -1}, {-4, 0}}),
        .remarks = {{At::end, 2,
                     "were P added as A, the origin would lie in R2: the crossing test has ended the search before"}}}};
 }
 
 // -- A triangle ----------------------------------------------------------------------------------------------------------
 
-std::vector<RegionRow> beyond_edge() {
+std::vector<RegionRow> beyond_edges_of_triangle() {
   return {
       {.name = "r3",
        .title = "the origin lies in R3",
        .summary = "the origin lies beyond AB: C is dropped",
        .text = "R3: the origin lies beyond AB",
-       .scene =
-           in_the_plane("quadrilateral", {{1, 2}, {-1, 3}, {-1, 1}, {2, 0}}, "triangle", {{0, -1}, {-1, 2}, {-2, -1}}),
+       .scene = scene_of("quadrilateral", {{1, 2}, {-1, 3}, {-1, 1}, {2, 0}}, "triangle", {{0, -1}, {-1, 2}, {-2, -1}}),
        .remarks =
            {{At::region_tested, 3, "ABn lies in the plane of the triangle and points out of it across AB", "R3"},
             {At::reduced, 3, "C lies on the far side of AB"},
@@ -146,19 +119,18 @@ std::vector<RegionRow> beyond_edge() {
        .title = "the origin lies in R7",
        .summary = "the origin lies beyond AC: B is dropped",
        .text = "R7: the origin lies beyond AC",
-       .scene =
-           in_the_plane("triangle", {{2, 0}, {1, 3}, {-2, 1}}, "parallelogram", {{0, -1}, {2, -4}, {3, -2}, {1, 1}}),
+       .scene = scene_of("triangle", {{2, 0}, {1, 3}, {-2, 1}}, "parallelogram", {{0, -1}, {2, -4}, {3, -2}, {1, 1}}),
        .remarks = {{At::region_tested, 3, "ACn = ABCn×AC: in the other order it would point into the triangle", "R7"},
                    {At::reduced, 3, "[C, A] is listed oldest first, so A stays the newest"}}}};
 }
 
-std::vector<RegionRow> above_below_within() {
+std::vector<RegionRow> within_triangle() {
   return {
       {.name = "r1-above",
        .title = "the origin lies in R1, above the triangle",
        .summary = "the origin lies above ABC: nothing is dropped, the search goes along ABCn",
        .text = "R1: the origin lies above the triangle",
-       .scene = in_space("pyramid", {{4, 3, 0}, {1, 4, 0}, {0, 1, 0}, {3, 0, 0}, {2, 2, 4}}, "triangle",
+       .scene = scene_of("pyramid", {{4, 3, 0}, {1, 4, 0}, {0, 1, 0}, {3, 0, 0}, {2, 2, 4}}, "triangle",
                          {{3, 1, 4}, {2, 1, 1}, {3, -2, 2}}),
        .remarks = {{At::region_tested, 3, "above is the side to which ABCn = AB×AC points", "R1"},
                    {At::direction_chosen, 3,
@@ -167,7 +139,7 @@ std::vector<RegionRow> above_below_within() {
        .title = "the origin lies in R1, below the triangle",
        .summary = "the origin lies below ABC: A and B change places, the search goes along −ABCn",
        .text = "R1: the origin lies below the triangle",
-       .scene = in_space("tetrahedron a", {{2, 1, -3}, {3, 1, 0}, {1, 3, 1}, {1, 0, -1}}, "tetrahedron b",
+       .scene = scene_of("tetrahedron a", {{2, 1, -3}, {3, 1, 0}, {1, 3, 1}, {1, 0, -1}}, "tetrahedron b",
                          {{2, 2, -2}, {2, 0, 1}, {4, -2, -2}, {0, 0, -1}}),
        .remarks =
            {{At::region_tested, 3, "below is the side to which −ABCn points", "R1"},
@@ -178,46 +150,42 @@ std::vector<RegionRow> above_below_within() {
        .title = "the origin lies in R1, in the triangle",
        .summary = "the origin lies in the triangle itself: the objects intersect",
        .text = "R1: the origin lies in the triangle",
-       .scene = in_the_plane("kite a", {{0, -1}, {-1, 0}, {-2, -1}, {-1, -3}}, "kite b",
-                             {{-1, 2}, {-2, 0}, {-1, -1}, {0, 0}}),
-       .remarks = {{At::region_tested, 3, "neither R3 nor R7, which leaves R1: not above, not below", "R1"}}}};
+       .scene =
+           scene_of("kite a", {{0, -1}, {-1, 0}, {-2, -1}, {-1, -3}}, "kite b", {{-1, 2}, {-2, 0}, {-1, -1}, {0, 0}}),
+       .remarks = {{At::region_tested, 3, "neither R3 nor R7, which leaves R1: not above, not below", "R1"}}},
+      {.name = "on-edge",
+       .title = "the origin lies on an edge",
+       .summary = "the origin lies on AB: the edge tests say no, ABCn·AO is zero, the objects intersect",
+       .text = "the origin lies on the edge AB",
+       .scene = scene_of("rectangle", {{-2, -1}, {0, 1}, {-1, 2}, {-3, 0}}, "parallelogram",
+                         {{-1, 2}, {-2, 4}, {-3, 3}, {-2, 1}}),
+       .remarks = {{At::region_tested, 3, "the origin lies on AB, and on the edge is not beyond it", "R3"},
+                   {At::region_tested, 3, "an edge belongs to R1, so this case needs no test of its own", "R1"}}},
+      {.name = "on-vertex",
+       .title = "the origin is a vertex",
+       .summary = "A is the origin: every product with AO is zero, the objects touch at one point",
+       .text = "A is the origin",
+       .scene = scene_of("triangle", {{-2, 2}, {-3, -1}, {-1, 0}}, "parallelogram", {{1, 3}, {-1, 3}, {-2, 2}, {0, 2}}),
+       .remarks = {
+           {At::region_tested, 3, "AO = 0 makes all three products zero, which leads to R1 and to the answer", "R1"},
+           {At::end, 3, "they touch at one point, (−2, 2), and touching counts as intersecting"}}}};
 }
 
-std::vector<RegionRow> boundaries_of_triangle() {
-  return {{.name = "on-edge",
-           .title = "the origin lies on an edge",
-           .summary = "the origin lies on AB: the edge tests say no, ABCn·AO is zero, the objects intersect",
-           .text = "the origin lies on the edge AB",
-           .scene = in_the_plane("rectangle", {{-2, -1}, {0, 1}, {-1, 2}, {-3, 0}}, "parallelogram",
-                                 {{-1, 2}, {-2, 4}, {-3, 3}, {-2, 1}}),
-           .remarks = {{At::region_tested, 3, "the origin lies on AB, and on the edge is not beyond it", "R3"},
-                       {At::region_tested, 3, "an edge belongs to R1, so this case needs no test of its own", "R1"}}},
-          {.name = "on-vertex",
-           .title = "the origin is a vertex",
-           .summary = "A is the origin: every product with AO is zero, the objects touch at one point",
-           .text = "A is the origin",
-           .scene = in_the_plane("triangle", {{-2, 2}, {-3, -1}, {-1, 0}}, "parallelogram",
-                                 {{1, 3}, {-1, 3}, {-2, 2}, {0, 2}}),
-           .remarks = {{At::region_tested, 3,
-                        "AO = 0 makes all three products zero, which leads to R1 and to the answer", "R1"},
-                       {At::end, 3, "they touch at one point, (−2, 2), and touching counts as intersecting"}}}};
-}
-
-std::vector<RegionRow> impossible_of_triangle() {
+std::vector<RegionRow> skipped_around_triangle() {
   return {
       {.name = "r2-cannot-happen",
        .title = "the origin cannot lie in R2",
        .summary = "R2 lies beyond A: where the origin lies there, the crossing test has ended the search",
        .text = "R2: beyond A; skipped, because the move to A crossed the origin",
-       .scene = in_the_plane("triangle a", {{-2, -1}, {-2, -3}, {1, -3}}, "triangle b", {{-2, 0}, {2, 2}, {-1, 4}}),
+       .scene = scene_of("triangle a", {{-2, -1}, {-2, -3}, {1, -3}}, "triangle b", {{-2, 0}, {2, 2}, {-1, 4}}),
        .remarks = {{At::end, 3,
                     "were P added as A, the origin would lie in R2: the crossing test has ended the search before"}}},
       {.name = "r4-cannot-happen",
        .title = "the origin cannot lie in R4",
        .summary = "R4 lies beyond B, next to R3: only the move that left BC tells them apart",
        .text = "R4: beyond B; skipped, because the search had ruled it out when it kept BC",
-       .scene = in_the_plane("quadrilateral", {{-1, -2}, {1, 0}, {-1, 2}, {-2, -1}}, "triangle",
-                             {{-1, -3}, {-4, -1}, {-3, -5}}),
+       .scene =
+           scene_of("quadrilateral", {{-1, -2}, {1, 0}, {-1, 2}, {-2, -1}}, "triangle", {{-1, -3}, {-4, -1}, {-3, -5}}),
        .remarks = {{At::direction_chosen, 2, "it leaves behind what will be R4, R5 and R6"},
                    {At::region_tested, 3, "ABn·AO > 0 holds in R4 too, but the search left BC on the other side",
                     "R3"}}},
@@ -226,7 +194,7 @@ std::vector<RegionRow> impossible_of_triangle() {
        .summary = "R5 lies beyond BC, which the search has just left on the other side",
        .text = "R5: beyond BC; skipped, because the search left BC toward the origin",
        .scene =
-           in_the_plane("triangle", {{-1, 2}, {-3, -2}, {0, -2}}, "quadrilateral", {{-3, 0}, {-1, -1}, {2, 3}, {0, 3}}),
+           scene_of("triangle", {{-1, 2}, {-3, -2}, {0, -2}}, "quadrilateral", {{-3, 0}, {-1, -1}, {2, 3}, {0, 3}}),
        .remarks = {{At::direction_chosen, 2, "it leaves behind what will be R4, R5 and R6"},
                    {At::region_tested, 3,
                     "the same three results would come from R5, but the search left BC on the other side", "R1"}}},
@@ -234,8 +202,8 @@ std::vector<RegionRow> impossible_of_triangle() {
        .title = "the origin cannot lie in R6",
        .summary = "R6 lies beyond C, next to R7: only the move that left BC tells them apart",
        .text = "R6: beyond C; skipped, because the search had ruled it out when it kept BC",
-       .scene = in_the_plane("quadrilateral", {{1, -3}, {2, -1}, {-3, 1}, {-3, -2}}, "triangle",
-                             {{4, -3}, {3, -1}, {1, -4}}),
+       .scene =
+           scene_of("quadrilateral", {{1, -3}, {2, -1}, {-3, 1}, {-3, -2}}, "triangle", {{4, -3}, {3, -1}, {1, -4}}),
        .remarks = {
            {At::direction_chosen, 2, "it leaves behind what will be R4, R5 and R6"},
            {At::region_tested, 3, "ACn·AO > 0 holds in R6 too, but the search left BC on the other side", "R7"}}}};
@@ -245,12 +213,12 @@ std::vector<RegionRow> impossible_of_triangle() {
 
 // ABC, ACD and ADB stand for faces, and "the ACn of ABC" for the normal of the edge AC in the plane of the face ABC.
 
-std::vector<RegionRow> face_abc() {
+std::vector<RegionRow> above_ABC() {
   return {{.name = "face-abc",
            .title = "the origin lies above ABC",
            .summary = "the first face sees the origin and is kept: D is dropped",
            .text = "the origin lies above the face ABC",
-           .scene = in_space("tetrahedron", {{-1, 0, -1}, {3, 4, -1}, {2, -2, -2}, {1, 0, 3}}, "triangle",
+           .scene = scene_of("tetrahedron", {{-1, 0, -1}, {3, 4, -1}, {2, -2, -2}, {1, 0, 3}}, "triangle",
                              {{-2, -3, -1}, {2, -1, -2}, {1, -2, 2}}),
            .remarks = {{At::region_tested, 4,
                         "the first face that sees the origin is taken, and no other face is looked at", "ABC"},
@@ -259,7 +227,7 @@ std::vector<RegionRow> face_abc() {
            .title = "the origin lies above ABC, beyond AC",
            .summary = "of the face ABC only the edge AC is kept: B and D are dropped",
            .text = "the origin lies above the face ABC and beyond its edge AC",
-           .scene = in_space("tetrahedron", {{2, 3, 2}, {-2, -3, 0}, {-1, -3, 4}, {-2, 3, 1}}, "triangle",
+           .scene = scene_of("tetrahedron", {{2, 3, 2}, {-2, -3, 0}, {-1, -3, 4}, {-2, 3, 1}}, "triangle",
                              {{-1, 0, -1}, {-3, 3, 0}, {1, 2, -3}}),
            .remarks = {{At::region_tested, 4, "ACn = ABCn×AC lies in the plane of ABC and points out of it across AC",
                         "ABC AC"},
@@ -268,19 +236,19 @@ std::vector<RegionRow> face_abc() {
            .title = "the origin lies above ABC, beyond AB",
            .summary = "of the face ABC only the edge AB is kept: C and D are dropped",
            .text = "the origin lies above the face ABC and beyond its edge AB",
-           .scene = in_space("triangle a", {{-2, 2, -1}, {-1, 1, -5}, {2, 2, 0}}, "triangle b",
+           .scene = scene_of("triangle a", {{-2, 2, -1}, {-1, 1, -5}, {2, 2, 0}}, "triangle b",
                              {{-1, 0, -3}, {-3, 1, 1}, {1, -2, 4}}),
            .remarks = {{At::region_tested, 4, "ABn = AB×ABCn lies in the plane of ABC and points out of it across AB",
                         "ABC AB"},
                        {At::direction_chosen, 4, "the same as in R3 of a triangle"}}}};
 }
 
-std::vector<RegionRow> face_acd() {
+std::vector<RegionRow> above_ACD() {
   return {{.name = "face-acd",
            .title = "the origin lies above ACD",
            .summary = "ABC does not see the origin, ACD does and is kept: B is dropped",
            .text = "the origin lies above the face ACD",
-           .scene = in_space("triangle a", {{0, 3, -2}, {3, -2, -1}, {-1, -1, -2}}, "triangle b",
+           .scene = scene_of("triangle a", {{0, 3, -2}, {3, -2, -1}, {-1, -1, -2}}, "triangle b",
                              {{2, 2, 0}, {0, -1, -1}, {2, 0, 3}}),
            .remarks = {{At::region_tested, 4, "ACDn = AC×AD: in the other order it would point into the tetrahedron",
                         "ACD"},
@@ -289,7 +257,7 @@ std::vector<RegionRow> face_acd() {
            .title = "the origin lies above ACD, beyond AD",
            .summary = "of the face ACD only the edge AD is kept: B and C are dropped",
            .text = "the origin lies above the face ACD and beyond its edge AD",
-           .scene = in_space("tetrahedron a", {{-2, -5, 4}, {2, 1, 0}, {-5, 0, -2}, {-1, 0, -3}}, "tetrahedron b",
+           .scene = scene_of("tetrahedron a", {{-2, -5, 4}, {2, 1, 0}, {-5, 0, -2}, {-1, 0, -3}}, "tetrahedron b",
                              {{3, -3, 4}, {4, 3, 5}, {-1, 1, 2}, {1, 4, 1}}),
            .remarks = {{At::region_tested, 4, "ADn = ACDn×AD lies in the plane of ACD and points out of it across AD",
                         "ACD AD"}}},
@@ -297,18 +265,18 @@ std::vector<RegionRow> face_acd() {
            .title = "the origin lies above ACD, beyond AC",
            .summary = "of the face ACD only the edge AC is kept: B and D are dropped",
            .text = "the origin lies above the face ACD and beyond its edge AC",
-           .scene = in_space("triangle a", {{2, 4, -4}, {0, -1, -1}, {3, -1, -3}}, "triangle b",
+           .scene = scene_of("triangle a", {{2, 4, -4}, {0, -1, -1}, {3, -1, -3}}, "triangle b",
                              {{1, 2, 3}, {2, 2, -2}, {4, 0, 4}}),
            .remarks = {{At::region_tested, 4, "this ACn = AC×ACDn belongs to ACD: the ACn of ABC is another vector",
                         "ACD AC"}}}};
 }
 
-std::vector<RegionRow> face_adb() {
+std::vector<RegionRow> above_ADB() {
   return {{.name = "face-adb",
            .title = "the origin lies above ADB",
            .summary = "only the last face sees the origin and is kept: C is dropped, B becomes the oldest",
            .text = "the origin lies above the face ADB",
-           .scene = in_space("triangle", {{0, 0, -4}, {3, 0, 1}, {0, -4, 0}}, "tetrahedron",
+           .scene = scene_of("triangle", {{0, 0, -4}, {3, 0, 1}, {0, -4, 0}}, "tetrahedron",
                              {{0, 2, -3}, {1, -1, 2}, {-1, 3, 3}, {-2, -3, -1}}),
            .remarks = {{At::region_tested, 4, "ADBn = AD×AB: in the other order it would point into the tetrahedron",
                         "ADB"},
@@ -317,7 +285,7 @@ std::vector<RegionRow> face_adb() {
            .title = "the origin lies above ADB, beyond AB",
            .summary = "of the face ADB only the edge AB is kept: C and D are dropped",
            .text = "the origin lies above the face ADB and beyond its edge AB",
-           .scene = in_space("triangle a", {{3, 3, 3}, {4, 3, -3}, {0, 3, -4}}, "triangle b",
+           .scene = scene_of("triangle a", {{3, 3, 3}, {4, 3, -3}, {0, 3, -4}}, "triangle b",
                              {{1, 2, 5}, {4, 4, 5}, {3, 1, 2}}),
            .remarks = {{At::region_tested, 4, "this ABn = ADBn×AB belongs to ADB: the ABn of ABC is another vector",
                         "ADB AB"}}},
@@ -325,7 +293,7 @@ std::vector<RegionRow> face_adb() {
            .title = "the origin lies above ADB, beyond AD",
            .summary = "of the face ADB only the edge AD is kept: B and C are dropped",
            .text = "the origin lies above the face ADB and beyond its edge AD",
-           .scene = in_space("triangle a", {{-4, 3, -2}, {-5, -3, -3}, {0, 1, 3}}, "triangle b",
+           .scene = scene_of("triangle a", {{-4, 3, -2}, {-5, -3, -3}, {0, 1, 3}}, "triangle b",
                              {{-4, 1, 3}, {-2, 0, 4}, {2, 2, 4}}),
            .remarks = {{At::region_tested, 4, "this ADn = AD×ADBn belongs to ADB: the ADn of ACD is another vector",
                         "ADB AD"}}}};
@@ -336,14 +304,14 @@ std::vector<RegionRow> within_tetrahedron() {
            .title = "the origin lies inside",
            .summary = "none of the three faces that meet A sees the origin: the objects intersect",
            .text = "the origin lies in the tetrahedron",
-           .scene = in_space("triangle a", {{0, 0, 2}, {2, -1, -2}, {-1, -2, -1}}, "triangle b",
+           .scene = scene_of("triangle a", {{0, 0, 2}, {2, -1, -2}, {-1, -2, -1}}, "triangle b",
                              {{1, -2, 0}, {0, 1, -3}, {3, 1, -1}}),
            .remarks = {{At::region_tested, 4, "ABC, ACD and ADB do not see it, and BCD has been left behind", "ABCD"}}},
           {.name = "on-face",
            .title = "the origin lies on a face",
            .summary = "the normal of the face ACD gives zero, which is not above: the objects intersect",
            .text = "the origin lies on the face ACD",
-           .scene = in_space("octahedron", {{2, 1, 0}, {-2, -1, 0}, {-1, 2, 0}, {1, -2, 0}, {0, 0, 2}, {0, 0, -2}},
+           .scene = scene_of("octahedron", {{2, 1, 0}, {-2, -1, 0}, {-1, 2, 0}, {1, -2, 0}, {0, 0, 2}, {0, 0, -2}},
                              "pyramid", {{0, 1, 0}, {-1, 3, 2}, {0, 1, 4}, {1, -1, 2}, {4, 3, 2}}),
            .remarks = {{At::region_tested, 4, "the origin lies in the plane of ACD, not above it", "ACD"},
                        {At::region_tested, 4,
@@ -352,7 +320,7 @@ std::vector<RegionRow> within_tetrahedron() {
            .title = "the origin lies in the plane of a face, but not on the face",
            .summary = "the normal of ABC gives zero, but another face sees the origin",
            .text = "the origin lies in the plane of ABC, outside the triangle",
-           .scene = in_space("triangle a", {{-4, 1, 3}, {0, 0, -3}, {3, 3, 2}}, "triangle b",
+           .scene = scene_of("triangle a", {{-4, 1, 3}, {0, 0, -3}, {3, 3, 2}}, "triangle b",
                              {{0, 0, 1}, {5, -2, 3}, {2, -1, -3}}),
            .remarks = {{At::region_tested, 4, "the origin lies in the plane of ABC, but outside the triangle", "ABC"},
                        {At::region_tested, 4, "another face sees the origin, so the zero for ABC did not mean contact",
@@ -361,18 +329,18 @@ std::vector<RegionRow> within_tetrahedron() {
            .title = "A is the origin",
            .summary = "every product with AO is zero: no face sees the origin, the objects touch at one point",
            .text = "A is the origin",
-           .scene = in_space("triangle", {{-2, 0, 2}, {-3, 0, -2}, {1, -3, 1}}, "tetrahedron",
+           .scene = scene_of("triangle", {{-2, 0, 2}, {-3, 0, -2}, {1, -3, 1}}, "tetrahedron",
                              {{-1, 3, 2}, {-2, 0, 2}, {1, 2, 0}, {-1, 2, -2}}),
            .remarks = {{At::region_tested, 4, "AO = 0 makes all three products zero, which is not above", "ABCD"},
                        {At::end, 4, "they touch at one point, (−2, 0, 2), and touching counts as intersecting"}}}};
 }
 
-std::vector<RegionRow> impossible_of_tetrahedron() {
+std::vector<RegionRow> skipped_around_tetrahedron() {
   return {{.name = "skipped-features",
            .title = "eight features need no test",
            .summary = "B, C, D, BC, CD, DB and BCD are left behind, A is ruled out by the crossing test",
            .text = "B, C, D, BC, CD, DB, BCD and A; skipped, because the search left BCD and crossed the origin",
-           .scene = in_space("triangle", {{1, 1, 1}, {-1, -3, 2}, {-1, -2, -2}}, "tetrahedron",
+           .scene = scene_of("triangle", {{1, 1, 1}, {-1, -3, 2}, {-1, -2, -2}}, "tetrahedron",
                              {{0, 3, -1}, {0, -2, 0}, {2, 3, 2}, {-2, 2, 2}}),
            .remarks = {
                {At::direction_chosen, 3, "it leaves the whole triangle behind, with its corners and edges"},
@@ -384,32 +352,33 @@ std::vector<RegionRow> impossible_of_tetrahedron() {
 // -- All ------------------------------------------------------------------------------------------------------------
 
 /// Section 3.2.1 is about the 0-simplex, Section 3.2.2 about the 1-simplex, and so on.
-Walkthrough region_walkthrough(int dimension_of_simplex, RegionRow row) {
+Walkthrough region_walkthrough(int dimension_of_simplex, const RegionRow& row) {
   const std::string simplex = std::to_string(dimension_of_simplex) + "-simplex";
   const std::string section = "3.2." + std::to_string(dimension_of_simplex + 1);
-  return {.name = "regions/" + simplex + "-" + row.name,
-          .title = simplex + ": " + row.title,
-          .source = "ARL-TR-7474, Section " + section,
-          .summary = std::move(row.summary),
-          .naming = Naming::roles,
-          .scenes = {std::move(row.scene)},
-          .remarks = std::move(row.remarks),
-          .region_case = RegionCase{.text = std::move(row.text), .section = section}};
+  Walkthrough walkthrough = search_of("regions/" + simplex + "-" + row.name, simplex + ": " + row.title,
+                                      "Section " + section, row.summary, row.scene, row.remarks);
+  walkthrough.region_case = {row.text, section};
+  return walkthrough;
 }
 
 }  // namespace
 
 std::vector<Walkthrough> region_cases() {
-  using Rows = std::vector<RegionRow> (*)();
-  const std::vector<Rows> by_dimension[] = {
-      {at_vertex},
-      {beside_segment, boundaries_of_segment, impossible_of_segment},
-      {beyond_edge, above_below_within, boundaries_of_triangle, impossible_of_triangle},
-      {face_abc, face_acd, face_adb, within_tetrahedron, impossible_of_tetrahedron}};
+  const std::pair<int, std::vector<RegionRow>> tables[] = {{0, at_vertex()},
+                                                           {1, beside_segment()},
+                                                           {1, on_segment()},
+                                                           {1, skipped_around_segment()},
+                                                           {2, beyond_edges_of_triangle()},
+                                                           {2, within_triangle()},
+                                                           {2, skipped_around_triangle()},
+                                                           {3, above_ABC()},
+                                                           {3, above_ACD()},
+                                                           {3, above_ADB()},
+                                                           {3, within_tetrahedron()},
+                                                           {3, skipped_around_tetrahedron()}};
   std::vector<Walkthrough> all;
-  for (int dimension = 0; dimension < 4; ++dimension)
-    for (const Rows rows : by_dimension[dimension])
-      for (RegionRow& row : rows()) all.push_back(region_walkthrough(dimension, std::move(row)));
+  for (const auto& [dimension, rows] : tables)
+    for (const RegionRow& row : rows) all.push_back(region_walkthrough(dimension, row));
   return all;
 }
 

@@ -26,12 +26,8 @@ Object threat(const Point& at) {
 Object counter_munition(const Point& at) { return {"counter-munition", Ball{at, 0.4}}; }
 
 Walkthrough about(const std::string& name, const std::string& title, const std::string& summary, Object a, Object b) {
-  return {.name = "vehicle-and-threat/" + name,
-          .title = title,
-          .source = "ARL-TR-7474, Section 1",
-          .summary = summary,
-          .naming = Naming::roles,
-          .scenes = {{.name = name, .a = std::move(a), .b = std::move(b), .dimension = Dimension::space}}};
+  return search_of("vehicle-and-threat/" + name, title, "Section 1", summary,
+                   {.name = name, .a = std::move(a), .b = std::move(b), .dimension = Dimension::space});
 }
 
 }  // namespace

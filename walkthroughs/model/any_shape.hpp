@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <boost/mp11.hpp>
-#include <cmath>
 #include <concepts>
 #include <memory>
 #include <stdexcept>
@@ -108,12 +107,17 @@ class Asked;
 template <class S>
 class AskedSum {
  public:
-  explicit AskedSum(SumOf<S> sum);
-  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const;
-  const auto& sum() const;
+  explicit AskedSum(SumOf<S> sum)
+      : both_(new Both{{Asked<S>(std::move(sum.summands[0])), Asked<S>(std::move(sum.summands[1]))}}) {}
+
+  /// Eq. 7.
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const { return both_->sum.support(d); }
+  const auto& sum() const { return both_->sum; }
 
  private:
-  struct Both;
+  struct Both {  // not known before Asked is
+    gjk::MinkowskiSum<S, Asked<S>, Asked<S>> sum;
+  };
   std::shared_ptr<const Both> both_;
 };
 
@@ -388,24 +392,5 @@ class Asked {
  private:
   AskedForms<AnyShapeOf<S>> form_;
 };
-
-template <class S>
-struct AskedSum<S>::Both {
-  gjk::MinkowskiSum<S, Asked<S>, Asked<S>> sum;
-};
-
-template <class S>
-AskedSum<S>::AskedSum(SumOf<S> sum)
-    : both_(new Both{{Asked<S>(std::move(sum.summands[0])), Asked<S>(std::move(sum.summands[1]))}}) {}
-
-/// Eq. 7.
-template <class S>
-gjk::SupportPoint<S> AskedSum<S>::support(const gjk::Vec3<S>& d) const {
-  return both_->sum.support(d);
-}
-template <class S>
-const auto& AskedSum<S>::sum() const {
-  return both_->sum;
-}
 
 }  // namespace walkthroughs::model

@@ -71,14 +71,6 @@ struct BoundOf {
   }
 };
 
-double distance_to_line(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 edge = to - from, to_p = p - from;
-  const double length = edge.stableNorm();
-  if (length == 0) return to_p.stableNorm();
-  const double along = std::clamp(edge.dot(to_p / length), 0.0, length);
-  return (to_p - edge * (along / length)).stableNorm();
-}
-
 }  // namespace
 
 FarthestFace farthest_face(const AnyShape& shape, const DirectionFrame& frame, const Tolerance& tolerance) {
@@ -92,7 +84,7 @@ double distance(const Vec2& p, const std::vector<Vec2>& hull) {
   bool is_inside = hull.size() > 2;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 &from = hull[i], &to = hull[(i + 1) % hull.size()], edge = to - from, to_p = p - from;
-    least = std::min(least, distance_to_line(p, from, to));
+    least = std::min(least, render::distance_to_segment(p, from, to));
     is_inside = is_inside && edge.x() * to_p.y() - edge.y() * to_p.x() >= 0;
   }
   return is_inside ? 0 : least;

@@ -1,27 +1,85 @@
-#include "walkthroughs/model/run.hpp"
-
+#include <functional>
 #include <variant>
 
 #include "core/certified/certified.hpp"
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
-#include "walkthroughs/model/widened.hpp"
+#include "walkthroughs/model/event_fields.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/wrong_on_purpose/rules.hpp"
 
 namespace walkthroughs::model {
 namespace {
 
+// -- Events of a search in other numbers, told in doubles --------------------------------------------------------------
+
+/// Widens whatever a field of an event of scalar S may hold.
+template <class S>
+struct Widening {
+  double operator()(const S& x) const { return static_cast<double>(x); }
+  gjk::Vec3<double> operator()(const gjk::Vec3<S>& v) const { return v.template cast<double>(); }
+
+  gjk::Simplex<double> operator()(const gjk::Simplex<S>& simplex) const {
+    gjk::Simplex<double> wide;
+    for (const auto& vertex : simplex) wide.add((*this)(vertex));
+    return wide;
+  }
+
+  using Value = std::variant<std::monostate, double, gjk::Vec3<double>>;
+  Value operator()(const std::variant<std::monostate, S, gjk::Vec3<S>>& value) const {
+    return std::visit([this](const auto& each) { return Value((*this)(each)); }, value);
+  }
+
+  template <class T>
+  auto operator()(const std::optional<T>& value) const {
+    return value ? std::optional((*this)(*value)) : std::nullopt;
+  }
+
+  template <template <class> class R>
+  requires Record<R<S>> R<double>
+  operator()(const R<S>& record) const {
+    R<double> wide{};
+    const auto widen_fields = [&](const auto&... to) {
+      std::apply([&](const auto&... from) { (widen_field(record, from, wide, to), ...); }, FieldsOf<R<S>>::list);
+    };
+    std::apply(widen_fields, FieldsOf<R<double>>::list);
+    return wide;
+  }
+
+  template <class T>
+  T operator()(const T& other) const {  // words, counts, enumerators
+    return other;
+  }
+
+ private:
+  void widen_field(const auto& record, const auto& from, auto& wide, const auto& to) const {
+    if constexpr (requires { to.member; }) wide.*to.member = (*this)(record.*from.member);
+  }
+};
+
+template <template <class> class E, class S>
+E<double> widened(const E<S>& event) {
+  E<double> wide = Widening<S>{}(event);
+  wide.iteration = event.iteration;
+  return wide;
+}
+
+/// What hears of a search and writes all of it in doubles. One type for all searches, so that each is compiled no more often than it
+/// must be.
+struct WidenedInto {
+  gjk::Trace<double>& trace;
+  void operator()(const auto& event) const { trace(widened(event)); }
+};
+
+// -- What a scene says -------------------------------------------------------------------------------------------------
+
 /// The one place where what a scene says becomes template arguments.
 /// Calls run.template operator()<S, Rules>() with the scalar and the rules of a scene.
 template <class Run>
 void with_types_of(const Scene& scene, Run&& run) {
-  const auto in = [&]<class S>(S) {
+  with_scalar(scene.scalar, [&]<class S>() {
     gjk::with_rules(scene.rules, scene.zero_test, [&]<class Rules>() { run.template operator()<S, Rules>(); });
-  };
-  switch (scene.scalar) {
-    case Scalar::binary64: return in(double{});
-    case Scalar::binary32: return in(float{});
-  }
+  });
 }
 
 template <class S>
@@ -50,23 +108,17 @@ std::function<gjk::SupportPoint<double>(const Point&)> asking(const Object& obje
 }
 
 SupportFunctions asking_the_objects_of(const Scene& scene) {
-  switch (scene.scalar) {
-    case Scalar::binary32: return {asking<float>(scene.a), asking<float>(scene.b)};
-    case Scalar::binary64: break;
-  }
-  return {asking<double>(scene.a), asking<double>(scene.b)};
+  return with_scalar(scene.scalar, [&]<class S>() { return SupportFunctions{asking<S>(scene.a), asking<S>(scene.b)}; });
 }
 
 // -- Scenes whose answer is proven ------------------------------------------------------------------------------------
 
 template <class S>
 gjk::PointSet<S> set_of(const Object& object) {
-  std::vector<gjk::Vec3<S>> points;
-  for (const Point& p : std::get<Points>(object.form)) points.push_back(p.cast<S>());
-  return gjk::PointSet<S>(std::move(points));
+  return gjk::PointSet<S>(std::get<PointsOf<S>>(converted<S>(object.form, Cast<S>{})));
 }
 
-/// Requires: of both objects points, where they are asked for; see objection_to_proof().
+/// Requires: of both objects points, where they are asked for.
 /// Returns: every event of certified_collision(), computed in the scene's scalar.
 Trace run_certified(const Scene& scene) {
   Trace trace;

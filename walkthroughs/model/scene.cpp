@@ -4,7 +4,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "walkthroughs/model/first_direction.hpp"
 #include "walkthroughs/model/number_text.hpp"
 
 namespace walkthroughs::model {
@@ -19,25 +18,6 @@ bool moves(const Pose& pose) {
   return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
 }
 
-template <class S>
-AskedObject<S>::AskedObject(const Object& object)
-    : object_(object),
-      form_(converted<S>(object.form, Cast<S>{})),
-      pose_{object.pose.rotation.cast<S>(), object.pose.translation.cast<S>()},
-      is_at_rest_(walkthroughs::model::is_at_rest(object.pose)) {}
-
-template <class S>
-gjk::SupportPoint<S> AskedObject<S>::support(const gjk::Vec3<S>& d) const {
-  ++object_.support_calls;
-  if (is_at_rest_) return form_.support(d);
-  gjk::SupportPoint<S> found = form_.support(pose_.turned_back(d));
-  found.point = pose_(found.point);
-  return found;
-}
-
-template class AskedObject<double>;
-template class AskedObject<float>;
-
 std::vector<Point> vertices_of(const Object& object) {
   std::vector<Point> vertices;
   if (const auto* set = std::get_if<Points>(&object.form))
@@ -45,16 +25,12 @@ std::vector<Point> vertices_of(const Object& object) {
   return vertices;
 }
 
-Point center_of(const Object& object) {
-  const Point own = middle<double>(object.form);
-  return is_at_rest(object.pose) ? own : object.pose(own);
-}
+Point center_of(const Object& object) { return put<double>(object.pose, middle<double>(object.form)); }
 
 Scene from_center_to_center(Scene scene) {
   const Point a = center_of(scene.a), b = center_of(scene.b);
-  scene.options.first_direction = scene.scalar == Scalar::binary32
-                                      ? direction_between_centers<float>(a, b).cast<double>()
-                                      : direction_between_centers<double>(a, b);
+  scene.options.first_direction = with_scalar(
+      scene.scalar, [&]<class S>() -> Point { return direction_between_centers<S>(a, b).template cast<double>(); });
   return scene;
 }
 
@@ -111,19 +87,6 @@ Scene in_float(Scene scene) {
   first = nearest_float(first);
   if (first.isZero(0)) positive_float(given.cwiseAbs().maxCoeff());
   return scene;
-}
-
-std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const Pose& pose) {
-  if (!std::holds_alternative<Points>(form))
-    return ObjectionToProof{
-        std::string(key_of(form)),
-        "a " + kind_of(form, Dimension::space) +
-            " cannot be certified in a scene, whose proofs are drawn for sets of points only. Give points"};
-  if (moves(pose))
-    return ObjectionToProof{"pose",
-                            "an object that its pose moves cannot be certified, because its points are rounded then. "
-                            "Give the points where they are"};
-  return std::nullopt;
 }
 
 }  // namespace walkthroughs::model

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
-#include "core/events.hpp"
+#include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
-#include "core/shapes.hpp"
 #include "walkthroughs/model/any_shape.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
@@ -32,21 +34,53 @@ struct Object {
   mutable std::size_t support_calls = 0;  ///< so that a test can see who asks
 };
 
+template <class S>
+gjk::Pose<S> pose_in(const Pose& pose) {
+  return {pose.rotation.cast<S>(), pose.translation.cast<S>()};
+}
+
+/// Returns: where the pose puts a point.
+template <class S>
+gjk::Vec3<S> put(const Pose& pose, const gjk::Vec3<S>& p) {
+  return is_at_rest(pose) ? p : pose_in<S>(pose)(p);
+}
+
+/// A shape of core/: a form and, where one moves it, its pose. A form at rest is asked about d itself, as in a plain call of
+/// the algorithm: products with a d that was turned back do not overflow or vanish, and the answer is that of the form itself
+/// to the last bit.
+template <class S>
+class PosedForm {
+ public:
+  PosedForm(Asked<S> form, const Pose& pose)
+      : form_(is_at_rest(pose) ? Form(std::move(form))
+                               : Form(gjk::Posed<S, Asked<S>>(std::move(form), pose_in<S>(pose)))) {}
+
+  /// Not inlined into each of the searches that collision() is here: it takes longer to compile, for nothing.
+  [[gnu::noinline]] gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
+    return std::visit([&](const auto& form) { return form.support(d); }, form_);
+  }
+  const auto& form() const { return form_; }
+
+ private:
+  using Form = std::variant<Asked<S>, gjk::Posed<S, Asked<S>>>;
+  Form form_;
+};
+
 /// An object as a shape of core/ in numbers of S. Counts its calls on the object itself, which must outlive it.
 template <class S>
 class AskedObject {
  public:
-  explicit AskedObject(const Object& object);
+  explicit AskedObject(const Object& object)
+      : object_(object), form_(Asked<S>(converted<S>(object.form, Cast<S>{})), object.pose) {}
 
-  /// The farthest point of a moved form is the moved farthest point along d turned back. A form at rest is asked about d
-  /// itself, as in a plain call of the algorithm: products with a d that was turned back do not overflow or vanish.
-  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const;
+  gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
+    ++object_.support_calls;
+    return form_.support(d);
+  }
 
  private:
   const Object& object_;
-  Asked<S> form_;
-  gjk::Pose<S> pose_;
-  bool is_at_rest_;
+  PosedForm<S> form_;
 };
 
 /// Returns: the convex hull of `vertices`, given in any order.
@@ -58,6 +92,14 @@ std::vector<Point> vertices_of(const Object& object);
 /// Returns: the middle of its form where the pose puts it: a point inside.
 Point center_of(const Object& object);
 
+/// Returns: the direction from one center to the other, found in doubles as files have them; the usual one where these
+/// coincide or S has no such direction.
+template <class S>
+gjk::Vec3<S> direction_between_centers(const Point& center_a, const Point& center_b) {
+  const gjk::Vec3<S> direction = gjk::first_direction_between(center_a, center_b).cast<S>();
+  return gjk::is_usable_direction(direction) ? direction : gjk::Options<S>{}.first_direction;
+}
+
 using gjk::RuleSet;
 using ZeroTest = gjk::ZeroTestKind;
 
@@ -65,6 +107,12 @@ using wrong_on_purpose::Mistake;
 
 /// In which numbers the search computes: double or float. The words are those of IEEE 754.
 enum class Scalar { binary64, binary32 };
+
+/// Calls use.template operator()<S>(), such as [&]<class S>() { ... }, with the type of that scalar. Returns: what it returns.
+template <class Use>
+constexpr auto with_scalar(Scalar scalar, Use&& use) {
+  return scalar == Scalar::binary32 ? use.template operator()<float>() : use.template operator()<double>();
+}
 
 /// What a scalar cannot tell apart.
 struct Precision {
@@ -75,10 +123,10 @@ struct Precision {
 };
 
 constexpr Precision precision_of(Scalar scalar) {
-  const auto of = []<class Limits>(Limits) {
+  return with_scalar(scalar, []<class S>() {
+    using Limits = std::numeric_limits<S>;
     return Precision{Limits::epsilon(), Limits::min(), Limits::denorm_min(), Limits::max()};
-  };
-  return scalar == Scalar::binary32 ? of(std::numeric_limits<float>{}) : of(std::numeric_limits<double>{});
+  });
 }
 
 /// Everything that decides a run. Lengths are in the scene's own unit.
@@ -106,13 +154,20 @@ Scene mistaken(Scene scene, Mistake mistake);
 /// Returns: the scene with the first direction from the center of a to that of b; with the usual one where there is none.
 Scene from_center_to_center(Scene scene);
 
-/// Why no answer about an object can be proven, and which key of it says so.
-struct ObjectionToProof {
-  std::string key, why;
-};
-/// Returns: nothing where it can be: of points that no pose moves.
-std::optional<ObjectionToProof> objection_to_proof(const AnyShape& form, const Pose& pose);
+// -- Asking ------------------------------------------------------------------------------------------------------------
 
 using Trace = gjk::Trace<double>;
+
+/// Returns: every event of GJK on the two objects, computed in the scene's scalar; a double holds every float. Of a scene that
+/// is certified those of the proofs, too.
+Trace run(const Scene& scene);
+
+/// Who answers for the objects of a scene: a farthest point along `d`.
+struct SupportFunctions {
+  std::function<gjk::SupportPoint<double>(const Point&)> a, b;
+};
+
+/// Returns: the same, the objects being asked through `supports`. Requires: a scene that is not certified.
+Trace run(const Scene& scene, const SupportFunctions& supports);
 
 }  // namespace walkthroughs::model

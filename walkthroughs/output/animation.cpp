@@ -1,9 +1,9 @@
-#include "render/apng.hpp"
+#include "render/image.hpp"
 #include "walkthroughs/output/frames.hpp"
 
 namespace walkthroughs::output {
 
-OneFile animated_png(double seconds, FileWritten written) {
+OneFile animated_png(double seconds) {
   const auto make = [seconds](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer&) {
     return [=, folder = folder_of(output, story->walkthrough)] {
       const std::size_t count = story->frames.size();
@@ -12,7 +12,7 @@ OneFile animated_png(double seconds, FileWritten written) {
       return render::encode_apng(count, png, shown, text_of(story->walkthrough));
     };
   };
-  return {"animation.png", make, std::move(written)};
+  return {"animation.png", make};
 }
 
 }  // namespace walkthroughs::output

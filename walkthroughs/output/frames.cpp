@@ -37,7 +37,7 @@ int turns_of(const Walkthrough& walkthrough, const Output& output) { return in_s
 
 std::vector<std::string> Frames::files(const Walkthrough&) const {
   std::vector<std::string> files{"###.png", "###-turn-#.png"};
-  if (svg_written_) files.insert(files.end(), {"###.svg", "###-turn-#.svg"});
+  if (has_svg_) files.insert(files.end(), {"###.svg", "###-turn-#.svg"});
   return files;
 }
 
@@ -55,13 +55,10 @@ void Frames::add(const std::shared_ptr<const StagedStory>& story, const Output& 
       turned.look.turn = output.look.turn + 360.0 * turn / (turns + 1);
       const render::Canvas frame = renderer.frame(*story, i, turned);
       const std::string png = picture_name(i, turn), svg = picture_name(i, turn, ".svg");
-      const auto tell = [story, i](const FrameWritten& whom) {
-        return [=](const fs::path& file) { whom(file, *story, i); };
-      };
-      renderer.write(folder / png, Renderer::png(renderer.draw(frame), text), tell(written_));
-      if (svg_written_)
+      renderer.write(folder / png, Renderer::png(renderer.draw(frame), text), story, i);
+      if (has_svg_)
         renderer.write(
-            folder / svg, [bytes = encode_svg(frame, text)] { return bytes; }, tell(svg_written_));
+            folder / svg, [bytes = encode_svg(frame, text)] { return bytes; }, story, i);
       written.insert({png, svg});
     }
   }

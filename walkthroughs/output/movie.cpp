@@ -1,9 +1,8 @@
-#include "walkthroughs/output/movie.hpp"
-
 #include <cmath>
 #include <cstdio>
 
-#include "walkthroughs/text/shell_word.hpp"
+#include "walkthroughs/output/frames.hpp"
+#include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::output {
 namespace {

@@ -7,14 +7,13 @@
 #include <ranges>
 #include <set>
 #include <system_error>
-#include <utility>
 
 #include "render/file.hpp"
 #include "render/html.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
-#include "walkthroughs/text/shell_word.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs::output {
@@ -82,7 +81,7 @@ PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWant
   const Origin here = origin_of(walkthrough, wanted);
   const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
   PageSurroundings all;
-  all.has_files_beside = wanted.pictures == PagesWanted::Pictures::beside;
+  all.has_files_beside = wanted.has_files_beside;
   all.command = "gjkstep render " + what + (all.has_files_beside ? " --page" : " --page=single") + wanted.options;
   const bool has_trace_command = !walkthrough.scenes.empty() && here->option.empty();
   if (has_trace_command && all.has_files_beside) all.sources.push_back({trace_file, trace_file});
@@ -132,7 +131,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
                               .text_scale = output.look.style.theme.text,
                               .turns = turns_of(w, output),
                               .is_dark = output.look.style.theme.paper.r < 128};
-  renderer.then([=, written = written_, origin = *origin_of(w, wanted_), names = files(w)] {
+  renderer.then([=, &renderer, origin = *origin_of(w, wanted_), names = files(w)] {
     std::vector<PageFile> files = around.has_files_beside ? sources(*story, origin) : std::vector<PageFile>();
     std::ranges::move(page_files(*story, pictures, around), std::back_inserter(files));
     std::set<std::string> kept;
@@ -141,7 +140,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
       kept.insert(name);
     }
     remove_outputs(folder, names, kept);
-    written(folder / page_file, *story);
+    renderer.tell(folder / page_file, *story);
   });
 }
 

@@ -22,11 +22,8 @@ struct PageOrigin {
 
 /// What is said of pages on the command line.
 struct PagesWanted {
-  enum class Pictures {
-    beside,  ///< pages show the files
-    inside,  ///< pages hold them, and can be moved and mailed; they have no links to others
-  };
-  Pictures pictures;
+  /// Pages show the files; else they hold all of them, and can be moved and mailed, but have no links to others.
+  bool has_files_beside;
   std::filesystem::path folder;     ///< that of the output
   std::string options;              ///< what else was said about the pictures
   std::vector<PageOrigin> origins;  ///< one for each walkthrough of the run, in order
@@ -36,7 +33,7 @@ struct PagesWanted {
 /// the story before.
 class Pages : public Sink {
  public:
-  Pages(PagesWanted wanted, FileWritten written) : wanted_(std::move(wanted)), written_(std::move(written)) {}
+  explicit Pages(PagesWanted wanted) : wanted_(std::move(wanted)) {}
 
   /// Requires, as add(): the walkthrough is one of the run.
   std::vector<std::string> files(const Walkthrough& walkthrough) const override;
@@ -44,7 +41,6 @@ class Pages : public Sink {
 
  private:
   PagesWanted wanted_;
-  FileWritten written_;
 };
 
 /// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a

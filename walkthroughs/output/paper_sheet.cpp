@@ -1,10 +1,8 @@
 #include "walkthroughs/output/paper_sheet.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "walkthroughs/picture/footer.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs::output {
@@ -90,10 +88,8 @@ Canvas head_and_foot(const StagedStory& story, const PaperSize& paper, const std
   const Size size{static_cast<int>(paper.width), static_cast<int>(paper.height)};
   Canvas canvas(size, size, style.theme.paper, font);
   const std::string title = literal(story.walkthrough.title);
-  render::TextStyle text{.size = title_size, .color = style.theme.ink};
-  const double needed = canvas.text_box({0, 0}, title, text).width();
-  text.size *= std::min(1.0, inner_width(paper) / needed);
-  canvas.text({margin, margin + title_size}, title, text);
+  const render::TextStyle text{.size = title_size, .color = style.theme.ink};
+  canvas.text({margin, margin + title_size}, title, canvas.fitted(title, text, inner_width(paper)));
   canvas.text({paper.width - margin, paper.height - margin}, number,
               {.size = foot_size, .color = style.theme.ink, .align = render::Align::right});
   return canvas;
@@ -157,14 +153,14 @@ PaperSheet paper_sheet(const StagedStory& story, const Look& look, const PaperSi
   return sheet;
 }
 
-OneFile paper_sheets(PaperSize paper, bool larger_text, TooSmall too_small, FileWritten written) {
+OneFile paper_sheets(PaperSize paper, bool larger_text, TooSmall too_small) {
   const auto make = [=](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
     const PaperSheet sheet = paper_sheet(*story, output.look, paper, larger_text, renderer.font());
     if (sheet.letters < least_points) too_small(*story, sheet.letters);
     const render::Color color = output.look.style.theme.paper;
     return [pdf = encode_pdf(sheet.pages, paper, color, text_of(story->walkthrough))] { return pdf; };
   };
-  return {"sheet.pdf", make, std::move(written)};
+  return {"sheet.pdf", make};
 }
 
 }  // namespace walkthroughs::output

@@ -37,6 +37,6 @@ PaperSheet paper_sheet(const StagedStory& story, const Look& look, const render:
 using TooSmall = std::function<void(const Story& story, double points)>;
 
 /// sheet.pdf, as paper_sheet() lays it out.
-OneFile paper_sheets(render::PaperSize paper, bool larger_text, TooSmall too_small, FileWritten written);
+OneFile paper_sheets(render::PaperSize paper, bool larger_text, TooSmall too_small);
 
 }  // namespace walkthroughs::output

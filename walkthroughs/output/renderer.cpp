@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <future>
 #include <thread>
-#include <utility>
 
 #include "render/file.hpp"
 #include "render/image.hpp"
@@ -44,10 +43,11 @@ Renderer::Content Renderer::png(render::Image image, render::PngText text) {
   return [encoded] { return encoded.get(); };
 }
 
-void Renderer::write(fs::path file, Content content, Written written) {
-  then([file = std::move(file), content = std::move(content), written = std::move(written)] {
+void Renderer::write(fs::path file, Content content, std::shared_ptr<const StagedStory> story,
+                     std::optional<std::size_t> frame) {
+  then([this, file = std::move(file), content = std::move(content), story = std::move(story), frame] {
     write_output(file, content());
-    written(file);
+    written_(file, *story, frame);
   });
 }
 

@@ -6,12 +6,25 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
-#include "walkthroughs/output/studio.hpp"
+#include "render/font.hpp"
+#include "render/rasterizer.hpp"
 #include "walkthroughs/picture/draw.hpp"
 
 namespace walkthroughs::output {
+
+/// The tools of drawing, made once for all pictures.
+struct Studio {
+  render::Backend backend = render::default_backend();
+  std::filesystem::path font_folder = render::Font::default_directory();
+  render::Font font{font_folder};
+  render::OffscreenContext context{backend};
+  render::Rasterizer rasterizer{context};
+};
 
 /// Where, how large, and with what around the panels. The size is that of a frame with text; what has another page, such
 /// as a strip or a frame without text, is as wide and as high as it needs to be at the same scale.
@@ -37,10 +50,12 @@ class Renderer {
  public:
   /// Makes the bytes of a file, when it is its turn.
   using Content = std::function<std::vector<std::uint8_t>()>;
-  using Written = std::function<void(const std::filesystem::path& file)>;
+  /// Told of each file of a story when it is there; `frame`: which one it shows, where it is the picture of one.
+  using Written =
+      std::function<void(const std::filesystem::path& file, const Story& story, std::optional<std::size_t> frame)>;
 
   /// `studio` must outlive the renderer.
-  explicit Renderer(Studio& studio) : studio_(studio) {}
+  Renderer(Studio& studio, Written written) : studio_(studio), written_(std::move(written)) {}
   /// Writes what was asked for; errors are lost. Call finish() to see them.
   ~Renderer();
   Renderer(const Renderer&) = delete;
@@ -56,17 +71,21 @@ class Renderer {
 
   /// Returns: the picture as PNG, which is encoded from now on, beside others.
   static Content png(render::Image image, render::PngText text);
-  /// Asks for a file. `written` is told when it is there.
-  void write(std::filesystem::path file, Content content, Written written);
+  /// Asks for a file of a story, perhaps the picture of one of its frames.
+  void write(std::filesystem::path file, Content content, std::shared_ptr<const StagedStory> story,
+             std::optional<std::size_t> frame = {});
   /// Asks for something else to be done, when all that was asked for before is written.
   void then(std::function<void()> job);
   /// Returns when all files are written.
   void finish();
+  /// Tells of a file that was written by what then() was asked for.
+  void tell(const std::filesystem::path& file, const Story& story) const { written_(file, story, std::nullopt); }
 
  private:
   void do_next();
 
   Studio& studio_;
+  const Written written_;
   std::deque<std::function<void()>> jobs_;
 };
 

@@ -24,7 +24,7 @@ SheetLayout sheet_layout(int count, const Output& output) {
   }
 }
 
-OneFile sheet(FileWritten written) {
+OneFile sheet() {
   const auto make = [](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
     const SheetLayout layout = sheet_layout(static_cast<int>(story->frames.size()), output);
     Output small = output;
@@ -36,7 +36,7 @@ OneFile sheet(FileWritten written) {
                   layout.top(i));
     return Renderer::png(std::move(sheet), text_of(story->walkthrough));
   };
-  return {"sheet.png", make, std::move(written)};
+  return {"sheet.png", make};
 }
 
 }  // namespace walkthroughs::output

@@ -27,6 +27,6 @@ struct SheetLayout {
 SheetLayout sheet_layout(int count, const Output& output);
 
 /// sheet.png: all frames in reading order, each drawn anew, as sheet_layout() says.
-OneFile sheet(FileWritten written);
+OneFile sheet();
 
 }  // namespace walkthroughs::output

@@ -1,7 +1,6 @@
 /// The formats that walkthroughs are written in: each is a sink for stories, in a source file of its own.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,9 +10,6 @@
 #include "walkthroughs/output/renderer.hpp"
 
 namespace walkthroughs::output {
-
-/// Told after each file about a story.
-using FileWritten = std::function<void(const std::filesystem::path& file, const Story& story)>;
 
 class Sink {
  public:
@@ -34,30 +30,27 @@ class OneFile : public Sink {
   using Make = std::function<Renderer::Content(const std::shared_ptr<const StagedStory>& story, const Output& output,
                                                Renderer& renderer)>;
 
-  OneFile(std::string name, Make make, FileWritten written)
-      : name_(std::move(name)), make_(std::move(make)), written_(std::move(written)) {}
+  OneFile(std::string name, Make make) : name_(std::move(name)), make_(std::move(make)) {}
   std::vector<std::string> files(const Walkthrough&) const override { return {name_}; }
   void add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) override {
-    renderer.write(folder_of(output, story->walkthrough) / name_, make_(story, output, renderer),
-                   [story, written = written_](const std::filesystem::path& file) { written(file, *story); });
+    renderer.write(folder_of(output, story->walkthrough) / name_, make_(story, output, renderer), story);
   }
 
  private:
   std::string name_;
   Make make_;
-  FileWritten written_;
 };
 
 /// Returns: what pictures of the whole walkthrough say of themselves.
 inline render::PngText text_of(const Walkthrough& walkthrough) { return {walkthrough.title, walkthrough.summary}; }
 
 /// strip.png: the whole walkthrough in one wide picture, as draw_strip() draws it.
-OneFile strip(FileWritten written);
+OneFile strip();
 
 inline constexpr double last_frame_times = 2;  // how much longer the last frame of an animation is shown
 
 /// animation.png: all frames as an animated PNG, which shows each for so many seconds, the last one `last_frame_times` as
 /// long. Joins the files of Frames, which must be given the story before.
-OneFile animated_png(double seconds, FileWritten written);
+OneFile animated_png(double seconds);
 
 }  // namespace walkthroughs::output

@@ -1,11 +1,9 @@
-#include "walkthroughs/page/index_entry.hpp"
-
 #include <algorithm>
 #include <array>
 #include <set>
 
 #include "render/json_text.hpp"
-#include "walkthroughs/page/viewer.hpp"
+#include "walkthroughs/page/page.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -13,6 +11,14 @@ namespace walkthroughs::page {
 namespace {
 
 constexpr std::string_view opening = "window.gjkstep = {\"entry\":", closing = ",\n";
+
+/// Returns: of a region's walkthrough the iteration that it is about: that of the test which it explains, else of what
+/// it explains first; nothing of others.
+std::optional<int> told_iteration(const Walkthrough& w) {
+  if (!w.region_case || w.remarks.empty()) return std::nullopt;
+  const auto test = std::ranges::find(w.remarks, Remark::At::region_tested, &Remark::at);
+  return (test == w.remarks.end() ? w.remarks.front() : *test).iteration;
+}
 
 /// Returns: where two searches part, else the last decision about a region, of the iteration that it is about; the last
 /// frame where there is none.
@@ -93,12 +99,6 @@ std::string cards_without_scripts(const std::vector<PageJson>& entries) {
 }
 
 }  // namespace
-
-std::optional<int> told_iteration(const Walkthrough& w) {
-  if (!w.region_case || w.remarks.empty()) return std::nullopt;
-  const auto test = std::ranges::find(w.remarks, Remark::At::region_tested, &Remark::at);
-  return (test == w.remarks.end() ? w.remarks.front() : *test).iteration;
-}
 
 PageJson index_entry(const Story& story, const PagePictures& pictures) {
   const Walkthrough& w = story.walkthrough;

@@ -16,24 +16,17 @@ bool is_answer(LineKind kind) {
   return kind == LineKind::intersecting || kind == LineKind::separated || kind == LineKind::undecided;
 }
 
-/// To which lines a step has come: setting out, the tests that were made, and what followed from the last. Of Algorithm 1 all that
-/// do something in every iteration; where one that answers is wrong, these, too.
-struct LinesRun {
-  const std::vector<CodeLine>& code;
-  const wrong_on_purpose::WrongLine& wrong;
-  const Moment& now;
-  Focus focus;
-
-  bool has(std::size_t i) const {
-    const CodeLine& line = code[i];
-    if (wrong.algorithm == 1) {
-      const bool answers_wrongly = is_answer(std::ranges::find(code, wrong.right, &CodeLine::text)->kind);
-      return line.kind != LineKind::plain && (!is_answer(line.kind) || answers_wrongly);
-    }
-    if (i == current_line(code, now, focus)) return true;
-    return line.kind == LineKind::plain || test_of(line, now) != nullptr;
+/// Whether a step has come to a line: setting out, the tests that were made, and what followed from the last. Of Algorithm 1 all
+/// that do something in every iteration; where one that answers is wrong, these, too.
+bool has_run(const CodeLine& line, const std::vector<CodeLine>& code, const wrong_on_purpose::WrongLine& wrong,
+             const Moment& now, Focus focus) {
+  if (wrong.algorithm == 1) {
+    const bool answers_wrongly = is_answer(std::ranges::find(code, wrong.right, &CodeLine::text)->kind);
+    return line.kind != LineKind::plain && (!is_answer(line.kind) || answers_wrongly);
   }
-};
+  const std::optional<std::size_t> current = current_line(code, now, focus);
+  return (current && &line == &code[*current]) || line.kind == LineKind::plain || test_of(line, now) != nullptr;
+}
 
 /// What a search says of what it has done last in a frame; nothing where that is nothing, or without a fact.
 std::optional<Frame> said_in(const Story& story, const Frame& frame, std::size_t scene) {
@@ -100,22 +93,20 @@ std::optional<Question> question_of_line(const Story& story) {
                         what_each_finds(story, parting, wrong),
                     {},
                     0};
-  const auto choose_among = [&](const LinesRun& run) {
+  const auto choose_among_run = [&](Focus focus) {
     question.choices.clear();
-    for (std::size_t i = 0; i < code.size(); ++i) {
-      const std::string text = line_in_letters(wrong.algorithm, code[i], names);
-      if (code[i].text == wrong.right) {
+    for (const CodeLine& line : code) {
+      const std::string text = line_in_letters(wrong.algorithm, line, names);
+      if (line.text == wrong.right) {
         question.right = question.choices.size();
-        add_once(question.choices, {text, "here: " + wrong_text(wrong, names), ""});
-      } else if (run.has(i) && !is_otherwise(code[i])) {
+        add_once(question.choices, {text, "here: " + wrong_text(wrong, names)});
+      } else if (has_run(line, code, wrong, now, focus) && !is_otherwise(line)) {
         add_once(question.choices, {text, "this line is as in the report", "this line is as in the report"});
       }
     }
   };
-  const bool is_test = std::holds_alternative<Region>(right.trace.events[event]);
-  choose_among({code, wrong, now, is_test ? Focus::region : Focus::direction});
-  if (question.choices.size() < 2)
-    choose_among({code, wrong, now, Focus::direction});  // and what follows from the test
+  choose_among_run(std::holds_alternative<Region>(right.trace.events[event]) ? Focus::region : Focus::direction);
+  if (question.choices.size() < 2) choose_among_run(Focus::direction);  // and what follows from the test
   return question;
 }
 

@@ -48,10 +48,10 @@ std::optional<Question> asked(Decision decision, std::size_t scene, std::size_t 
 
 /// "R3: beyond edge AB".
 Choice choice_of(gjk::RegionLabel label, const std::string& words) {
-  if (label == gjk::RegionLabel::none) return {.text = words, .reason = {}, .hint = {}};
+  if (label == gjk::RegionLabel::none) return {.text = words};
   const std::string name(to_string(label));
   const int number = label == gjk::RegionLabel::R3_or_R4 ? 3 : static_cast<int>(label);
-  return {.text = name + ": " + words, .reason = {}, .hint = {}, .label = name, .place = number};
+  return {.text = name + ": " + words, .label = name, .place = number};
 }
 
 /// What a line asks about. R1 of a triangle is three choices.
@@ -150,30 +150,23 @@ class Iteration {
     return found == now_.regions.end() ? nullptr : &*found;
   }
 
-  /// Why the search has not found what that line asks about, or that it has, and what of it may be told first.
-  struct Why {
-    std::string reason, hint, asked = {};
-
-    void give(Choice& choice) const {
-      choice.reason = reason;
-      choice.hint = hint;
-      choice.asked = asked;
-    }
-  };
-
-  /// Its own test; else that of the face in which it asks about an edge; else the one that was right before it.
-  Why why_of(const CodeLine& line) const {
+  /// Returns: the choice with why the search has not found what that line asks about, or that it has, and what of it may be told
+  /// first: its own test; else that of the face in which it asks about an edge; else the one that was right before it.
+  Choice explained(Choice choice, const CodeLine& line) const {
     const gjk::Roles& in_face = line.tests.face;
     const Region* face = in_face.empty() ? nullptr : made({}, in_face);
     const Region* own = made(in_face, line.tests.feature);
     if (!own && face && face->verdict != Verdict::chosen) own = face;
     if (own) {
       const Fact fact = fact_of(*own);
-      return {fact.text, fact.text, fact.asked};
+      choice.reason = choice.hint = fact.text;
+      choice.asked = fact.asked;
+    } else {
+      choice.hint = "an earlier test has decided";
+      choice.reason =
+          "not looked at, since " + choice.hint + " (" + value_of(face ? *last_chosen() : *chosen_without_face()) + ")";
     }
-    const std::string decided = "an earlier test has decided";
-    return {"not looked at, since " + decided + " (" + value_of(face ? *last_chosen() : *chosen_without_face()) + ")",
-            decided};
+    return choice;
   }
 
   bool is_of(const CodeLine& line, const Region& region) const {
@@ -193,13 +186,12 @@ class Iteration {
       if (line.kind != LineKind::test || !line.tests.face.empty()) continue;
       Choice choice = choice_of(size_, line.tests, names_.sorted(line.tests.feature));
       if (is_of(line, *chosen_without_face())) right = choice.text;
-      why_of(line).give(choice);
-      add_once(choices, std::move(choice));
+      add_once(choices, explained(std::move(choice), line));
     }
     for (const Region& region : now_.regions)
       if (region.verdict == Verdict::skipped && (size_ < 4 || region.feature.size() == 3)) {
         Choice choice = choice_of_skipped(region, names_.sorted(region.feature));
-        Why{skipped_because(region), skipped_because(region)}.give(choice);
+        choice.reason = choice.hint = skipped_because(region);
         add_once(choices, std::move(choice));
       }
     const std::string text = size_ == 4   ? "Above which face does Algorithm 5 find the origin first?"
@@ -243,13 +235,12 @@ class Iteration {
     std::size_t event = end_;
     for (const CodeLine& line : code_) {
       if (line.kind != LineKind::test || line.tests.face != face.feature) continue;
-      const std::string text = "beyond edge " + names_.sorted(line.tests.feature);
-      if (is_of(line, *last_chosen())) right = text;
-      const Why why = why_of(line);
-      values += (values.empty() ? "" : "; ") + why.reason;
-      add_once(choices, {text, why.reason, why.hint});
+      const Choice choice = explained({"beyond edge " + names_.sorted(line.tests.feature)}, line);
+      if (is_of(line, *last_chosen())) right = choice.text;
+      values += (values.empty() ? "" : "; ") + choice.reason;
+      add_once(choices, choice);
     }
-    choices.push_back({neither, values, ""});
+    choices.push_back({neither, values});
     for (std::size_t i = end_; i-- > first_;)
       if (std::get<Region>(events_[i]).face == face.feature) event = i;
     if (event == end_) return std::nullopt;
@@ -268,9 +259,7 @@ class Iteration {
   }
 
   std::string in_list(const gjk::Roles& roles) const {
-    std::string list;
-    for (const gjk::Role role : roles) list += (list.empty() ? "" : ", ") + names_.of(role);
-    return "[" + list + "]";
+    return "[" + joined(roles, ", ", [this](gjk::Role role) { return names_.of(role); }) + "]";
   }
 
   static void add_part(std::string& text, const std::string& part) {
@@ -287,14 +276,14 @@ class Iteration {
       if (line.kind == LineKind::test) test = &line;
       if (!line.way || !test) continue;
       const std::string text = words(*line.way);
-      const Why of_test = text == right ? Why{why, ""} : why_of(*test);
+      const Choice choice = text == right ? Choice{text, why} : explained({text}, *test);
       const auto known = std::ranges::find(choices, text, &Choice::text);
       if (known == choices.end()) {
-        choices.push_back({text, of_test.reason, of_test.hint});
+        choices.push_back(choice);
         continue;
       }
-      add_part(known->reason, of_test.reason);
-      add_part(known->hint, of_test.hint);
+      add_part(known->reason, choice.reason);
+      add_part(known->hint, choice.hint);
     }
     return choices;
   }
@@ -342,14 +331,6 @@ std::optional<Question> of_crossing(const Story& story, std::size_t scene, std::
 
 // -- The second search ------------------------------------------------------------------------------------------------
 
-/// Requires: roles of `simplex`.
-Simplex part_of(const Simplex& simplex, const gjk::Roles& roles) {
-  Simplex part;
-  for (int i = 0; i < simplex.size(); ++i)  // oldest first
-    if (roles.has(static_cast<gjk::Role>(simplex.size() - 1 - i))) part.add(simplex[i]);
-  return part;
-}
-
 bool is_same_feature(const gjk::Roles& one, const gjk::Roles& other) {
   return one.size() == other.size() && std::ranges::all_of(one, [&](gjk::Role role) { return other.has(role); });
 }
@@ -385,7 +366,7 @@ std::optional<Question> of_kept(const Story& story, std::size_t scene, std::size
   std::string found, right;
   for (const gjk::Roles& feature : features_of_newest) {
     if (!is_of_simplex(feature, event.before.size())) continue;
-    const std::string text = names.simplex(part_of(event.before, feature));
+    const std::string text = names.simplex(event.before.only(feature));
     add_once(choices, {text, signs_about(feature, now, names, telling.scene.dimension), ""});
     if (!is_same_feature(feature, event.kept)) continue;
     found = to_string(feature);

@@ -15,10 +15,11 @@
 namespace walkthroughs::page {
 
 struct Choice {
-  std::string text;    ///< here and below with the markup of render/font.hpp
-  std::string reason;  ///< why it is right, or why the search has not gone there: a value, or why it need not be asked
-  std::string
-      hint;  ///< of the reason what leaves open which choice is right; empty where nothing does, and of the right one
+  std::string text;  ///< here and below with the markup of render/font.hpp
+  /// Why it is right, or why the search has not gone there: a value, or why it need not be asked.
+  std::string reason = {};
+  /// Of the reason what leaves open which choice is right; empty where nothing does, and of the right one.
+  std::string hint = {};
   std::string asked = {};  ///< "AB_n·AO" where the reason is that one number; else empty
   std::string label = {};  ///< "R3" of "R3: beyond edge AB"; empty where the region has none
   int place = 10;          ///< the key of a region is its number; those of one place stand in order of the alphabet

@@ -52,11 +52,9 @@ class Listing {
     if (is_current) text.weight = render::Weight::bold;
     const std::string words = line_in_letters(number_, line, shown_.names);
     const double left = left_of(line.indent);
-    const double needed = canvas_.text_box({0, 0}, words, text).width(), room = room_.max.x() - 6 - left;
-    if (needed > room) text.size *= room / needed;
+    text = canvas_.fitted(words, text, room_.max.x() - 6 - left);
     canvas_.text({left, baseline}, words, text);
-    if (const auto* test = test_of(line, shown_.now))
-      value(baseline, *test, left + canvas_.text_box({0, 0}, words, text).width());
+    if (const auto* test = test_of(line, shown_.now)) value(baseline, *test, left + canvas_.width(words, text));
   }
 
   void left_out(std::size_t row, int indent) { canvas_.text({left_of(indent), baseline_of(row)}, "⋮", text_); }
@@ -82,9 +80,7 @@ class Listing {
     text.color = test.verdict == gjk::Verdict::rejected ? style_.theme.vermillion : style_.theme.green;
     const std::string words = outcome(test, shown_.values);
     const double right = room_.max.x() - margin;
-    const double room = right - from - 8, needed = canvas_.text_box({0, 0}, words, text).width();
-    if (needed > room) text.size *= room / needed;
-    canvas_.text({right, baseline}, words, text);
+    canvas_.text({right, baseline}, words, canvas_.fitted(words, text, right - from - 8));
   }
 
   render::Canvas& canvas_;

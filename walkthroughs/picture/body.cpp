@@ -175,7 +175,7 @@ struct OutlineOf {
 /// Returns: an outline as it is; where it has very many corners, without those that no picture is large enough for.
 std::vector<Vec2> seen(std::vector<Vec2> hull) {
   if (hull.size() <= most_in_outline) return hull;
-  return render::simplified(hull, least_corner * Bounds(hull).size());
+  return render::simplified(hull, least_corner * render::Box::around(hull).longer_side());
 }
 
 // -- What is flat of a round object -----------------------------------------------------------------------------------
@@ -260,15 +260,6 @@ struct StraightOf {
   }
 };
 
-double area_of(const std::vector<Vec2>& hull) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
-    const Vec2 u = hull[i] - hull[0], v = hull[i + 1] - hull[0];
-    twice += u.x() * v.y() - u.y() * v.x();
-  }
-  return twice / 2;
-}
-
 /// The flat parts of a shape where a pose puts it.
 struct FlatsOf {
   const Pose& pose;
@@ -288,7 +279,7 @@ struct FlatsOf {
     for (const Point& normal : StraightOf{}(sum).normals) {
       const DirectionFrame frame(normal);
       const FarthestFace face = farthest_face(sum, frame, {alike * size, alike});
-      if (area_of(face.hull) <= alike * size * size) continue;
+      if (render::signed_area(face.hull) <= alike * size * size) continue;
       std::vector<Point> rim;
       for (const Vec2& corner : face.hull) rim.push_back(frame.at(face.reach, corner));
       flats.push_back({moved(rim), pose.rotation * normal});

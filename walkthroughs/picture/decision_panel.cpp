@@ -24,13 +24,13 @@ using render::View;
 // Page units.
 constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, flat_margin = 46, least_height = 24,
                  wanted_height = 40;
-constexpr double most_margin = 0.32;  // above and below, of the room
-constexpr double right_angle_side = 9, normal_length = 40;
-constexpr double narrow = 300, narrow_text = 0.8;  // a view that has no room for words
-constexpr double share_of_true_shape = 0.58;       // of the panel, where it decides
-constexpr double share_of_base = 0.34;             // of what is left behind, below the faces of a tetrahedron
-constexpr double dropped_arm = 9;                  // of the cross through a vertex that leaves the simplex
-constexpr double deepest = 0.9;                    // of the fourth vertex that is shown, in widths of the face
+constexpr double most_margin = 0.32;                        // above and below, of the room
+constexpr double right_angle_side = 9, normal_length = 40;  // for which there is little room
+constexpr double narrow = 300, narrow_text = 0.8;           // a view that has no room for words
+constexpr double share_of_true_shape = 0.58;                // of the panel, where it decides
+constexpr double share_of_base = 0.34;                      // of what is left behind, below the faces of a tetrahedron
+constexpr double dropped_arm = 9;                           // of the cross through a vertex that leaves the simplex
+constexpr double deepest = 0.9;                             // of the fourth vertex that is shown, in widths of the face
 
 Point vertex(const Shown& shown, Role role) { return shown.now.processed.point(role); }
 
@@ -49,33 +49,65 @@ class DecisionPicture {
         view_(view),
         shown_(shown),
         style_(shown.style),
-        in_plane_(shown.style),
         is_alone_(is_alone),
         lens_{std::nullopt, view.plane} {
-    in_plane_.arrow_length = normal_length;
+    bounds = bounds_now();
+    stretch();
   }
 
+  View fit() const {
+    const Box room = below_title(frame_, style_);
+    const double across = frame_.width() < narrow ? narrow_margin : margin;
+    const double upright = std::min(margin_below(), most_margin * room.height());
+    return View::fit(bounds.min, bounds.max, room.grown(-Vec2(across, upright)));
+  }
+
+  void draw(render::Canvas& canvas, const View& view) {
+    draw_panel_title(canvas, frame_, title(), style_, key());
+    render::Panel panel(canvas, below_title(frame_, style_), view);
+    Pencil pencil(panel, lens_, style_, normal_length);
+    switch (view_.kind) {
+      case Kind::crossing: crossing(pencil); break;
+      case Kind::segment:
+      case Kind::true_shape: flat(pencil); break;
+      case Kind::edge_on: edge_on(pencil); break;
+    }
+    finish_with_inset(canvas, panel, inset_in(view), style_, [this](render::Panel& magnified) {
+      Pencil fine(magnified, lens_, style_, normal_length);
+      draw_regions_in_plane(fine, shown_, view_.face);
+      edges(magnified);
+      magnified.drop_labels();
+      vertices(fine);
+      mark_origin(magnified);
+    });
+  }
+
+  Box bounds;  ///< what must be shown, in scene units
+
+ private:
   /// Chooses how much what decides is stretched: an origin that stands nearer to its plane than its mark is wide is told
   /// from one in the plane.
   void stretch() {
     if (view_.kind != Kind::edge_on && view_.kind != Kind::crossing) return;
-    const double length = std::abs(view_.height) * fit(bounds()).scale();
+    const double length = std::abs(view_.height) * fit().scale();
     if (length == 0 || length >= least_height) return;
     (view_.kind == Kind::crossing ? lens_.plane.stretch.x() : lens_.plane.stretch.y()) =
         round_factor(wanted_height / length);
+    bounds = bounds_now();
   }
 
-  Bounds bounds() const {
-    Bounds box(at_origin());
-    for (const Vec2& p : corners()) box.add(p);
-    if (view_.kind == Kind::true_shape) box.grow(0.1 * (box.high - box.low));  // room for the regions around
-    if (view_.kind == Kind::crossing) box.add({0, -0.15 * box.high.y()});      // room for the product
+  /// Returns: what must be shown where things are stretched as now.
+  Box bounds_now() const {
+    Box box = Box::around(corners());
+    box.add(at_origin());
+    if (view_.kind == Kind::true_shape) box = box.grown(0.1 * (box.max - box.min));  // room for the regions around
+    if (view_.kind == Kind::crossing) box.add({0, -0.15 * box.max.y()});             // room for the product
     if (view_.kind != Kind::edge_on) return box;
-    box.add({box.low.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
+    box.add({box.min.x(), -0.35 * at_origin().y()});  // room for the normal, or for names
     if (!is_alone_) return box;
-    const double width = box.high.x() - box.low.x();
+    const double width = box.width();
     for (const double side : {-0.22, 0.18})
-      box.add({box.low.x(), side * width});  // so that an empty side is seen to be empty
+      box.add({box.min.x(), side * width});  // so that an empty side is seen to be empty
     if (has_fourth() && lens_.plane.stretch.y() == 1) {
       const Vec2 at = lens_(vertex(shown_, fourth(view_.face)));
       if (std::abs(at.y()) <= deepest * width) box.add(at);
@@ -83,40 +115,6 @@ class DecisionPicture {
     return box;
   }
 
-  View fit(const Bounds& box) const {
-    const Box room = below_title(frame_, style_);
-    const double across = frame_.width() < narrow ? narrow_margin : margin;
-    const double upright = std::min(margin_below(), most_margin * room.height());
-    return View::fit(box.low, box.high, {room.min + Vec2(across, upright), room.max - Vec2(across, upright)},
-                     std::numeric_limits<double>::infinity());
-  }
-
-  int draw(render::Canvas& canvas, const View& view) {
-    draw_panel_title(canvas, frame_, title(), style_, key());
-    render::Panel panel(canvas, below_title(frame_, style_), view);
-    Pencil pencil(panel, lens_, in_plane_);
-    switch (view_.kind) {
-      case Kind::crossing: crossing(pencil); break;
-      case Kind::segment: segment(pencil); break;
-      case Kind::true_shape: true_shape(pencil); break;
-      case Kind::edge_on: edge_on(pencil); break;
-    }
-    const std::optional<Inset> inset = inset_in(view);
-    if (inset) panel.keep_clear(inset->frame);
-    const int crowded = panel.place_labels(style_.smallest_label());
-    if (inset)
-      draw_inset(canvas, *inset, view, style_, [this](render::Panel& magnified) {
-        Pencil fine(magnified, lens_, in_plane_);
-        regions(fine);
-        edges(magnified);
-        magnified.drop_labels();
-        vertices(fine);
-        mark_origin(magnified);
-      });
-    return crowded;
-  }
-
- private:
   double margin_below() const {
     if (is_alone_) return margin;
     return view_.kind == Kind::true_shape ? flat_margin : low_margin;
@@ -151,14 +149,6 @@ class DecisionPicture {
     for (int i = 0; i < view_.face.size(); ++i)
       edges.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
     return inset_of(at_origin(), edges, edges, below_title(frame_, style_), view, shown_.telling.panels.close_up);
-  }
-
-  /// Of what is looked at, through this view's plane.
-  void regions(Pencil& pencil) {
-    draw_regions_in_plane(
-        pencil,
-        {shown_.telling, shown_.stage, shown_.now, shown_.names, shown_.focus, lens_, in_plane_, shown_.values, false},
-        view_.face);
   }
 
   void mark_origin(render::Panel& panel) {
@@ -255,23 +245,16 @@ class DecisionPicture {
 
   // -- Views --
 
-  void segment(Pencil& pencil) {
-    regions(pencil);
+  /// A segment or a triangle with the regions beside it.
+  void flat(Pencil& pencil) {
+    const bool is_segment = view_.kind == Kind::segment;
+    const Vec2 origin = at_origin();
+    draw_regions_in_plane(pencil, shown_, view_.face);
     edges(pencil.panel());
-    const Vec2 origin = at_origin(), foot(origin.x(), at(Role::A).y());
-    if (is_of_larger()) pencil.panel().line(origin, foot, style_.foot);
+    if (is_segment && shown_.now.processed.size() > 2)  // one edge of several
+      pencil.panel().line(origin, {origin.x(), at(Role::A).y()}, style_.foot);
     vertices(pencil);
-    name_origin(pencil.panel(), {0, 1});
-  }
-
-  /// Whether it is one edge of several that is shown.
-  bool is_of_larger() const { return shown_.now.processed.size() > 2; }
-
-  void true_shape(Pencil& pencil) {
-    regions(pencil);
-    edges(pencil.panel());
-    vertices(pencil);
-    name_origin(pencil.panel(), at_origin() - middle_of(corners()));
+    name_origin(pencil.panel(), is_segment ? Vec2(0, 1) : Vec2(origin - middle_of(corners())));
   }
 
   void edge_on(Pencil& pencil) {
@@ -385,7 +368,6 @@ class DecisionPicture {
   const DecisionView& view_;
   const Shown& shown_;
   const Style& style_;
-  Style in_plane_;       ///< of edges and their normals, for which there is little room
   const bool is_alone_;  ///< no other view stands above or below
   Lens lens_;
 };
@@ -398,9 +380,9 @@ bool are_below_each_other(const std::vector<DecisionView>& views) {
 /// Whether the last view stands below the others, as wide as they are together.
 bool has_base(const std::vector<DecisionView>& views) { return views.size() == 4; }
 
-void share_width(Bounds& one, Bounds& other) {
-  one.low.x() = other.low.x() = std::min(one.low.x(), other.low.x());
-  one.high.x() = other.high.x() = std::max(one.high.x(), other.high.x());
+void share_width(Box& one, Box& other) {
+  one.min.x() = other.min.x() = std::min(one.min.x(), other.min.x());
+  one.max.x() = other.max.x() = std::max(one.max.x(), other.max.x());
 }
 
 /// Returns: a place for each view.
@@ -430,25 +412,18 @@ std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& vi
 
 }  // namespace
 
-int draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views,
-                  const Shown& shown) {
+void draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views,
+                   const Shown& shown) {
   const std::vector<Box> places = places_of(frame, views);
+  const bool below_each_other = are_below_each_other(views);
   std::vector<DecisionPicture> pictures;
-  std::vector<Bounds> boxes;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    pictures.emplace_back(places[i], views[i], shown, !are_below_each_other(views) && !views[i].is_left_behind());
-    pictures[i].stretch();
-    boxes.push_back(pictures[i].bounds());
-  }
-  if (are_below_each_other(views)) share_width(boxes[0], boxes[1]);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    pictures.emplace_back(places[i], views[i], shown, !below_each_other && !views[i].is_left_behind());
+  if (below_each_other) share_width(pictures[0].bounds, pictures[1].bounds);
   double scale = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < views.size(); ++i) scale = std::min(scale, pictures[i].fit(boxes[i]).scale());
-  int crowded = 0;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const View own = pictures[i].fit(boxes[i]);
-    crowded += pictures[i].draw(canvas, are_below_each_other(views) ? own.with_scale(scale) : own);
-  }
-  return crowded;
+  for (const DecisionPicture& picture : pictures) scale = std::min(scale, picture.fit().scale());
+  for (DecisionPicture& picture : pictures)
+    picture.draw(canvas, below_each_other ? picture.fit().with_scale(scale) : picture.fit());
 }
 
 }  // namespace walkthroughs::picture

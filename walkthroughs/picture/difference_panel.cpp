@@ -9,6 +9,7 @@
 namespace walkthroughs::picture {
 namespace {
 
+using render::Box;
 using render::Stroke;
 using render::Vec2;
 
@@ -30,6 +31,14 @@ std::vector<KeyEntry> key_beside(const Shown& shown) {
   return key_of_origin(views, shown.style);
 }
 
+/// Returns: the origin, and everything that the search ever finds.
+std::vector<Point> found_by(const Telling& telling) {
+  std::vector<Point> found = {Point::Zero()};
+  for (const auto& event : telling.trace.events)
+    if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) found.push_back(support->vertex.w);
+  return found;
+}
+
 Stroke solid(Stroke stroke) {
   stroke.dash = {};
   return stroke;
@@ -37,7 +46,13 @@ Stroke solid(Stroke stroke) {
 
 // -- The picture ------------------------------------------------------------------------------------------------------
 
-/// What both pictures of a difference set share.
+/// Whether the search has ended in front of the origin.
+bool shows_gap(const Moment& now) {
+  if (now.certified && now.in_exact_fallback) return now.certified->status == gjk::Status::separated;
+  return now.result && now.result->separation;
+}
+
+/// Draws a difference set, and what the search does in it.
 class DifferencePicture {
  public:
   DifferencePicture(render::Panel& panel, const Shown& shown)
@@ -49,11 +64,64 @@ class DifferencePicture {
         outline_(shown.telling.panels.hull
                      ? outline_of_difference(shown.telling.scene, shown.stage.difference, shown.lens)
                      : std::vector<Vec2>{}),
-        center_(outline_.empty() ? pencil_.at(middle_of_search()) : middle_of(outline_)) {}
+        center_(outline_.empty() ? pencil_.at(middle_of(found_by(shown.telling))) : middle_of(outline_)) {}
 
+  /// All that the search has found so far. `frame`: of the panel.
+  void search(render::Canvas& canvas, const Box& frame) {
+    const Focus focus = shown_.focus;
+    const bool separated = shows_gap(now_);
+    const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
+    set();
+    pencil_.triad(canvas, frame);  // behind the search, which it must not hide
+    if (focus == Focus::region) draw_regions(pencil_, shown_);
+    if (now_.found && searching) beyond_found();
+    segments();
+    if (focus == Focus::support || focus == Focus::direction || focus == Focus::repetition || separated) direction();
+    if (focus == Focus::crossing) crossing();
+    vertices();
+    if (focus == Focus::reduction || focus == Focus::kept) dropped();
+    if (focus == Focus::repetition) repetition();
+    origin();
+    names();
+    if (focus == Focus::region) name_rejected_faces(pencil_, shown_);
+  }
+
+  /// One move: where it started, where it ended, and whether it crossed the origin.
+  void move() {
+    set();
+    if (now_.found) beyond_found();
+    segments();
+    direction();
+    if (shown_.focus == Focus::crossing) {
+      crossing();
+      name_projection();
+    }
+    vertices();
+    origin();
+    for (const Point& corner : points_of(now_.simplex)) name(corner);
+    if (now_.found) name(now_.found->w);
+  }
+
+  /// What a small picture around the origin shows.
+  void inset() {
+    hull();
+    if (shown_.focus == Focus::region) draw_regions(pencil_, shown_);
+    if (shown_.focus == Focus::crossing) {
+      beyond_found();
+      crossing();
+    }
+    segments();
+    vertices();
+    panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+    panel_.drop_labels();
+    for (const Point& corner : points_of(now_.simplex))
+      if (panel_.holds(pencil_.at(corner), style_.point_radius)) name(corner);
+  }
+
+ private:
   void set() {
     if (!pencil_.in_space()) panel_.grid(shown_.stage.placing.scale, style_.grid);
-    if (!outline_.empty()) hull();
+    hull();
   }
 
   void names() {
@@ -77,24 +145,6 @@ class DifferencePicture {
                  style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
   }
 
-  void triad(render::Canvas& canvas, const render::Box& frame) { pencil_.triad(canvas, frame); }
-
-  /// What a small picture around the origin shows.
-  void inset() {
-    if (!outline_.empty()) hull();
-    if (shown_.focus == Focus::region) regions();
-    if (shown_.focus == Focus::crossing) {
-      beyond_found();
-      crossing();
-    }
-    segments();
-    vertices();
-    panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
-    panel_.drop_labels();
-    for (const Point& corner : points_of(now_.simplex))
-      if (panel_.holds(pencil_.at(corner), style_.point_radius)) name(corner);
-  }
-
   void origin() {
     const gjk::Roles face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : gjk::Roles();
     if (face.empty())
@@ -107,9 +157,6 @@ class DifferencePicture {
     else  // where lines have sides
       panel_.label_on_its_side(at, toward, "O", style_.label(style_.theme.ink));
   }
-
-  void regions() { draw_regions(pencil_, shown_); }
-  void name_rejected_faces() { walkthroughs::picture::name_rejected_faces(pencil_, shown_); }
 
   /// Where no point of the set can lie, because the support function has looked.
   void beyond_found() { pencil_.out_of_reach(now_.found->w, now_.direction->value); }
@@ -171,7 +218,7 @@ class DifferencePicture {
   void direction() {
     if (!now_.direction) return;
     const Simplex& from = now_.direction->from;
-    const Point start = from.size() > 0 ? middle_of(points_of(from)) : middle_of_search();
+    const Point start = from.size() > 0 ? middle_of(points_of(from)) : middle_of(found_by(shown_.telling));
     pencil_.direction(start, now_.direction->value, style_.direction, "d");
   }
 
@@ -186,7 +233,6 @@ class DifferencePicture {
                    style_.label(style_.theme.vermillion, render::Weight::bold), line_label_gap);
   }
 
- private:
   /// The origin above or below the plane of a triangle: its way there, hidden where the plane is in front of it.
   void drop(const gjk::Roles& face) {
     Point corners[3];
@@ -207,6 +253,7 @@ class DifferencePicture {
   }
 
   void hull() {
+    if (outline_.empty()) return;
     if (pencil_.in_space() && shown_.focus == Focus::region)  // its edges would hide the regions
       panel_.polygon(outline_, style_.hull_fill.with_alpha(60));
     else
@@ -238,14 +285,6 @@ class DifferencePicture {
   Point projection() const {
     const Point unit = now_.direction->value.stableNormalized();
     return unit * unit.dot(now_.found->w);
-  }
-
-  /// Returns: the middle of everything that the search ever finds.
-  Point middle_of_search() const {
-    std::vector<Point> found = {Point::Zero()};
-    for (const auto& event : shown_.telling.trace.events)
-      if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) found.push_back(support->vertex.w);
-    return middle_of(found);
   }
 
   bool in_simplex(const Point& w) const { return std::ranges::count(points_of(now_.simplex), w) > 0; }
@@ -282,13 +321,9 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
   return inset_of(O, asked, shape, below_title(frame, shown.style), view, shown.telling.panels.close_up);
 }
 
-/// Whether the search has ended in front of the origin.
-bool shows_gap(const Moment& now) {
-  if (now.certified && now.in_exact_fallback) return now.certified->status == gjk::Status::separated;
-  return now.result && now.result->separation;
-}
+}  // namespace
 
-int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) {
+void draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Focus focus = shown.focus;
   const bool looking = focus == Focus::support || focus == Focus::crossing;
@@ -301,82 +336,40 @@ int draw_search(render::Canvas& canvas, const Place& place, const Shown& shown) 
                                      looking       ? key_beyond(shown)
                                      : is_skipping ? key_of_skipped(style)
                                                    : key_of_line("earlier", style.former)});
-  render::Panel panel(canvas, below_title(place.frame, style), place.view);
-  DifferencePicture picture(panel, shown);
-  picture.set();
-  picture.triad(canvas, place.frame);  // behind the search, which it must not hide
-  const bool separated = shows_gap(shown.now);
-  const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
-  if (focus == Focus::region) picture.regions();
-  if (shown.now.found && searching) picture.beyond_found();
-  picture.segments();
-  if (focus == Focus::support || focus == Focus::direction || focus == Focus::repetition || separated)
-    picture.direction();
-  if (focus == Focus::crossing) picture.crossing();
-  picture.vertices();
-  if (focus == Focus::reduction || focus == Focus::kept) picture.dropped();
-  if (focus == Focus::repetition) picture.repetition();
-  picture.origin();
-  picture.names();
-  if (focus == Focus::region) picture.name_rejected_faces();
-  const std::optional<Inset> inset = inset_in(shown, place.frame, place.view);
-  if (inset) panel.keep_clear(inset->frame);
-  const int crowded = panel.place_labels(shown.style.smallest_label());
-  if (inset)
-    draw_inset(canvas, *inset, place.view, style,
-               [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
-  return crowded;
+  {
+    render::Panel panel(canvas, below_title(place.frame, style), place.view);
+    DifferencePicture(panel, shown).search(canvas, place.frame);
+    finish_with_inset(canvas, panel, inset_in(shown, place.frame, place.view), style,
+                      [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
+  }
+  if (shown.is_parting) canvas.outline(place.frame.grown(-3).corners(), style.parting);
 }
 
-}  // namespace
-
-Bounds bounds_of_difference(const Telling& telling, const Stage& stage, const Lens& lens) {
-  Bounds box(lens(Point::Zero()));
-  if (telling.panels.hull)
-    for (const Vec2& corner : outline_of_difference(telling.scene, stage.difference, lens)) box.add(corner);
-  for (const auto& event : telling.trace.events)
-    if (const auto* support = std::get_if<gjk::SupportFound<double>>(&event)) box.add(lens(support->vertex.w));
+Box bounds_of_difference(const Stage& stage, const Lens& lens) {
+  Box box = Box::around(lens(found_by(*stage.telling)));
+  if (stage.telling->panels.hull)
+    for (const Vec2& corner : outline_of_difference(stage.telling->scene, stage.difference, lens)) box.add(corner);
   return box;
 }
 
-Bounds bounds_of_decision(const Moment& now, const Lens& lens) {
-  Bounds box(lens(Point::Zero()));
-  for (const Point& p : points_of(now.processed)) box.add(lens(p));
-  box.grow(Vec2::Constant(0.3 * box.size()));
-  return box;
+Box bounds_of_decision(const Moment& now, const Lens& lens) {
+  Box box = Box::around(lens(points_of(now.processed)));
+  box.add(lens(Point::Zero()));
+  return box.grown(0.3 * box.longer_side());
 }
 
-Bounds bounds_of_move(const Moment& now, const Lens& lens) {
-  Bounds box(lens(Point::Zero()));
-  box.add(lens(now.direction->value.stableNormalized()));
-  for (const Point& p : points_of(now.simplex)) box.add(lens(p));
-  if (now.found) box.add(lens(now.found->w));
-  return box;
+Box bounds_of_move(const Moment& now, const Lens& lens) {
+  std::vector<Point> points = points_of(now.simplex);
+  points.insert(points.end(), {Point::Zero(), now.direction->value.stableNormalized()});
+  if (now.found) points.push_back(now.found->w);
+  return Box::around(lens(points));
 }
 
-int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
-  const int crowded = draw_search(canvas, place, shown);
-  if (shown.is_parting) canvas.outline(corners_of(place.frame.grown(-3)), shown.style.parting);
-  return crowded;
-}
-
-int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
+void draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   draw_panel_title(canvas, place.frame, place.title, shown.style, {key_of_newest(shown.style), key_beyond(shown)});
   render::Panel panel(canvas, below_title(place.frame, shown.style), place.view);
-  DifferencePicture picture(panel, shown);
-  picture.set();
-  if (shown.now.found) picture.beyond_found();
-  picture.segments();
-  picture.direction();
-  if (shown.focus == Focus::crossing) {
-    picture.crossing();
-    picture.name_projection();
-  }
-  picture.vertices();
-  picture.origin();
-  for (const Point& corner : points_of(shown.now.simplex)) picture.name(corner);
-  if (shown.now.found) picture.name(shown.now.found->w);
-  return panel.place_labels(shown.style.smallest_label());
+  DifferencePicture(panel, shown).move();
+  canvas.add_crowded(panel.place_labels(shown.style.smallest_label()));
 }
 
 }  // namespace walkthroughs::picture

@@ -1,11 +1,9 @@
 #include "walkthroughs/picture/draw.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "walkthroughs/picture/footer.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/story/storyboard.hpp"
@@ -27,7 +25,6 @@ constexpr double panels_height = 448, margin_without_text = 20;
 constexpr double title_top = 18, below_title_line = 24;  // around the line of the title
 constexpr double share_of_space = 0.4, decision_margin = 34;
 constexpr double line_pitch = 30;
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// From the zero of a scene to its points, so that these are placed to a thousandth.
 constexpr double most_page_units = 1e12;
 constexpr double least_magnification = 1.3;                    // below that a close-up tells no more than the whole
@@ -48,42 +45,36 @@ Interval rows_of_panels(const Look& look) {
 
 Box panel_box(double left, double right, const Interval& rows) { return {{left, rows.from}, {right, rows.to}}; }
 
+Lens turned(const Lens& lens, double degrees) {
+  return lens.camera && degrees != 0 ? Lens{lens.camera->turned(degrees)} : lens;
+}
+
 /// One scene of one frame, as it is drawn.
 struct SceneOfFrame {
-  SceneOfFrame(const StagedStory& story, std::size_t frame, std::size_t scene)
+  SceneOfFrame(const StagedStory& story, std::size_t frame, std::size_t scene, const Look& look)
       : stage(story.stages[scene]),
         now(story.drawn(frame, scene)),
         names(story.walkthrough.naming, stage.telling->hull, now),
-        focus(story.frames[frame].focus_of(scene)),
-        is_parting(story.frames[frame].focus == Focus::parting) {}
-  SceneOfFrame(const SceneOfFrame&) = delete;  // names refer to it
+        lens(turned(stage.lens, look.turn)),
+        shown{*stage.telling, stage,      now,         names, story.frames[frame].focus_of(scene),
+              lens,           look.style, look.values, false, story.frames[frame].focus == Focus::parting} {}
+  SceneOfFrame(const SceneOfFrame&) = delete;  // what is shown refers to it
   SceneOfFrame& operator=(const SceneOfFrame&) = delete;
-
-  Shown shown(const Lens& lens, const Look& look) const {
-    return {*stage.telling, stage, now, names, focus, lens, look.style, look.values, false, is_parting};
-  }
 
   const Stage& stage;
   const Moment now;
   const Names names;
-  const Focus focus;
-  const bool is_parting;
+  const Lens lens;
+  const Shown shown;
 };
-
-Lens turned(const Lens& lens, double degrees) {
-  return lens.camera && degrees != 0 ? Lens{lens.camera->turned(degrees)} : lens;
-}
 
 // -- Around the panels ------------------------------------------------------------------------------------------------
 
 /// The title, smaller where it is long, and the source as far as there is room for it.
 void draw_header(Canvas& canvas, const Walkthrough& walkthrough, const Style& style) {
   const std::string title = literal(walkthrough.title);
-  TextStyle heading = style.title;
-  const double baseline = title_top + heading.size;
-  const double width = canvas.text_box({0, 0}, title, heading).width(), room = right_margin - left_margin;
-  if (width > room) heading.size *= room / width;
-  canvas.text({left_margin, baseline}, title, heading);
+  const double baseline = title_top + style.title.size, width = canvas.width(title, style.title);
+  canvas.text({left_margin, baseline}, title, canvas.fitted(title, style.title, right_margin - left_margin));
   TextStyle source = style.small;
   source.align = render::Align::right;
   if (canvas.text_box({right_margin, baseline}, walkthrough.source, source).min.x() > left_margin + width + panel_gap)
@@ -115,46 +106,41 @@ Columns columns(const Panels& panels, const Interval& rows, bool is_decision, co
   return all;
 }
 
-/// At most at that scale, and no larger than what doubles can place.
-View fit(const Bounds& bounds, const Box& room, double max_scale = unlimited) {
-  const double farthest = std::max(bounds.low.cwiseAbs().maxCoeff(), bounds.high.cwiseAbs().maxCoeff());
-  const double sharp = most_page_units / (farthest > 0 ? farthest : 1);
-  return View::fit(bounds.low, bounds.high, room, std::min(max_scale, sharp));
+/// No larger than what doubles can place.
+View fit(const Box& bounds, const Box& room) {
+  const double farthest = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
+  return View::fit(bounds.min, bounds.max, room, most_page_units / (farthest > 0 ? farthest : 1));
 }
 
-/// Where a simplex would be small in the whole set, its regions are shown close up; beside the plane pictures of a decision
-/// from the vertex that joins it to those that leave it, so that nothing jumps.
-bool is_close_up(const Shown& what, const Box& room) {
-  const bool is_beside = what.regions_beside && what.focus != Focus::crossing;
-  if ((what.focus != Focus::region && !is_beside) || what.now.processed.size() < 2) return false;
-  const double whole = fit(bounds_of_difference(what.telling, what.stage, what.lens), room).scale();
-  return fit(bounds_of_decision(what.now, what.lens), room).scale() > least_magnification * whole;
-}
-
-View view_of_difference(const Shown& what, const Box& room) {
-  return is_close_up(what, room) ? fit(bounds_of_decision(what.now, what.lens), room)
-                                 : fit(bounds_of_difference(what.telling, what.stage, what.lens), room);
+/// Returns: the regions of a simplex close up, where it would be small in the view of the whole set.
+std::optional<View> close_up(const Shown& what, const View& whole, const Box& room) {
+  if (what.focus != Focus::region || what.now.processed.size() < 2) return std::nullopt;
+  const View near = fit(bounds_of_decision(what.now, what.lens), room);
+  return near.scale() > least_magnification * whole.scale() ? std::optional(near) : std::nullopt;
 }
 
 /// The difference beside the picture of a decision, small.
-int draw_beside(Canvas& canvas, const Box& frame, const Shown& what) {
+void draw_beside(Canvas& canvas, const Box& frame, const Shown& what) {
   Shown beside = what;
   beside.regions_beside = true;
-  const View view = view_of_difference(what, below_title(frame, what.style).grown(-decision_margin));
-  return draw_difference(canvas, {frame, "a − b", view}, beside);
+  const Box room = below_title(frame, what.style).grown(-decision_margin);
+  const View whole = fit(bounds_of_difference(what.stage, what.lens), room);
+  draw_difference(canvas, {frame, "a − b", close_up(what, whole, room).value_or(whole)}, beside);
+}
+
+View view_of_objects(const Box& frame, const Shown& what) {
+  return fit(bounds_of_objects(what.stage, what.lens), below_title(frame, what.style).grown(-objects_margin));
 }
 
 /// The view in space beside the plane pictures of its decision, which are what to look at first. At the end the objects
 /// stand there: the gap that is seen in the plane is a gap between them.
-int draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vector<DecisionView>& views,
-                           const Shown& what) {
-  if (what.focus == Focus::end && what.telling.panels.objects) {
-    const View objects = fit(bounds_of_objects(what.telling, what.stage, what.lens),
-                             below_title(*boxes.objects, what.style).grown(-objects_margin));
-    return draw_objects(canvas, {*boxes.objects, "", objects}, what) +
-           draw_decision(canvas, boxes.difference, views, what);
-  }
-  return draw_beside(canvas, *boxes.objects, what) + draw_decision(canvas, boxes.difference, views, what);
+void draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vector<DecisionView>& views,
+                            const Shown& what) {
+  if (what.focus == Focus::end && what.telling.panels.objects)
+    draw_objects(canvas, {*boxes.objects, "", view_of_objects(*boxes.objects, what)}, what);
+  else
+    draw_beside(canvas, *boxes.objects, what);
+  draw_decision(canvas, boxes.difference, views, what);
 }
 
 /// Short where the letters are large: the key stands beside it.
@@ -164,41 +150,41 @@ std::string title_of_difference(bool is_close_up, const Style& style) {
 }
 
 /// The difference, and where asked for the objects.
-int draw_whole_set(Canvas& canvas, const Columns& boxes, const Shown& what) {
+void draw_whole_set(Canvas& canvas, const Columns& boxes, const Shown& what) {
   const Box room = below_title(boxes.difference, what.style).grown(-difference_margin);
-  const bool is_near = is_close_up(what, room);
-  View view = view_of_difference(what, room);
-  int crowded = 0;
+  View whole = fit(bounds_of_difference(what.stage, what.lens), room);
+  const std::optional<View> near = close_up(what, whole, room);
   if (boxes.objects) {
-    const Bounds objects = bounds_of_objects(what.telling, what.stage, what.lens);
-    const Box room_left = below_title(*boxes.objects, what.style).grown(-objects_margin);
-    View left = fit(objects, room_left);
-    if (!what.lens.camera && !is_near) {  // One scale for both, so that a length in one panel is the same in the other.
-      const double scale = std::min(left.scale(), view.scale());
-      left = fit(objects, room_left, scale);
-      view = view.with_scale(scale);
+    View left = view_of_objects(*boxes.objects, what);
+    if (!what.lens.camera && !near) {  // One scale for both, so that a length in one panel is the same in the other.
+      const double scale = std::min(left.scale(), whole.scale());
+      left = left.with_scale(scale);
+      whole = whole.with_scale(scale);
     }
-    crowded = draw_objects(canvas, {*boxes.objects, "", left}, what);
+    draw_objects(canvas, {*boxes.objects, "", left}, what);
   }
-  return crowded + draw_difference(canvas, {boxes.difference, title_of_difference(is_near, what.style), view}, what);
+  const std::string title = title_of_difference(near.has_value(), what.style);
+  draw_difference(canvas, {boxes.difference, title, near.value_or(whole)}, what);
 }
 
-int draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
+void draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   const Telling& telling = *story.stages[0].telling;
-  const Lens lens = turned(story.stages[0].lens, look.turn);
-  const SceneOfFrame scene(story, index, 0);
-  const Shown what = scene.shown(lens, look);
+  const SceneOfFrame scene(story, index, 0, look);
+  const Shown& what = scene.shown;
   const std::vector<DecisionView> views =
       shows_decision(story) ? decision_views(what.now, what.focus) : std::vector<DecisionView>{};
   const std::optional<NumberLine> line =
       telling.panels.decision ? number_line(what.now, what.focus, what.names) : std::nullopt;
   const Columns boxes = columns(telling.panels, rows_of_panels(look), !views.empty() || line, look.style);
-  const int crowded = line            ? draw_beside(canvas, *boxes.objects, what)
-                      : views.empty() ? draw_whole_set(canvas, boxes, what)
-                                      : draw_decision_in_space(canvas, boxes, views, what);
-  if (line) draw_number_line(canvas, boxes.difference, *line, what);
+  if (line) {
+    draw_beside(canvas, *boxes.objects, what);
+    draw_number_line(canvas, boxes.difference, *line, what);
+  } else if (views.empty()) {
+    draw_whole_set(canvas, boxes, what);
+  } else {
+    draw_decision_in_space(canvas, boxes, views, what);
+  }
   if (boxes.algorithm && look.code) draw_algorithm(canvas, *boxes.algorithm, what);
-  return crowded;
 }
 
 // -- Two scenes -------------------------------------------------------------------------------------------------------
@@ -215,35 +201,36 @@ std::string title_of_scene(const StagedStory& story, std::size_t scene, const Fr
 
 bool shows_a_move(const StagedStory& story) { return story.walkthrough.layout == Layout::close_ups; }
 
-Bounds bounds_of_scene(const StagedStory& story, std::size_t scene, std::size_t frame, const Lens& lens) {
+Box bounds_of_scene(const StagedStory& story, std::size_t scene, std::size_t frame, const Lens& lens) {
   return shows_a_move(story) ? bounds_of_move(story.drawn(frame, scene), lens)
-                             : bounds_of_difference(*story.stages[scene].telling, story.stages[scene], lens);
+                             : bounds_of_difference(story.stages[scene], lens);
 }
 
-int draw_scene(Canvas& canvas, const StagedStory& story, const Place& place, const Shown& what) {
+void draw_scene(Canvas& canvas, const StagedStory& story, const Place& place, const Shown& what) {
   return shows_a_move(story) ? draw_move(canvas, place, what) : draw_difference(canvas, place, what);
 }
 
-int draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
+void draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   const double middle = (left_margin + right_margin) / 2;
   const Interval rows = rows_of_panels(look);
   const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, rows),
                        panel_box(middle + panel_gap / 2, right_margin, rows)};
-  const auto view = [&](std::size_t s, const Lens& lens, double scale) {
+  const SceneOfFrame scenes[] = {{story, index, 0, look}, {story, index, 1, look}};
+  const auto view = [&](std::size_t s) {
     const std::size_t last = story.frames.size() - 1;  // of which the bounds are, so that nothing jumps
-    return fit(bounds_of_scene(story, s, last, lens), below_title(boxes[s], look.style).grown(-difference_margin),
-               scale);
+    return fit(bounds_of_scene(story, s, last, scenes[s].lens),
+               below_title(boxes[s], look.style).grown(-difference_margin));
   };
-  const Lens lenses[] = {turned(story.stages[0].lens, look.turn), turned(story.stages[1].lens, look.turn)};
-  const double scale = std::min(view(0, lenses[0], unlimited).scale(), view(1, lenses[1], unlimited).scale());
-  int crowded = 0;
+  const View views[] = {view(0), view(1)};
+  const double scale = std::min(views[0].scale(), views[1].scale());
   for (std::size_t s = 0; s < 2; ++s) {
-    const SceneOfFrame scene(story, index, s);
-    crowded +=
-        draw_scene(canvas, story, {boxes[s], title_of_scene(story, s, story.frames[index]), view(s, lenses[s], scale)},
-                   scene.shown(lenses[s], look));
+    const std::string title = title_of_scene(story, s, story.frames[index]);
+    draw_scene(canvas, story, {boxes[s], title, views[s].with_scale(scale)}, scenes[s].shown);
   }
-  return crowded;
+}
+
+void draw_diagram(Canvas& canvas, const StagedStory& story, std::size_t index, const Box& box, const Look& look) {
+  canvas.add_crowded(story.diagrams[index].draw(canvas, box, look.style));
 }
 
 // -- The strip --------------------------------------------------------------------------------------------------------
@@ -267,10 +254,9 @@ std::vector<Cell> cells(const StagedStory& story) {
   if (story.walkthrough.layout != Layout::search) {
     const std::size_t last = story.frames.size() - 1;
     for (std::size_t s = 0; s < story.tellings.size(); ++s) {
-      std::string said;
-      for (const Fact& fact : story.frames[last].facts)
-        if (said.empty() && fact.text.starts_with(story.tellings[s].scene.name)) said = fact.text;
-      list.push_back({last, s, title_of_scene(story, s, story.frames[last]), said});
+      const std::vector<Fact>& facts = story.frames[last].facts;
+      const auto said = std::ranges::find(facts, &story.tellings[s].scene, &Fact::of);
+      list.push_back({last, s, title_of_scene(story, s, story.frames[last]), said == facts.end() ? "" : said->text});
     }
     return list;
   }
@@ -281,13 +267,12 @@ std::vector<Cell> cells(const StagedStory& story) {
   return list;
 }
 
-int draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cell, const Box& frame, const Look& look) {
-  if (story.walkthrough.layout == Layout::diagrams) return story.diagrams[cell.frame].draw(canvas, frame, look.style);
-  const Lens lens = turned(story.stages[cell.scene].lens, look.turn);
-  const SceneOfFrame scene(story, cell.frame, cell.scene);
-  const Bounds box = bounds_of_scene(story, cell.scene, cell.frame, lens);
+void draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cell, const Box& frame, const Look& look) {
+  if (story.walkthrough.layout == Layout::diagrams) return draw_diagram(canvas, story, cell.frame, frame, look);
+  const SceneOfFrame scene(story, cell.frame, cell.scene, look);
+  const Box box = bounds_of_scene(story, cell.scene, cell.frame, scene.lens);
   const Place place{frame, cell.title, fit(box, below_title(frame, look.style).grown(-cell_margin))};
-  return draw_scene(canvas, story, place, scene.shown(lens, look));
+  draw_scene(canvas, story, place, scene.shown);
 }
 
 /// The width of one cell; a diagram keeps the shape that it has in a frame.
@@ -297,27 +282,17 @@ double bottom_of_panel(const StagedStory& story) {
   return story.walkthrough.layout == Layout::diagrams ? cell_gap + panels_height : cell_panel_bottom;
 }
 
-int draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, double left, const Look& look) {
+void draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, double left, const Look& look) {
   const Box frame{{left + cell_gap, cell_gap}, {left + width_of_cell(story) - cell_gap, bottom_of_panel(story)}};
-  const int crowded = draw_cell_picture(canvas, story, cell, frame, look);
+  draw_cell_picture(canvas, story, cell, frame, look);
   double y = frame.max.y() + look.style.scaled(line_pitch);
   for (const std::string& line : render::wrap(canvas, cell.caption, look.style.fact, frame.width())) {
     canvas.text({frame.min.x(), y}, line, look.style.fact);
     y += look.style.scaled(line_pitch * 0.95);
   }
-  return crowded;
 }
 
 // -- The frame --------------------------------------------------------------------------------------------------------
-
-int draw_panels(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
-  switch (story.walkthrough.layout) {
-    case Layout::search: return draw_search(canvas, story, index, look);
-    case Layout::diagrams:
-      return story.diagrams[index].draw(canvas, panel_box(left_margin, right_margin, rows_of_panels(look)), look.style);
-    default: return draw_pair(canvas, story, index, look);
-  }
-}
 
 }  // namespace
 
@@ -332,12 +307,17 @@ Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look) {
   return panel_box(left_margin, right, rows_of_panels(look)).grown(panel_gap / 2 - 1);
 }
 
-int draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
-  if (look.text != Text::around) return draw_panels(canvas, story, index, look);
-  draw_header(canvas, story.walkthrough, look.style);
-  const Box below{{left_margin, rows_of_panels(look).to}, {right_margin, frame_page.height}};
-  const int left_out = draw_footer(canvas, below, story, index, look.style);
-  return draw_panels(canvas, story, index, look) + left_out;
+void draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
+  const Interval rows = rows_of_panels(look);
+  if (look.text == Text::around) {
+    draw_header(canvas, story.walkthrough, look.style);
+    draw_footer(canvas, {{left_margin, rows.to}, {right_margin, frame_page.height}}, story, index, look.style);
+  }
+  switch (story.walkthrough.layout) {
+    case Layout::search: return draw_search(canvas, story, index, look);
+    case Layout::diagrams: return draw_diagram(canvas, story, index, panel_box(left_margin, right_margin, rows), look);
+    default: return draw_pair(canvas, story, index, look);
+  }
 }
 
 render::Size strip_page(const StagedStory& story, const Look& look) {
@@ -346,14 +326,12 @@ render::Size strip_page(const StagedStory& story, const Look& look) {
   return {width_of_cell(story) * static_cast<int>(cells(story).size()), height};
 }
 
-int draw_strip(Canvas& canvas, const StagedStory& story, const Look& look) {
-  int crowded = 0;
+void draw_strip(Canvas& canvas, const StagedStory& story, const Look& look) {
   double left = 0;
   for (const Cell& cell : cells(story)) {
-    crowded += draw_cell(canvas, story, cell, left, look);
+    draw_cell(canvas, story, cell, left, look);
     left += width_of_cell(story);
   }
-  return crowded;
 }
 
 }  // namespace walkthroughs::picture

@@ -1,6 +1,5 @@
-/// Frames to pictures. Reads the story; computes nothing that the trace or the hull already states.
-///
-/// What draws returns how many labels could not be kept clear of lines, of each other and of the panel's frame.
+/// Frames to pictures. Reads the story; computes nothing that the trace or the hull already states. Labels that could not be kept
+/// clear of lines, of each other and of the panel's frame, and lines of text that there was no room for, are counted by the canvas.
 #pragma once
 
 #include <cstddef>
@@ -37,14 +36,24 @@ render::Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look);
 
 /// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper;
 /// index < story.frames.size().
-/// Returns: how many labels could not be kept clear of others, and how many lines of text there was no room for.
-int draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
+void draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
+
+/// Draws into `room` what is written below the panels of a frame: how far the story is, the caption, and the numbers that decide;
+/// the facts smaller where there are many.
+void draw_footer(render::Canvas& canvas, const render::Box& room, const StagedStory& story, std::size_t index,
+                 const Style& style);
+
+/// Draws the same words, without the number of frames, in one column that begins at the top left corner of the page, each at
+/// its full size.
+/// Returns: how high the column is.
+double draw_words(render::Canvas& canvas, double width, const StagedStory& story, std::size_t index,
+                  const Style& style);
 
 /// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
 /// picture of each.
 render::Size strip_page(const StagedStory& story, const Look& look = {});
 
 /// Requires: a canvas with the page strip_page(story, look), in the colour of the paper.
-int draw_strip(render::Canvas& canvas, const StagedStory& story, const Look& look = {});
+void draw_strip(render::Canvas& canvas, const StagedStory& story, const Look& look = {});
 
 }  // namespace walkthroughs::picture

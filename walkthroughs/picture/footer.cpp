@@ -1,9 +1,9 @@
-#include "walkthroughs/picture/footer.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <string>
 #include <vector>
+
+#include "walkthroughs/picture/draw.hpp"
 
 namespace walkthroughs::picture {
 namespace {
@@ -75,16 +75,15 @@ double height_of(const std::vector<Line>& lines) {
                          [](double sum, const Line& line) { return sum + line.pitch; });
 }
 
-/// Returns: how many did not fit.
-int draw_lines(Canvas& canvas, const Box& room, const std::vector<Line>& lines, const Style& style) {
+/// Those that fit.
+void draw_lines(Canvas& canvas, const Box& room, const std::vector<Line>& lines, const Style& style) {
   Vec2 at = room.min + Vec2(0, style.scaled(first_line));
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (at.y() > room.max.y() - below_last_line) return static_cast<int>(lines.size() - i);
+    if (at.y() > room.max.y() - below_last_line) return canvas.add_crowded(static_cast<int>(lines.size() - i));
     draw_mark(canvas, at, lines[i].mark, style);
     canvas.text(at + Vec2(lines[i].indent, 0), lines[i].text, lines[i].style);
     at.y() += lines[i].pitch;
   }
-  return 0;
 }
 
 /// The iteration and the simplex.
@@ -103,7 +102,7 @@ std::vector<std::string> state_of_search(const StagedStory& story, std::size_t i
 }
 
 /// "step n of N", the iteration and the simplex.
-int draw_progress(Canvas& canvas, const Box& room, const StagedStory& story, std::size_t index, const Style& style) {
+void draw_progress(Canvas& canvas, const Box& room, const StagedStory& story, std::size_t index, const Style& style) {
   const TextStyle bold{.size = style.scaled(24), .weight = render::Weight::bold, .color = style.theme.ink};
   std::vector<Line> lines;
   const auto write = [&](const std::string& text, const TextStyle& how) {
@@ -111,7 +110,7 @@ int draw_progress(Canvas& canvas, const Box& room, const StagedStory& story, std
   };
   write("step " + std::to_string(index + 1) + " of " + std::to_string(story.frames.size()), bold);
   for (const std::string& words : state_of_search(story, index)) write(words, style.small);
-  return draw_lines(canvas, room, lines, style);
+  draw_lines(canvas, room, lines, style);
 }
 
 /// The caption and the facts, as large as they fit, but not smaller than at the usual scale of text.
@@ -132,10 +131,11 @@ std::vector<Line> fitting_lines(Canvas& canvas, const Box& room, const Frame& fr
 
 }  // namespace
 
-int draw_footer(Canvas& canvas, const Box& room, const StagedStory& story, std::size_t index, const Style& style) {
+void draw_footer(Canvas& canvas, const Box& room, const StagedStory& story, std::size_t index, const Style& style) {
   const Box text{room.min + Vec2(style.scaled(text_left), 0), room.max};
   const std::vector<Line> lines = fitting_lines(canvas, text, story.frames[index], style);
-  return draw_progress(canvas, room, story, index, style) + draw_lines(canvas, text, lines, style);
+  draw_progress(canvas, room, story, index, style);
+  draw_lines(canvas, text, lines, style);
 }
 
 double draw_words(Canvas& canvas, double width, const StagedStory& story, std::size_t index, const Style& style) {

@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "walkthroughs/picture/panel_title.hpp"
-
 namespace walkthroughs::picture {
 namespace {
 
@@ -25,8 +23,7 @@ constexpr double gap = 8, circle_radius = 14, widest = 0.45;  // the last in par
 const Vec2 size_of_frame(120, 92), size_of_label(44, 20), label_margin(5, 5);
 
 double distance_to_line(const Vec2& p, const Segment& line) {
-  const Vec2 along = (line.second - line.first).stableNormalized(), way = p - line.first;
-  return std::abs(along.x() * way.y() - along.y() * way.x());
+  return std::abs(render::turn((line.second - line.first).stableNormalized(), p - line.first));
 }
 
 /// Returns: a box in the corner of `room` where it is farthest from `at` and from `shape`.
@@ -48,7 +45,7 @@ Box best_corner(const Vec2& at, const std::vector<Segment>& shape, const Box& ro
 }
 
 View magnified(const Vec2& at, const Box& frame, const View& view, double factor) {
-  return View::fit(at, at, frame, infinity).with_scale(view.scale() * factor);
+  return View::fit(at, at, frame).with_scale(view.scale() * factor);
 }
 
 }  // namespace
@@ -88,22 +85,25 @@ std::optional<Inset> inset_of(const Vec2& at, const std::vector<Segment>& lines,
   return around(at, std::max(least_factor, std::exp2(std::floor(std::log2(in_sight / distance)))));
 }
 
-void draw_inset(render::Canvas& canvas, const Inset& inset, const View& view, const Style& style,
-                const std::function<void(render::Panel&)>& draw) {
+void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const std::optional<Inset>& inset,
+                       const Style& style, const std::function<void(render::Panel&)>& draw) {
+  if (inset) panel.keep_clear(inset->frame);
+  canvas.add_crowded(panel.place_labels(style.smallest_label()));
+  if (!inset) return;
+  const auto& [at, frame, factor, label] = *inset;
   const render::Stroke line{style.theme.ink, 1.2};
-  canvas.circle(view.page(inset.at), circle_radius, line);
-  canvas.rectangle(inset.frame, style.theme.paper);
+  canvas.circle(panel.view().page(at), circle_radius, line);
+  canvas.rectangle(frame, style.theme.paper);
   {
-    render::Panel panel(canvas, inset.frame, magnified(inset.at, inset.frame, view, inset.factor));
-    panel.keep_clear(inset.label);
-    draw(panel);
-    panel.place_labels(style.smallest_label());
+    render::Panel inside(canvas, frame, magnified(at, frame, panel.view(), factor));
+    inside.keep_clear(label);
+    draw(inside);
+    inside.place_labels(style.smallest_label());
   }
-  canvas.outline(corners_of(inset.frame), line);
-  const std::string factor = words_of_factor(inset.factor);
+  canvas.outline(frame.corners(), line);
   render::TextStyle text = style.small_label();
   text.align = render::Align::center;
-  canvas.text(inset.label.center() + Vec2(0, canvas.cap_height(text) / 2), factor, text);
+  canvas.text(label.center() + Vec2(0, canvas.cap_height(text) / 2), words_of_factor(factor), text);
 }
 
 }  // namespace walkthroughs::picture

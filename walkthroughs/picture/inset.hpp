@@ -32,8 +32,9 @@ std::optional<Inset> inset_of(const render::Vec2& at, const std::vector<Segment>
                               const std::vector<Segment>& shape, const render::Box& room, const render::View& view,
                               bool is_wanted);
 
-/// Draws it over what is there, and a thin circle around what it shows. `draw`: what it shows.
-void draw_inset(render::Canvas& canvas, const Inset& inset, const render::View& view, const Style& style,
-                const std::function<void(render::Panel&)>& draw);
+/// Places the labels of `panel`, and draws the inset, where there is one, over what is there, a thin circle around what it shows.
+/// `draw`: what that is.
+void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const std::optional<Inset>& inset,
+                       const Style& style, const std::function<void(render::Panel&)>& draw);
 
 }  // namespace walkthroughs::picture

@@ -10,28 +10,6 @@
 
 namespace walkthroughs::picture {
 
-/// The smallest box of a picture that holds what must be shown.
-struct Bounds {
-  render::Vec2 low, high;
-
-  explicit Bounds(const render::Vec2& first) : low(first), high(first) {}
-  /// Requires: at least one place.
-  explicit Bounds(const std::vector<render::Vec2>& places) : Bounds(places.front()) {
-    for (const render::Vec2& each : places) add(each);
-  }
-  void add(const render::Vec2& place) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  }
-  /// Its longer side.
-  double size() const { return (high - low).maxCoeff(); }
-  /// Adds so much on every side.
-  void grow(const render::Vec2& margin) {
-    low -= margin;
-    high += margin;
-  }
-};
-
 /// A scene of the plane has no camera: its picture is the scene itself. Of a scene in space planes are looked at as well.
 struct Lens {
   std::optional<render::Camera> camera;

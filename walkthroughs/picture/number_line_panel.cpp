@@ -106,14 +106,13 @@ class NumberLinePicture {
   /// In the middle over the mark, or beside it where the room ends; also off the band, where there is room on that side. Larger
   /// text than fits is drawn smaller.
   void name(const std::string& words, const Vec2& mark, const Scale& at) const {
-    render::TextStyle text = bold();
-    const double needed = canvas_.text_box({0, 0}, words, text).width(), width = std::min(needed, room_.width());
-    text.size *= width / needed;
+    const double width = std::min(canvas_.width(words, bold()), room_.width());
     double low = room_.min.x(), high = room_.max.x();
     const double before_band = at(line_.low) - gap_to_band, behind_band = at(line_.high) + gap_to_band;
     if (mark.x() < before_band && before_band - low >= width) high = before_band;
     if (mark.x() > behind_band && high - behind_band >= width) low = behind_band;
-    canvas_.text({std::max(std::min(mark.x() - width / 2, high - width), low), mark.y()}, words, text);
+    canvas_.text({std::max(std::min(mark.x() - width / 2, high - width), low), mark.y()}, words,
+                 canvas_.fitted(words, bold(), room_.width()));
   }
 
   render::Canvas& canvas_;

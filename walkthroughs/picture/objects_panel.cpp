@@ -11,8 +11,8 @@ KeyEntry swatch(const std::string& text, render::Color fill, const render::Strok
   return {text,
           [=](render::Canvas& canvas, const Vec2& at) {
             const render::Box box{at - Vec2(9, 7), at + Vec2(9, 7)};
-            canvas.polygon(corners_of(box), fill);
-            canvas.outline(corners_of(box), {outline.color, 2.5});
+            canvas.rectangle(box, fill);
+            canvas.outline(box.corners(), {outline.color, 2.5});
           },
           10, true};
 }
@@ -40,14 +40,14 @@ Point middle_of_object(const Object& object, const Body& body) {
 
 }  // namespace
 
-Bounds bounds_of_objects(const Telling& telling, const Stage& stage, const Lens& lens) {
-  std::vector<Vec2> points = outline(telling.scene.a, stage.a, lens);
-  const std::vector<Vec2> b = outline(telling.scene.b, stage.b, lens);
+render::Box bounds_of_objects(const Stage& stage, const Lens& lens) {
+  std::vector<Vec2> points = outline(stage.telling->scene.a, stage.a, lens);
+  const std::vector<Vec2> b = outline(stage.telling->scene.b, stage.b, lens);
   points.insert(points.end(), b.begin(), b.end());
-  return Bounds(points);
+  return render::Box::around(points);
 }
 
-int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown) {
+void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Scene& scene = shown.telling.scene;
   draw_panel_title(canvas, place.frame, place.title, style,
@@ -64,7 +64,7 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   if (!shown.now.found) {
     pencil.direction(middle_of_object(scene.a, shown.stage.a), d, style.direction, "d");
     pencil.direction(middle_of_object(scene.b, shown.stage.b), -d, style.direction, "−d");
-    return panel.place_labels(style.smallest_label());
+    return canvas.add_crowded(panel.place_labels(style.smallest_label()));
   }
   const Point &a = shown.now.found->a.point, &b = shown.now.found->b.point;
   if ((shown.focus == Focus::support || shown.focus == Focus::crossing) && !pencil.in_space()) {
@@ -78,7 +78,7 @@ int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown)
   pencil.direction(b, -d, style.direction, "−d");
   pencil.point(a, style.object_a.color);
   pencil.point(b, style.object_b.color);
-  return panel.place_labels(style.smallest_label());
+  canvas.add_crowded(panel.place_labels(style.smallest_label()));
 }
 
 }  // namespace walkthroughs::picture

@@ -30,10 +30,6 @@ std::string shorter(std::string text) {
   return text + ellipsis;
 }
 
-double width_of(render::Canvas& canvas, const std::string& words, const render::TextStyle& text) {
-  return words.empty() ? 0 : canvas.text_box({0, 0}, words, text).width();
-}
-
 bool is_larger(const Style& style) { return style.theme.text > 1; }
 
 double pitch_of(const KeyEntry& entry, const Style& style) {
@@ -43,7 +39,7 @@ double pitch_of(const KeyEntry& entry, const Style& style) {
 double width_of(render::Canvas& canvas, const std::vector<KeyEntry>& key, const render::TextStyle& text,
                 const Style& style) {
   return std::accumulate(key.begin(), key.end(), 0.0, [&](double sum, const KeyEntry& entry) {
-    return sum + pitch_of(entry, style) + width_of(canvas, entry.text, text);
+    return sum + pitch_of(entry, style) + canvas.width(entry.text, text);
   });
 }
 
@@ -52,10 +48,9 @@ double width_of(render::Canvas& canvas, const std::vector<KeyEntry>& key, const 
 render::TextStyle lettering(render::Canvas& canvas, double room, const std::string& title,
                             const std::vector<KeyEntry>& key, const Style& style) {
   render::TextStyle text = style.panel_title;
-  while (text.size > usual_size && width_of(canvas, title, text) + width_of(canvas, key, text, style) > room)
+  while (text.size > usual_size && canvas.width(title, text) + width_of(canvas, key, text, style) > room)
     text.size = std::max(usual_size, text.size - 1);
-  if (const double width = width_of(canvas, title, text); width > room) text.size *= room / width;
-  return text;
+  return canvas.fitted(title, text, room);
 }
 
 /// Returns: whether the key would be too small beside the title.
@@ -63,14 +58,14 @@ bool gives_way(render::Canvas& canvas, double room, const std::string& title, co
                const Style& style) {
   render::TextStyle text = style.panel_title;
   text.size = shortened_key_size;
-  return is_larger(style) && !key.empty() && width_of(canvas, title, text) + width_of(canvas, key, text, style) > room;
+  return is_larger(style) && !key.empty() && canvas.width(title, text) + width_of(canvas, key, text, style) > room;
 }
 
 /// Draws the entries at the right end of `room`, in smaller letters where they would not fit; where they do not fit then,
 /// those of a user's words shortened, of others as many as fit.
 void draw_key(render::Canvas& canvas, render::Interval room, double baseline, std::vector<KeyEntry> key,
               render::TextStyle text, const Style& style) {
-  const auto width = [&](const KeyEntry& entry) { return pitch_of(entry, style) + width_of(canvas, entry.text, text); };
+  const auto width = [&](const KeyEntry& entry) { return pitch_of(entry, style) + canvas.width(entry.text, text); };
   const auto needed = [&] { return width_of(canvas, key, text, style); };
   while (text.size > least_key_size && needed() > room.to - room.from) text.size -= 1;
   const bool may_be_shortened = !key.empty() && std::ranges::all_of(key, &KeyEntry::may_be_shortened);
@@ -97,17 +92,13 @@ void draw_key(render::Canvas& canvas, render::Interval room, double baseline, st
 
 }  // namespace
 
-std::vector<Vec2> corners_of(const render::Box& box) {
-  return {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
-}
-
 render::Box below_title(const render::Box& frame, const Style& style) {
   return {frame.min + Vec2(0, above_title + style.panel_title.size + below_title_line), frame.max};
 }
 
 render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                              const Style& style, const std::vector<KeyEntry>& key) {
-  canvas.outline(corners_of(frame), style.frame);
+  canvas.outline(frame.corners(), style.frame);
   const render::Box room = below_title(frame, style);
   canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
   const double baseline = frame.min.y() + above_title + style.panel_title.size;
@@ -115,7 +106,7 @@ render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, c
   const std::string beside = gives_way(canvas, right - left, title, key, style) ? "" : title;
   const render::TextStyle text = lettering(canvas, right - left, beside, key, style);
   if (!beside.empty()) canvas.text({left, baseline}, beside, text);
-  draw_key(canvas, {left + width_of(canvas, beside, text), right}, baseline, key, text, style);
+  draw_key(canvas, {left + canvas.width(beside, text), right}, baseline, key, text, style);
   return room;
 }
 

@@ -11,9 +11,6 @@
 
 namespace walkthroughs::picture {
 
-/// Returns: the corners of a box, all around.
-std::vector<render::Vec2> corners_of(const render::Box& box);
-
 /// Returns: the part of `frame` below the title.
 render::Box below_title(const render::Box& frame, const Style& style);
 

@@ -1,32 +1,57 @@
-/// The panels of a search. What draws one returns how many labels could not be kept clear of lines and of each other.
+/// The panels of a search.
 #pragma once
 
-#include "walkthroughs/picture/shown.hpp"
+#include <string>
+
+#include "render/panel.hpp"
+#include "walkthroughs/picture/stage.hpp"
+#include "walkthroughs/picture/style.hpp"
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/number_line.hpp"
 
 namespace walkthroughs::picture {
 
-Bounds bounds_of_objects(const Telling& telling, const Stage& stage, const Lens& lens);
+/// Where a panel stands on the page: its title and its key on top, the scene below.
+struct Place {
+  render::Box frame;
+  std::string title;
+  render::View view;
+};
+
+/// What is shown, and how it is looked at.
+struct Shown {
+  const Telling& telling;
+  const Stage& stage;
+  const Moment& now;
+  const Names& names;
+  Focus focus;
+  const Lens& lens;
+  const Style& style;
+  bool values = true;           ///< whether numbers that decide are written into the picture
+  bool regions_beside = false;  ///< whether pictures of planes beside this one show the regions
+  bool is_parting = false;      ///< whether another search goes another way here
+};
+
+render::Box bounds_of_objects(const Stage& stage, const Lens& lens);
 
 /// The two objects, the support points and the directions in which they are farthest.
-int draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown);
+void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown);
 
 /// Of the whole difference, of everything that the search finds in it, and the origin.
-Bounds bounds_of_difference(const Telling& telling, const Stage& stage, const Lens& lens);
+render::Box bounds_of_difference(const Stage& stage, const Lens& lens);
 /// Of the simplex that is being processed and the origin, with room for the regions around.
-Bounds bounds_of_decision(const Moment& now, const Lens& lens);
+render::Box bounds_of_decision(const Moment& now, const Lens& lens);
 /// Of the move that `now` has found, the origin, and the search direction drawn from there.
-Bounds bounds_of_move(const Moment& now, const Lens& lens);
+render::Box bounds_of_move(const Moment& now, const Lens& lens);
 
 /// The difference, the origin, the simplex with the segments that GJK added, and what the focus asks for.
-int draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown);
+void draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown);
 /// The same, reduced to one move: where it started, where it ended, d and the vector from the origin (Figure 5).
-int draw_move(render::Canvas& canvas, const Place& place, const Shown& shown);
+void draw_move(render::Canvas& canvas, const Place& place, const Shown& shown);
 
 /// The plane pictures of a decision in space. Requires: at least one view, those of `shown.now`.
-int draw_decision(render::Canvas& canvas, const render::Box& frame, const std::vector<DecisionView>& views,
-                  const Shown& shown);
+void draw_decision(render::Canvas& canvas, const render::Box& frame, const std::vector<DecisionView>& views,
+                   const Shown& shown);
 
 /// Of a proof or of a sign in doubt: its numbers on a line, to scale, beside what rounding may have made. Words stand where no
 /// line is.

@@ -1,7 +1,6 @@
 #include "walkthroughs/picture/pencil.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "walkthroughs/picture/diagram_parts.hpp"
@@ -55,7 +54,7 @@ void Pencil::point(const Point& p, render::Color color) { draw_point(panel_, at(
 
 void Pencil::direction(const Point& from, const Point& d, const Stroke& stroke, const std::string& name) {
   if (!is_seen(d) || !d.allFinite()) return;  // it leads nowhere
-  const Point to = from + d.stableNormalized() * length(style_.arrow_length);
+  const Point to = from + d.stableNormalized() * length(arrow_length_);
   const Vec2 tail = at(from), tip = at(to), along = tip - tail;
   panel_.arrow(tail, tip, stroke);
   panel_.label(tail + along * 0.8, Vec2(-along.y(), along.x()), name, style_.label(stroke.color, render::Weight::bold));

@@ -12,7 +12,10 @@ namespace walkthroughs::picture {
 
 class Pencil {
  public:
-  Pencil(render::Panel& panel, const Lens& lens, const Style& style) : panel_(panel), lens_(lens), style_(style) {}
+  /// `arrow_length`: that of directions, in page units.
+  Pencil(render::Panel& panel, const Lens& lens, const Style& style, double arrow_length)
+      : panel_(panel), lens_(lens), style_(style), arrow_length_(arrow_length) {}
+  Pencil(render::Panel& panel, const Lens& lens, const Style& style) : Pencil(panel, lens, style, style.arrow_length) {}
 
   render::Panel& panel() { return panel_; }
   const Style& style() const { return style_; }
@@ -31,7 +34,7 @@ class Pencil {
   void line(const Point& from, const Point& to, const render::Stroke& stroke) { panel_.line(at(from), at(to), stroke); }
   void polygon(const std::vector<Point>& corners, render::Color fill) { panel_.polygon(at(corners), fill); }
   void point(const Point& p, render::Color color);
-  /// An arrow of the usual length along `d`, named. In space its picture is shorter the more it points at the viewer.
+  /// An arrow along `d`, named. In space its picture is shorter the more it points at the viewer.
   void direction(const Point& from, const Point& d, const render::Stroke& stroke, const std::string& name);
   /// Where nothing lies beyond `on` in direction `d`: the far half of the plane; in space a patch of the plane between.
   void out_of_reach(const Point& on, const Point& d);
@@ -57,6 +60,7 @@ class Pencil {
   render::Panel& panel_;
   const Lens& lens_;
   const Style& style_;
+  const double arrow_length_;
 };
 
 /// Returns: the part of a convex polygon on the side of `on` that `toward` points to.

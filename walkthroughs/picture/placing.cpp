@@ -1,9 +1,9 @@
-#include "walkthroughs/picture/placing.hpp"
-
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <variant>
+
+#include "walkthroughs/picture/stage.hpp"
 
 namespace walkthroughs::picture {
 namespace {
@@ -12,17 +12,7 @@ constexpr double least_size = 1e-30, most_size = 1e30;  // whose products of eig
 constexpr double farthest_in_sizes = 1e9;  // from the origin: there a coordinate says a billionth of the size
 constexpr int most_doublings = 1000;       // a scale that is a number, and its inverse, too
 
-/// A box in space; empty at first.
-struct Extent {
-  Point low = Point::Constant(std::numeric_limits<double>::infinity());
-  Point high = Point::Constant(-std::numeric_limits<double>::infinity());
-
-  void add(const Point& p, double radius = 0) {
-    low = low.cwiseMin((p.array() - radius).matrix());
-    high = high.cwiseMax((p.array() + radius).matrix());
-  }
-  double size() const { return (high - low).maxCoeff(); }
-};
+using Extent = Eigen::AlignedBox3d;
 
 /// A box around a shape where the pose puts it, perhaps with some room.
 struct ExtentOf {
@@ -30,20 +20,19 @@ struct ExtentOf {
 
   Extent operator()(const Points& points) const {
     Extent extent;
-    for (const Point& p : points) extent.add(pose(p));
+    for (const Point& p : points) extent.extend(pose(p));
     return extent;
   }
   Extent operator()(const auto& round) const {
     using Row = RowOf<decltype(round)>;
-    Extent extent;
-    extent.add(pose(Row::middle(round)), Row::reach(round));
-    return extent;
+    const Point middle = pose(Row::middle(round)), reach = Point::Constant(Row::reach(round));
+    return {middle - reach, middle + reach};
   }
   Extent operator()(const Sum& sum) const {
     const Pose turned{pose.rotation, Point::Zero()};
     const Extent first = visit_shape(*this, sum.summands[0]);
     const Extent second = visit_shape(ExtentOf{turned}, sum.summands[1]);
-    return {first.low + second.low, first.high + second.high};
+    return {first.min() + second.min(), first.max() + second.max()};
   }
 };
 
@@ -107,22 +96,20 @@ Placing placing_of(const std::vector<Telling>& tellings) {
   Extent objects;
   double largest = 0;  // of what is drawn
   for (const Telling& telling : tellings) {
-    for (const Object* object : {&telling.scene.a, &telling.scene.b}) {
-      const Extent extent = visit_shape(ExtentOf{object->pose}, object->form);
-      objects.add(extent.low);
-      objects.add(extent.high);
-    }
+    for (const Object* object : {&telling.scene.a, &telling.scene.b})
+      objects.extend(visit_shape(ExtentOf{object->pose}, object->form));
     for (const auto& event : telling.trace.events)
       if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event))
         largest = std::max(largest, found->vertex.w.cwiseAbs().maxCoeff());
   }
   Placing placing;
-  if (tellings.empty() || !(objects.size() > 0)) return placing;
-  largest = std::max(largest, objects.size());
+  const double size = objects.sizes().maxCoeff();
+  if (tellings.empty() || !(size > 0)) return placing;
+  largest = std::max(largest, size);
   if (largest < least_size || largest > most_size)
     placing.scale = std::ldexp(1, std::clamp(-std::ilogb(largest), -most_doublings, most_doublings));
-  const Point middle = objects.low / 2 + objects.high / 2;
-  if (middle.cwiseAbs().maxCoeff() > farthest_in_sizes * objects.size()) placing.center = middle;
+  const Point middle = objects.min() / 2 + objects.max() / 2;
+  if (middle.cwiseAbs().maxCoeff() > farthest_in_sizes * size) placing.center = middle;
   return placing;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/story/decision.hpp"
 
 namespace walkthroughs::picture {
@@ -19,20 +18,6 @@ constexpr double cross_label_gap = 34;  // far enough for a leader: faces overla
 constexpr double foot_radius = 3.5;
 constexpr double margin_in_space = 0.45;  // of the drawn part of a plane around its triangle, in widths of it
 
-/// Returns: a rectangle of the plane around what must be seen of it.
-std::vector<Vec2> around(const std::vector<Vec2>& points) {
-  Bounds box(points);
-  box.grow(Vec2::Constant(margin_in_space * box.size()));
-  return corners_of({box.low, box.high});
-}
-
-/// One region, ready to be drawn.
-struct Candidate {
-  std::string name;                ///< "R3", or what it is: "beyond AC"
-  std::vector<Vec2> area;          ///< in the plane
-  const Region* region = nullptr;  ///< what was said of it, if anything was
-};
-
 /// Draws the regions in one plane.
 class RegionPicture {
  public:
@@ -42,40 +27,36 @@ class RegionPicture {
   void segment() {
     const Point A = vertex(Role::A), B = vertex(Role::B);
     if (A == B) return;
-    if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, toward_origin(A, B));
-    const std::vector<Vec2> clip = drawn_part({A, B, Point::Zero()});
+    const std::vector<Vec2> clip = drawn_part_beside(A, B);
     const auto areas = regions_of_segment(plane_(A), plane_(B), clip);
     const Region* sides = find(Label::R3_or_R4);
     const bool scene_in_space = shown_.telling.scene.dimension == Dimension::space;
     const Vec2 origin = plane_(Point::Zero());
-    const bool left = areas[2].empty() || turn(plane_(B), plane_(A), origin) > 0;
-    draw({"R1", areas[0], find(Label::R1)});
-    draw({"R2", areas[1], find(Label::R2)});
-    draw({scene_in_space ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], scene_in_space ? sides : nullptr});
-    draw({scene_in_space ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides});
+    const bool left = areas[2].empty() || render::turn(plane_(A) - plane_(B), origin - plane_(B)) > 0;
+    draw("R1", areas[0], find(Label::R1));
+    draw("R2", areas[1], find(Label::R2));
+    draw(scene_in_space ? "" : left ? "R4" : "R3", areas[left ? 3 : 2], scene_in_space ? sides : nullptr);
+    draw(scene_in_space ? "R3 or R4" : left ? "R3" : "R4", areas[left ? 2 : 3], sides);
   }
 
   /// On one side of the plane through A across the edge the edge leads toward the origin, on the other it does not.
   void sides_along(const Roles& edge) {
     const Point A = vertex(Role::A), X = vertex(edge[1]);
     if (A == X) return;
-    if (pencil_.in_space()) plane_ = Plane::spanned(A, X - A, toward_origin(A, X));
-    const std::vector<Vec2> clip = drawn_part({A, X, Point::Zero()});
+    const std::vector<Vec2> clip = drawn_part_beside(A, X);
     const Vec2 along = plane_(X) - plane_(A);
     const Region* asked = nullptr;
     for (const Region& region : shown_.now.regions)
       if (region.feature == edge && asks_along_edge(region)) asked = &region;
-    draw({"", half(clip, plane_(A), -along), nullptr});
-    draw({"toward " + shown_.names.of(edge[1]), half(clip, plane_(A), along), asked});
+    draw("", half(clip, plane_(A), -along), nullptr);
+    draw("toward " + shown_.names.of(edge[1]), half(clip, plane_(A), along), asked);
   }
 
   void triangle() {
-    const Point A = vertex(Role::A), B = vertex(Role::B), C = vertex(Role::C);
-    if (!spans(A, B, C)) return;
-    if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, C - A);
-    const auto areas = regions_of_triangle(plane_(A), plane_(B), plane_(C), drawn_part({A, B, C, Point::Zero()}));
+    const auto areas = areas_beside(vertex(Role::A), vertex(Role::B), vertex(Role::C));
+    if (areas.empty()) return;
     for (const Label label : {Label::R4, Label::R5, Label::R6, Label::R2, Label::R3, Label::R7, Label::R1})
-      draw({std::string(to_string(label)), areas[static_cast<std::size_t>(label) - 1], find(label)});
+      draw(std::string(to_string(label)), areas[static_cast<std::size_t>(label) - 1], find(label));
     foot_of_origin();
   }
 
@@ -103,24 +84,21 @@ class RegionPicture {
   /// The regions beside a face APQ in its plane: beyond AQ, beyond AP, and above the face itself.
   void edges_of_face(const Roles& face) {
     const Role P = face[1], Q = face[2];
-    const Point A = vertex(Role::A);
-    if (!spans(A, vertex(P), vertex(Q))) return;
-    if (pencil_.in_space()) plane_ = Plane::spanned(A, vertex(P) - A, vertex(Q) - A);
-    const auto areas = regions_of_triangle(plane_(A), plane_(vertex(P)), plane_(vertex(Q)),
-                                           drawn_part({A, vertex(P), vertex(Q), Point::Zero()}));
+    const auto areas = areas_beside(vertex(Role::A), vertex(P), vertex(Q));
+    if (areas.empty()) return;
     const auto beyond = [&](Role other) { return "beyond " + shown_.names.sorted({Role::A, other}); };
     if (!pencil_.in_space()) {  // what the search has left behind, as far as it lies in this plane
-      draw({"", areas[1], find({}, "A")});
-      draw({"", areas[3], find({}, {P})});
-      draw({"", areas[4], find({}, {P, Q})});
-      draw({"", areas[5], find({}, {Q})});
+      draw("", areas[1], find({}, "A"));
+      draw("", areas[3], find({}, {P}));
+      draw("", areas[4], find({}, {P, Q}));
+      draw("", areas[5], find({}, {Q}));
     }
     const Region* const now = last();
     const bool neither = now && now->verdict == Verdict::rejected && now->feature == Roles{Role::A, P};
-    draw({beyond(Q), areas[6], find(face, {Role::A, Q})});
-    draw({beyond(P), areas[2], find(face, {Role::A, P})});
+    draw(beyond(Q), areas[6], find(face, {Role::A, Q}));
+    draw(beyond(P), areas[2], find(face, {Role::A, P}));
     const std::string above = shown_.now.in_exact_fallback ? "" : "above ";  // which may lie below
-    draw({above + shown_.names.sorted(face), areas[0], neither ? find({}, face) : nullptr});
+    draw(above + shown_.names.sorted(face), areas[0], neither ? find({}, face) : nullptr);
     foot_of_origin();
   }
 
@@ -140,20 +118,26 @@ class RegionPicture {
  private:
   Point vertex(Role role) const { return shown_.now.processed.point(role); }
 
-  static double turn(const Vec2& from, const Vec2& to, const Vec2& p) {
-    return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
-  }
-  static bool spans(const Point& A, const Point& B, const Point& C) { return !(B - A).cross(C - A).isZero(0); }
-
-  /// Returns: the direction from AB to the origin, or any across it where the origin lies on its line.
-  static Point toward_origin(const Point& A, const Point& B) {
+  /// Looks, in space, at the plane of AB and the origin, or at any through AB where the origin lies on its line.
+  /// Returns: what is drawn of the plane.
+  std::vector<Vec2> drawn_part_beside(const Point& A, const Point& B) {
     const Point across = (B - A).cross(-A).cross(B - A);
-    return across.isZero(0) ? Point((B - A).unitOrthogonal()) : across;
+    if (pencil_.in_space())
+      plane_ = Plane::spanned(A, B - A, across.isZero(0) ? Point((B - A).unitOrthogonal()) : across);
+    return drawn_part({A, B, Point::Zero()});
+  }
+
+  /// Looks, in space, at the plane of the triangle. Returns: its regions there; none where it is a line.
+  std::vector<std::vector<Vec2>> areas_beside(const Point& A, const Point& B, const Point& C) {
+    if ((B - A).cross(C - A).isZero(0)) return {};
+    if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, C - A);
+    return regions_of_triangle(plane_(A), plane_(B), plane_(C), drawn_part({A, B, C, Point::Zero()}));
   }
 
   std::vector<Vec2> drawn_part(const std::vector<Point>& points) const {
     if (!pencil_.in_space()) return pencil_.panel().corners();
-    return around(Lens{std::nullopt, plane_}(points));
+    const render::Box box = render::Box::around(Lens{std::nullopt, plane_}(points));
+    return box.grown(margin_in_space * box.longer_side()).corners();
   }
 
   /// Returns: what has been said of a region, by its feature.
@@ -180,14 +164,15 @@ class RegionPicture {
     return corners;
   }
 
-  void draw(const Candidate& candidate) {
-    if (candidate.area.size() < 3) return;
-    const std::vector<Vec2> corners = picture(candidate.area);
-    const RegionState state = state_of(candidate.region);
+  /// `name`: "R3", or what it is: "beyond AC". `area`: in the plane. `region`: what was said of it, if anything was.
+  void draw(const std::string& name, const std::vector<Vec2>& area, const Region* region) {
+    if (area.size() < 3) return;
+    const std::vector<Vec2> corners = picture(area);
+    const RegionState state = state_of(region);
     fill(corners, state);
-    if (!candidate.name.empty()) name(corners, candidate, state);
+    if (!name.empty()) write(name, corners, region, state);
     const bool is_decision_view = shown_.telling.scene.dimension == Dimension::space && !pencil_.in_space();
-    if (candidate.region && (candidate.region == last() || is_decision_view)) normal(*candidate.region);
+    if (region && (region == last() || is_decision_view)) normal(*region);
   }
 
   void fill(const std::vector<Vec2>& corners, RegionState state) {
@@ -198,7 +183,7 @@ class RegionPicture {
     if (state == RegionState::chosen) pencil_.panel().outline(corners, {style_.theme.green, 3 * style_.theme.line});
   }
 
-  void name(const std::vector<Vec2>& corners, const Candidate& candidate, RegionState state) {
+  void write(const std::string& name, const std::vector<Vec2>& corners, const Region* region, RegionState state) {
     render::TextStyle text = style_.small_label();
     std::string mark;
     switch (state) {
@@ -209,15 +194,14 @@ class RegionPicture {
       case RegionState::just_possible: mark = "✓ so far"; break;
       case RegionState::chosen:
         // Without the crossing test the ends of a segment are not ruled out: nothing is certain yet.
-        mark = uncertain(*candidate.region) ? "if not R2" : "✓";
+        mark = uncertain(*region) ? "if not R2" : "✓";
         text.weight = render::Weight::bold;
         break;
     }
-    const std::string inequality =
-        candidate.region && shown_.values ? inequality_of(*candidate.region, shown_.names) : "";
+    const std::string inequality = region && shown_.values ? inequality_of(*region, shown_.names) : "";
     text.size *= 0.85;
-    if (mark.empty()) return pencil_.panel().name_area(corners, candidate.name, text, {""});
-    const std::string with_mark = candidate.name + (mark == "if not R2" ? ", " : " ") + mark;
+    if (mark.empty()) return pencil_.panel().name_area(corners, name, text, {""});
+    const std::string with_mark = name + (mark == "if not R2" ? ", " : " ") + mark;
     pencil_.panel().name_area(corners, inequality.empty() ? with_mark : with_mark + "  " + inequality, text,
                               {with_mark, mark});
   }
@@ -269,22 +253,15 @@ class RegionPicture {
   void face(const Roles& feature, const render::Face& face) {
     const std::vector<Vec2> corners = pencil_.at(face.corners);
     const RegionState state = state_of(find({}, feature));
-    const bool rejected = state == RegionState::rejected || state == RegionState::just_rejected;
     render::Panel& panel = pencil_.panel();
-    switch (state) {
-      case RegionState::just_possible:
-      case RegionState::pending: panel.polygon(corners, style_.simplex_fill); break;
-      case RegionState::skipped:  // only BCD
-        panel.hatch(corners, style_.hatch_spacing, bcd_is_behind() ? style_.hidden_hatching : style_.hatching);
-        break;
-      case RegionState::rejected: panel.polygon(corners, style_.rejected_fill); break;
-      case RegionState::just_rejected: panel.polygon(corners, style_.tested_fill); break;
-      case RegionState::chosen:
-        if (!edges_shown()) panel.polygon(corners, style_.chosen_fill);
-        break;
-    }
+    if (state == RegionState::skipped)  // only BCD
+      panel.hatch(corners, style_.hatch_spacing, bcd_is_behind() ? style_.hidden_hatching : style_.hatching);
+    else if (state == RegionState::pending || state == RegionState::just_possible)
+      panel.polygon(corners, style_.simplex_fill);
+    else if (state != RegionState::chosen || !edges_shown())
+      fill_region(panel, corners, state, style_);
     // Not the cross that stands at a vertex which leaves the simplex.
-    if (!rejected) return;
+    if (state != RegionState::rejected && state != RegionState::just_rejected) return;
     const bool is_in_front = pencil_.lens().sees(face.outward());
     const std::string mark =
         is_in_front ? "✗" : shown_.names.sorted(feature) + " ✗";  // which it is, seen through others

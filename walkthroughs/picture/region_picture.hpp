@@ -1,8 +1,8 @@
 /// All regions of a simplex at once, each drawn as what the algorithm has made of it so far.
 #pragma once
 
+#include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
-#include "walkthroughs/picture/shown.hpp"
 
 namespace walkthroughs::picture {
 

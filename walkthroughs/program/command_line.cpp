@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/program/places.hpp"
-#include "walkthroughs/text/decimal.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::program {
@@ -17,10 +17,9 @@ const Walkthrough& walkthrough_named(const std::string& name) {
   if (const Walkthrough* found = find_walkthrough(name)) return *found;
   std::error_code unknown;
   if (std::filesystem::exists(name, unknown) && !std::filesystem::is_directory(name, unknown))
-    throw UsageError(
-        in_quotes(name) +
-        " is a file, not a walkthrough. Give a scene file a name that ends in .json. Draw a trace with "
-        "'gjkstep render --from-trace FILE'");
+    throw UsageError(in_quotes(name) +
+                     " is a file, not a walkthrough. Give a scene file a name that ends in .json. Draw a trace with "
+                     "'gjkstep render --from-trace FILE'");
   throw UsageError("there is no walkthrough " + in_quotes(name) + "; did you mean '" + nearest_name(name) +
                    "'? 'gjkstep list' shows all");
 }
@@ -28,12 +27,6 @@ const Walkthrough& walkthrough_named(const std::string& name) {
 std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {
   const std::vector<const Walkthrough*> found = find_walkthroughs(name);
   return found.empty() ? std::vector{&walkthrough_named(name)} : found;
-}
-
-render::Size parse_size(const std::string& text) {
-  if (const auto size = size_in(text)) return *size;
-  throw UsageError("--size " + in_quotes(text) + ": expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
-                   std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
 }
 
 void expect_named(const std::string& option, const std::string& name, const std::string& example) {
@@ -67,7 +60,7 @@ constexpr const char* backend_variable = "GJKSTEP_GL";
 /// Requires: `source` is where the name was found. Errors: UsageError.
 render::Backend backend_named(const std::string& name, const std::string& source) {
   std::string names;
-  for (const render::Backend each : render::all_backends()) {
+  for (const render::Backend each : render::all_backends) {
     if (render::name_of(each) == name) return each;
     names.append(names.empty() ? "" : " or ").append(render::name_of(each));
   }

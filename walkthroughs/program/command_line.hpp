@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "render/geometry.hpp"
 #include "render/offscreen_context.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/program/exit_code.hpp"
@@ -33,9 +32,6 @@ const Walkthrough& walkthrough_named(const std::string& name);
 
 /// Returns: the walkthrough of that name, or those of the folder of that name. Errors: as walkthrough_named().
 std::vector<const Walkthrough*> walkthroughs_named(const std::string& name);
-
-/// Reads "1280x720". Errors: UsageError.
-render::Size parse_size(const std::string& text);
 
 /// The option --gl of all commands that draw. Adding it to a command fills `name`, which must live as long.
 void add_backend_option(CLI::App& command, std::optional<std::string>& name);

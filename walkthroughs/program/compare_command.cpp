@@ -15,7 +15,6 @@
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/printable.hpp"
-#include "walkthroughs/text/shell_word.hpp"
 
 namespace walkthroughs::program {
 namespace {
@@ -85,18 +84,6 @@ Places places_of(const std::vector<render::FilePair>& pairs, const fs::path& rep
   return places;
 }
 
-/// Before all that is compared, not after it.
-void expect_writable_report(const fs::path& folder) {
-  render::make_folder(folder, "choose another with --report");
-  render::expect_writable(folder / page_of_report);
-}
-
-void write_report(const render::CompareReport& report, const fs::path& folder) {
-  const fs::path page = folder / page_of_report;
-  write_output(page, report.html());
-  std::cout << "report: " << printable(page.string()) << std::endl;
-}
-
 /// Counts verdicts, and says each that is not plainly "same".
 class Tally {
  public:
@@ -155,7 +142,8 @@ struct CompareCommand {
       places = places_of(pairs, *report);
       places.expect_apart();
       places.expect_no_loss(force ? Others::overwritten : Others::kept, "--report");
-      expect_writable_report(*report);
+      render::make_folder(*report, "choose another with --report");  // before all that is compared, not after it
+      render::expect_writable(fs::path(*report) / page_of_report);
       page = empty_report(expected, actual);
     }
     Tally tally;
@@ -165,7 +153,11 @@ struct CompareCommand {
       if (page) page->add(compared, accept_command(compared));
     }
     std::cout << tally.summary() << std::endl;
-    if (page) write_report(*page, *report);
+    if (page) {
+      const fs::path file = fs::path(*report) / page_of_report;
+      write_output(file, page->html());
+      std::cout << "report: " << printable(file.string()) << std::endl;
+    }
     places.tidy_manifests();
     return tally.exit_code();
   }

@@ -6,9 +6,13 @@
 #include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <exception>
 #include <iostream>
 #include <new>
+#include <streambuf>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "render/file.hpp"
 #include "render/font.hpp"
@@ -27,7 +31,7 @@ bool is_one_of(const std::exception& error) {
 
 ExitCode code_of(const std::exception& error) {
   if (is_one_of<UsageError>(error)) return wrong_usage;
-  if (is_one_of<InputError, render::FontError, render::ReadError>(error)) return bad_input;
+  if (is_one_of<InputError, render::FontError>(error)) return bad_input;
   if (is_one_of<render::ContextError>(error)) return no_context;
   return is_one_of<render::FileError>(error) ? cannot_write : unexpected;
 }
@@ -77,6 +81,55 @@ void tell_crashes_of(const std::string& program) {
       ::sigaction(signal, &telling, nullptr);
   }
 }
+
+// ---------------------------------------------------------------------------------------------- what is printed
+
+/// What std::cout writes to as long as this lives. Where it cannot, the next insertion or flush that needs it throws a
+/// render::FileError, so that a command ends when nobody reads what it says; what is left then is thrown away.
+class StandardOutput final : public std::streambuf {
+ public:
+  StandardOutput() { std::cout.exceptions(std::ios::badbit); }
+  /// Writes what is left if it can.
+  ~StandardOutput() override {
+    finish();
+    std::cout.rdbuf(before_);
+  }
+  StandardOutput(const StandardOutput&) = delete;
+  StandardOutput& operator=(const StandardOutput&) = delete;
+
+  /// Writes what is left if it can; what cannot be written, now and later, is thrown away without a word.
+  void finish() noexcept {
+    std::cout.exceptions(std::ios::goodbit);
+    try {
+      sync();
+    } catch (const std::exception&) {
+    }
+  }
+
+ protected:
+  int_type overflow(int_type letter) override {
+    if (traits_type::eq_int_type(letter, traits_type::eof())) return traits_type::not_eof(letter);
+    const char one = traits_type::to_char_type(letter);
+    return xsputn(&one, 1) == 1 ? letter : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* letters, std::streamsize count) override {
+    constexpr std::size_t enough = 1 << 16;
+    const std::string_view added(letters, static_cast<std::size_t>(count));
+    text_ += added;
+    const bool ends_line = is_terminal_ && added.find('\n') != std::string_view::npos;
+    if (ends_line || text_.size() >= enough) sync();
+    return count;
+  }
+  int sync() override {
+    write_to_standard_output(std::exchange(text_, {}));
+    return 0;
+  }
+
+ private:
+  std::string text_;
+  std::streambuf* const before_ = std::cout.rdbuf(this);
+  const bool is_terminal_ = ::isatty(STDOUT_FILENO) != 0;  ///< which shows each line at once
+};
 
 }  // namespace
 

@@ -18,7 +18,7 @@ struct UsageError : std::runtime_error {
 
 /// Runs `run` and returns its exit code. What it throws is told on standard error, after the program's name, in one line
 /// that shows what is not printable as escapes. `if_out_of_memory`: what to do then. A file that may not grow, and a reader
-/// of what is printed who has left, are errors of writing, told like others; the latter ends `run` (StandardOutput). So are
+/// of what is printed who has left, are errors of writing, told like others; the latter ends `run`. So are
 /// a thread that cannot be started, and a crash where memory is lacking: both are `unexpected`.
 int exit_code_of(const std::string& program, const std::string& if_out_of_memory, const std::function<int()>& run);
 

@@ -40,10 +40,8 @@ std::string summary_of(const Walkthrough& w) {
 using Row = std::array<std::string, 5>;
 
 std::string how_it_ends(const Story& story) {
-  std::string ends;
-  for (const Telling& telling : story.tellings)
-    ends += (ends.empty() ? "" : ", ") + std::string(to_string(answer_of(telling.trace)));
-  return ends.empty() ? "-" : ends;
+  const auto answer = [](const Telling& telling) { return to_string(answer_of(telling.trace)); };
+  return story.tellings.empty() ? "-" : joined(story.tellings, ", ", answer);
 }
 
 /// What is true, where the walkthrough is about an answer that is not.

@@ -11,12 +11,11 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/exit_code.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 
+namespace walkthroughs::program {
 namespace {
-
-using walkthroughs::program::UsageError;
 
 constexpr const char* footer =
     "Exit codes: 0 ok, 2 wrong usage, 3 bad input (a scene file, a trace, a query; also: a missing font), 4 no OpenGL "
@@ -25,7 +24,7 @@ constexpr const char* footer =
     "Environment variables: GJKSTEP_FONT_DIR names the folder of the fonts, GJKSTEP_GL what to draw with, like --gl.";
 
 void print_version(const std::optional<std::string>& gl) {
-  const render::Backend backend = walkthroughs::program::chosen_backend(gl);
+  const render::Backend backend = chosen_backend(gl);
   std::cout << "gjkstep " << GJKSTEP_VERSION << std::endl;
   std::cout << render::OffscreenContext(backend).description() << '\n';
 }
@@ -45,9 +44,9 @@ std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
     const std::string word = app.remaining().front();
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-    const bool is_name = walkthroughs::catalogue::find_walkthrough(word) != nullptr;
-    complaint = "there is no command " + walkthroughs::text::in_quotes(word) + "; did you mean '" +
-                (is_name ? "render " + word : walkthroughs::text::nearest(word, commands)) + "'?";
+    const bool is_name = find_walkthrough(word) != nullptr;
+    complaint = "there is no command " + in_quotes(word) + "; did you mean '" +
+                (is_name ? "render " + word : nearest(word, commands)) + "'?";
   }
   return complaint + (complaint.ends_with('?') ? " " : "; ") +
          "'gjkstep --help' and 'gjkstep COMMAND --help' show what there is";
@@ -62,17 +61,15 @@ int run(int argc, char** argv) {
   bool version = false;
   app.add_flag("--version", version, "print the version and the OpenGL renderer");
   std::optional<std::string> gl;
-  walkthroughs::program::add_backend_option(app, gl);
-  const std::vector<walkthroughs::program::Command> commands = {
-      walkthroughs::program::add_list_command(app),    walkthroughs::program::add_render_command(app, gl),
-      walkthroughs::program::add_trace_command(app),   walkthroughs::program::add_scene_command(app),
-      walkthroughs::program::add_compare_command(app), walkthroughs::program::add_query_command(app)};
+  add_backend_option(app, gl);
+  const std::vector<Command> commands = {add_list_command(app),  add_render_command(app, gl), add_trace_command(app),
+                                         add_scene_command(app), add_compare_command(app),    add_query_command(app)};
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     app.exit(help);
-    return walkthroughs::program::ok;
+    return ok;
   } catch (const CLI::ParseError& error) {
     throw UsageError(what_was_wrong(app, error));
   }
@@ -83,12 +80,13 @@ int run(int argc, char** argv) {
   if (!version && name.empty()) throw UsageError("what to do? 'gjkstep --help' shows the commands");
   if (!version) return chosen->run();
   print_version(gl);
-  return walkthroughs::program::ok;
+  return ok;
 }
 
 }  // namespace
+}  // namespace walkthroughs::program
 
 int main(int argc, char** argv) {
   return walkthroughs::program::exit_code_of("gjkstep", "ask for less, such as fewer points or a smaller --size",
-                                             [&] { return run(argc, argv); });
+                                             [&] { return walkthroughs::program::run(argc, argv); });
 }

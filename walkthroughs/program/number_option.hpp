@@ -2,14 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <concepts>
-#include <optional>
 #include <string>
-#include <string_view>
 
-#include "core/gjk.hpp"
-#include "walkthroughs/text/decimal.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::program {
@@ -25,27 +21,6 @@ void expect_number(CLI::Option* option, Number low, Number high, const std::stri
     return "";
   };
   option->transform(CLI::Validator(read, words));
-}
-
-/// Returns: the direction x,y,z, written in decimal; nothing where a number is not finite, or all are 0.
-inline std::optional<gjk::Vec3<double>> direction_in(std::string_view text) {
-  gjk::Vec3<double> direction;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t end = i < 2 ? text.find(',') : text.size();
-    const auto number = decimal<double>(text.substr(0, end));
-    if (!number || end == std::string_view::npos) return std::nullopt;
-    direction[i] = *number;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return gjk::is_usable_direction(direction) ? std::optional(direction) : std::nullopt;
-}
-
-/// Lets an option take a direction and nothing else; direction_in() has it.
-inline void expect_direction(CLI::Option* option) {
-  const auto read = [](const std::string& text) -> std::string {
-    return direction_in(text) ? "" : "expected three finite numbers x,y,z, not all 0, found " + in_quotes(text);
-  };
-  option->check(CLI::Validator(read, "x,y,z"));
 }
 
 /// Lets an option take numbers from `low` to `high`, written in decimal, and nothing else.

@@ -14,13 +14,16 @@
 #include <string>
 #include <string_view>
 
+#include "core/gjk.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/program/standard_output.hpp"
 #include "walkthroughs/query/query.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/story/words.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/text_file.hpp"
@@ -73,8 +76,6 @@ Points of cylinders, of sums and of what a pose moves are computed, and known to
 Exit codes: 0 all lines are answered, 2 wrong usage, 3 a line was bad or the input cannot be read, 5 cannot write.)";
 }
 
-enum Answer { all_answered = 0, bad_lines = 3 };
-
 std::size_t read_some(std::span<char> bytes) {
   for (;;) {
     const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
@@ -100,10 +101,7 @@ Enumerator choice(const std::string& option, const std::string& word,
 /// Returns: "as-intended: the report's rules; as-printed: ...".
 template <class E, std::size_t count>
 std::string words_and_meanings(const std::array<gjk::Named<E>, count>& table) {
-  std::string text;
-  for (const gjk::Named<E>& each : table)
-    text.append(text.empty() ? "" : "; ").append(each.name).append(": ").append(each.meaning);
-  return text;
+  return joined(table, "; ", [](const auto& each) { return std::string(each.name).append(": ").append(each.meaning); });
 }
 
 /// Errors: UsageError.
@@ -114,6 +112,19 @@ void expect_scalar_with_proofs(QueryScalar scalar) {
         "out --certified");
   if (scalar == QueryScalar::long_double)
     throw UsageError("--certified is for --scalar float and double, whose rounding it bounds; leave out --scalar");
+}
+
+/// Returns: the direction x,y,z, written in decimal; nothing where a number is not finite, or all are 0.
+std::optional<Point> direction_in(std::string_view text) {
+  Point direction;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t end = i < 2 ? text.find(',') : text.size();
+    const auto number = decimal<double>(text.substr(0, end));
+    if (!number || end == std::string_view::npos) return std::nullopt;
+    direction[i] = *number;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return gjk::is_usable_direction(direction) ? std::optional(direction) : std::nullopt;
 }
 
 /// Errors: UsageError.
@@ -141,10 +152,10 @@ struct QueryCommand {
     places.write_standard_output();
     places.expect_apart();
     const QueryTally tally = answer_lines(options, read_some, write_to_standard_output);
-    if (tally.bad == 0) return all_answered;
+    if (tally.bad == 0) return ok;
     std::cerr << "gjkstep: " << tally.bad << " of " << tally.lines << (tally.lines == 1 ? " line is" : " lines are")
               << " not answered; the first is line " << tally.first_bad << ", and its \"error\" says why\n";
-    return bad_lines;
+    return bad_input;
   }
 
  private:
@@ -182,7 +193,11 @@ Command add_query_command(CLI::App& app) {
       "between: search first from the center of a to that of b; inside: begin with the difference of the centers");
   CLI::Option* const first_direction =
       command->add_option("--first-direction", query->first_direction, "search first along x,y,z")->excludes(start);
-  expect_direction(first_direction);
+  first_direction->check(CLI::Validator(
+      [](const std::string& text) -> std::string {
+        return direction_in(text) ? "" : "expected three finite numbers x,y,z, not all 0, found " + in_quotes(text);
+      },
+      "x,y,z"));
   CLI::Option* const certified = command->add_flag("--certified", query->certified,
                                                    "prove each answer, with a certificate where it is about points");
   command

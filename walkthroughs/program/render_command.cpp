@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <deque>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,7 +16,6 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
-#include "walkthroughs/output/movie.hpp"
 #include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
@@ -26,12 +23,10 @@
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
-#include "walkthroughs/story/frame_choice.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
-#include "walkthroughs/text/shell_word.hpp"
 #include "walkthroughs/trace/trace_file.hpp"
 
 namespace walkthroughs::program {
@@ -63,59 +58,68 @@ struct RenderCommand {
   std::optional<std::string> captions;
 };
 
-/// The walkthroughs that the words of a command choose, each once, in the order named. Keeps those that files describe.
+/// A walkthrough that the words of a command choose.
+struct Chosen {
+  Walkthrough walkthrough;
+  std::string option = {};                        ///< of the command line, before the file
+  std::filesystem::path file = {};                ///< that describes it; empty where it is one of the catalogue
+  std::optional<render::Size> size = {};          ///< that the file asks for
+  std::optional<double> text_scale = {};          ///< the same
+  std::optional<std::vector<Trace>> traces = {};  ///< where they have been read
+};
+
+/// All of them, each once, in the order named.
 class Selection {
  public:
-  struct Chosen {
-    const Walkthrough* walkthrough;
-    std::optional<render::Size> size = {};       ///< that its file asks for
-    std::optional<double> text_scale = {};       ///< the same
-    const std::vector<Trace>* traces = nullptr;  ///< where they have been read
-  };
-
   void add(const std::string& word) {
     if (!is_scene_file(word)) return add(walkthroughs_named(word));
-    if (!files_read_.insert(word).second) return;
-    const SceneFile& file = files_.emplace_back(read_scene(word));
-    add({&file.walkthrough, file.size, file.text_scale}, word, "", word);
+    if (has_read(word)) return;
+    const SceneFile file = read_scene(word);
+    add({.walkthrough = file.walkthrough, .file = word, .size = file.size, .text_scale = file.text_scale});
   }
   void add_trace(const std::string& file) {
-    if (!files_read_.insert(file).second) return;
-    const TraceFile& read = traces_.emplace_back(read_trace(file));
-    add({.walkthrough = &read.walkthrough, .traces = &read.traces}, file, "--from-trace ", file);
+    if (has_read(file)) return;
+    const TraceFile read = read_trace(file);
+    add({.walkthrough = read.walkthrough, .option = "--from-trace ", .file = file, .traces = read.traces});
   }
   void add(const std::vector<const Walkthrough*>& several) {
     for (const Walkthrough* w : several)
-      if (std::ranges::count(chosen_, w, &Chosen::walkthrough) == 0) add({w}, w->name, "", {});
+      if (std::ranges::none_of(chosen,
+                               [&](const Chosen& c) { return c.file.empty() && c.walkthrough.name == w->name; }))
+        add(Chosen{*w});
   }
-  const std::vector<Chosen>& chosen() const { return chosen_; }
-  const std::vector<PageOrigin>& origins() const { return origins_; }  ///< of those chosen
+
+  std::vector<Chosen> chosen;
 
  private:
-  /// Pictures go to a folder of its name: a second walkthrough of that name would overwrite those of the first.
-  void add(const Chosen& chosen, const std::string& word, const std::string& option,
-           const std::filesystem::path& file) {
-    const Walkthrough& w = *chosen.walkthrough;
-    if (std::ranges::count(origins_, w.name, &PageOrigin::name) > 0)
-      throw UsageError("'" + word + "': there is another walkthrough of the name '" + w.name +
-                       "' on the command line; render them into different folders with --out");
-    chosen_.push_back(chosen);
-    origins_.push_back({w.name, w.title, option, file});
+  bool has_read(const std::string& file) const {
+    return !file.empty() && std::ranges::count(chosen, std::filesystem::path(file), &Chosen::file) > 0;
   }
 
-  std::deque<SceneFile> files_;  // that do not move when more come
-  std::deque<TraceFile> traces_;
-  std::set<std::string> files_read_;
-  std::vector<Chosen> chosen_;
-  std::vector<PageOrigin> origins_;
+  /// Pictures go to a folder of its name: a second walkthrough of that name would overwrite those of the first.
+  void add(Chosen one) {
+    const std::string& name = one.walkthrough.name;
+    if (std::ranges::any_of(chosen, [&](const Chosen& each) { return each.walkthrough.name == name; }))
+      throw UsageError("'" + (one.file.empty() ? name : one.file.string()) +
+                       "': there is another walkthrough of the name '" + name +
+                       "' on the command line; render them into different folders with --out");
+    chosen.push_back(std::move(one));
+  }
 };
+
+/// Reads "1280x720". Errors: UsageError.
+render::Size parse_size(const std::string& text) {
+  if (const auto size = size_in(text)) return *size;
+  throw UsageError("--size " + in_quotes(text) + ": expected WIDTHxHEIGHT in pixels, for example 1280x720, each from " +
+                   std::to_string(render::min_pixels) + " to " + std::to_string(render::max_pixels));
+}
 
 /// One run of the command.
 class Rendering {
  public:
   /// Errors: UsageError, and those of reading.
   explicit Rendering(const RenderCommand& command)
-      : command_(command), output_(checked_output()), folder_(output_.folder), selection_(select()) {}
+      : command_(command), output_(checked_output()), folder_(output_.folder), chosen_(select()) {}
 
   /// Writes the files and tells of each on standard output. Everything that can be wrong with the words of the command is
   /// found before the first file is written.
@@ -129,8 +133,9 @@ class Rendering {
                           command_.captions ? "--out and --captions" : "--out");
     expect_writable();
     Studio studio{chosen_backend(command_.gl)};
-    Renderer renderer(studio);  // it writes what it was given even when it goes early: before what it is given
-    for (const Selection::Chosen& each : selection_.chosen()) render(each, renderer);
+    // It writes what it was given even when it goes early: before what it is given.
+    Renderer renderer(studio, [this](const auto&... what) { report(what...); });
+    for (const Chosen& each : chosen_) render(each, renderer);
     renderer.finish();
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
     if (command_.rendered_by) write_rendered_by(studio);
@@ -143,7 +148,7 @@ class Rendering {
 
  private:
   /// With what the file of a scene asks for and the command does not.
-  Output output_of(const Selection::Chosen& chosen) const {
+  Output output_of(const Chosen& chosen) const {
     Output output = output_;
     if (!command_.size && chosen.size) output.size = *chosen.size;
     if (!command_.text_scale && chosen.text_scale) output.look.style = style_of(chosen.text_scale);
@@ -161,36 +166,19 @@ class Rendering {
 
   /// One for each format that is asked for, in the order in which each story is given to them.
   void make_sinks() {
-    const auto report_frame = [this](const std::filesystem::path& file, const Story& story, std::size_t index) {
-      const FrameFile frame{file.string(), story, index};
-      if (command_.captions) frames_.push_back(frame);
-      report(frame);
-    };
-    const auto report_svg = [](const std::filesystem::path& file, const Story& story, std::size_t index) {
-      report({file, story, index});
-    };
-    const auto report_file = [](const std::filesystem::path& file, const Story& story) {
-      std::cout << printable(file.string()) << "  " << story.walkthrough.title << std::endl;
-    };
-    sinks_.push_back(std::make_unique<Frames>(report_frame, has_svg() ? FrameWritten(report_svg) : nullptr));
-    if (command_.apng) sinks_.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time, report_file)));
-    if (command_.strip) sinks_.push_back(std::make_unique<OneFile>(strip(report_file)));
-    if (command_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet(report_file)));
+    sinks_.push_back(std::make_unique<Frames>(has_svg()));
+    if (command_.apng) sinks_.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time)));
+    if (command_.strip) sinks_.push_back(std::make_unique<OneFile>(strip()));
+    if (command_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet()));
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
-      sinks_.push_back(
-          std::make_unique<OneFile>(paper_sheets(*paper, !command_.text_scale, note_small_letters, report_file)));
-    using Pictures = PagesWanted::Pictures;
-    const Pictures pictures = command_.page == "single" ? Pictures::inside : Pictures::beside;
-    if (has_pages())
-      sinks_.push_back(std::make_unique<Pages>(
-          PagesWanted{pictures, command_.out, options_of_pictures(), selection_.origins()}, report_file));
-  }
-
-  /// Corners of a planar hull have letters of their own anyway.
-  Walkthrough in_letters(Walkthrough walkthrough) const {
-    if (command_.letters && walkthrough.naming != Naming::corners)
-      walkthrough.naming = *command_.letters == "fixed" ? Naming::fixed : Naming::roles;
-    return walkthrough;
+      sinks_.push_back(std::make_unique<OneFile>(paper_sheets(*paper, !command_.text_scale, note_small_letters)));
+    const bool has_files_beside = command_.page != "single";
+    if (!has_pages()) return;
+    std::vector<PageOrigin> origins;
+    for (const Chosen& each : chosen_)
+      origins.push_back({each.walkthrough.name, each.walkthrough.title, each.option, each.file});
+    sinks_.push_back(std::make_unique<Pages>(
+        PagesWanted{has_files_beside, command_.out, options_of_pictures(), std::move(origins)}));
   }
 
   Output checked_output() const {
@@ -206,7 +194,7 @@ class Rendering {
             .turns = command_.turns};
   }
 
-  Selection select() const {
+  std::vector<Chosen> select() const {
     Selection selection;
     for (const std::string& name : command_.names) {
       progress("reading " + name);
@@ -218,9 +206,12 @@ class Rendering {
     }
     if (command_.all)
       for (const Walkthrough& w : whole_catalogue()) selection.add({&w});
-    if (selection.chosen().empty())
+    if (selection.chosen.empty())
       throw UsageError("render what? name walkthroughs, or say --all; 'gjkstep list' shows them");
-    return selection;
+    for (Chosen& each : selection.chosen)  // corners of a planar hull have letters of their own anyway
+      if (Naming& naming = each.walkthrough.naming; command_.letters && naming != Naming::corners)
+        naming = *command_.letters == "fixed" ? Naming::fixed : Naming::roles;
+    return std::move(selection.chosen);
   }
 
   Places all_places() const {
@@ -228,8 +219,8 @@ class Rendering {
     for (const std::string& name : command_.names)
       if (is_scene_file(name)) places.read(name, "the scene file " + name);
     for (const std::string& file : command_.traces) places.read(file, "the trace " + file);
-    for (const Selection::Chosen& each : selection_.chosen()) {
-      const Walkthrough& w = *each.walkthrough;
+    for (const Chosen& each : chosen_) {
+      const Walkthrough& w = each.walkthrough;
       std::vector<std::string> files;
       for (const std::unique_ptr<Sink>& sink : sinks_)
         for (const std::string& file : sink->files(w)) files.push_back(file);
@@ -250,8 +241,7 @@ class Rendering {
   void expect_writable() const {
     constexpr const char* elsewhere = "choose another with --out";
     if (command_.captions) {
-      for (const Selection::Chosen& each : selection_.chosen())
-        render::make_folder(folder_ / each.walkthrough->name, elsewhere);
+      for (const Chosen& each : chosen_) render::make_folder(folder_ / each.walkthrough.name, elsewhere);
       render::expect_writable(*command_.captions);
     }
     if (!has_pages()) return;
@@ -276,9 +266,9 @@ class Rendering {
     return options + (command_.no_captions ? " --no-captions" : "") + (command_.no_values ? " --no-values" : "");
   }
 
-  Story tell_all(const Selection::Chosen& chosen, const Walkthrough& walkthrough) const {
+  Story tell_all(const Chosen& chosen) const {
     const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
-    return chosen.traces ? tell(walkthrough, *chosen.traces, shown) : tell(walkthrough, shown);
+    return chosen.traces ? tell(chosen.walkthrough, *chosen.traces, shown) : tell(chosen.walkthrough, shown);
   }
 
   void expect_chosen_frames() const {
@@ -288,16 +278,16 @@ class Rendering {
     if (!choice)
       throw UsageError(option +
                        "expected numbers of steps such as 4,10,18 or 3-7, and kinds of them: " + frame_kinds());
-    for (const Selection::Chosen& each : selection_.chosen())
-      if (const std::string no = objection_to(*choice, tell_all(each, *each.walkthrough).frames); !no.empty())
-        throw UsageError(option + "in " + each.walkthrough->name + " " + no +
+    for (const Chosen& each : chosen_)
+      if (const std::string no = objection_to(*choice, tell_all(each).frames); !no.empty())
+        throw UsageError(option + "in " + each.walkthrough.name + " " + no +
                          "; choose others, or leave that walkthrough out");
   }
 
-  void render(const Selection::Chosen& chosen, Renderer& renderer) {
-    const Walkthrough& w = walkthroughs_.emplace_back(in_letters(*chosen.walkthrough));
+  void render(const Chosen& chosen, Renderer& renderer) {
+    const Walkthrough& w = chosen.walkthrough;
     progress(w.name + ": searching");
-    Story told = tell_all(chosen, w);
+    Story told = tell_all(chosen);
     if (command_.frames) keep_only(told, places_of(frames_in(*command_.frames).value(), told.frames));
     progress(w.name + ": looking for hulls and cameras");
     const auto story = std::make_shared<const StagedStory>(std::move(told));
@@ -328,13 +318,18 @@ class Rendering {
   }
 
   /// One line for each file, and how far it is.
-  static void report(const FrameFile& frame) {
-    const std::size_t count = frame.story.frames.size();
+  void report(const std::filesystem::path& file, const Story& story, std::optional<std::size_t> frame) {
+    const std::string name = printable(file.string());
+    if (!frame) {
+      std::cout << name << "  " << story.walkthrough.title << std::endl;
+      return;
+    }
+    if (command_.captions && file.extension() == ".png") frames_.push_back({file.string(), story, *frame});
+    const std::size_t count = story.frames.size();
     progress("");
-    std::cout << printable(frame.file) << "  " << plain(frame.story.frames[frame.index].caption) << std::endl;
-    if (frame.index + 1 < count)
-      progress(frame.story.walkthrough.name + ": frame " + std::to_string(frame.index + 1) + " of " +
-               std::to_string(count));
+    std::cout << name << "  " << plain(story.frames[*frame].caption) << std::endl;
+    if (*frame + 1 < count)
+      progress(story.walkthrough.name + ": frame " + std::to_string(*frame + 1) + " of " + std::to_string(count));
   }
 
   /// On a terminal, what is being done: in place of what was being done before, nothing where `what` is empty.
@@ -369,8 +364,8 @@ class Rendering {
 
   void print_movies() const {
     const Movie kind = *command_.movie == "gif" ? Movie::gif : Movie::mp4;
-    for (const Selection::Chosen& each : selection_.chosen())
-      std::cout << ffmpeg_line(kind, folder_ / each.walkthrough->name, command_.frame_time,
+    for (const Chosen& each : chosen_)
+      std::cout << ffmpeg_line(kind, folder_ / each.walkthrough.name, command_.frame_time,
                                output_.look.style.theme.paper)
                 << '\n';
   }
@@ -378,9 +373,8 @@ class Rendering {
   const RenderCommand& command_;
   const Output output_;
   const std::filesystem::path& folder_;
-  const Selection selection_;
+  const std::vector<Chosen> chosen_;
   std::vector<std::unique_ptr<Sink>> sinks_;
-  std::deque<Walkthrough> walkthroughs_;  ///< that are told
   // What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
   std::vector<FrameFile> frames_;
   std::vector<std::shared_ptr<const Story>> stories_;

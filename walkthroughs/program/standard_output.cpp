@@ -5,9 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
-#include <exception>
-#include <iostream>
-#include <utility>
+#include <string>
 
 #include "render/file.hpp"
 
@@ -48,44 +46,5 @@ void write_to_standard_output(std::string_view text) {
     text.remove_prefix(static_cast<std::size_t>(count));
   }
 }
-
-StandardOutput::StandardOutput() : before_(std::cout.rdbuf(this)), is_terminal_(::isatty(STDOUT_FILENO) != 0) {
-  std::cout.exceptions(std::ios::badbit);
-}
-
-StandardOutput::~StandardOutput() {
-  finish();
-  std::cout.rdbuf(before_);
-}
-
-void StandardOutput::finish() noexcept {
-  std::cout.exceptions(std::ios::goodbit);
-  try {
-    write();
-  } catch (const std::exception&) {
-  }
-}
-
-StandardOutput::int_type StandardOutput::overflow(int_type letter) {
-  if (traits_type::eq_int_type(letter, traits_type::eof())) return traits_type::not_eof(letter);
-  const char one = traits_type::to_char_type(letter);
-  return xsputn(&one, 1) == 1 ? letter : traits_type::eof();
-}
-
-std::streamsize StandardOutput::xsputn(const char* letters, std::streamsize count) {
-  constexpr std::size_t enough = 1 << 16;
-  const std::string_view added(letters, static_cast<std::size_t>(count));
-  text_ += added;
-  const bool ends_line = is_terminal_ && added.find('\n') != std::string_view::npos;
-  if (ends_line || text_.size() >= enough) write();
-  return count;
-}
-
-int StandardOutput::sync() {
-  write();
-  return 0;
-}
-
-void StandardOutput::write() { write_to_standard_output(std::exchange(text_, {})); }
 
 }  // namespace walkthroughs::program

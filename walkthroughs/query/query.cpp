@@ -16,7 +16,7 @@ namespace {
 template <class S>
 void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
   const gjk::Options<S> options = search_options<S>(pair, query);
-  const QueryObject<S> a = query_object<S>(std::move(pair.a)), b = query_object<S>(std::move(pair.b));
+  const PosedForm<S> a = query_object<S>(std::move(pair.a)), b = query_object<S>(std::move(pair.b));
   const auto answer_by = [&]<class Rules>() { write_answer(gjk::collision<S, Rules>(a, b, options), out); };
   if constexpr (std::floating_point<S>)
     gjk::with_rules(query.rules, query.zero_test, answer_by);

@@ -4,55 +4,37 @@
 #include <variant>
 
 #include "core/certified/balls.hpp"
-#include "core/certified/certified.hpp"
-#include "core/certified/shapes.hpp"
 #include "core/certified/support_error.hpp"
-#include "walkthroughs/query/query_certificate.hpp"
 
 // How well the points of a query's objects are known, so that gjk::certified_shapes() takes them.
 
 namespace walkthroughs::model {
 
 template <class S>
-gjk::SupportError support_error(const Asked<S>& asked);
-
-template <class S>
 gjk::SupportError support_error(const AskedSum<S>& asked) {
   return gjk::support_error(asked.sum());
 }
 template <class S>
-gjk::SupportError support_error(const Asked<S>& asked) {
-  return std::visit([](const auto& form) { return support_error(form); }, asked.form());
-}
-template <class S>
-gjk::Vec3<S> near_support(const Asked<S>& asked, const gjk::Vec3<S>& d);
-
-template <class S>
 gjk::Vec3<S> near_support(const AskedSum<S>& asked, const gjk::Vec3<S>& d) {
   return gjk::near_support(asked.sum(), d);
 }
-template <class S>
-gjk::Vec3<S> near_support(const Asked<S>& asked, const gjk::Vec3<S>& d) {
-  return std::visit([&](const auto& form) { return near_support(form, d); }, asked.form());
+
+/// Of a shape that has one form of several.
+template <template <class> class Shape, class S>
+requires requires(const Shape<S>& shape) { shape.form(); }
+gjk::SupportError support_error(const Shape<S>& shape) {
+  return std::visit([](const auto& form) { return support_error(form); }, shape.form());
+}
+template <template <class> class Shape, class S>
+requires requires(const Shape<S>& shape) { shape.form(); }
+gjk::Vec3<S> near_support(const Shape<S>& shape, const gjk::Vec3<S>& d) {
+  return std::visit([&](const auto& form) { return near_support(form, d); }, shape.form());
 }
 
 }  // namespace walkthroughs::model
 
 namespace walkthroughs::query {
-
-template <class S>
-gjk::SupportError support_error(const QueryObject<S>& object) {
-  return std::visit([](const auto& shape) { return support_error(shape); }, object.shape());
-}
-
-template <class S>
-gjk::Vec3<S> near_support(const QueryObject<S>& object, const gjk::Vec3<S>& d) {
-  return std::visit([&](const auto& shape) { return near_support(shape, d); }, object.shape());
-}
-
 namespace {
-
-using reading::ObjectAsWritten;
 
 /// What is decided exactly.
 template <class S>
@@ -60,9 +42,9 @@ using ExactShape = std::variant<gjk::PointSet<S>, gjk::Sphere<S>>;
 
 /// Returns: nothing where its points are computed: of cylinders, of sums, and where a pose moves it.
 template <class S>
-std::optional<ExactShape<S>> exact_shape(const ObjectAsWritten& object) {
-  if (object.pose && moves(*object.pose)) return std::nullopt;
-  const auto shape = converted<S>(object.form, InScalar<S>{});
+std::optional<ExactShape<S>> exact_shape(const Object& object) {
+  if (moves(object.pose)) return std::nullopt;
+  const auto shape = converted<S>(object.form, reading::InScalar<S>{});
   if (const auto* points = std::get_if<PointsOf<S>>(&shape)) return gjk::PointSet<S>(*points);
   if (const auto* ball = std::get_if<BallOf<S>>(&shape)) return gjk::Sphere<S>(ball->center, ball->radius);
   return std::nullopt;
@@ -88,17 +70,15 @@ template <class S>
 void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
   const auto a = exact_shape<S>(pair.a), b = exact_shape<S>(pair.b);
   if (a && b) return std::visit(Answer<S>{pair, query, out}, *a, *b);
-  const QueryObject<S> one = query_object<S>(std::move(pair.a)), other = query_object<S>(std::move(pair.b));
+  const PosedForm<S> one = query_object<S>(std::move(pair.a)), other = query_object<S>(std::move(pair.b));
   write_answer(gjk::certified_shapes<S>(one, other), query.evidence, out);
 }
 
 }  // namespace
 
 void answer_certified(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
-  if (query.scalar == QueryScalar::binary32)
-    answer_in<float>(std::move(pair), query, out);
-  else
-    answer_in<double>(std::move(pair), query, out);
+  const auto answer = query.scalar == QueryScalar::binary32 ? answer_in<float> : answer_in<double>;
+  answer(std::move(pair), query, out);
 }
 
 }  // namespace walkthroughs::query

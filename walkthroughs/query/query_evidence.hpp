@@ -1,7 +1,6 @@
 /// Answers of queries as JSON. Written by hand: a tree of JSON in between would take longer than the query.
 #pragma once
 
-#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -66,13 +65,11 @@ void write_sources(const gjk::Vertex<S>& vertex, std::string& out) {
 
 template <class S>
 void write(const gjk::Simplex<S>& simplex, std::string& out) {
-  out += '[';
-  for (int i = 0; i < simplex.size(); ++i) {
-    write_numbers(simplex[i].w, out += i == 0 ? "{\"w\":" : ",{\"w\":");
-    write_sources(simplex[i], out += ',');
+  write_list(simplex, out, [&out](const gjk::Vertex<S>& vertex) {
+    write_numbers(vertex.w, out += "{\"w\":");
+    write_sources(vertex, out += ',');
     out += '}';
-  }
-  out += ']';
+  });
 }
 
 /// Appends what all answers begin with.

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string_view>
 
-#include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/text/scene_values.hpp"
 
 namespace walkthroughs::query {
 
 /// In which numbers a query is computed; the position of its word in query_scalars.
-enum class QueryScalar { binary32, binary64, long_double, exact };
+using QueryScalar = reading::Numbers;
 inline constexpr std::array<std::string_view, 4> query_scalars{"float", "double", "long-double", "exact"};
 
 /// Where a search begins; the position of its word in query_starts.

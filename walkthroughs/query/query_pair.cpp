@@ -7,16 +7,6 @@ namespace {
 
 using namespace reading;
 
-Numbers numbers_of(QueryScalar scalar) {
-  switch (scalar) {
-    case QueryScalar::binary32: return Numbers::floats;
-    case QueryScalar::exact: return Numbers::fractions;
-    case QueryScalar::binary64:
-    case QueryScalar::long_double: break;
-  }
-  return Numbers::doubles;
-}
-
 /// Beside these a line may say what the pair is called, where it comes from and how it is answered: nobody looks at that.
 const Keys& keys_of_line() {
   static const Keys keys{"a", "b", "dimension", "name", "family", "answer", "notes", "source"};
@@ -37,17 +27,11 @@ Reading<PairAsWritten> read_pair(std::string_view line, const QueryOptions& quer
   const Value root = document.root();
   PairAsWritten pair;
   if (expect_object(root, keys_of_line(), "an object { ... } with 'a' and 'b'")) {
-    const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, numbers_of(query.scalar),
-                      magnitudes_of(query.evidence)};
+    const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, query.scalar, magnitudes_of(query.evidence)};
     pair.a = read_object(required(root, "a", "give the first object"), space);
     pair.b = read_object(required(root, "b", "give the second object"), space);
   }
   return {std::move(pair), document.complaint()};
-}
-
-Point center_of(const ObjectAsWritten& object) {
-  const Point own = middle<double>(object.form);
-  return object.pose && !is_at_rest(*object.pose) ? (*object.pose)(own) : own;
 }
 
 }  // namespace walkthroughs::query

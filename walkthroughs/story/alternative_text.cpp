@@ -20,9 +20,7 @@ using Places = std::vector<Point>;
 
 /// Returns: "A (1, 2), B (3, 4)".
 std::string with_names(const Places& places, const Names& names, Dimension dimension) {
-  std::string text;
-  for (const Point& w : places) text += (text.empty() ? "" : ", ") + names.label(w) + " " + vector(w, dimension);
-  return text;
+  return joined(places, ", ", [&](const Point& w) { return names.label(w) + " " + vector(w, dimension); });
 }
 
 /// Returns: of the difference, as far as they have names.
@@ -117,13 +115,6 @@ Sentences panels_in_words(const Story& story, std::size_t index, Describe descri
 
 }  // namespace
 
-std::string description(const Story& story, std::size_t index) {
-  std::string text;
-  for (const std::string& sentences : panels_in_words(story, index, described))
-    text += (text.empty() ? "" : "\n") + sentences;
-  return text;
-}
-
 std::vector<std::string> picture_in_words(const Story& story, std::size_t index) {
   return panels_in_words(story, index, described_briefly);
 }
@@ -131,7 +122,7 @@ std::vector<std::string> picture_in_words(const Story& story, std::size_t index)
 std::string alternative_text(const Story& story, std::size_t index) {
   const Frame& frame = story.frames[index];
   std::string text = plain(frame.caption);
-  if (const std::string seen = description(story, index); !seen.empty()) text += "\n" + seen;
+  for (const std::string& seen : panels_in_words(story, index, described)) text += "\n" + seen;
   for (const Fact& fact : frame.facts)
     if (!fact.is_in_caption)
       text += std::string("\n") + marks_in_words[static_cast<int>(fact.mark)] + plain(fact.text) + ".";

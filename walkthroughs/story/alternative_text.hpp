@@ -9,11 +9,8 @@
 
 namespace walkthroughs::story {
 
-/// Returns: what the panels show, in sentences without markup.
-std::string description(const Story& story, std::size_t index);
-
-/// Returns: the same in few words, for readers who are told beside it which objects these are and which simplex it is; sentence by
-/// sentence, of which most stay from frame to frame.
+/// Returns: what the panels show, in few words without markup, for readers who are told beside it which objects these are and which
+/// simplex it is; sentence by sentence, of which most stay from frame to frame.
 std::vector<std::string> picture_in_words(const Story& story, std::size_t index);
 
 /// Returns: the caption, what the panels show, and the facts, in sentences without markup.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 #include <variant>
 
@@ -45,13 +46,12 @@ bool is_about(const Remark& remark, const gjk::Event<double>& event) {
 class Captions {
  public:
   Captions(const Story& story, const Telling& telling, const Moment& now)
-      : walkthrough_(story.walkthrough),
-        remarks_(story.remarks),
+      : story_(story),
+        walkthrough_(story.walkthrough),
+        telling_(telling),
         scene_(telling.scene),
-        trace_(telling.trace),
-        hull_(telling.hull),
         now_(now),
-        names_(walkthrough_.naming, hull_, now) {}
+        names_(walkthrough_.naming, telling.hull, now) {}
 
   std::optional<Frame> operator()(const gjk::SearchStarted<double>&) const { return std::nullopt; }
 
@@ -60,14 +60,16 @@ class Captions {
     const std::string along = event.direction == Point(1, 0, 0) ? "+x" : "d";
     if (scene_.mistake == Mistake::wrong_side_of_b) return of_wrong_side(event, name, along);
     const std::string found = "the support point along " + along + " is " + name;
-    Frame frame = frame_about(Focus::support, found + (event.is_new ? "" : " again: there is no new point"));
+    std::string caption = found + (event.is_new ? "" : " again: there is no new point");
     if (walkthrough_.naming == Naming::roles && !event.is_new)
-      frame = frame_about(Focus::support, found + ", which was found before, in iteration " +
-                                              std::to_string(iteration_that_found(event.vertex.w)) +
-                                              (is_vertex(event.vertex.w) ? "" : ", and dropped since"));
+      caption = found + ", which was found before, in iteration " +
+                std::to_string(iteration_that_found(event.vertex.w)) +
+                (is_vertex(event.vertex.w) ? "" : ", and dropped since");
     const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
-    frame.facts = {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
-                   difference_told(event, name)};
+    Frame frame = frame_about(
+        Focus::support, caption,
+        {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
+         difference_told(event, name)});
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
     if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "no vertex that the first search ended with reaches across"});
@@ -83,25 +85,29 @@ class Captions {
       return frame_by_number(Focus::crossing, value + compared, conclusion,
                              {mark, value + compared + ": " + what, name + "·d", number(*event.value)});
     };
-    if (event.iteration == 1) return of_first_point(event, name, frame);
-    if (event.verdict == Crossing::not_crossed && *event.value == 0)
-      return frame("", name + " lies level with the origin along d, and that counts as missed", Mark::no,
-                   "taken for a proof, which it is not");
-    if (event.verdict == Crossing::not_crossed)
-      return frame(" < 0",
-                   name + " stops short of the origin along d" +
-                       (in_float() ? ", as far as floats tell" : " (Eq. 9). Nothing of the difference reaches farther"),
-                   Mark::no, "the origin was not crossed (Eq. 9)");
+    const bool is_first = event.iteration == 1, is_missed = event.verdict == Crossing::not_crossed;
+    const std::string stops = name + " stops short of the origin along d",
+                      level = name + " lies level with the origin along d",
+                      nothing = " (Eq. 9). Nothing of the difference reaches farther";
+    if (is_missed && is_first)
+      return frame(" < 0", stops + nothing, Mark::no, "the difference ends before the origin (Eq. 9)");
+    if (is_missed && *event.value == 0)
+      return frame("", level + ", and that counts as missed", Mark::no, "taken for a proof, which it is not");
+    if (is_missed)
+      return frame(" < 0", stops + (in_float() ? ", as far as floats tell" : nothing), Mark::no,
+                   "the origin was not crossed (Eq. 9)");
     if (!(*event.value > 0))
-      return frame(as_zero(*event.value), name + " lies level with the origin along d. The search goes on", Mark::none,
-                   "this proves nothing");
-    return frame(" > 0", name + " lies beyond the origin along d: the move crossed it. The search goes on", Mark::yes,
-                 "the origin was crossed");
+      return frame(as_zero(*event.value), level + ". The search goes on", Mark::none, "this proves nothing");
+    const std::string beyond = name + " lies beyond the origin along d";
+    return is_first
+               ? frame(" > 0", beyond + ". The search goes on", Mark::yes, "this proves nothing")  // no move led there
+               : frame(" > 0", beyond + ": the move crossed it. The search goes on", Mark::yes,
+                       "the origin was crossed");
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
   void add_remarks(Frame& frame, const gjk::Event<double>& event) const {
-    for (const Remark& remark : remarks_) {
+    for (const Remark& remark : story_.remarks) {
       if (!is_about(remark, event)) continue;
       append_to(frame, in_letters(remark.text));
       if (remark.fact.empty()) continue;
@@ -143,14 +149,14 @@ class Captions {
   std::optional<Frame> operator()(const gjk::SimplexReduced<double>& event) const {
     const gjk::Roles dropped = event.dropped();
     const bool is_same = event.kept == gjk::beside({}, event.before.size());
-    Frame frame =
-        frame_about(Focus::reduction, !dropped.empty() ? "keep " + in_words(event.kept) + ", drop " + in_words(dropped)
-                                                       : "keep " + in_words(event.kept) +
-                                                             (is_same ? ", in their order" : ". Their order changes"));
-    frame.facts = {{Mark::none,
-                    names_.list(event.before) + " becomes " + names_.list(event.after) +
-                        (is_by_age(event) ? ", oldest first"
-                                          : ", no longer by age: " + names_.of(gjk::Role::A) + " is still the newest")},
+    const std::string kept = "keep " + in_words(event.kept);
+    Frame frame = frame_about(Focus::reduction, !dropped.empty() ? kept + ", drop " + in_words(dropped)
+                                                : is_same        ? kept + ", in their order"
+                                                                 : kept + ". Their order changes");
+    frame.facts = {{Mark::none, names_.list(event.before) + " becomes " + names_.list(event.after) +
+                                    (std::ranges::is_sorted(event.kept, std::greater{})
+                                         ? ", oldest first"
+                                         : ", no longer by age: " + names_.of(gjk::Role::A) + " is still the newest")},
                    {Mark::none, names_.translate(gjk::to_string(event.why))}};
     append_not_asked(frame.facts);
     return frame;
@@ -223,31 +229,6 @@ class Captions {
     return names_.translate("but these rules go on as if " + gjk::in_words(*event.reason.goes_on_as_if, event));
   }
 
-  /// No move led to the first point, so none is told.
-  static Frame of_first_point(const gjk::CrossingTested<double>& event, const std::string& name, const auto& frame) {
-    const std::string point = "the first point, " + name + ",";
-    if (event.verdict == Crossing::not_crossed)
-      return frame(
-          " < 0",
-          point + " does not reach the origin's level (Eq. 9). Nothing of the difference reaches that far along d",
-          Mark::no, "the difference ends before the origin (Eq. 9)");
-    if (!(*event.value > 0))
-      return frame(as_zero(*event.value), point + " just reaches the origin's level. The search goes on", Mark::none,
-                   "this proves nothing");
-    return frame(" > 0", point + " lies beyond the origin's level. The search goes on", Mark::yes,
-                 "this proves nothing");
-  }
-
-  /// Whether what is left stands in the order in which it stood.
-  static bool is_by_age(const gjk::SimplexReduced<double>& event) {
-    int at = 0;
-    for (int i = 0; i < event.after.size(); ++i, ++at) {
-      while (at < event.before.size() && event.before[at].w != event.after[i].w) ++at;
-      if (at == event.before.size()) return false;
-    }
-    return true;
-  }
-
   /// What Algorithm 4 or 5 has not come to, because what stands before it has decided, and why that does no harm.
   void append_not_asked(std::vector<Fact>& facts) const {
     if (is_complete() || now_.regions.empty() || now_.regions.back().feature.size() > 3) return;
@@ -311,7 +292,7 @@ class Captions {
   }
 
   int iteration_that_found(const Point& w) const {
-    for (const auto& event : trace_.events)
+    for (const auto& event : telling_.trace.events)
       if (const auto* found = std::get_if<gjk::SupportFound<double>>(&event); found && found->vertex.w == w)
         return found->iteration;
     return now_.iteration;
@@ -336,9 +317,9 @@ class Captions {
   /// How far the point found reaches along d, and the corner of the hull that comes next: "E·d = 4.375, then F·d = 3.25".
   std::string farthest_two(const gjk::SupportFound<double>& event) const {
     const auto text = [&](const Point& w) { return names_.of(w) + "·d = " + number(event.direction.dot(w)); };
-    if (hull_.corners.empty()) return text(event.vertex.w) + " is the largest of all";
+    if (telling_.hull.corners.empty()) return text(event.vertex.w) + " is the largest of all";
     std::vector<Point> others;
-    for (const render::Vec2& corner : hull_.corners)
+    for (const render::Vec2& corner : telling_.hull.corners)
       if (corner != event.vertex.w.head<2>()) others.emplace_back(corner.x(), corner.y(), 0);
     const auto reach = [&](const Point& w) { return event.direction.dot(w); };
     return others.empty() ? text(event.vertex.w)
@@ -485,11 +466,10 @@ class Captions {
       facts.push_back({Mark::skipped, names + ": " + names_.translate(reason)});
   }
 
+  const Story& story_;
   const Walkthrough& walkthrough_;
-  const std::vector<Remark>& remarks_;
+  const Telling& telling_;
   const Scene& scene_;
-  const Trace& trace_;
-  const LabelledHull& hull_;
   const Moment& now_;
   const Names names_;
 };

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "walkthroughs/story/captions.hpp"
+#include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/number_line.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -56,9 +57,9 @@ Frame caption_of_tetrahedron(const gjk::FilterTried<double>& event, const Names&
   if (event.numbers.empty())
     return frame_about(Focus::proof,
                        "the filter cannot prove the tetrahedron: some numbers are too large or too small");
-  std::string list;
-  for (const gjk::FilterValue& each : event.numbers)
-    list += (list.empty() ? "" : ", ") + name_of(each, names) + " = " + short_number(each.value);
+  const std::string list = joined(event.numbers, ", ", [&](const gjk::FilterValue& each) {
+    return name_of(each, names) + " = " + short_number(each.value);
+  });
   const std::string lie = "all four lie beyond ±" + short_number(event.bound) + ", on one side of 0";
   Frame frame = event.holds
                     ? frame_about(Focus::proof, "proven: the origin lies inside the tetrahedron, whatever was rounded",
@@ -168,12 +169,11 @@ std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Nam
     caption =
         is_vertex ? kept + " is the point nearest to the origin" : "the point nearest to the origin lies on " + kept;
   Frame frame = frame_about(Focus::kept, caption, signs_without_doubt(now, names));
-  std::string dropped;
-  for (const gjk::Role role : gone) dropped += (dropped.empty() ? "" : ", ") + names.of(role);
   if (!gone.empty())
     frame.facts.insert(frame.facts.begin(),
                        {Mark::none, names.list(event.before) + " becomes " + names.list(event.after) + ": without " +
-                                        dropped + " the simplex is as near"});
+                                        joined(gone, ", ", [&](gjk::Role role) { return names.of(role); }) +
+                                        " the simplex is as near"});
   return frame;
 }
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "core/certified/fraction.hpp"
+#include "core/certified/check.hpp"
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
 #include "walkthroughs/model/words_of.hpp"
@@ -18,6 +18,8 @@ namespace {
 
 using Vec = gjk::Vec3<gjk::Fraction>;
 using ExactTrace = gjk::Trace<gjk::Fraction>;
+
+constexpr std::size_t longest_fraction = 24;
 
 // -- The search -------------------------------------------------------------------------------------------------------
 
@@ -81,15 +83,14 @@ std::size_t first_other_decision(const Trace& trace, const ExactTrace& exactly) 
 
 // -- Numbers ----------------------------------------------------------------------------------------------------------
 
+using Decimal = boost::multiprecision::cpp_dec_float_50;
+
+Decimal decimal(const gjk::Fraction& x) { return Decimal(numerator(x).str()) / Decimal(denominator(x).str()); }
+
 /// As number() of words.hpp, for numbers that no double holds too.
 std::string written(const gjk::Fraction& x) {
   const double near = x.convert_to<double>();
-  if (x == 0 || std::isnormal(near)) return number(near);
-  using Decimal = boost::multiprecision::cpp_dec_float_50;
-  const Decimal decimal = Decimal(numerator(x).str()) / Decimal(denominator(x).str());
-  std::string text = decimal.str(6);
-  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) text.replace(at, 1, "−");
-  return text;
+  return x == 0 || std::isnormal(near) ? number(near) : with_true_minus(decimal(x).str(6));
 }
 
 /// Returns: with two digits behind the point.
@@ -166,39 +167,20 @@ struct ExactFinding {
 
 // -- The truth --------------------------------------------------------------------------------------------------------
 
-/// Returns: the coordinates of the origin in terms of the vertices, newest first. Requires: a simplex that contains it and is not flat.
-std::vector<gjk::Fraction> coordinates_of_origin(const gjk::Simplex<gjk::Fraction>& simplex) {
-  const auto to = [&](gjk::Role role) { return Vec(simplex.point(role) - simplex.point(gjk::Role::A)); };
-  const Vec AO = -simplex.point(gjk::Role::A);
-  std::vector<gjk::Fraction> coordinates{1};
-  if (simplex.size() == 2) {
-    const Vec AB = to(gjk::Role::B);
-    coordinates.push_back(AO.dot(AB) / AB.dot(AB));
-  } else if (simplex.size() == 3) {
-    const Vec AB = to(gjk::Role::B), AC = to(gjk::Role::C), n = AB.cross(AC);
-    for (const Vec& area : {AO.cross(AC), AB.cross(AO)}) coordinates.push_back(area.dot(n) / n.dot(n));
-  } else if (simplex.size() == 4) {
-    const Vec AB = to(gjk::Role::B), AC = to(gjk::Role::C), AD = to(gjk::Role::D);
-    const gjk::Fraction volume = AB.dot(AC.cross(AD));
-    for (const Vec& area : {AC.cross(AD), AD.cross(AB), AB.cross(AC)}) coordinates.push_back(AO.dot(area) / volume);
-  }
-  for (std::size_t i = 1; i < coordinates.size(); ++i) coordinates[0] -= coordinates[i];
-  return coordinates;
-}
-
-Vec shared_point(const gjk::Simplex<gjk::Fraction>& simplex) {
-  const std::vector<gjk::Fraction> coordinates = coordinates_of_origin(simplex);
+/// Requires: a simplex of these objects that contains the origin and is not flat.
+Vec shared_point(const gjk::Simplex<gjk::Fraction>& simplex, const Scene& scene) {
+  gjk::CommonSimplex certificate;
+  for (int i = 0; i < simplex.size(); ++i) certificate.of.add({*simplex[i].a.index, *simplex[i].b.index});
+  const gjk::detail::Fractions weights = *gjk::weights_of(certificate, exact(scene.a), exact(scene.b));
   Vec point = Vec::Zero();
-  for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    const Vec& a = simplex[static_cast<gjk::Role>(i)].a.point;
-    for (int k = 0; k < 3; ++k) point[k] += coordinates[i] * a[k];
-  }
+  for (int i = 0; i < simplex.size(); ++i) point += simplex[i].a.point * weights[static_cast<std::size_t>(i)];
   return point;
 }
 
-std::string truth(const gjk::Result<gjk::Fraction>& result, Dimension dimension) {
+std::string truth(const gjk::Result<gjk::Fraction>& result, const Scene& scene) {
   if (result.status == gjk::Status::intersecting)
-    return "in truth both objects hold the point " + written(shared_point(result.simplex), dimension, rounded);
+    return "in truth both objects hold the point " +
+           written(shared_point(result.simplex, scene), scene.dimension, rounded);
   if (result.status == gjk::Status::separated)
     return "in truth the objects are at least " +
            quotient_with_length(-result.separation->support_value, result.separation->direction) + " apart";
@@ -210,6 +192,22 @@ const gjk::Result<gjk::Fraction>& result_of(const ExactTrace& trace) {
 }
 
 }  // namespace
+
+double nearest_double(const std::string& fraction) { return decimal(gjk::Fraction(fraction)).convert_to<double>(); }
+
+std::string short_fraction(const std::string& fraction) {
+  if (fraction.size() <= longest_fraction) return with_true_minus(fraction);
+  const Decimal x = decimal(gjk::Fraction(fraction));
+  int exponent = static_cast<int>(x.backend().order());
+  double mantissa = Decimal(x * pow(Decimal(10), -exponent)).convert_to<double>();
+  if (std::abs(mantissa) >= 9.9995) {  // which would be rounded to 10
+    mantissa /= 10;
+    ++exponent;
+  }
+  char digits[64];
+  std::snprintf(digits, sizeof digits, "≈ %.4ge%d", mantissa, exponent);
+  return with_true_minus(digits);
+}
 
 gjk::Status exact_answer(const Scene& scene) { return result_of(run_exactly(scene)).status; }
 
@@ -224,7 +222,7 @@ std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const 
           {.at = Remark::At::end,
            .iteration = last,
            .text = turn.truth,
-           .fact = truth(result_of(exact_trace), scene.dimension),
+           .fact = truth(result_of(exact_trace), scene),
            .contradicts = true}};
 }
 

@@ -1,5 +1,5 @@
 /// The same search without rounding: which of its decisions rounding has changed, and what is true. Only walkthroughs that
-/// ask for it pay for it.
+/// ask for it pay for it. And fractions as they are told.
 #pragma once
 
 #include <string>
@@ -25,5 +25,11 @@ gjk::Status exact_answer(const Scene& scene);
 /// counted. Requires: two sets of points, and that exact arithmetic decides otherwise and comes to an answer.
 /// Errors: std::logic_error where it does not.
 std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace);
+
+/// Returns: a fraction, "-3/2", as it is where it is short, and else "≈ 3.08e−33".
+std::string short_fraction(const std::string& fraction);
+
+/// Returns: infinite, or 0, where it is beyond doubles.
+double nearest_double(const std::string& fraction);
 
 }  // namespace walkthroughs::story

@@ -48,6 +48,18 @@ std::string how_long_unnoticed(Mistake mistake) {
                                              : words;
 }
 
+std::string how_it_ended(Mistake mistake, const gjk::Result<double>& mistaken, const gjk::Result<double>& right) {
+  if (is_none_along_axes(mistake) && mistaken.status == right.status)
+    return std::string("The same answer, found sooner, and proven: ") + none_along_axes;
+  return how_search_ended(mistaken, right) + ". " + as_sentence(how_long_unnoticed(mistake));
+}
+
+std::string both_lines(const WrongLine& line, const Names& names) {
+  const CodeLine right{0, std::string(line.right)};
+  return "Algorithm " + std::to_string(line.algorithm) + ": " + line_in_letters(line.algorithm, right, names) +
+         "; here: " + wrong_text(line, names);
+}
+
 }  // namespace
 
 const WrongLine* line_gone_wrong(Mistake mistake, const Trace& right, std::size_t event) {
@@ -66,20 +78,19 @@ std::string wrong_text(const WrongLine& line, const Names& names) {
   return line.algorithm == 1 ? std::string(line.wrong) : names.translate(line.wrong);  // that of B is no vertex
 }
 
-std::string both_lines(const WrongLine& line, const Names& names) {
-  const CodeLine right{0, std::string(line.right)};
-  return "Algorithm " + std::to_string(line.algorithm) + ": " + line_in_letters(line.algorithm, right, names) +
-         "; here: " + wrong_text(line, names);
-}
-
-bool ends_wrongly(const Trace& mistaken, const Trace& right) {
-  return result_of(mistaken).status != result_of(right).status;
-}
-
-std::string how_it_ended(Mistake mistake, const Trace& mistaken, const Trace& right) {
-  if (is_none_along_axes(mistake) && !ends_wrongly(mistaken, right))
-    return std::string("The same answer, found sooner, and proven: ") + none_along_axes;
-  return how_search_ended(result_of(mistaken), result_of(right)) + ". " + as_sentence(how_long_unnoticed(mistake));
+std::optional<ToldMistake> mistake_told(const Story& story, std::size_t common) {
+  const std::optional<Mistake> mistake = story.tellings[0].scene.mistake;
+  const Trace &mistaken = story.tellings[0].trace, &right = story.tellings[1].trace;
+  if (!mistake || common == mistaken.events.size()) return std::nullopt;
+  const Moment parting = replay(right, common + 1);
+  const Names names(story.walkthrough.naming, story.tellings[1].hull, parting);
+  ToldMistake told{.meaning = names.translate(wrong_on_purpose::description_of(*mistake).meaning),
+                   .lines = {},
+                   .ending = how_it_ended(*mistake, result_of(mistaken), result_of(right)),
+                   .is_wrong_there = !is_none_along_axes(*mistake),
+                   .ends_wrongly = result_of(mistaken).status != result_of(right).status};
+  if (const WrongLine* const line = line_gone_wrong(*mistake, right, common)) told.lines = both_lines(*line, names);
+  return told;
 }
 
 }  // namespace walkthroughs::story

@@ -2,43 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "walkthroughs/story/exact.hpp"
 
 namespace walkthroughs::story {
 namespace {
-
-constexpr std::size_t longest_fraction = 24;
-constexpr std::size_t digits_looked_at = 15;
-
-/// A number of any size, mantissa · 10^exponent.
-struct Approximate {
-  double mantissa = 0;
-  int exponent = 0;
-
-  double value() const { return mantissa * std::pow(10.0, exponent); }
-};
-
-/// Requires: digits. Returns: them, with a decimal point behind the first.
-Approximate leading(const std::string& digits) {
-  const std::string first = digits.substr(0, digits_looked_at);
-  return {std::stod(first) / std::pow(10.0, static_cast<double>(first.size() - 1)),
-          static_cast<int>(digits.size()) - 1};
-}
-
-Approximate approximate(const std::string& fraction) {
-  const bool is_negative = fraction.starts_with('-');
-  const std::string size = fraction.substr(is_negative ? 1 : 0);
-  const std::size_t slash = size.find('/');
-  Approximate x = leading(size.substr(0, slash));
-  if (slash != std::string::npos) {
-    const Approximate divisor = leading(size.substr(slash + 1));
-    x.mantissa /= divisor.mantissa;
-    x.exponent -= divisor.exponent;
-    if (x.mantissa < 1 && x.mantissa > 0) x = {10 * x.mantissa, x.exponent - 1};
-  }
-  if (is_negative) x.mantissa = -x.mantissa;
-  return x;
-}
 
 NumberLine line_of(const gjk::FilterTried<double>& proof, const Names& names) {
   NumberLine line{.numbers = {},
@@ -56,7 +24,7 @@ NumberLine line_of(const gjk::SignTaken<double>& sign, const Names& names) {
                   .high = sign.value + sign.error,
                   .meaning = "±" + short_number(sign.error) + ": it lies somewhere here"};
   if (!sign.exact.empty())
-    line.numbers.push_back({"exactly", short_fraction(sign.exact), approximate(sign.exact).value(), true});
+    line.numbers.push_back({"exactly", short_fraction(sign.exact), nearest_double(sign.exact), true});
   return line;
 }
 
@@ -69,19 +37,6 @@ bool is_drawable(const NumberLine& line) {
 }  // namespace
 
 std::string NumberLine::Number::equation() const { return name + (text.starts_with("≈") ? " " : " = ") + text; }
-
-std::string short_fraction(const std::string& fraction) {
-  std::string text = fraction;
-  if (fraction.size() > longest_fraction) {
-    Approximate x = approximate(fraction);
-    if (std::abs(x.mantissa) >= 9.9995) x = {x.mantissa / 10, x.exponent + 1};  // which would be rounded to 10
-    char digits[64];
-    std::snprintf(digits, sizeof digits, "≈ %.4ge%d", x.mantissa, x.exponent);
-    text = digits;
-  }
-  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) text.replace(at, 1, "−");
-  return text;
-}
 
 std::optional<NumberLine> number_line(const Moment& now, Focus focus, const Names& names) {
   std::optional<NumberLine> line;

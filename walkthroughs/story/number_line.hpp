@@ -36,7 +36,4 @@ std::string name_of(const gjk::SignTaken<double>& sign, const Names& names);
 /// Returns: what is seen there, a sentence.
 std::string in_words(const NumberLine& line);
 
-/// Returns: a fraction as it is where it is short, and else "≈ 3.08e−33".
-std::string short_fraction(const std::string& fraction);
-
 }  // namespace walkthroughs::story

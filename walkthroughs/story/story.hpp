@@ -39,7 +39,8 @@ struct Fact {
   std::string text;  ///< with the markup of render/font.hpp
   /// Of a number that is told: what it is of, "AB_n·AO", "d", and what it is: "3.5". Both stand in the text.
   std::string asked = {}, value = {};
-  bool is_in_caption = false;  ///< which begins with it; so that it is not told twice
+  const Scene* of = nullptr;   ///< that says it, where a frame tells of several
+  bool is_in_caption = false;  ///< which begins with it, so that it is not told twice
 };
 
 /// The events that a frame adds to the one before, counted from 0 in the trace of its scene; both ends belong to it.

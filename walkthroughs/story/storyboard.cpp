@@ -1,14 +1,15 @@
 #include "walkthroughs/story/storyboard.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/number_text.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
-#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs::story {
 namespace {
@@ -75,7 +76,7 @@ std::optional<Frame> frame_of(const Story& story, std::size_t scene, std::size_t
 
 /// Adds what `one` says of its scene to a frame about several.
 void join(Frame& all, const Scene& scene, const Frame& one) {
-  for (const Fact& fact : one.facts) all.facts.push_back({fact.mark, scene.name + ": " + fact.text});
+  for (const Fact& fact : one.facts) all.facts.push_back({fact.mark, scene.name + ": " + fact.text, {}, {}, &scene});
   all.moments.push_back(one.moments[0]);
   all.events.push_back(one.events[0]);
 }
@@ -142,30 +143,6 @@ std::size_t last_event(const Story& story) {
   return std::max(story.tellings[0].trace.events.size(), story.tellings[1].trace.events.size()) - 1;
 }
 
-/// The first run's, in words for the last frame and for the one where the two part.
-struct ToldMistake {
-  std::string meaning;
-  std::optional<std::string> lines;
-  std::string ending;
-  bool is_wrong_there, ends_wrongly;
-};
-
-std::optional<ToldMistake> mistake_in(const Story& story, std::size_t common) {
-  const std::optional<Mistake> mistake = story.tellings[0].scene.mistake;
-  const Trace &mistaken = story.tellings[0].trace, &right = story.tellings[1].trace;
-  if (!mistake || common == mistaken.events.size()) return std::nullopt;
-  const Moment parting = replay(right, common + 1);
-  const Names names(story.walkthrough.naming, story.tellings[1].hull, parting);
-  const wrong_on_purpose::Description& known = wrong_on_purpose::description_of(*mistake);
-  ToldMistake told{.meaning = names.translate(known.meaning),
-                   .lines = {},
-                   .ending = how_it_ended(*mistake, mistaken, right),
-                   .is_wrong_there = !is_none_along_axes(*mistake),
-                   .ends_wrongly = ends_wrongly(mistaken, right)};
-  if (const auto* const line = line_gone_wrong(*mistake, right, common)) told.lines = both_lines(*line, names);
-  return told;
-}
-
 /// What stands above a frame of two runs, and whether it only says that they go on, or that one does.
 struct Sentence {
   std::string text;
@@ -197,7 +174,7 @@ void lead_with_first(Frame& frame, const std::string& name, const Frame& first) 
   frame.facts.erase(frame.facts.begin());
   if (first.facts.empty()) return;
   if (first.facts[0].is_in_caption)
-    frame.facts.insert(frame.facts.begin(), {mark, first.facts[0].text, {}, {}, true});
+    frame.facts.insert(frame.facts.begin(), {mark, first.facts[0].text, {}, {}, nullptr, true});
   else
     frame.facts.front() = {mark, name + ": " + first.facts[0].text};
 }
@@ -240,7 +217,7 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   if (i == common && said.size() == 2) frame.own_focus = {first.focus, said[1].second.focus};
   for (const auto& [scene, one] : said) {
     const Focus about = i == common ? Focus::parting : one.focus;
-    frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption});
+    frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption, {}, {}, scene});
     if (told && (i == common || is_between) && !one.facts.empty() && !one.facts[0].is_in_caption)
       frame.facts.push_back({Fact::Mark::none, one.facts[0].text});
   }
@@ -255,7 +232,7 @@ void tell_until_they_part(Story& story) {
   const Trace &left = story.tellings[0].trace, &right = story.tellings[1].trace;
   const std::size_t common = common_events(left, right);
   if (common <= last_event(story)) story.parts_at = common;
-  const std::optional<ToldMistake> told = mistake_in(story, common);
+  const std::optional<ToldMistake> told = mistake_told(story, common);
   for (std::size_t i = 0; i <= last_event(story); ++i) {
     std::optional<Frame> frame = tell_both(story, i, common, told);
     if (!frame) continue;
@@ -287,6 +264,40 @@ void set_first_events(std::vector<Frame>& frames) {
   for (std::size_t i = 1; i < frames.size(); ++i)
     for (std::size_t s = 0; s < frames[i].events.size(); ++s)
       frames[i].events[s].first = std::min(frames[i - 1].events[s].last + 1, frames[i].events[s].last);
+}
+
+// -- A choice of frames ---------------------------------------------------------------------------------------------------
+
+struct Kind {
+  std::string_view word;
+  Focus focus;
+};
+
+constexpr std::array<Kind, 8> kinds{{{"supports", Focus::support},
+                                     {"crossings", Focus::crossing},
+                                     {"regions", Focus::region},
+                                     {"reductions", Focus::reduction},
+                                     {"directions", Focus::direction},
+                                     {"proofs", Focus::proof},
+                                     {"signs", Focus::sign},
+                                     {"end", Focus::end}}};
+
+bool is_about(const Frame& frame, Focus focus) {
+  return frame.focus == focus || std::ranges::count(frame.own_focus, focus) > 0;
+}
+
+/// Adds what one word says. Returns: whether it says something.
+bool add(FrameChoice& choice, std::string_view word) {
+  if (const auto kind = std::ranges::find(kinds, word, &Kind::word); kind != kinds.end()) {
+    choice.kinds.push_back(kind->focus);
+    return true;
+  }
+  const std::size_t dash = word.find('-');
+  const auto from = decimal<std::size_t>(word.substr(0, dash));
+  const auto to = dash == std::string_view::npos ? from : decimal<std::size_t>(word.substr(dash + 1));
+  if (!from || !to || *from == 0 || *to < *from) return false;
+  choice.steps.emplace_back(*from, *to);
+  return true;
 }
 
 }  // namespace
@@ -332,6 +343,39 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
   set_first_events(story.frames);
   if (detail == Detail::step) keep_only(story, last_of_each_iteration(story.frames));
   return story;
+}
+
+std::string frame_kinds() { return joined(kinds, ", ", &Kind::word); }
+
+std::optional<FrameChoice> frames_in(std::string_view text) {
+  FrameChoice choice;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    if (!add(choice, text.substr(0, comma))) return std::nullopt;
+    if (comma == std::string_view::npos) return choice;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::vector<std::size_t> places_of(const FrameChoice& choice, const std::vector<Frame>& frames) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const bool is_named = std::ranges::any_of(
+        choice.steps, [&](const auto& range) { return range.first <= i + 1 && i + 1 <= range.second; });
+    const bool is_of_a_kind = std::ranges::any_of(choice.kinds, [&](Focus kind) {
+      return kind == Focus::end ? i + 1 == frames.size() : is_about(frames[i], kind);
+    });
+    if (is_named || is_of_a_kind) places.push_back(i);
+  }
+  return places;
+}
+
+std::string objection_to(const FrameChoice& choice, const std::vector<Frame>& frames) {
+  const std::string there_are =
+      frames.size() == 1 ? "there is 1 step" : "there are " + std::to_string(frames.size()) + " steps";
+  for (const auto& [from, to] : choice.steps)
+    if (to > frames.size()) return there_are + ", and no step " + std::to_string(to);
+  return places_of(choice, frames).empty() ? there_are + ", and none is about that" : "";
 }
 
 }  // namespace walkthroughs::story

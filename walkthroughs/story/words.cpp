@@ -10,8 +10,6 @@ namespace {
 
 using gjk::Role;
 
-constexpr std::string_view all_roles = "ABCD";
-
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// Returns: whether `word` names vertices, a vector or a normal in roles: "AB", "AO", "ABCn".
@@ -20,24 +18,19 @@ bool is_role_word(std::string_view word) {
   return word.find_first_not_of("ABCDO") == std::string_view::npos;
 }
 
-Role role_of(char letter) { return static_cast<Role>(letter - 'A'); }
-
-std::string joined(const std::vector<std::string>& names, std::string_view between) {
-  std::string text;
-  for (const std::string& name : names) text.append(text.empty() ? "" : between).append(name);
-  return text;
-}
-
 std::string with_digits(double value, int digits) {
   if (std::isnan(value)) return "nan";  // its sign means nothing
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.*g", digits, value == 0 ? 0.0 : value);  // == 0 for -0 too
-  std::string text = buffer;
-  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) text.replace(at, 1, "−");
-  return text;
+  return with_true_minus(buffer);
 }
 
 }  // namespace
+
+std::string with_true_minus(std::string number) {
+  for (std::size_t at = 0; (at = number.find('-', at)) != std::string::npos;) number.replace(at, 1, "−");
+  return number;
+}
 
 std::string number(double value) {
   return with_digits(value, value == std::round(value) && std::abs(value) < 1e8 ? 8 : 6);
@@ -46,10 +39,7 @@ std::string number(double value) {
 std::string short_number(double value) { return with_digits(value, value == std::round(value) ? 6 : 4); }
 
 std::string vector(const Point& value, Dimension dimension) {
-  const int components = dimension == Dimension::plane ? 2 : 3;
-  std::vector<std::string> numbers;
-  for (int i = 0; i < components; ++i) numbers.push_back(number(value[i]));
-  return "(" + joined(numbers, ", ") + ")";
+  return "(" + joined(value.head(dimension == Dimension::plane ? 2 : 3), ", ", number) + ")";
 }
 
 std::string as_zero(double value) { return value == 0 ? "" : ", which counts as 0"; }
@@ -149,7 +139,7 @@ std::string Names::translate(std::string_view text) const {
       out += word;
       continue;
     }
-    for (const char c : word) out += c == 'O' ? "O" : c == 'n' ? "_n" : of(role_of(c));
+    for (const char c : word) out += c == 'O' ? "O" : c == 'n' ? "_n" : of(*gjk::role_named(c));
   }
   return out;
 }

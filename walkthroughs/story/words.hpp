@@ -22,6 +22,9 @@ std::string number(double value);
 /// Returns: whole numbers with up to six digits, others with four significant ones, for where there is little room.
 std::string short_number(double value);
 
+/// Returns: a number's text with true minus signs.
+std::string with_true_minus(std::string number);
+
 /// Returns: "(x, y)" for vectors of the plane, "(x, y, z)" for those of space.
 std::string vector(const Point& value, Dimension dimension = Dimension::plane);
 
@@ -40,6 +43,14 @@ std::vector<std::pair<std::string, std::string>> reasons_for_skipping(
 
 /// Returns: "(AB×AO)×AB": a trace does without brackets, a reader does not.
 std::string with_brackets(const gjk::Expression& expression);
+
+/// Returns: what `say` says of each, with `between` between them.
+template <class All, class Say = std::identity>
+std::string joined(const All& all, std::string_view between, const Say& say = {}) {
+  std::string text;
+  for (const auto& each : all) text.append(text.empty() ? "" : between).append(std::invoke(say, each));
+  return text;
+}
 
 /// What the vertices are called at one moment.
 class Names {

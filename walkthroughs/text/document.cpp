@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/iterator/iterator_facade.hpp>
 #include <cctype>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -49,30 +49,22 @@ struct Progress {
 };
 
 /// Lets the parser read while lines are counted.
-class CountingIterator {
+class CountingIterator : public boost::iterator_facade<CountingIterator, const char, boost::single_pass_traversal_tag> {
  public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
   CountingIterator() = default;  ///< the end
   explicit CountingIterator(Progress& progress) : progress_(&progress) {}
 
-  reference operator*() const {
+ private:
+  friend class boost::iterator_core_access;
+
+  const char& dereference() const {
     progress_->skip_blanks();
     return *progress_->next;
   }
-  CountingIterator& operator++() {
-    progress_->advance();
-    return *this;
-  }
-  CountingIterator operator++(int) { return ++*this; }
-  friend bool operator==(const CountingIterator& a, const CountingIterator& b) { return a.at_end() == b.at_end(); }
-
- private:
+  void increment() { progress_->advance(); }
+  bool equal(const CountingIterator& other) const { return at_end() == other.at_end(); }
   bool at_end() const { return progress_ == nullptr || progress_->next == progress_->end; }
+
   Progress* progress_ = nullptr;
 };
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "render/utf8.hpp"
 #include "walkthroughs/text/printable.hpp"
@@ -25,6 +28,21 @@ bool may_begin_a_name(char32_t c) {
 }
 
 bool may_be_in_a_name(char32_t c) { return may_begin_a_name(c) || c == '.'; }
+
+/// Levenshtein (1966): the least number of letters to insert, delete or replace.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j + 1] + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
 
 }  // namespace
 
@@ -82,6 +100,13 @@ std::string title_from_file(const std::string& file_name) {
   }
   if (title.ends_with(' ')) title.pop_back();
   return title.empty() ? nameless : title;
+}
+
+std::string nearest(std::string_view word, std::span<const std::string> candidates) {
+  word = word.substr(0, 64);
+  const auto begun = std::ranges::find_if(candidates, [&](const std::string& each) { return each.starts_with(word); });
+  if (begun != candidates.end()) return *begun;
+  return *std::ranges::min_element(candidates, {}, [&](const std::string& each) { return edit_distance(word, each); });
 }
 
 }  // namespace walkthroughs::text

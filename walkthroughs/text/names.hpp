@@ -1,7 +1,9 @@
-/// What walkthroughs and their titles may be called: the same in scene files and in traces.
+/// What walkthroughs and their titles may be called: the same in scene files and in traces. And what is meant by a word that
+/// nobody knows.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,5 +23,10 @@ std::string name_from_file(const std::string& file_name);
 
 /// Returns: the stem of that file as a title. An underscore, which would be read as the mark of a subscript, divides words.
 std::string title_from_file(const std::string& file_name);
+
+/// Returns: a candidate that begins with `word`, else the one that takes the fewest letters to reach from it (Levenshtein
+/// distance); the first of several. Of longer words the first 64 letters count: comparing takes time for each.
+/// Requires: at least one candidate.
+std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace walkthroughs::text

@@ -41,4 +41,10 @@ std::string missing_letters(const std::set<char32_t>& codes);
 /// Returns: a message, printable, its overlong words (names of files, most likely) without their middle.
 std::string message_line(std::string_view text);
 
+/// Returns: `text` as one word of a POSIX shell, which has nothing but line breaks that a terminal would act upon or not show.
+std::string shell_quoted(std::string_view text);
+
+/// Returns: `path` as one word of a shell and not an option, for commands that readers may copy.
+std::string shell_word(const std::string& path);
+
 }  // namespace walkthroughs::text

@@ -3,11 +3,8 @@
 #include "render/color.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/text/decimal.hpp"
-#include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
-#include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/scene_values.hpp"
 
 namespace walkthroughs::text {
@@ -17,10 +14,23 @@ using namespace reading;
 
 // -- Objects -----------------------------------------------------------------------------------------------------------
 
+/// Divides directions as core/ divides them. Of a scene in floats they are divided in floats: the axis is the one that its
+/// numbers have as floats.
+struct DividedDirections : Cast<double> {
+  Scalar scalar;
+
+  Point direction(const Point& d) const {
+    return with_scalar(scalar, [&]<class S>() -> Point {
+      const gjk::Vec3<S> in_scalar = InScalar<S>{}.direction(d);
+      return (in_scalar / in_scalar.cwiseAbs().maxCoeff()).template cast<double>();
+    });
+  }
+};
+
 Object scene_object(const Value& value, const Space& space, Scalar scalar) {
-  ObjectAsWritten written = read_object(value, space);
-  AnyShape form = with_directions_divided(written.form, scalar);
-  return {.name = std::move(written.name), .form = std::move(form), .pose = written.pose.value_or(Pose{})};
+  Object object = read_object(value, space);
+  object.form = converted<double>(object.form, DividedDirections{{}, scalar});
+  return object;
 }
 
 /// Objects without a name are called what they are; two of a kind are told apart.

@@ -1,14 +1,12 @@
 #include "walkthroughs/text/scene_values.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "core/certified/fraction.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/text/names.hpp"
-#include "walkthroughs/text/nearest.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 
@@ -40,7 +38,7 @@ bool expect(const Value& value, Kind kind, std::string_view expected) {
   return value.is(kind);
 }
 
-bool expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected) {
+bool expect_object(const Value& value, const Keys& keys, std::string_view expected) {
   if (!expect(value, Kind::object, expected)) return false;
   for (const Value& member : value.children())
     if (std::ranges::count(keys, member.key()) == 0) member.fail("is not a key; " + suggestion(member.key(), keys));
@@ -152,14 +150,14 @@ Point Space::direction(const Value& value) const {
 Point Space::first_direction(const Value& value) const {
   const Point found = direction(value);
   point(value);  // each of its numbers is one that the search can have
-  if (numbers == Numbers::floats) expect_positive_float(value, found.cwiseAbs().maxCoeff());
+  if (numbers == Numbers::binary32) expect_positive_float(value, found.cwiseAbs().maxCoeff());
   return found;
 }
 
 double Space::length(const Value& value) const {
   const double found = coordinate(value);
   if (found < 0) value.fail("must not be negative, found " + number_text(found) + "; give a length");
-  if (numbers == Numbers::floats && found != 0) expect_positive_float(value, found);
+  if (numbers == Numbers::binary32 && found != 0) expect_positive_float(value, found);
   return found;
 }
 
@@ -170,13 +168,13 @@ Point Space::size(const Value& value) const {
 }
 
 bool Space::holds(double x) const {
-  const double size = std::abs(numbers == Numbers::floats ? static_cast<float>(x) : x);
+  const double size = std::abs(numbers == Numbers::binary32 ? static_cast<float>(x) : x);
   return magnitudes == Magnitudes::all ? std::isfinite(size) : size <= scene_limits::magnitude;
 }
 
 double Space::coordinate(const Value& value) const {
   const double found = magnitudes == Magnitudes::all ? number_of_any_size(value) : number(value);
-  if (numbers == Numbers::floats && !std::isfinite(static_cast<float>(found)))
+  if (numbers == Numbers::binary32 && !std::isfinite(static_cast<float>(found)))
     value.fail(number_text(found) + " is beyond the largest float, 3.4e38; " + other_unit_or_double);
   return found;
 }
@@ -289,7 +287,7 @@ AnyShape read_shape(const Value& object, const Space& space, int sums_around) {
   if (!value.is_good()) return shape;
   for_each_kind([&]<class Shape>(std::type_identity<Shape>) {
     if (value.key() != ShapeRow<Shape>::key) return;
-    if (space.numbers == Numbers::fractions && !CanBeAsked<typename ShapeRow<Shape>::template In<gjk::Fraction>>)
+    if (space.numbers == Numbers::exact && !CanBeAsked<typename ShapeRow<Shape>::template In<gjk::Fraction>>)
       object.fail("a " + std::string(ShapeRow<Shape>::kind) +
                   " cannot be asked in exact numbers, because its points need square roots; give points, or "
                   "choose another --scalar");
@@ -297,26 +295,6 @@ AnyShape read_shape(const Value& object, const Space& space, int sums_around) {
   });
   return shape;
 }
-
-template <class S>
-gjk::Vec3<S> divided(gjk::Vec3<S> direction) {
-  direction /= direction.cwiseAbs().maxCoeff();
-  return direction;
-}
-
-struct DividedDirections {
-  Scalar scalar;
-
-  Point point(const Point& p) const { return p; }
-  double length(double x) const { return x; }
-  Point direction(const Point& d) const {
-    switch (scalar) {
-      case Scalar::binary64: return divided(d);
-      case Scalar::binary32: return divided(direction_in_float(d)).cast<double>();
-    }
-    return d;
-  }
-};
 
 }  // namespace
 
@@ -331,10 +309,6 @@ const std::vector<std::string>& object_keys() {
 }
 
 AnyShape read_shape(const Value& object, const Space& space) { return read_shape(object, space, 0); }
-
-AnyShape with_directions_divided(const AnyShape& shape, Scalar scalar) {
-  return converted<double>(shape, DividedDirections{scalar});
-}
 
 // -- Objects ---------------------------------------------------------------------------------------------------------
 
@@ -382,8 +356,8 @@ Pose read_pose(const Value& value, const Space& space) {
 
 }  // namespace
 
-ObjectAsWritten read_object(const Value& value, const Space& space) {
-  ObjectAsWritten object;
+Object read_object(const Value& value, const Space& space) {
+  Object object;
   if (!expect_object(value, object_keys(), "an object with a shape")) return object;
   object.form = read_shape(value, space);
   if (const auto name = value.member("name")) object.name = words(*name, scene_limits::name);
@@ -393,19 +367,23 @@ ObjectAsWritten read_object(const Value& value, const Space& space) {
 
 // -- Scalars ---------------------------------------------------------------------------------------------------------
 
-gjk::Vec3<float> direction_in_float(const Point& direction) {
-  const int exponent = std::ilogb(direction.cwiseAbs().maxCoeff());
-  const auto scaled = [=](double x) { return static_cast<float>(std::scalbn(x, -exponent)); };
-  return {scaled(direction.x()), scaled(direction.y()), scaled(direction.z())};
-}
-
 bool certified_of(const Value& declared, const Object& a, const Object& b) {
   const auto value = declared.member("certified");
   if (!value) return false;
   if (!expect(*value, Kind::boolean, "true or false") || !value->is_true()) return false;
-  for (const auto& [key, object] : {std::pair("a", &a), std::pair("b", &b)})
-    if (const auto objection = objection_to_proof(object->form, object->pose); objection && value->is_good())
-      declared.member(key)->member(objection->key)->fail(objection->why + ", or leave out 'certified'");
+  for (const auto& [key, object] : {std::pair("a", &a), std::pair("b", &b)}) {
+    if (!value->is_good()) break;
+    if (!std::holds_alternative<Points>(object->form))
+      declared.member(key)
+          ->member(key_of(object->form))
+          ->fail("a " + kind_of(object->form, Dimension::space) +
+                 " cannot be certified in a scene, whose proofs are drawn for sets of points only. Give points, or "
+                 "leave out 'certified'");
+    else if (moves(object->pose))
+      declared.member(key)->member("pose")->fail(
+          "an object that its pose moves cannot be certified, because its points are rounded then. Give the points "
+          "where they are, or leave out 'certified'");
+  }
   return true;
 }
 

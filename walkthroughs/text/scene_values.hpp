@@ -3,7 +3,8 @@
 /// Where a value is not what is expected they complain (document.hpp) and return something in its place.
 #pragma once
 
-#include <optional>
+#include <cmath>
+#include <concepts>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,10 +26,7 @@ std::string list_of(std::span<const std::string> words, const std::string& last)
 /// Returns: whether it is of that kind.
 bool expect(const Value& value, Kind kind, std::string_view expected);
 /// Expects an object that has no keys but these.
-bool expect_object(const Value& value, std::span<const std::string> keys, std::string_view expected);
-inline bool expect_object(const Value& value, const Keys& keys, std::string_view expected) {
-  return expect_object(value, std::span(keys.begin(), keys.size()), expected);
-}
+bool expect_object(const Value& value, const Keys& keys, std::string_view expected);
 Value required(const Value& object, std::string_view key, std::string_view what_to_do);
 
 double number(const Value& value);
@@ -51,9 +49,9 @@ Dimension dimension_of(const Value& declared);
 enum class TwoNumbers { refused, lie_in_the_plane };
 
 /// The numbers that are asked: all of the text must be some, and exact fractions know no square roots.
-enum class Numbers { doubles, floats, fractions };
+enum class Numbers { binary32, binary64, long_double, exact };
 
-inline Numbers numbers_of(Scalar scalar) { return scalar == Scalar::binary32 ? Numbers::floats : Numbers::doubles; }
+inline Numbers numbers_of(Scalar scalar) { return scalar == Scalar::binary32 ? Numbers::binary32 : Numbers::binary64; }
 
 /// How large coordinates may be. `all`: as large as the numbers that are asked.
 enum class Magnitudes { with_finite_squares, all };
@@ -62,7 +60,7 @@ enum class Magnitudes { with_finite_squares, all };
 struct Space {
   Dimension dimension;
   TwoNumbers two_numbers = TwoNumbers::refused;
-  Numbers numbers = Numbers::doubles;
+  Numbers numbers = Numbers::binary64;
   Magnitudes magnitudes = Magnitudes::with_finite_squares;
 
   bool is_plane() const { return dimension == Dimension::plane; }
@@ -82,15 +80,9 @@ struct Space {
   double coordinate(const Value& value) const;
 };
 
-/// An object as scene files and queries write it: a shape, and perhaps a name and a pose. scene_text.hpp says what each may
-/// hold.
-struct ObjectAsWritten {
-  std::string name;  ///< empty where none is given
-  AnyShape form;     ///< its numbers those of the text
-  std::optional<Pose> pose;
-};
-
-ObjectAsWritten read_object(const Value& value, const Space& space);
+/// Returns: an object as scene files and queries write it: a shape, its numbers those of the text, and perhaps a name (else
+/// empty) and a pose. scene_text.hpp says what each may hold.
+Object read_object(const Value& value, const Space& space);
 
 /// Returns: the keys of an object that may have a name and a pose.
 const std::vector<std::string>& object_keys();
@@ -98,15 +90,18 @@ const std::vector<std::string>& object_keys();
 /// Returns: the shape that one member of an object gives, its numbers those of the text.
 AnyShape read_shape(const Value& object, const Space& space);
 
-/// Returns: the shape as a scene of that scalar keeps it, directions divided as core/ divides them. Of a scene in floats
-/// they are divided in floats: the axis is the one that its numbers have as floats.
-AnyShape with_directions_divided(const AnyShape& shape, Scalar scalar);
-
 /// Returns: the panels named in a list of words.
 Panels panels_in(const Value& list);
 
-/// Returns: the direction in floats. Only the ratios matter: where floats have no such powers of two, another is taken.
-gjk::Vec3<float> direction_in_float(const Point& direction);
+/// Turns what was read into a scalar, number by number. Of directions only the ratios matter: where floats have no such powers
+/// of two, another is taken. Requires: that it was read for that scalar (Numbers).
+template <class S>
+struct InScalar : Cast<S> {
+  gjk::Vec3<S> direction(const Point& d) const {
+    const int exponent = std::same_as<S, float> ? std::ilogb(d.cwiseAbs().maxCoeff()) : 0;
+    return this->point(d.unaryExpr([=](double x) { return std::scalbn(x, -exponent); }));
+  }
+};
 
 /// Returns: what `declared` says with its key "certified": whether the answer about its "a" and "b" is proven. Refused where
 /// it cannot be.

@@ -2,23 +2,26 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "render/file.hpp"
 #include "walkthroughs/text/document.hpp"
 
 namespace walkthroughs::text {
 
 /// A file that a user named cannot be read. what(): "FILE:LINE: KEY: reason; what to do", without KEY where the text as a whole is at
 /// fault; where the file itself is, as render::read_file() says.
-struct InputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using InputError = render::ReadError;
 
 /// Errors: InputError unless `file` is a regular file that can be read and has no more than `most` bytes. Reads no more.
-std::string read_text(const std::filesystem::path& file, std::size_t most);
+inline std::string read_text(const std::filesystem::path& file, std::size_t most) {
+  const std::vector<std::uint8_t> bytes = render::read_file(file, most);
+  return {bytes.begin(), bytes.end()};
+}
 
 /// Returns: what was read from the text of a file of that name. Errors: InputError, where something is wrong with it.
 template <class T>

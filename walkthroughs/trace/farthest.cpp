@@ -1,9 +1,7 @@
-#include "walkthroughs/trace/farthest.hpp"
-
-#include <algorithm>
 #include <cmath>
 
 #include "walkthroughs/model/farthest_face.hpp"
+#include "walkthroughs/trace/replay.hpp"
 
 namespace walkthroughs::trace {
 namespace {
@@ -52,7 +50,6 @@ class Objection {
   }
 
   std::string operator()(const Ball& ball) const {
-    if (found_.index) return on_an_object_without_list();
     if (has_overflowed(bound_of(ball))) return "";
     const Point farthest = pose_(ball.center) + along_ * (ball.radius / along_.norm());
     const bool is_there = largest(found_.point - farthest) <= allowance(bound_of(ball));
@@ -60,7 +57,6 @@ class Objection {
   }
 
   std::string operator()(const Cylinder& cylinder) const {
-    if (found_.index) return on_an_object_without_list();
     if (has_overflowed(bound_of(cylinder))) return "";
     const double half = cylinder.height / 2, radius = cylinder.radius;
     const double allowed = allowance(bound_of(cylinder));
@@ -76,7 +72,6 @@ class Objection {
 
   /// Seen from the shape at rest, and as if it were about as large as 1: the products of lengths neither vanish nor overflow.
   std::string operator()(const auto& shape) const {
-    if (found_.index) return on_an_object_without_list();
     const double size = bound_of(shape), allowed = 3 * allowance(size) + vanished();
     if (may_overflow(size)) return "";
     const Eigen::Matrix3d back = pose_.rotation.transpose();
@@ -94,10 +89,6 @@ class Objection {
   }
 
  private:
-  static std::string on_an_object_without_list() {
-    return "has an index, but only objects of 'points' have a list that it could count in";
-  }
-
   double vanished() const { return 4 * precision_.least / length_; }  ///< of the products with the direction itself
   bool may_overflow(double size) const { return !(3 * (size * length_) <= precision_.largest); }
 
@@ -122,6 +113,8 @@ class Objection {
 
 std::string objection_to(const gjk::SupportPoint<double>& found, const Object& object, const Point& direction,
                          Scalar scalar) {
+  if (found.index && !std::holds_alternative<Points>(object.form))
+    return "has an index, but only objects of 'points' have a list that it could count in";
   return visit_shape(Objection(found, object, direction, precision_of(scalar)), object.form);
 }
 

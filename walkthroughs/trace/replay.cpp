@@ -6,9 +6,8 @@
 
 #include "render/json_text.hpp"
 #include "walkthroughs/model/event_fields.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/printable.hpp"
-#include "walkthroughs/trace/farthest.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs::trace {

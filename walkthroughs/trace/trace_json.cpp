@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "render/json_text.hpp"
-#include "walkthroughs/model/header_fields.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/event_fields.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/model/words_of.hpp"
 
 namespace walkthroughs::trace {
@@ -85,11 +85,7 @@ Json json(const std::variant<std::monostate, double, Point>& value) {
 }
 
 /// Oldest first, newest (A) last.
-Json json(const gjk::Simplex<double>& simplex) {
-  Json list = Json::array();
-  for (int i = 0; i < simplex.size(); ++i) list.push_back(json(simplex[i]));
-  return list;
-}
+Json json(const gjk::Simplex<double>& simplex) { return list_json(simplex); }
 
 Json json(const gjk::IndexPairs& pairs) { return list_json(pairs); }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "walkthroughs/model/header_fields.hpp"
+#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/words_of.hpp"
@@ -274,7 +274,7 @@ void read(const Value& value, const How& how, Eigen::Matrix3d& rotation) {
   if (rows.size() != 3) return value.fail("expected three rows, found " + std::to_string(rows.size()));
   for (int row = 0; row < 3; ++row)
     rotation.row(row) = Space{Dimension::space}.point(rows[static_cast<std::size_t>(row)]);
-  const Scalar scalar = how.space->numbers == Numbers::floats ? Scalar::binary32 : Scalar::binary64;
+  const Scalar scalar = how.space->numbers == Numbers::binary32 ? Scalar::binary32 : Scalar::binary64;
   const double allowed = 64 * precision_of(scalar).epsilon;  // some roundings of sines and cosines
   const Eigen::Matrix3d product = rotation * rotation.transpose();
   if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= allowed && rotation.determinant() > 0))

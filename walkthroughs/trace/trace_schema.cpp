@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "render/json_text.hpp"
-#include "walkthroughs/model/header_fields.hpp"
+#include "walkthroughs/model/event_fields.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_limits.hpp"
@@ -81,8 +81,7 @@ Json schema(Holds<gjk::Certificate>, Meaning) {
   one["minProperties"] = one["maxProperties"] = 1;
   return described(
       "A direction d with a·d < b·d for all points; or index pairs (i, j) of points of the difference: the point of "
-      "their "
-      "hull nearest to the origin separates, or their hull holds the origin.",
+      "their hull nearest to the origin separates, or their hull holds the origin.",
       one);
 }
 

@@ -9,7 +9,7 @@
 /// first point, too, and gjk::AsPrinted processes the simplex after Eq. 9 has said no.
 #pragma once
 
-#include <array>
+#include <boost/mp11.hpp>
 #include <stdexcept>
 #include <tuple>
 
@@ -132,15 +132,11 @@ using RulesOfMistakes =
 /// Errors: std::invalid_argument for what is no enumerator; what `use` throws passes through.
 template <class Use>
 decltype(auto) with_mistake(Mistake mistake, Use&& use) {
-  const auto place = static_cast<std::size_t>(mistake);
-  const auto use_one_of = [&]<class... Rules>(std::type_identity<std::tuple<Rules...>>) -> decltype(auto) {
-    using Result = decltype(use.template operator()<WrongSideOfB>());
-    constexpr std::array<Result (*)(Use&), sizeof...(Rules)> uses{
-        [](Use& each) -> Result { return each.template operator()<Rules>(); }...};
-    if (place >= uses.size()) throw std::invalid_argument("there is no such mistake");
-    return uses[place](use);
-  };
-  return use_one_of(std::type_identity<RulesOfMistakes>{});
+  constexpr std::size_t count = std::tuple_size_v<RulesOfMistakes>;
+  if (static_cast<std::size_t>(mistake) >= count) throw std::invalid_argument("there is no such mistake");
+  return boost::mp11::mp_with_index<count>(static_cast<std::size_t>(mistake), [&](auto place) -> decltype(auto) {
+    return use.template operator()<std::tuple_element_t<place, RulesOfMistakes>>();
+  });
 }
 
 }  // namespace walkthroughs::wrong_on_purpose

@@ -9,7 +9,7 @@
 namespace peers {
 
 using PointSet = gjk::PointSet<double>;
-using AnyShape = walkthroughs::model::AskedForms<study::Body>::type;
+using AnyShape = walkthroughs::model::AskedForms<study::Body>;
 
 inline AnyShape any_shape(const study::Body& body) { return walkthroughs::model::asked(study::Body(body)); }
 

@@ -10,7 +10,7 @@
 #include "tests/study/truth/oracle.hpp"
 #include "tests/study/truth/proofs.hpp"
 #include "walkthroughs/model/words_of.hpp"
-#include "walkthroughs/query/query_certificate.hpp"
+#include "walkthroughs/query/query_certified.hpp"
 
 namespace study {
 namespace {

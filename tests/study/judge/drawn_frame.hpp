@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/image.hpp"
-#include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/output/renderer.hpp"
 #include "walkthroughs/story/story.hpp"
 
 namespace study {

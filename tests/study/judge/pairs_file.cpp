@@ -12,8 +12,8 @@ namespace {
 
 using walkthroughs::text::Document;
 
-Body body_of(const walkthroughs::text::reading::ObjectAsWritten& object, const std::string& key) {
-  if (object.pose)
+Body body_of(const walkthroughs::model::Object& object, const walkthroughs::text::Value& line, const std::string& key) {
+  if (line.member(key)->member("pose"))
     throw std::invalid_argument(key + ".pose: is not judged, as it would round; give the object where it is");
   const auto body = [&](const auto& shape) -> Body {
     if constexpr (std::constructible_from<Body, decltype(shape)>)
@@ -43,7 +43,7 @@ NamedPair pair_of_line(std::string_view line, const std::string& name) {
   const Document document = Document::of_line(line);
   NamedPair named{text_of(document.root(), "name", name),
                   text_of(document.root(), "family", "yours"),
-                  {body_of(written.a, "a"), body_of(written.b, "b")}};
+                  {body_of(written.a, document.root(), "a"), body_of(written.b, document.root(), "b")}};
   truth(named.pair);
   return named;
 }

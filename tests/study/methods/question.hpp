@@ -12,7 +12,7 @@
 #include "core/shapes.hpp"
 #include "tests/study/pairs/pair.hpp"
 #include "tests/study/truth/exact_number.hpp"
-#include "walkthroughs/model/first_direction.hpp"
+#include "walkthroughs/model/scene.hpp"
 
 namespace study {
 

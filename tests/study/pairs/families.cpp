@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "tests/study/pairs/families_recipes.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/text/names.hpp"
 
 namespace study {
 namespace {

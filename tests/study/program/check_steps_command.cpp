@@ -46,13 +46,12 @@ void draw_parting(const ToldRun& run, const StepsChecked& checked, const std::st
   places.write_standard_output();
   places.expect_apart();
   walkthroughs::output::Studio studio;
-  walkthroughs::output::Renderer renderer(studio);
-  walkthroughs::output::Frames frames(
-      [](const std::filesystem::path& file, const walkthroughs::story::Story&, std::size_t) {
+  walkthroughs::output::Renderer renderer(
+      studio, [](const std::filesystem::path& file, const walkthroughs::story::Story&, std::optional<std::size_t>) {
         std::cout << walkthroughs::text::printable(file.string()) << '\n';
       });
-  frames.add(std::make_shared<const walkthroughs::picture::StagedStory>(parting->story()),
-             {.folder = folder, .size = walkthroughs::picture::frame_page}, renderer);
+  walkthroughs::output::Frames().add(std::make_shared<const walkthroughs::picture::StagedStory>(parting->story()),
+                                     {.folder = folder, .size = walkthroughs::picture::frame_page}, renderer);
   renderer.finish();
 }
 

@@ -17,7 +17,7 @@
 #include "tests/study/steps/judged_steps.hpp"
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/program/places.hpp"
-#include "walkthroughs/text/shell_word.hpp"
+#include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {

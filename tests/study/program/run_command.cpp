@@ -9,8 +9,8 @@
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"
 #include "tests/study/sweep/results.hpp"
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/program/places.hpp"
-#include "walkthroughs/text/decimal.hpp"
 
 namespace study {
 namespace {

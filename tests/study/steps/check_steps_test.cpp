@@ -9,7 +9,6 @@
 #include "tests/study/judge/pairs_file.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/truth/oracle.hpp"
-#include "walkthroughs/model/run.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/text/text_file.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "tests/study/steps/own_steps.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 namespace study {

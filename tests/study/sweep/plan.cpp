@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "tests/study/methods/all_methods.hpp"
-#include "walkthroughs/text/decimal.hpp"
-#include "walkthroughs/text/nearest.hpp"
+#include "walkthroughs/model/number_text.hpp"
+#include "walkthroughs/text/names.hpp"
 
 namespace study {
 namespace {

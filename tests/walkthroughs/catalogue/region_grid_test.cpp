@@ -25,16 +25,15 @@ TEST_CASE("A point lies in the region beyond a feature exactly when that feature
                                         {figure_7_simplex(), figure_7_window()},
                                         {figure_8_simplex(), figure_8_slice()}}) {
     const RegionGrid grid = ask_everywhere(simplex, window, 0.1);
-    for (int row = 0; row < grid.rows(); ++row)
-      for (int column = 0; column < grid.columns(); ++column) {
-        const Point p = grid.middle(column, row);
-        const std::string nearest = nearest_feature(simplex, p);
-        if (nearest.empty()) continue;
-        for (const std::string& feature : features_of(simplex.size())) {
-          INFO(feature << " at " << p.transpose());
-          REQUIRE(lies_in(p, region_beyond(simplex, feature)) == (feature == nearest));
-        }
+    for (const RegionGrid::Cell& cell : grid.cells()) {
+      const Point& p = cell.middle;
+      const std::string nearest = nearest_feature(simplex, p);
+      if (nearest.empty()) continue;
+      for (const std::string& feature : features_of(simplex.size())) {
+        INFO(feature << " at " << p.transpose());
+        REQUIRE(lies_in(p, region_beyond(simplex, feature)) == (feature == nearest));
       }
+    }
   }
 }
 
@@ -43,14 +42,12 @@ TEST_CASE("Blocks cover each cell once, with its text") {
   const RegionGrid grid(window, 8, 5, [](const Point& p) { return p.x() + p.y() > 4 ? "far" : "near"; });
   const std::vector<RegionGrid::Block> blocks = grid.blocks();
   CHECK(blocks.size() < 8 * 5);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const Vec2 p = grid.middle(column, row).head<2>();
-      std::vector<std::string> found;
-      for (const RegionGrid::Block& block : blocks)
-        if ((p.array() > block.low.array()).all() && (p.array() < block.high.array()).all())
-          found.push_back(block.text);
-      REQUIRE(found == std::vector<std::string>{p.x() + p.y() > 4 ? "far" : "near"});
-    }
+  CHECK(grid.cells().size() == 8 * 5);
+  for (const RegionGrid::Cell& cell : grid.cells()) {
+    const Vec2 p = cell.middle.head<2>();
+    std::vector<std::string> found;
+    for (const RegionGrid::Block& block : blocks)
+      if ((p.array() > block.low.array()).all() && (p.array() < block.high.array()).all()) found.push_back(block.text);
+    REQUIRE(found == std::vector<std::string>{p.x() + p.y() > 4 ? "far" : "near"});
   }
 }

@@ -1,7 +1,6 @@
 #include "walkthroughs/model/event_fields.hpp"
 
 #include "tests/kit/catch.hpp"
-#include "walkthroughs/model/header_fields.hpp"
 
 using namespace walkthroughs::program;
 

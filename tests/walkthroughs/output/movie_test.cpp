@@ -1,9 +1,8 @@
-#include "walkthroughs/output/movie.hpp"
-
 #include <string>
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/program.hpp"
+#include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 using namespace walkthroughs::program;

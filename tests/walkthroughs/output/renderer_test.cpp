@@ -17,6 +17,7 @@ namespace {
 
 constexpr render::Size small{64, 36};
 const FrameTold nobody = [](const fs::path&, std::size_t) {};
+const Renderer::Written told_to_nobody = [](const fs::path&, const Story&, std::optional<std::size_t>) {};
 
 /// Two objects of the plane, drawn as if they were in space.
 Walkthrough in_space() {
@@ -31,15 +32,15 @@ Walkthrough in_space() {
 TEST_CASE("Files are written and reported in the order asked for, whatever their kind and walkthrough") {
   const Folder folder;
   Studio studio;
-  Renderer renderer(studio);
   std::vector<std::string> files;
-  const auto add = [&](const fs::path& file, const Story& story) {
+  Renderer renderer(studio, [&](const fs::path& file, const Story& story, std::optional<std::size_t> frame) {
     CHECK(fs::exists(file));
     CHECK(file.parent_path().filename() == story.walkthrough.name);
+    CHECK((!frame || file.filename() == picture_name(*frame)));
     files.push_back(file.lexically_relative(folder.path()).string());
-  };
-  Frames frames([&](const fs::path& file, const Story& story, std::size_t) { add(file, story); });
-  OneFile animation = animated_png(1, add), in_a_strip = strip(add), on_a_sheet = sheet(add);
+  });
+  Frames frames;
+  OneFile animation = animated_png(1), in_a_strip = strip(), on_a_sheet = sheet();
   for (const char* name : {"figure-5", "figure-4-right"}) {
     const auto story = std::make_shared<const StagedStory>(tell(walkthrough(name)));  // here gone before all is written
     for (Sink* sink : std::initializer_list<Sink*>{&frames, &animation, &in_a_strip, &on_a_sheet})
@@ -91,10 +92,9 @@ TEST_CASE("A file that cannot be written is reported once, those before it are t
   int told = 0;
   std::optional<std::string> error;
   try {
-    Renderer renderer(studio);
-    Frames frames([&](const fs::path&, const Story&, std::size_t) { ++told; });
+    Renderer renderer(studio, [&](const fs::path&, const Story&, std::optional<std::size_t>) { ++told; });
     for (const char* name : {"figure-4-right", "figure-5"})
-      frames.add(std::make_shared<const StagedStory>(tell(walkthrough(name))), {folder.path(), small}, renderer);
+      Frames().add(std::make_shared<const StagedStory>(tell(walkthrough(name))), {folder.path(), small}, renderer);
     renderer.finish();
   } catch (const render::FileError& e) {
     error = e.what();
@@ -115,7 +115,7 @@ TEST_CASE("What is asked for waits until there is no more room, is done in order
       done.push_back(i);
     });
   };
-  Renderer renderer(studio);
+  Renderer renderer(studio, told_to_nobody);
   while (asked < 50) ask(renderer);
   const std::size_t most_waiting = 2 + std::max(1u, std::thread::hardware_concurrency());
   CHECK(done.size() + most_waiting == 50);
@@ -131,9 +131,8 @@ TEST_CASE("A renderer that goes before it has finished has written what it was a
   const Folder folder;
   Studio studio;
   {
-    Renderer renderer(studio);
-    Frames([](const fs::path&, const Story&, std::size_t) {
-    }).add(std::make_shared<const StagedStory>(tell(walkthrough("figure-5"))), {folder.path(), small}, renderer);
+    Renderer renderer(studio, told_to_nobody);
+    Frames().add(std::make_shared<const StagedStory>(tell(walkthrough("figure-5"))), {folder.path(), small}, renderer);
   }
   CHECK(listing(folder.path()).size() == 3);
 }
@@ -141,9 +140,8 @@ TEST_CASE("A renderer that goes before it has finished has written what it was a
 TEST_CASE("An animation of frames that are not there is an error of writing, not of reading what a user has named") {
   const Folder folder;
   Studio studio;
-  OneFile animation = animated_png(1, [](const fs::path&, const Story&) {});
   const auto add = [&] {
-    write(animation, StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio);
+    write(animated_png(1), StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio, told_to_nobody);
   };
   CHECK_THROWS_AS(add(), render::FileError);
   try {

@@ -13,32 +13,35 @@ using namespace program;
 using FrameTold = std::function<void(const std::filesystem::path& file, std::size_t index)>;
 
 /// Gives the story to a sink that is done with it before the story goes.
-inline void write(Sink& sink, const StagedStory& story, const Output& output, Studio& studio) {
-  Renderer renderer(studio);
+inline void write(Sink&& sink, const StagedStory& story, const Output& output, Studio& studio,
+                  const Renderer::Written& told) {
+  Renderer renderer(studio, told);
   sink.add(std::shared_ptr<const StagedStory>(std::shared_ptr<void>(), &story), output, renderer);
   renderer.finish();
 }
 
 inline void render_frames(const StagedStory& story, const Output& output, Studio& studio, const FrameTold& told) {
-  Frames frames([&](const std::filesystem::path& file, const Story&, std::size_t index) { told(file, index); });
-  write(frames, story, output, studio);
+  write(Frames(), story, output, studio,
+        [&](const std::filesystem::path& file, const Story&, std::optional<std::size_t> index) {
+          told(file, index.value());
+        });
 }
 
 /// Returns: the file.
-inline std::filesystem::path write_picture(OneFile (*format)(FileWritten), const StagedStory& story,
-                                           const Output& output, Studio& studio) {
+inline std::filesystem::path write_picture(Sink&& format, const StagedStory& story, const Output& output,
+                                           Studio& studio) {
   std::filesystem::path file;
-  OneFile picture = format([&](const std::filesystem::path& written, const Story&) { file = written; });
-  write(picture, story, output, studio);
+  write(std::move(format), story, output, studio,
+        [&](const std::filesystem::path& written, const Story&, std::optional<std::size_t>) { file = written; });
   return file;
 }
 
 inline std::filesystem::path render_strip(const StagedStory& story, const Output& output, Studio& studio) {
-  return write_picture(strip, story, output, studio);
+  return write_picture(strip(), story, output, studio);
 }
 
 inline std::filesystem::path render_sheet(const StagedStory& story, const Output& output, Studio& studio) {
-  return write_picture(sheet, story, output, studio);
+  return write_picture(sheet(), story, output, studio);
 }
 
 }  // namespace walkthroughs::test

@@ -1,7 +1,6 @@
-#include "walkthroughs/page/index_entry.hpp"
-
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
+#include "walkthroughs/page/page.hpp"
 
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;

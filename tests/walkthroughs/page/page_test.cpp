@@ -7,7 +7,7 @@
 #include "tests/walkthroughs/story/stories.hpp"
 #include "walkthroughs/page/questions.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
-#include "walkthroughs/story/frame_choice.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"

@@ -1,8 +1,7 @@
-#include "walkthroughs/page/viewer.hpp"
-
 #include <stdexcept>
 
 #include "tests/kit/catch.hpp"
+#include "walkthroughs/page/page.hpp"
 
 using namespace walkthroughs::program;
 

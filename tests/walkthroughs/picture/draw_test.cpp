@@ -8,7 +8,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/places.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/output/studio.hpp"
+#include "walkthroughs/output/renderer.hpp"
 
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -32,7 +32,8 @@ TEST_CASE(
     for (std::size_t i = 0; i < story.frames.size(); ++i) {
       INFO(w.name << ", frame " << i);
       render::Canvas page(frame_page, frame_page, render::palette::white, font);
-      const int crowded = draw_frame(page, story, i);
+      draw_frame(page, story, i);
+      const int crowded = page.crowded();
       const bool is_exception = w.name == "regions/2-simplex-on-vertex" && i == 11;
       CHECK(crowded <= (is_in_space(w) ? 2 : is_exception ? 1 : 0));
       frames += is_in_space(w);
@@ -41,7 +42,8 @@ TEST_CASE(
     if (!w.name.starts_with("figure-")) continue;
     INFO(w.name << ", strip");
     render::Canvas strip(strip_page(story), strip_page(story), render::palette::white, font);
-    CHECK(draw_strip(strip, story) == 0);
+    draw_strip(strip, story);
+    CHECK(strip.crowded() == 0);
   }
   CHECK(with_a_crowded_label * 20 <= frames);
 }
@@ -61,7 +63,8 @@ TEST_CASE("At every scale of text all lines below the panels fit, and hardly a l
       for (std::size_t i = which; i < story.frames.size(); i += scales.size()) {  // all are half a minute
         INFO(w.name << ", frame " << i << ", text " << scales[which]);
         render::Canvas page(frame_page, frame_page, look.style.theme.paper, font);
-        const int crowded = draw_frame(page, story, i, look);
+        draw_frame(page, story, i, look);
+        const int crowded = page.crowded();
         CHECK(crowded <= (is_in_space(w) ? 3 : 1));
         with_crowded += crowded > 0 ? 1 : 0;
         ++frames;

@@ -1,13 +1,12 @@
 // Scenes far away, very large or very small are drawn as what they are: pictures do not depend on unit and place.
 
-#include "walkthroughs/picture/placing.hpp"
-
 #include <cmath>
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/pictures.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/picture/draw.hpp"
+#include "walkthroughs/picture/stage.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs::program;

@@ -8,8 +8,8 @@
 using namespace walkthroughs::test;
 
 TEST_CASE("A backend that this build lacks is exit code 4 and the message names its package, and nothing is written") {
-  if (render::built_in_backends().size() == render::all_backends().size()) kit::skip("this build lacks none");
-  for (const render::Backend backend : render::all_backends()) {
+  if (render::built_in_backends().size() == render::all_backends.size()) kit::skip("this build lacks none");
+  for (const render::Backend backend : render::all_backends) {
     if (std::ranges::count(render::built_in_backends(), backend) > 0) continue;
     const std::string name(render::name_of(backend));
     for (const bool by_variable : {false, true}) {

@@ -1,7 +1,6 @@
-#include "walkthroughs/story/frame_choice.hpp"
-
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
+#include "walkthroughs/story/storyboard.hpp"
 
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;

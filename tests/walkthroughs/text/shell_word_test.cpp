@@ -1,4 +1,3 @@
-#include "walkthroughs/text/shell_word.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/model/run.hpp"
+#include "walkthroughs/model/scene.hpp"
 
 using namespace walkthroughs;
 using namespace walkthroughs::program;
