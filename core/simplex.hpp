@@ -23,9 +23,30 @@ constexpr std::optional<Role> role_named(char letter) {
   return letter < 'A' || letter > 'D' ? std::nullopt : std::optional(static_cast<Role>(letter - 'A'));
 }
 
-/// Roles of up to four vertices, each once. A feature is written as in the report, "ADB". What is kept of a simplex is
-/// written oldest first, "CA". The same is written in code: event.feature == "ADB".
-class Roles {
+/// Up to four of something: a simplex has no more vertices.
+template <class T>
+class UpToFour {
+ public:
+  constexpr const T* begin() const { return all_.data(); }
+  constexpr const T* end() const { return begin() + size_; }
+  constexpr int size() const { return size_; }
+  constexpr bool empty() const { return size_ == 0; }
+  /// Requires: 0 <= i < size().
+  constexpr const T& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
+  /// Requires: size() < 4.
+  constexpr void add(const T& one) { all_[static_cast<std::size_t>(size_++)] = one; }
+  constexpr bool operator==(const UpToFour& other) const {
+    return std::equal(begin(), end(), other.begin(), other.end());
+  }
+
+ private:
+  std::array<T, 4> all_{};
+  int size_ = 0;
+};
+
+/// Roles of up to four vertices, each once: a feature as the report writes it, "ADB", or what is kept of a simplex, oldest
+/// first, "CA". Written as that in code, too: event.feature == "ADB".
+class Roles : public UpToFour<Role> {
  public:
   constexpr Roles() = default;
   constexpr Roles(std::initializer_list<Role> roles) {
@@ -46,20 +67,8 @@ class Roles {
     return roles;
   }
 
-  constexpr const Role* begin() const { return roles_.data(); }
-  constexpr const Role* end() const { return begin() + size_; }
-  constexpr int size() const { return size_; }
-  constexpr bool empty() const { return size_ == 0; }
-  /// Requires: 0 <= i < size().
-  constexpr Role operator[](int i) const { return roles_[static_cast<std::size_t>(i)]; }
   constexpr bool has(Role role) const { return std::find(begin(), end(), role) != end(); }
-  /// Requires: not has(role).
-  constexpr void add(Role role) { roles_[static_cast<std::size_t>(size_++)] = role; }
-  constexpr bool operator==(const Roles& other) const { return std::equal(begin(), end(), other.begin(), other.end()); }
-
- private:
-  std::array<Role, 4> roles_{};
-  int size_ = 0;
+  constexpr bool operator==(const Roles&) const = default;
 };
 
 /// Returns: "ADB".
@@ -94,6 +103,9 @@ class Simplex {
   }
 
   int size() const { return size_; }
+  /// From the oldest to the newest.
+  const Vertex<S>* begin() const { return vertices_.data(); }
+  const Vertex<S>* end() const { return begin() + size_; }
 
   /// Requires: 0 <= i < size(). Counted from the oldest.
   const Vertex<S>& operator[](int i) const {
@@ -113,8 +125,7 @@ class Simplex {
   }
 
   friend bool operator==(const Simplex& x, const Simplex& y) {
-    return std::equal(x.vertices_.begin(), x.vertices_.begin() + x.size_, y.vertices_.begin(),
-                      y.vertices_.begin() + y.size_);
+    return std::equal(x.begin(), x.end(), y.begin(), y.end());
   }
 
   /// Makes `vertex` the newest. Requires: size() < 4.
