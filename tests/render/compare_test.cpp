@@ -36,8 +36,6 @@ std::vector<Pixel> scattered(int count, int width) {
   return pixels;
 }
 
-bool passed(const Comparison& comparison) { return passes(comparison.verdict); }
-
 }  // namespace
 
 // -- What passes --------------------------------------------------------------------------------------------------------
