@@ -59,7 +59,9 @@ std::string nearest_name(std::string_view name) {
       std::ranges::any_of(spellings, [&](const std::string& each) { return each.starts_with(name); });
   const std::vector<const Walkthrough*> saying = walkthroughs_that_say(name);
   if (!begins_one && !saying.empty()) return saying.front()->name;
-  const auto found = std::ranges::find(spellings, nearest(name, spellings)) - spellings.begin();
+  const std::string near = nearest(name, spellings);
+  if (near.empty()) return near;
+  const auto found = std::ranges::find(spellings, near) - spellings.begin();
   return spellings[static_cast<std::size_t>(found) % whole_catalogue().size()];
 }
 

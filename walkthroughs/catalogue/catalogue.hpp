@@ -21,7 +21,8 @@ const Walkthrough* find_walkthrough(std::string_view name);
 /// Returns: those with that word in name, title, summary or case; capitals do not matter.
 std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word);
 
-/// Returns: the name of the walkthrough that is spelled most like `name`, with or without its folder.
+/// Returns: the name of the walkthrough that is spelled most like `name`, with or without its folder; nothing where none is
+/// spelled like it.
 std::string nearest_name(std::string_view name);
 
 // The walkthroughs by their families, each made in a file of its name.

@@ -20,8 +20,8 @@ const Walkthrough& walkthrough_named(const std::string& name) {
     throw UsageError(in_quotes(name) +
                      " is a file, not a walkthrough. Give a scene file a name that ends in .json. Draw a trace with "
                      "'gjkstep render --from-trace FILE'");
-  throw UsageError("there is no walkthrough " + in_quotes(name) + "; did you mean '" + nearest_name(name) +
-                   "'? 'gjkstep list' shows all");
+  throw UsageError("there is no walkthrough " + in_quotes(name) + "; " + did_you_mean(nearest_name(name)) +
+                   "'gjkstep list' shows all");
 }
 
 std::vector<const Walkthrough*> walkthroughs_named(const std::string& name) {

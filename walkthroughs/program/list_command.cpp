@@ -108,8 +108,8 @@ struct ListCommand {
     std::vector<const Walkthrough*> found = find_walkthroughs(*name);
     if (found.empty()) found = walkthroughs_that_say(*name);
     if (found.empty())
-      throw UsageError("no walkthrough has or says " + in_quotes(*name) + "; did you mean '" + nearest_name(*name) +
-                       "'? 'gjkstep list' shows all");
+      throw UsageError("no walkthrough has or says " + in_quotes(*name) + "; " + did_you_mean(nearest_name(*name)) +
+                       "'gjkstep list' shows all");
     return found;
   }
 };

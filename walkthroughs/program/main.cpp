@@ -45,10 +45,10 @@ std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
     const bool is_name = find_walkthrough(word) != nullptr;
-    complaint = "there is no command " + in_quotes(word) + "; did you mean '" +
-                (is_name ? "render " + word : nearest(word, commands)) + "'?";
+    complaint = "there is no command " + in_quotes(word) + "; " +
+                did_you_mean(is_name ? "render " + word : nearest(word, commands));
   }
-  return complaint + (complaint.ends_with('?') ? " " : "; ") +
+  return complaint + (complaint.ends_with(' ') ? "" : "; ") +
          "'gjkstep --help' and 'gjkstep COMMAND --help' show what there is";
 }
 

@@ -94,8 +94,8 @@ Enumerator choice(const std::string& option, const std::string& word,
   const auto found = std::ranges::find(words, word);
   if (found != words.end()) return static_cast<Enumerator>(found - words.begin());
   const std::vector<std::string> known(words.begin(), words.end());
-  throw UsageError(option + " " + in_quotes(word) + " is not known; did you mean '" + nearest(word, known) +
-                   "'? 'gjkstep query --help' shows all");
+  throw UsageError(option + " " + in_quotes(word) + " is not known; " + did_you_mean(nearest(word, known)) +
+                   "'gjkstep query --help' shows all");
 }
 
 /// Returns: "as-intended: the report's rules; as-printed: ...".

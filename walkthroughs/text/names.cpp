@@ -106,7 +106,18 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   word = word.substr(0, 64);
   const auto begun = std::ranges::find_if(candidates, [&](const std::string& each) { return each.starts_with(word); });
   if (begun != candidates.end()) return *begun;
-  return *std::ranges::min_element(candidates, {}, [&](const std::string& each) { return edit_distance(word, each); });
+  std::string best;
+  std::size_t least = std::min<std::size_t>(3, word.size() / 2) + 1;
+  for (const std::string& each : candidates)
+    if (const std::size_t letters = edit_distance(word, each); letters < least) {
+      least = letters;
+      best = each;
+    }
+  return best;
+}
+
+std::string did_you_mean(const std::string& nearest_word) {
+  return nearest_word.empty() ? "" : "did you mean '" + nearest_word + "'? ";
 }
 
 }  // namespace walkthroughs::text

@@ -25,8 +25,11 @@ std::string name_from_file(const std::string& file_name);
 std::string title_from_file(const std::string& file_name);
 
 /// Returns: a candidate that begins with `word`, else the one that takes the fewest letters to reach from it (Levenshtein
-/// distance); the first of several. Of longer words the first 64 letters count: comparing takes time for each.
-/// Requires: at least one candidate.
+/// distance); the first of several. Of longer words the first 64 letters count: comparing takes time for each. Nothing where
+/// that takes more than three letters, or more than half of the word.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+/// Returns: "did you mean 'figure-4'? "; nothing where nothing is near.
+std::string did_you_mean(const std::string& nearest_word);
 
 }  // namespace walkthroughs::text

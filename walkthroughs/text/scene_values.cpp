@@ -25,8 +25,9 @@ namespace {
 
 std::string suggestion(const std::string& word, std::span<const std::string> known) {
   constexpr std::size_t most = 16;  // a message is read at a glance
-  const std::string all = known.size() > most ? "" : " Known here are " + list_of(known, "and");
-  return "did you mean '" + nearest(word, known) + "'?" + all;
+  const std::string near = did_you_mean(nearest(word, known));
+  return known.size() > most && !near.empty() ? near.substr(0, near.size() - 1)
+                                              : near + "Known here are " + list_of(known, "and");
 }
 
 }  // namespace
