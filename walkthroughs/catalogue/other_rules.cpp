@@ -35,8 +35,8 @@ Walkthrough endless(const Scene& scene, const std::string& title, const std::str
         ending,
         {},
         "Algorithms 4 and 5 take the first edge or face that sees the origin, not the nearest: nothing keeps the "
-        "search "
-        "from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help. The "
+        "search from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help. "
+        "The "
         "complete rules end, but where numbers round. A certified answer always does"}});
 }
 
