@@ -44,8 +44,8 @@ class UpToFour {
   int size_ = 0;
 };
 
-/// Roles of up to four vertices, each once: a feature as the report writes it, "ADB", or what is kept of a simplex, oldest
-/// first, "CA". Written as that in code, too: event.feature == "ADB".
+/// Roles of up to four vertices, each once. It is a feature as the report writes it, "ADB", or what is kept of a simplex,
+/// oldest first, "CA". Written as that in code, too: event.feature == "ADB".
 class Roles : public UpToFour<Role> {
  public:
   constexpr Roles() = default;

@@ -21,8 +21,8 @@
 /// The filter costs a few products. Of random pairs some ten in a million need the fallback. Of touching ones all do,
 /// and then take five times as long (measured: tests/study/results/certified.md).
 ///
-/// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers of another project). Nothing else of
-/// the core needs Boost.
+/// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers of another project). Nothing
+/// outside of core/certified needs Boost.
 ///
 /// What is proven, under which assumptions, as numbered properties. The tests quote them. The assumptions: IEEE
 /// arithmetic, rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no
