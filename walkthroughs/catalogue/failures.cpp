@@ -35,7 +35,7 @@ std::vector<Failure> all_failures() {
   return {
       // Range: w·d is a product of four lengths, and so is ABn·AO.
       {.name = "vanished-product",
-       .title = "Apart, and found together: a product too small for a float",
+       .title = "Apart, but found to intersect: a product too small",
        .section = "3.1.3",
        .summary = "lengths of 1e-12: w·d, a product of four of them, becomes 0",
        .turn = {.cause = "in truth it stopped short: w·d is a product of four lengths of 1e−12, and becomes 0",

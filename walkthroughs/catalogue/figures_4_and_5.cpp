@@ -25,7 +25,7 @@ Walkthrough figure_4_left() {
           .source = "ARL-TR-7474, Section 3.1.2",
           .summary = "the difference contains the origin; the search goes A, E, G, F",
           .scenes = {figure_4_left_scene()},
-          .remarks = {{Remark::At::support_found, 2, "F is not returned, because E lies slightly farther"},
+          .remarks = {{Remark::At::support_found, 2, "F is not returned, because E lies farther along d"},
                       {Remark::At::support_found, 3, "straight down would have found F, but the slant finds G"}}};
 }
 

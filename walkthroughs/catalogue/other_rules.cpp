@@ -40,7 +40,7 @@ Walkthrough endless(const Scene& scene, const std::string& title, const std::str
         "complete rules end, but where numbers round. A certified answer always does"}});
 }
 
-constexpr const char* nothing_skipped = "Section 3.2, nothing skipped";
+constexpr const char* nothing_skipped = "Section 3.2, every region of A";
 
 Walkthrough by_complete_rules(const Scene& scene, const std::string& title, const std::string& summary) {
   return search_of(scene.name, title, nothing_skipped, summary, by_rules(RuleSet::complete, scene.name, scene),
@@ -100,7 +100,7 @@ std::vector<Walkthrough> other_rules() {
           endless(cycling_together("cycle-intersecting"), "Together, and the search goes round in a circle",
                   "a pair that does intersect, which the report's limit would answer with \"no collision\"",
                   "at its limit Algorithm 1 answers \"no collision\", but these objects do intersect"),
-          by_complete_rules(cycling_apart("complete/cycle-separated"), "Every region asked, and the circle is broken",
+          by_complete_rules(cycling_apart("complete/cycle-separated"), "Every region of A asked: the circle is broken",
                             "the pair of cycle-separated, by rules that keep the feature nearest to the origin"),
           by_complete_rules(cycling_together("complete/cycle-intersecting"),
                             "Together, found where the report's rules go round",

@@ -69,7 +69,7 @@ class Captions {
     Frame frame = frame_about(
         Focus::support, caption,
         {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
-         difference_told(event, name)});
+         difference_told(event, name, now_.in_exact_fallback ? "a − b" : "support(a, d) − support(b, −d)")});
     if (event.iteration == 1) frame.facts.push_back({Mark::none, first_point_fact()});
     if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "no vertex that the first search ended with reaches across"});
@@ -157,7 +157,7 @@ class Captions {
                                     (std::ranges::is_sorted(event.kept, std::greater{})
                                          ? ", oldest first"
                                          : ", no longer by age: " + names_.of(gjk::Role::A) + " is still the newest")},
-                   {Mark::none, names_.translate(gjk::to_string(event.why))}};
+                   {Mark::none, why_told(event)}};
     append_not_asked(frame.facts);
     return frame;
   }
@@ -216,17 +216,25 @@ class Captions {
   /// With the mistake of asking b along d, too.
   Frame of_wrong_side(const gjk::SupportFound<double>& event, const std::string& name, const std::string& along) const {
     return frame_about(Focus::support, name + " is taken from the farthest points of both objects along " + along,
-                       {difference_told(event, name)});
+                       {difference_told(event, name, "support(a, d) − support(b, d)")});
   }
-  Fact difference_told(const gjk::SupportFound<double>& event, const std::string& name) const {
+  Fact difference_told(const gjk::SupportFound<double>& event, const std::string& name, const std::string& how) const {
     const std::string a = vec(event.vertex.a.point), b = vec(event.vertex.b.point), w = vec(event.vertex.w);
-    return {Mark::none, name + " = a − b = " + a + " − " + b + " = " + w, name, w};
+    return {Mark::none, name + " = " + how + " = " + a + " − " + b + " = " + w, name, w};
   }
 
   /// Where a mistake decides otherwise than its numbers say.
   std::string gone_on_as_if(const gjk::RegionTested<double>& event) const {
     if (!scene_.mistake || !event.reason.goes_on_as_if) return "";
     return names_.translate("but these rules go on as if " + gjk::in_words(*event.reason.goes_on_as_if, event));
+  }
+
+  std::string why_told(const gjk::SimplexReduced<double>& event) const {
+    using enum gjk::ReductionReason;
+    const std::string edge = " edge " + names_.sorted(event.kept);
+    if (event.why == beyond_edge) return "the origin lies beyond" + edge;
+    if (event.why == nearest_on_edge) return "the point nearest to the origin lies on" + edge;
+    return names_.translate(gjk::to_string(event.why));
   }
 
   /// What Algorithm 4 or 5 has not come to, because what stands before it has decided, and why that does no harm.
@@ -237,7 +245,7 @@ class Captions {
     const auto append = [&](const std::string& names, const std::string& why) {
       if (!names.empty()) facts.push_back({Mark::none, "not asked: " + names + ": " + why});
     };
-    const std::string one_edge = "one edge beyond which the origin lies is enough";
+    const std::string one_edge = "the first edge beyond which the origin is found decides";
     if (now_.processed.size() == 3)
       return append(!is_edge ? "" : label_of(last) == gjk::RegionLabel::R3 ? "R7, R1" : "R1", one_edge);
     const gjk::Roles& deciding = last.face.empty() ? last.feature : last.face;
@@ -258,22 +266,22 @@ class Captions {
     append(own, one_edge);
     append(behind, "the origin lies above neither of its faces");
     append(to_come,
-           "one face above which the origin lies is enough; a vertex that is dropped is found again if needed");
+           "the first face above which the origin is found decides; a vertex that is dropped is found again if needed");
   }
 
-  /// Returns: "[D, B, A] and P are now [D, C, B, A]: A becomes B, B becomes C"; where no letter moves only the list.
+  /// Returns: "the simplex is [D, C, B, A]: P becomes A, the old A becomes B, the old B becomes C"; where no letter moves only
+  /// the list.
   std::string lettered_anew() const {
     const int older = now_.simplex.size() - 1;
     const std::string simplex = names_.list(now_.simplex);
     if (walkthrough_.naming != Naming::roles || older == 0) return "the simplex is " + simplex;
-    std::string letters, list, moves;
+    std::string letters, moves;
     for (int i = 0; i < older; ++i) {
       const std::string now(1, static_cast<char>('A' + older - i)), before = letter_before(now_.simplex[i].w, letters);
       letters += before;
-      list += (list.empty() ? "" : ", ") + before;
-      if (before != now) moves = before + " becomes " + now + (moves.empty() ? "" : ", ") + moves;
+      if (before != now) moves = ", the old " + before + " becomes " + now + moves;
     }
-    return "[" + list + "] and P are now " + simplex + ": " + moves;
+    return "the simplex is " + simplex + ": P becomes A" + moves;
   }
 
   /// Returns: the letter in the picture before; of vertices at one place, where a search comes back, one that is not yet taken.
@@ -314,16 +322,18 @@ class Captions {
 
   bool without_crossing_test() const { return now_.crossing && now_.crossing->verdict == Crossing::switched_off; }
 
-  /// How far the point found reaches along d, and the corner of the hull that comes next: "E·d = 4.375, then F·d = 3.25".
+  /// How far the point found reaches along d, and the corner of the hull that comes next: "E·d = 4.375 is the largest, F·d = 3.25 the next".
   std::string farthest_two(const gjk::SupportFound<double>& event) const {
     const auto text = [&](const Point& w) { return names_.of(w) + "·d = " + number(event.direction.dot(w)); };
-    if (telling_.hull.corners.empty()) return text(event.vertex.w) + " is the largest of all";
+    if (telling_.hull.corners.empty())
+      return text(event.vertex.w) + ", the largest of the difference";
     std::vector<Point> others;
     for (const render::Vec2& corner : telling_.hull.corners)
       if (corner != event.vertex.w.head<2>()) others.emplace_back(corner.x(), corner.y(), 0);
     const auto reach = [&](const Point& w) { return event.direction.dot(w); };
     return others.empty() ? text(event.vertex.w)
-                          : text(event.vertex.w) + ", then " + text(*std::ranges::max_element(others, {}, reach));
+                          : text(event.vertex.w) + " is the largest, " +
+                                text(*std::ranges::max_element(others, {}, reach)) + " the next";
   }
 
   /// "A, B and C".

@@ -20,9 +20,9 @@ std::string with_error(const gjk::SignTaken<double>& sign) {
 
 /// Where an error bound comes from: so many times u, of `what`.
 void append_bound(std::vector<Fact>& facts, int roundings, const std::string& what) {
-  facts.push_back({Mark::none, "the error bound is " + std::to_string(roundings) + "u times the largest " + what +
-                                   ", u being half the step from 1 to the next number"});
-  facts.push_back({Mark::none, "it is derived, not measured: rounding never exceeds it, and is mostly far smaller"});
+  facts.push_back({Mark::none, "the error bound is " + std::to_string(roundings) + "u times " + what +
+                                   "; u is the largest relative error of one rounding"});
+  facts.push_back({Mark::none, "the bound is derived from what is computed, not measured: no error is larger"});
 }
 
 const std::string undecided = "the answer may be right or wrong: the exact fallback decides",
@@ -39,7 +39,7 @@ Frame caption_of_direction(const gjk::FilterTried<double>& event, const Names& n
                       event.holds ? "proven. All of the difference stays short of the origin, whatever was rounded"
                                   : "not proven. Rounding alone may have made so small a gap",
                       {event.holds ? Mark::yes : Mark::no, number});
-  append_bound(frame.facts, 16, "sum that points of this size can make along d");
+  append_bound(frame.facts, 16, "the sum of (|a| + |b|)·|d| of x, y and z, with the largest |a| and |b| of the points");
   if (!event.holds) frame.facts.push_back({Mark::none, undecided});
   return frame;
 }
@@ -70,7 +70,7 @@ Frame caption_of_tetrahedron(const gjk::FilterTried<double>& event, const Names&
                                   "not proven. The origin may lie outside the tetrahedron, or nearer to "
                                   "a face than rounding can tell",
                                   {{Mark::no, "not " + lie}, {Mark::none, list}});
-  append_bound(frame.facts, 64, "product of three coordinates");
+  append_bound(frame.facts, 64, "the largest product of three coordinates");
   if (!event.holds) frame.facts.push_back({Mark::none, undecided});
   return frame;
 }
@@ -151,8 +151,9 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
       {Mark::none, name + " = " + with_error(event) + ": of either sign, or 0"});
   frame.facts.push_back({Mark::answer, exactly(event)});
   frame.facts.push_back(
-      {Mark::none, "all coordinates times one power of two are whole numbers, and with these nothing is rounded"});
-  if (!event.face.empty()) frame.facts.push_back({Mark::none, "computed as " + names.translate(formula_of(event))});
+      {Mark::none, "times a power of two, the same for all, the coordinates are integers: nothing is rounded"});
+  if (!event.face.empty())
+    frame.facts.push_back({Mark::none, "both are computed as " + names.translate(formula_of(event))});
   return frame;
 }
 

@@ -50,7 +50,7 @@ std::string name_of(const gjk::SignTaken<double>& sign, const Names& names) {
   const std::string w = sign.vertex ? names.of(sign.vertex->w) : "";
   if (sign.expression.form == gjk::Expression::Form::reach) return (w.empty() ? "P" : w) + "·d";
   const std::string name = names.translate(sign.expression);
-  return sign.face.empty() ? name : name + " (" + names.sorted(sign.face) + ")";
+  return sign.face.empty() ? name : name + " of " + names.sorted(sign.face);
 }
 
 std::string name_of(const gjk::FilterValue& number, const Names& names) {

@@ -133,7 +133,7 @@ std::vector<CodeLine> proofs_and_second_search() {
   return {{0, "search by Algorithm 1"},
           {0, "if apart and −P·d > error bound", Kind::direction_proof},
           {1, "separated, proven", Kind::direction_holds},
-          {0, "if ABCD holds O beyond a bound", Kind::tetrahedron_proof},
+          {0, "if O is in ABCD by more than that", Kind::tetrahedron_proof},
           {1, "intersecting, proven", Kind::tetrahedron_holds},
           {0, "P ← a vertex of that search", Kind::second_start},
           {0, "repeat"},

@@ -222,7 +222,8 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
       frame.facts.push_back({Fact::Mark::none, one.facts[0].text});
   }
   if (told && is_between) lead_with_first(frame, said.front().first->name, first);
-  if (told && says == Sentence::Says::one_goes_on) frame.facts.push_back({Fact::Mark::none, "only this run goes on"});
+  if (told && says == Sentence::Says::one_goes_on)
+    frame.facts.push_back({Fact::Mark::none, "the other search has ended"});
   if (told && told->lines && i == common) frame.facts.push_back({Fact::Mark::truth, *told->lines});
   return frame;
 }

@@ -57,6 +57,16 @@ std::string compared_with_zero(const gjk::RegionTested<double>& region, double v
   return "";
 }
 
+/// Returns: the reason as a trace has it; where that leaves a reader asking, what follows from it instead.
+std::string reason_told(const gjk::RegionTested<double>& region) {
+  switch (region.reason.is) {
+    case gjk::RegionReason::crossed_on_the_way:
+      return "were the origin beyond A, A·d would have been negative, and the search over";
+    case gjk::RegionReason::nearer_with_A: return reason_in_words(region) + ", so what is nearest has A in it";
+    default: return reason_in_words(region);
+  }
+}
+
 std::vector<std::pair<std::string, std::string>> reasons_for_skipping(
     const std::vector<gjk::RegionTested<double>>& regions,
     const std::function<std::string(const gjk::Roles&)>& feature) {
@@ -65,7 +75,7 @@ std::vector<std::pair<std::string, std::string>> reasons_for_skipping(
     if (region.verdict != gjk::Verdict::skipped) continue;
     const gjk::RegionLabel label = label_of(region);
     const std::string name = label == gjk::RegionLabel::none ? feature(region.feature) : std::string(to_string(label));
-    const std::string reason = reason_in_words(region);
+    const std::string reason = reason_told(region);
     const auto known = std::ranges::find(reasons, reason, &std::pair<std::string, std::string>::first);
     if (known == reasons.end())
       reasons.emplace_back(reason, name);

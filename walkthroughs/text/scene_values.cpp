@@ -105,8 +105,10 @@ void expect_positive_float(const Value& value, double x) {
 }
 
 void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
-  const std::string hint = !space.is_plane() && count == 2 ? "; for a scene of the plane say \"dimension\": 2" : "";
-  value.fail("expected " + std::string(space.point_words()) + ", found a list of " + std::to_string(count) + hint);
+  const std::string hint =
+      !space.is_plane() && count == 2 ? "; a scene of the plane has \"dimension\": 2 beside \"a\" and \"b\"" : "";
+  value.fail("expected " + std::string(space.point_words()) + ", found a list of " + std::to_string(count) +
+             " elements" + hint);
 }
 
 }  // namespace

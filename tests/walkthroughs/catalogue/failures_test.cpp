@@ -66,7 +66,7 @@ struct Failure {
 TEST_CASE("Each failure comes from another operation, which a frame tells, and the last frame says what is true") {
   const Failure failures[] = {
       {"vanished-product", Status::intersecting, Focus::crossing, "P·d = −"},
-      {"overflowed-product", Status::undecided, Focus::direction, "AB×AO×AB = ("},
+      {"overflowed-product", Status::undecided, Focus::direction, "(AB×AO)×AB = ("},
       {"beyond-an-edge", Status::undecided, Focus::region, "ABn·AO = 0"},
       {"coplanar-askew", Status::separated, Focus::region, "ABCn·AO = 0"},
       {"far-from-the-origin", Status::separated, Focus::support, "P·d = −15, but (4, −8)·d = 128"}};

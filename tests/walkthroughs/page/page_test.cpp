@@ -68,7 +68,8 @@ TEST_CASE("A page has each frame of every walkthrough, with its picture, caption
       CHECK(frames[i]["pictures"] == PageJson{std::to_string(i) + ".png"});
       std::vector<std::string> facts, expected_facts, words;
       for (const PageJson& fact : frames[i]["facts"]) facts.push_back(data["texts"].at(fact[1].get<std::size_t>()));
-      for (const Fact& fact : story.frames[i].facts) expected_facts.push_back(fact.text);
+      for (const Fact& fact : story.frames[i].facts)
+        if (!fact.is_in_caption) expected_facts.push_back(fact.text);
       CHECK(facts == expected_facts);
       for (const PageJson& place : frames[i]["words"]) words.push_back(data["texts"].at(place.get<std::size_t>()));
       CHECK(words == picture_in_words(story, i));
@@ -250,7 +251,7 @@ TEST_CASE("Without scripts each step has its picture and its caption") {
   }
 }
 
-TEST_CASE("All that a page loads but its pictures is below 60 kB, and 1.6 more for each step beyond the 50th",
+TEST_CASE("All that a page loads but its pictures is below 62 kB, and 1.7 more for each step beyond the 50th",
           "[unsanitized][full]") {
   for (const Walkthrough& w : whole_catalogue()) {
     INFO(w.name);
@@ -262,7 +263,7 @@ TEST_CASE("All that a page loads but its pictures is below 60 kB, and 1.6 more f
     for (const PageFile& file : files)
       if (count(page, "=\"" + file.name + "\"") > 0) size += file.content.size();
     CHECK(size > page.size() + 20'000);
-    CHECK(size < 60'000 + 1'600 * (std::max<std::size_t>(story.frames.size(), 50) - 50));
+    CHECK(size < 62'000 + 1'700 * (std::max<std::size_t>(story.frames.size(), 50) - 50));
   }
 }
 

@@ -52,7 +52,7 @@ std::string done(const Trace& trace, const Question& question) {
         list += (list.empty() ? "" : ", ") + std::string(1, letter(role));
       return "[" + list + "]";
     }
-    case Kind::direction: return to_string(std::get<gjk::DirectionChosen<double>>(event).expression);
+    case Kind::direction: return with_brackets(std::get<gjk::DirectionChosen<double>>(event).expression);
     case Kind::line: return line_gone_wrong_in(question);
     case Kind::region: break;
   }
@@ -341,7 +341,10 @@ TEST_CASE("Who is asked for the wrong line is told what both searches find of th
       if (*w.scenes[0].mistake == Mistake::first_point_tested) continue;  // of which the report says nothing
       const std::string words = parting.facts[0].text.substr(0, parting.facts[0].text.size() - 1);
       if (question.text.find(words) != std::string::npos) {  // of one number what they make of it
-        CHECK(question.text.ends_with("? " + words + "; " + parting.facts[2].text));
+        const auto other = std::ranges::find_if(
+            parting.facts, [&](const Fact& fact) { return fact.text.starts_with(w.scenes[1].name + ": "); });
+        REQUIRE(other != parting.facts.end());
+        CHECK(question.text.ends_with("? " + words + "; " + other->text));
         by_words.push_back(w.scenes[0].name);
         continue;
       }

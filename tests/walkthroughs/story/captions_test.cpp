@@ -4,6 +4,7 @@
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/story/stories.hpp"
+#include "walkthroughs/story/words.hpp"
 
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -52,7 +53,7 @@ TEST_CASE("Each remark stands in exactly one caption") {
     remarks += story.walkthrough.remarks.size();
     for (const Remark& remark : story.walkthrough.remarks)
       CHECK(std::ranges::count_if(story.frames, [&](const Frame& f) {
-              return plain(f.caption).ends_with("; " + remark.text + ".");
+              return plain(f.caption).ends_with(" " + as_sentence(remark.text) + ".");
             }) == 1);
   }
   CHECK(remarks > 0);
@@ -63,9 +64,12 @@ TEST_CASE("What a frame says names only vertices that the search holds at that m
     const bool by_role = story.walkthrough.naming == Naming::roles;
     for (const Frame& f : story.frames) {
       const std::string held = by_role ? roles_held(f) : corners_held(story, f);
-      std::string said = f.caption.substr(0, f.caption.find(';'));  // a remark may look further
+      std::string said = f.caption;
+      for (const Remark& remark : story.walkthrough.remarks)  // which may look further
+        for (std::size_t end = said.find(". "); end != std::string::npos; end = said.find(". ", end + 1))
+          if (plain(said.substr(end + 2)) == as_sentence(remark.text) + ".") said.resize(end);
       for (const Fact& fact : f.facts)
-        said += "\n" + fact.text.substr(0, fact.text.find(", then "));  // the next farthest
+        said += "\n" + fact.text.substr(0, fact.text.find(" is the largest, "));  // what comes next
       INFO(said);
       CHECK(vertices_named(said, by_role ? "ABCDPO" : "ABCDEFGO").find_first_not_of(held) == std::string::npos);
     }
@@ -94,7 +98,7 @@ TEST_CASE("Behind a number stands what it was taken for, also where only the zer
       CHECK(told(Verdict::chosen, Relation::zero, 0) == "0");
       CHECK(told(Verdict::chosen, Relation::zero, -0.25) == "−0.25, which counts as 0");
       CHECK(told(Verdict::rejected, Relation::positive, -0.25) == "−0.25 ≤ 0");
-      CHECK(told(Verdict::rejected, Relation::positive, 0) == "0 ≤ 0");
+      CHECK(told(Verdict::rejected, Relation::positive, 0) == "0");
       CHECK(told(Verdict::rejected, Relation::positive, 0.25) == "0.25, which counts as 0");
     }
     if (const auto* test = std::get_if<gjk::CrossingTested<double>>(&telling.trace.events[i]); test && test->value) {
