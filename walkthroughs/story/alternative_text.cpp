@@ -125,7 +125,8 @@ std::string alternative_text(const Story& story, std::size_t index) {
   for (const std::string& seen : panels_in_words(story, index, described)) text += "\n" + seen;
   for (const Fact& fact : frame.facts)
     if (!fact.is_in_caption)
-      text += std::string("\n") + marks_in_words[static_cast<int>(fact.mark)] + plain(fact.text) + ".";
+      text += std::string("\n") + marks_in_words[static_cast<int>(fact.mark)] + plain(fact.text) +
+              (fact.text.ends_with('.') ? "" : ".");
   return text;
 }
 

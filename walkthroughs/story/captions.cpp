@@ -326,7 +326,8 @@ class Captions {
   std::string farthest_two(const gjk::SupportFound<double>& event) const {
     const auto text = [&](const Point& w) { return names_.of(w) + "·d = " + number(event.direction.dot(w)); };
     if (telling_.hull.corners.empty())
-      return text(event.vertex.w) + ", the largest of the difference";
+      return text(event.vertex.w) +
+             (event.vertex.w.allFinite() && event.direction.allFinite() ? ", the largest of the difference" : "");
     std::vector<Point> others;
     for (const render::Vec2& corner : telling_.hull.corners)
       if (corner != event.vertex.w.head<2>()) others.emplace_back(corner.x(), corner.y(), 0);
@@ -350,11 +351,15 @@ class Captions {
   /// Where rounded numbers decide an answer is what the search concludes, and may be wrong.
   bool in_float() const { return scene_.scalar == Scalar::binary32; }
 
+  std::string place_of_origin(const gjk::Simplex<double>& simplex) const {
+    return (simplex.size() == 1 ? "is " : simplex.size() == 2 ? "lies on " : "lies in ") + names_.simplex(simplex);
+  }
+
   std::string answer_caption(const gjk::Result<double>& result) const {
     switch (result.status) {
       case gjk::Status::intersecting:
-        return (in_float() ? "the search concludes that the origin lies in " : "the origin lies in ") +
-               names_.simplex(result.simplex) + ", so the objects intersect";
+        return (in_float() ? "the search concludes that the origin " : "the origin ") +
+               place_of_origin(result.simplex) + ", so the objects intersect";
       case gjk::Status::separated:
         return in_float() ? "the search concludes that the objects do not intersect"
                           : "the difference does not contain the origin, so the objects do not intersect";

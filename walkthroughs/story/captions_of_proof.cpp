@@ -20,9 +20,8 @@ std::string with_error(const gjk::SignTaken<double>& sign) {
 
 /// Where an error bound comes from: so many times u, of `what`.
 void append_bound(std::vector<Fact>& facts, int roundings, const std::string& what) {
-  facts.push_back({Mark::none, "the error bound is " + std::to_string(roundings) + "u times " + what +
-                                   "; u is the largest relative error of one rounding"});
-  facts.push_back({Mark::none, "the bound is derived from what is computed, not measured: no error is larger"});
+  facts.push_back({Mark::none, "the error bound is " + std::to_string(roundings) + "u times " + what});
+  facts.push_back({Mark::none, "u is the largest relative error of one rounding; the bound is derived, not measured"});
 }
 
 const std::string undecided = "the answer may be right or wrong: the exact fallback decides",
@@ -39,7 +38,7 @@ Frame caption_of_direction(const gjk::FilterTried<double>& event, const Names& n
                       event.holds ? "proven. All of the difference stays short of the origin, whatever was rounded"
                                   : "not proven. Rounding alone may have made so small a gap",
                       {event.holds ? Mark::yes : Mark::no, number});
-  append_bound(frame.facts, 16, "the sum of (|a| + |b|)·|d| of x, y and z, with the largest |a| and |b| of the points");
+  append_bound(frame.facts, 16, "the sum of (|a| + |b|)·|d| of x, y and z, with the largest |a| and |b|");
   if (!event.holds) frame.facts.push_back({Mark::none, undecided});
   return frame;
 }
