@@ -231,7 +231,8 @@ class Captions {
 
   std::string why_told(const gjk::SimplexReduced<double>& event) const {
     using enum gjk::ReductionReason;
-    const std::string edge = " edge " + names_.sorted(event.kept);
+    const gjk::Roles newest_first = {event.kept[event.kept.size() - 1], event.kept[0]};
+    const std::string edge = " edge " + names_.sorted(newest_first);
     if (event.why == beyond_edge) return "the origin lies beyond" + edge;
     if (event.why == nearest_on_edge) return "the point nearest to the origin lies on" + edge;
     return names_.translate(gjk::to_string(event.why));
