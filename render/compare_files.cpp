@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/predicate.hpp>
 #include <iterator>
 #include <new>
 #include <system_error>
@@ -13,9 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_picture(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".png";
+  return boost::algorithm::iequals(path.extension().string(), ".png");
 }
 
 [[noreturn]] void fail(const fs::path& folder, const std::string& why, const std::string& what_to_do) {

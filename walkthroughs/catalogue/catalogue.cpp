@@ -1,7 +1,7 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/predicate.hpp>
 #include <iterator>
 
 #include "walkthroughs/text/names.hpp"
@@ -41,12 +41,11 @@ const Walkthrough* find_walkthrough(std::string_view name) {
 }
 
 std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word) {
-  const auto is_same_letter = [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); };
   std::vector<const Walkthrough*> found;
   for (const Walkthrough& w : whole_catalogue()) {
     const std::string said =
         w.name + "\n" + w.title + "\n" + w.summary + "\n" + (w.region_case ? w.region_case->text : "");
-    if (!std::ranges::search(said, word, is_same_letter).empty()) found.push_back(&w);
+    if (boost::algorithm::icontains(said, word)) found.push_back(&w);
   }
   return found;
 }
