@@ -14,8 +14,8 @@ answered now: look at the difference before you commit it. A transcript is made 
     2> its standard error
     = 2
 
-The last line is the exit code, where that is not 0. Of what is answered, … stands for what varies in a line, and a line of … for
-one line or more; ␄ follows a last line that does not end. Blank lines before # are for the eye.
+The last line is the exit code, where that is not 0. Of what is answered, … stands for what varies in a line, as the folder's
+path, and a line of … for one line or more; ␄ follows a last line that does not end. Blank lines before # are for the eye.
 
 In Markdown what stands between ``` and begins with $ is run, in one folder, which readme.sh beside this script has filled. It
 shows output and errors together. Where it shows nothing the exit code is 0 and anything may be said.
@@ -121,8 +121,8 @@ def merged(expected, actual):
             for line in (expected[i:j] if covers(expected[i:j], actual[k:l]) else actual[k:l])]
 
 
-def lines_of(output):
-    text = output.decode('utf-8', 'surrogateescape')
+def lines_of(output, folder):
+    text = output.decode('utf-8', 'surrogateescape').replace(folder, '…')
     return (text if text.endswith('\n') or not text else text + '␄\n').split('\n')[:-1]
 
 
@@ -150,13 +150,13 @@ class Runner:
 
     def answer(self, is_markdown, command, folder):
         done = self.sh(command.text, folder, command.input, subprocess.STDOUT if is_markdown else subprocess.PIPE)
-        out, code = lines_of(done.stdout), done.returncode if done.returncode >= 0 else 128 - done.returncode
+        out, code = lines_of(done.stdout, folder), done.returncode if done.returncode >= 0 else 128 - done.returncode
         if is_markdown and command.begin == command.end:
             return out + [f'= {code}'] if code != 0 else []
         if is_markdown:
             return out
         check(not any(map(MARK.match, out)), command.number, "output begins like a mark: append | sed 's/^/ /'")
-        return out + [f'2> {line}' for line in lines_of(done.stderr or b'')] + [f'= {code}'] * (code != 0)
+        return out + [f'2> {line}' for line in lines_of(done.stderr or b'', folder)] + [f'= {code}'] * (code != 0)
 
 
 def arguments():
