@@ -34,20 +34,22 @@
     const cards = entries.map(entry => {
       const made = card(entry), said = [...made.querySelectorAll('strong, p')].map(each => each.textContent).join(' ');
       const text = [...wordsOf(`${title} ${said.replace(/ARL-TR-7474|\d+ steps?/g, '')}`), ...entry.words.split(' ')];
-      return {card: made, part: title, text, answer: answerOf(entry)};
+      return {card: made, name: entry.name, part: title, text, answer: answerOf(entry)};
     });
     const list = make('ul', {className: 'cards'}, ...cards.map(each => each.card));
     return {title, cards, section: make('section', {className: 'group'}, make('h2', {textContent: title}), list)};
   });
 
   function filter() {
-    const wanted = wordsOf(words.value);
+    const wanted = wordsOf(words.value), typed = words.value.toLowerCase().trim();
+    // Part of a name ("adb-edge-ad") means that name, not captions that hold all its words.
+    const isName = /[-/]/.test(typed) && groups.some(({cards}) => cards.some(({name}) => name.includes(typed)));
     let count = 0;
     for (const {cards, section} of groups) {
-      for (const {card, part: own, text, answer: found} of cards) {
+      for (const {card, name, part: own, text, answer: found} of cards) {
         const has = word => text.some(each => fits(each, word));
-        card.hidden = !wanted.every(word => has(word) || alsoCalled[word]?.some(has)) || !found.includes(answer.value) ||
-          !['', own].includes(part.value);
+        const isWanted = isName ? name.includes(typed) : wanted.every(word => has(word) || alsoCalled[word]?.some(has));
+        card.hidden = !isWanted || !found.includes(answer.value) || !['', own].includes(part.value);
         count += !card.hidden;
       }
       section.hidden = cards.every(each => each.card.hidden);
