@@ -89,7 +89,7 @@ def cases(program, study, folder):
     pairs.write_text("".join(f'{{"a":{{"points":[[0,0,0],[2,0,{i}],[0,2,0]]}},"b":{{"sphere":{{"center":[3,{i % 7},0],"radius":1}}}}}}\n'
                              for i in range(10000)))
     found = [
-        Case("render", [program, "render", "figure-4-left", "failures/vanished-product", "--detail", "step", "--size", "640x360",
+        Case("render", [program, "render", "figure-4-left", "failures/vanished-product", "--detail", "iteration", "--size", "640x360",
                         "--strip", "--sheet", "--apng", "--turn", "1", "--rendered-by", "--captions", "captions.json",
                         "--page=single"]),
         Case("compare", [program, "compare", folder / "expected", folder / "actual", "--report", "report"], code=1),

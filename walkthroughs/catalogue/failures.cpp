@@ -62,11 +62,11 @@ std::vector<Failure> all_failures() {
                          {{-119, 93}, {94, -74}, {-113, -85}})},
       // A test for zero: all vertices of the difference lie in one plane through the origin, which is not parallel to an axis.
       {.name = "coplanar-askew",
-       .title = "Together, and found apart: a test for zero that rounding fails",
+       .title = "Together, and found apart: rounding spoils a test for zero",
        .section = "3.2.3",
        .summary = "two triangles that overlap in one tilted plane: ABCn·AO misses 0",
        .turn = {.cause = "it lies in the triangle, but ABCn·AO adds up rounded products and misses 0",
-                .truth = "the search left the plane in which everything lies, and found nothing there"},
+                .truth = "rounded away from 0, ABCn·AO sent d out of the plane that holds a − b"},
        .scene = scene_of("triangle a", {{-145, -135, 145}, {357, 235, -189}, {16, 234, -394}}, "triangle b",
                          {{-357, -235, 189}, {141, 253, -351}, {77, 23, 7}})},
       // The support function: far from the origin the roundings of P·d are larger than the objects.

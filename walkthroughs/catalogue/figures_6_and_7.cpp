@@ -170,8 +170,8 @@ std::vector<Diagram> figure_7_diagrams() {
       "ends. R1 is the inside, R2 lies beyond A, R3 beyond AB, R4 beyond B, R5 beyond BC, R6 beyond C and R7 beyond "
       "AC. Arrows from the middles of AB and AC, named ABn and ACn, point outward. ";
   return {Diagram{"Around the triangle ABC the origin may lie in any of seven regions.",
-                  {"R1 inside, above and below the paper too; R2, R4, R6 beyond A, B, C;",
-                   "R3, R5, R7 beyond the sides AB, BC, AC; A is the newest vertex",
+                  {"R1 inside; R2, R4, R6 beyond A, B, C; R3, R5, R7 beyond AB, BC, AC",
+                   "all seven reach above and below the paper, too; A is the newest vertex",
                    "AB_n = AB×ABC_n and AC_n = ABC_n×AC point away from the triangle (Eq. 11)"},
                   where,
                   std::bind_front(draw_triangle, sketch, Show::regions)},

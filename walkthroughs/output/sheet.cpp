@@ -20,7 +20,7 @@ SheetLayout sheet_layout(int count, const Output& output) {
       return {count, std::max(columns, std::min(count, sheet_columns)), small.size, cell};
     if (std::max(cell.width, cell.height) == render::min_pixels)
       throw render::FileError("cannot draw a sheet of " + std::to_string(count) +
-                              " frames: they do not fit into one picture; leave out --sheet, or choose --detail step");
+                              " frames: they do not fit into one picture; leave out --sheet, or choose --detail iteration");
   }
 }
 

@@ -16,10 +16,10 @@
   ].join(' · ');
 
   // Its class gives a caption or a fact a mark; words for who cannot see that.
-  const wordsOf = {yes: 'true: ', no: 'not so: ', skipped: 'skipped: '};
+  const wordsOf = {yes: 'true: ', no: 'not so: '};
   const textOf = place => story.texts[place];
   const told = (tag, mark, text) => make(tag, {className: mark},
-    make('i', {className: 'unseen', textContent: wordsOf[mark] ?? ''}), ...marked(text));
+    make('i', {className: 'unseen', textContent: wordsOf[mark] ?? ''}), mark === 'skipped' ? 'skipped ' : '', ...marked(text));
   const fact = ([mark, text]) => told('li', mark, textOf(text));
   const inWords = i => frames[i].words.map(textOf).join(' ');
 

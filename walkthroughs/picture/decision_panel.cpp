@@ -161,7 +161,7 @@ class DecisionPicture {
   std::vector<KeyEntry> key() const {
     if (view_.is_left_behind()) return {key_of_skipped(style_)};
     if (view_.kind == Kind::crossing)
-      return {key_of_line(shown_.names.of(shown_.now.found->w) + " along d", style_.projection),
+      return {key_of_line(shown_.names.of(shown_.now.found->w) + "·d / |d|", style_.projection),
               key_of_out_of_reach("out of reach", style_)};
     const bool hatches = view_.kind == Kind::true_shape && !shown_.now.regions.empty();
     return hatches ? std::vector{key_of_skipped(style_)} : std::vector<KeyEntry>{};
@@ -173,10 +173,10 @@ class DecisionPicture {
     const std::string face = shown_.names.sorted(view_.face);
     switch (view_.kind) {
       case Kind::crossing:
-        return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", d ↔", lens_.plane.stretch.x());
+        return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", ↔", lens_.plane.stretch.x());
       case Kind::segment: return "plane of " + face + " and O";
       case Kind::true_shape:
-        return face + ", true shape, down " + shown_.names.translate(gjk::NamedVector::normal(view_.face));
+        return face + " from above, in true shape";
       case Kind::edge_on: {
         const bool is_narrow = frame_.width() < narrow && !view_.is_left_behind();
         return face +

@@ -74,8 +74,10 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown
   const Vec2 along = pencil.at(d);
   panel.label(pencil.at(a), -along, "a", style.label(style.object_a.color, render::Weight::bold));
   panel.label(pencil.at(b), along, "b", style.label(style.object_b.color, render::Weight::bold));
-  pencil.direction(a, d, style.direction, "d");
-  pencil.direction(b, -d, style.direction, "−d");
+  if (shown.focus != Focus::reduction && shown.focus != Focus::kept) {  // which choose another d
+    pencil.direction(a, d, style.direction, "d");
+    pencil.direction(b, -d, style.direction, "−d");
+  }
   pencil.point(a, style.object_a.color);
   pencil.point(b, style.object_b.color);
   canvas.add_crowded(panel.place_labels(style.smallest_label()));

@@ -267,7 +267,7 @@ class Rendering {
   }
 
   Story tell_all(const Chosen& chosen) const {
-    const Detail shown = command_.detail == "step" ? Detail::step : Detail::decision;
+    const Detail shown = command_.detail == "iteration" ? Detail::iteration : Detail::decision;
     return chosen.traces ? tell(chosen.walkthrough, *chosen.traces, shown) : tell(chosen.walkthrough, shown);
   }
 
@@ -280,8 +280,7 @@ class Rendering {
                        "expected numbers of steps such as 4,10,18 or 3-7, and kinds of them: " + frame_kinds());
     for (const Chosen& each : chosen_)
       if (const std::string no = objection_to(*choice, tell_all(each).frames); !no.empty())
-        throw UsageError(option + "in " + each.walkthrough.name + " " + no +
-                         "; choose others, or leave that walkthrough out");
+        throw UsageError(option + each.walkthrough.name + " " + no);
   }
 
   void render(const Chosen& chosen, Renderer& renderer) {
@@ -428,8 +427,7 @@ void add_formats(CLI::App& command, RenderCommand& render) {
 }
 
 void add_frames(CLI::App& command, RenderCommand& render) {
-  add_choice(command, "--detail", render.detail, "a frame for each decision, or for each step (iteration)",
-             {"decision", "step"});
+  add_choice(command, "--detail", render.detail, "a frame for each decision, or for each iteration", {"decision", "iteration"});
   command.add_option("--frames", render.frames,
                      "a choice of frames, numbered anew: steps such as 4,10,18 or 3-7, and kinds: " + frame_kinds());
   add_choice(command, "--theme", render.theme,

@@ -94,15 +94,12 @@ class Captions {
     if (is_missed && *event.value == 0)
       return frame("", level + ", and that counts as missed", Mark::no, "taken for a proof, which it is not");
     if (is_missed)
-      return frame(" < 0", stops + (in_float() ? ", as far as floats tell" : nothing), Mark::no,
+      return frame(" < 0", stops + (in_float() ? ", computed in floats" : nothing), Mark::no,
                    "the origin was not crossed (Eq. 9)");
     if (!(*event.value > 0))
       return frame(as_zero(*event.value), level + ". The search goes on", Mark::none, "this proves nothing");
-    const std::string beyond = name + " lies beyond the origin along d";
-    return is_first
-               ? frame(" > 0", beyond + ". The search goes on", Mark::yes, "this proves nothing")  // no move led there
-               : frame(" > 0", beyond + ": the move crossed it. The search goes on", Mark::yes,
-                       "the origin was crossed");
+    return frame(" > 0", "along d, " + name + " lies past the origin. The search goes on", Mark::yes,
+                 is_first ? "this proves nothing" : "the origin was crossed");  // no move led to the first
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
@@ -140,8 +137,8 @@ class Captions {
     if (label_of(event) == gjk::RegionLabel::R3_or_R4)
       tell(names_.translate(event.expression) + " points toward the origin in both, so they need not be told apart");
     if (event.feature.size() == 4 && !is_complete())
-      tell("not asked: " + names_.sorted("AB") + ", " + names_.sorted("AC") + ", " + names_.sorted("AD") +
-           ": the origin lies above none of their faces");
+      tell(names_.sorted("AB") + ", " + names_.sorted("AC") + ", " + names_.sorted("AD") +
+           " not asked: the origin lies above none of their faces");
     append_skipped(frame.facts);
     return frame;
   }
@@ -164,7 +161,7 @@ class Captions {
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
     Frame frame = frame_about(Focus::direction,
-                              "the next search goes from " + names_.simplex(now_.simplex) + " toward the origin",
+                              "the next direction d leads from " + names_.simplex(now_.simplex) + " toward the origin",
                               {{Mark::none, direction_told(event), "d", vec(event.direction)}});
     if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "where d is rounded, what is decided along it is not"});
@@ -244,9 +241,9 @@ class Captions {
     const gjk::RegionTested<double>& last = now_.regions.back();
     const bool is_edge = last.feature.size() == 2 && last.verdict == Verdict::chosen;
     const auto append = [&](const std::string& names, const std::string& why) {
-      if (!names.empty()) facts.push_back({Mark::none, "not asked: " + names + ": " + why});
+      if (!names.empty()) facts.push_back({Mark::none, names + " not asked: " + why});
     };
-    const std::string one_edge = "the first edge beyond which the origin is found decides";
+    const std::string one_edge = "the first edge that has the origin beyond it decides";
     if (now_.processed.size() == 3)
       return append(!is_edge ? "" : label_of(last) == gjk::RegionLabel::R3 ? "R7, R1" : "R1", one_edge);
     const gjk::Roles& deciding = last.face.empty() ? last.feature : last.face;
@@ -267,7 +264,7 @@ class Captions {
     append(own, one_edge);
     append(behind, "the origin lies above neither of its faces");
     append(to_come,
-           "the first face above which the origin is found decides; a vertex that is dropped is found again if needed");
+           "the first face that has the origin above it decides; a vertex that is dropped is found again if needed");
   }
 
   /// Returns: "the simplex is [D, C, B, A]: P becomes A, the old A becomes B, the old B becomes C"; where no letter moves only
@@ -381,8 +378,8 @@ class Captions {
     if (result.reason == gjk::Reason::unusable_direction) tell("the search direction is zero or not finite");
     if (result.separation)
       tell("with d = " + vec(result.separation->direction) + ": w·d ≤ " + names_.of(result.separation->vertex.w) +
-           "·d = " + number(result.separation->support_value) + " < 0 for every w" +
-           (in_float() ? ", as far as floats tell" : ""));
+           "·d = " + number(result.separation->support_value) + " < 0 for every point w of the difference" +
+           (in_float() ? ", computed in floats" : ""));
     if (result.status != gjk::Status::intersecting) return;
     if (is_complete() && now_.regions.back().feature.size() == 4)
       return tell("no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it");
@@ -420,13 +417,12 @@ class Captions {
     return (zero ? "the origin lies on edge " : "the point nearest to the origin lies on edge ") + feature;
   }
 
-  /// Of an edge in space: in the plane of its triangle stands the foot of the origin.
+  /// Of an edge in space: in the plane of its triangle.
   std::string beyond_edge(const gjk::RegionTested<double>& event, const std::string& feature) const {
     const std::string lies = event.verdict == Verdict::rejected ? "does not lie" : "lies";
     const std::string face = names_.sorted(event.face.empty() ? gjk::Roles("ABC") : event.face);
     const bool is_flat = scene_.dimension == Dimension::plane;
-    return (is_flat ? "the origin " : "in the plane of " + face + " the origin's foot ") + lies + " beyond edge " +
-           feature;
+    return (is_flat ? "" : "projected onto the plane of " + face + ", ") + "the origin " + lies + " beyond edge " + feature;
   }
 
   std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) const {

@@ -76,20 +76,25 @@ Frame caption_of_tetrahedron(const gjk::FilterTried<double>& event, const Names&
 
 constexpr std::size_t signs_in_a_line = 3, most_signs = 6;
 
-/// Returns: of the signs of this iteration of which doubles left no doubt the last ones, which decide, some in each line.
-std::vector<Fact> signs_without_doubt(const Moment& now, const Names& names) {
+/// Returns: of the signs of this iteration the last ones, which decide, some in each line.
+std::vector<Fact> signs_taken(const Moment& now, const Names& names, Dimension dimension) {
   std::vector<std::string> signs;
   for (const gjk::SignTaken<double>& sign : now.signs)
-    if (sign.exact.empty()) signs.push_back(sign_in_words(sign, names));
+    if (sign.exact.empty())
+      signs.push_back(sign_in_words(sign, names));
+    else if (dimension == Dimension::space || !is_out_of_plane(sign))
+      signs.push_back(name_of(sign, names) + (sign.sign == 0 ? " = 0 exactly" : sign_words(sign.sign)));
   const std::size_t left_out = signs.size() > most_signs ? signs.size() - most_signs : 0;
   std::vector<Fact> facts;
   for (std::size_t i = left_out; i < signs.size(); ++i)
     if ((i - left_out) % signs_in_a_line == 0)
       facts.push_back({Mark::none, signs[i]});
     else
-      facts.back().text += ",  " + signs[i];
+      facts.back().text += ", " + signs[i];
   if (left_out > 0)
-    facts.push_back({Mark::none, "and before these " + std::to_string(left_out) + " more, none in doubt"});
+    facts.push_back({Mark::none, "and before these " + std::to_string(left_out) + " more"});
+  if (!std::ranges::all_of(now.signs, [](const auto& sign) { return !sign.exact.empty(); }))
+    facts.push_back({Mark::none, "± is a bound on what was rounded"});
   return facts;
 }
 
@@ -121,6 +126,13 @@ std::string pairs_in_words(const gjk::Certificate& certificate) {
 
 }  // namespace
 
+bool is_out_of_plane(const gjk::SignTaken<double>& sign) {
+  const gjk::Expression& asked = sign.expression;
+  if (asked.form == gjk::Expression::Form::component_of_product) return asked.axis != 2;
+  const bool is_height = asked.form == gjk::Expression::Form::dot && asked.Y == gjk::AO;
+  return is_height && asked.X.kind == gjk::NamedVector::Kind::normal && sign.face.empty();
+}
+
 std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names) {
   return name_of(sign, names) + " = " + with_error(sign) + sign_words(sign.sign);
 }
@@ -129,13 +141,6 @@ std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Nam
                                 Dimension) {
   return event.proof == gjk::Proof::direction ? caption_of_direction(event, names)
                                               : caption_of_tetrahedron(event, names, now);
-}
-
-bool is_out_of_plane(const gjk::SignTaken<double>& sign) {
-  const gjk::Expression& asked = sign.expression;
-  if (asked.form == gjk::Expression::Form::component_of_product) return asked.axis != 2;
-  const bool is_height = asked.form == gjk::Expression::Form::dot && asked.Y == gjk::AO;
-  return is_height && asked.X.kind == gjk::NamedVector::Kind::normal && sign.face.empty();
 }
 
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, const Moment&,
@@ -157,7 +162,7 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
 }
 
 std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now,
-                                Dimension) {
+                                Dimension dimension) {
   const std::string kept = names.simplex(event.after);
   const gjk::Roles gone = event.dropped();
   const bool is_vertex = event.after.size() == 1;
@@ -168,12 +173,12 @@ std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Nam
   else
     caption =
         is_vertex ? kept + " is the point nearest to the origin" : "the point nearest to the origin lies on " + kept;
-  Frame frame = frame_about(Focus::kept, caption, signs_without_doubt(now, names));
+  Frame frame = frame_about(Focus::kept, caption, signs_taken(now, names, dimension));
   if (!gone.empty())
     frame.facts.insert(frame.facts.begin(),
                        {Mark::none, names.list(event.before) + " becomes " + names.list(event.after) + ": without " +
                                         joined(gone, ", ", [&](gjk::Role role) { return names.of(role); }) +
-                                        " the simplex is as near"});
+                                        " it is just as near to the origin"});
   return frame;
 }
 

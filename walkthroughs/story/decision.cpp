@@ -173,7 +173,7 @@ std::string in_words(const DecisionView& view, const Moment& now, const Names& n
         if (along.x() * way.y() - along.y() * way.x() < 0)
           beyond += (beyond.empty() ? " beyond " : " and beyond ") + names.sorted({from, to});
       }
-      return "Seen down its normal, the foot of the origin lies" + (beyond.empty() ? " within " : beyond + " of ") +
+      return "Seen from above, in true shape, the origin lies" + (beyond.empty() ? " within " : beyond + " of ") +
              feature + ".";
     }
   }

@@ -342,7 +342,7 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
     case Layout::diagrams: tell_diagrams(story); break;
   }
   set_first_events(story.frames);
-  if (detail == Detail::step) keep_only(story, last_of_each_iteration(story.frames));
+  if (detail == Detail::iteration) keep_only(story, last_of_each_iteration(story.frames));
   return story;
 }
 
@@ -372,11 +372,10 @@ std::vector<std::size_t> places_of(const FrameChoice& choice, const std::vector<
 }
 
 std::string objection_to(const FrameChoice& choice, const std::vector<Frame>& frames) {
-  const std::string there_are =
-      frames.size() == 1 ? "there is 1 step" : "there are " + std::to_string(frames.size()) + " steps";
+  const std::string there_are = frames.size() == 1 ? "has 1 step" : "has " + std::to_string(frames.size()) + " steps";
   for (const auto& [from, to] : choice.steps)
-    if (to > frames.size()) return there_are + ", and no step " + std::to_string(to);
-  return places_of(choice, frames).empty() ? there_are + ", and none is about that" : "";
+    if (to > frames.size()) return there_are + ", and no step " + std::to_string(to) + "; choose among them";
+  return places_of(choice, frames).empty() ? there_are + ", and none is of these kinds; choose others, or leave it out" : "";
 }
 
 }  // namespace walkthroughs::story

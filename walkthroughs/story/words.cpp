@@ -61,7 +61,7 @@ std::string compared_with_zero(const gjk::RegionTested<double>& region, double v
 std::string reason_told(const gjk::RegionTested<double>& region) {
   switch (region.reason.is) {
     case gjk::RegionReason::crossed_on_the_way:
-      return "were the origin beyond A, A·d would have been negative, and the search over";
+      return "if the origin were beyond A, the test A·d < 0 would have ended the search";
     case gjk::RegionReason::nearer_with_A: return reason_in_words(region) + ", so what is nearest has A in it";
     default: return reason_in_words(region);
   }

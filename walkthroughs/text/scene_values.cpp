@@ -106,7 +106,7 @@ void expect_positive_float(const Value& value, double x) {
 
 void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
   const std::string hint =
-      !space.is_plane() && count == 2 ? "; a scene of the plane has \"dimension\": 2 beside \"a\" and \"b\"" : "";
+      !space.is_plane() && count == 2 ? "; if the scene is two-dimensional, add \"dimension\": 2 beside \"a\" and \"b\"" : "";
   value.fail("expected " + std::string(space.point_words()) + ", found a list of " + std::to_string(count) +
              " elements" + hint);
 }

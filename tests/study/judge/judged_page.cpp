@@ -72,7 +72,7 @@ std::string pictures_of(const ProgramJudged& judged, const std::string& program,
   FrameDrawing drawing;
   for (std::size_t i = 0; i < std::min(most, scenes.size()); ++i) {
     const walkthroughs::text::SceneFile file = walkthroughs::text::parse_scene(scenes[i].text, scenes[i].name);
-    const render::Image image = drawing(walkthroughs::story::tell(file.walkthrough, walkthroughs::story::Detail::step));
+    const render::Image image = drawing(walkthroughs::story::tell(file.walkthrough, walkthroughs::story::Detail::iteration));
     html += figure(image, scenes[i].title, scenes[i].title + ". " + scenes[i].truth);
   }
   return html;

@@ -161,7 +161,7 @@ TEST_CASE("Of two searches each has its own line marked, and at the end the one 
 
 TEST_CASE("Beside a mistake the report's lines stand as far as to where they part, also where that frame is left out") {
   const Walkthrough& w = walkthrough("mistakes/m14-order-below-triangle");
-  for (const Detail detail : {Detail::decision, Detail::step}) {
+  for (const Detail detail : {Detail::decision, Detail::iteration}) {
     const Story story = tell(w, detail);
     const PageJson frames = data_of(story)["frames"];
     std::size_t shown = 0;

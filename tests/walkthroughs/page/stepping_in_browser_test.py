@@ -140,7 +140,7 @@ class Page(PageInBrowser):
     def test_what_is_said_is_text(self):
         self.open(searched, "#23")
         step = self.find(".step.now")
-        self.assertIn("the origin's foot lies beyond edge AD", step.find_element(By.CSS_SELECTOR, ".text > h2").text)
+        self.assertIn("the origin lies beyond edge AD", step.find_element(By.CSS_SELECTOR, ".text > h2").text)
         self.assertIn("ruled out when the search kept BCD", step.text)
         current = step.find_elements(By.CSS_SELECTOR, ".code [aria-current]")
         self.assertEqual(len(current), 1)

@@ -37,7 +37,7 @@ TEST_CASE("A search has one frame for each event that changes the picture, in or
 }
 
 TEST_CASE("A frame for each step is the last one of its iteration") {
-  const Story decisions = tell(walkthrough("figure-4-left")), steps = tell(walkthrough("figure-4-left"), Detail::step);
+  const Story decisions = tell(walkthrough("figure-4-left")), steps = tell(walkthrough("figure-4-left"), Detail::iteration);
   const auto last = last_of_each_iteration(decisions.frames);
   REQUIRE(steps.frames.size() == last.size());
   for (std::size_t i = 0; i < last.size(); ++i) {
@@ -51,7 +51,7 @@ TEST_CASE("A frame for each step is the last one of its iteration") {
 TEST_CASE("Frames cover the events of each run without a gap, and a run that has ended repeats its last") {
   for (const Walkthrough& w : whole_catalogue()) {
     if (w.layout != Layout::search && w.layout != Layout::until_they_part && w.layout != Layout::in_step) continue;
-    for (const Detail detail : {Detail::decision, Detail::step}) {
+    for (const Detail detail : {Detail::decision, Detail::iteration}) {
       const Story story = tell(w, detail);
       for (std::size_t s = 0; s < w.scenes.size(); ++s) {
         INFO(w.name << ", " << w.scenes[s].name);
