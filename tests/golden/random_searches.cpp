@@ -47,7 +47,7 @@ RandomSearch search(const std::string& original, int i) {
   if (i % 4 == 1) search.look.text = Text::none, add("no-captions");
   if (i % 4 == 3) search.walkthrough.naming = Naming::fixed, add("letters fixed");
   if (i % 11 == 10) search.look.values = false, add("no-values");
-  if (i % 14 == 13) search.detail = Detail::step, add("detail step");
+  if (i % 14 == 13) search.detail = Detail::iteration, add("detail iteration");
   return search;
 }
 
