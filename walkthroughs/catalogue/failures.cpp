@@ -75,7 +75,7 @@ std::vector<Failure> all_failures() {
        .section = "2.4",
        .summary = "coordinates of 16,000,000: dot products are rounded by more than the objects are wide",
        .turn = {.cause = "it is not: a·d and b·d are near −592,000,000, where floats lie 64 apart",
-                .truth = "a point that reaches across the origin was missed"},
+                .truth = "the point that reaches across the origin was missed"},
        .scene = scene_of("quadrilateral a", moved({{3, 6}, {-8, 9}, {2, 1}, {-9, 9}}, 1, 16e6), "quadrilateral b",
                          moved({{9, -2}, {-1, 4}, {-2, 9}, {-2, -6}}, 1, 16e6))}};
 }

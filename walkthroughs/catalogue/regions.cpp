@@ -26,7 +26,7 @@ std::vector<RegionRow> at_vertex() {
        .summary = "a point has no regions: the search goes from A back toward the origin",
        .text = "A is not the origin: the origin lies elsewhere",
        .scene = scene_of("quadrilateral", {{1, 1}, {0, 3}, {-2, 1}, {-1, 0}}, "triangle", {{0, -1}, {1, -4}, {3, -3}}),
-       .remarks = {{At::region_tested, 1, "a point has no sides to test, so the only way to go is back along AO", "A"},
+       .remarks = {{At::region_tested, 1, "points have no sides to test, so the only way to go is back along AO", "A"},
                    {At::direction_chosen, 1,
                     "only this search starts from a point, all later ones start from an edge or a face"}}},
       {.name = "a-is-origin",
@@ -34,7 +34,7 @@ std::vector<RegionRow> at_vertex() {
        .summary = "the first point found is the origin: the objects touch at one point",
        .text = "A is the origin",
        .scene = scene_of("square", {{-2, 0}, {-1, -2}, {1, -1}, {0, 1}}, "triangle", {{1, -1}, {3, 0}, {2, 2}}),
-       .remarks = {{At::region_tested, 1, "a direction AO = 0 could not be searched, so this is tested first", "A"},
+       .remarks = {{At::region_tested, 1, "the direction AO = 0 could not be searched, so this is tested first", "A"},
                    {At::end, 1, "they touch at one point, (1, −1), and touching counts as intersecting"}}}};
 }
 
@@ -70,7 +70,7 @@ std::vector<RegionRow> on_segment() {
        .scene = scene_of("parallelogram", {{-2, -1}, {-1, -3}, {0, 0}, {-1, 2}}, "triangle", {{0, 1}, {1, 3}, {-2, 2}}),
        .remarks = {{At::region_tested, 2, "AB and AO are parallel, so AB×AO = 0 and no direction is left to search",
                     "AB"},
-                   {At::end, 2, "a search along the zero vector would have no meaning, hence the test for zero"}}},
+                   {At::end, 2, "the zero vector is no direction to search along, hence the test for zero"}}},
       {.name = "a-is-origin",
        .title = "the origin at A",
        .summary = "AO is zero, and with it (AB×AO)×AB: the objects touch at one point",
@@ -315,7 +315,7 @@ std::vector<RegionRow> within_tetrahedron() {
                              "pyramid", {{0, 1, 0}, {-1, 3, 2}, {0, 1, 4}, {1, -1, 2}, {4, 3, 2}}),
            .remarks = {{At::region_tested, 4, "the origin lies in the plane of ACD, not above it", "ACD"},
                        {At::region_tested, 4,
-                        "a face belongs to the tetrahedron, so this case needs no test of its own", "ABCD"}}},
+                        "its faces belong to the tetrahedron, so this case needs no test of its own", "ABCD"}}},
           {.name = "in-plane-of-face",
            .title = "the origin in the plane of a face, but not on the face",
            .summary = "the normal of ABC gives zero, but another face sees the origin",

@@ -374,7 +374,7 @@ std::vector<std::size_t> places_of(const FrameChoice& choice, const std::vector<
 std::string objection_to(const FrameChoice& choice, const std::vector<Frame>& frames) {
   const std::string there_are = frames.size() == 1 ? "has 1 step" : "has " + std::to_string(frames.size()) + " steps";
   for (const auto& [from, to] : choice.steps)
-    if (to > frames.size()) return there_are + ", and no step " + std::to_string(to) + "; choose among them";
+    if (to > frames.size()) return there_are + ", and no step " + std::to_string(to) + "; choose from 1 to " + std::to_string(frames.size());
   return places_of(choice, frames).empty() ? there_are + ", and none is of these kinds; choose others, or leave it out" : "";
 }
 

@@ -49,7 +49,7 @@ std::optional<FrameChoice> frames_in(std::string_view text);
 /// Returns: the places of the frames that are chosen, in the order of the story.
 std::vector<std::size_t> places_of(const FrameChoice& choice, const std::vector<Frame>& frames);
 
-/// Returns: what speaks against the choice for these frames, "has 4 steps, and no step 30; choose among them"; empty where nothing does.
+/// Returns: what speaks against the choice for these frames, "has 4 steps, and no step 30; choose from 1 to 4"; empty where nothing does.
 std::string objection_to(const FrameChoice& choice, const std::vector<Frame>& frames);
 
 }  // namespace walkthroughs::story

@@ -36,7 +36,7 @@ TEST_CASE("Steps that a story does not have are objected to") {
   const Story story = tell(walkthrough("figure-1"));
   const auto objection = [&](const char* text) { return objection_to(frames_in(text).value(), story.frames); };
   CHECK(objection("1,end").empty());
-  CHECK(objection("1-3") == "has 1 step, and no step 3; choose among them");
+  CHECK(objection("1-3") == "has 1 step, and no step 3; choose from 1 to 1");
   CHECK(objection("regions") == "has 1 step, and none is of these kinds; choose others, or leave it out");
 }
 
