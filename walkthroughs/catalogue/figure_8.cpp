@@ -258,7 +258,7 @@ std::vector<Diagram> figure_8_diagrams() {
               {normals_in_words(sketch), "A lies in the direction of BC×BD; A is the newest vertex"},
               solid + "Arrows from the middles of the faces ABC, ACD and ADB point outward.",
               std::bind_front(draw, sketch, Show::tetrahedron)},
-      Diagram{"Algorithm 5, asked of every origin in a slice, takes the first face that sees it.",
+      Diagram{"Wherever the origin lies in this slice, Algorithm 5 takes the first face that sees it.",
               {"in the order ABC, ACD, ADB; an edge stands beside the face it was found from",
                "hatched: nearest to A, B, C, D, BC, CD or BD, which its history rules out",
                "elsewhere the answer is the nearest feature, for " + share_of_nearest(sketch) + " origins"},

@@ -62,7 +62,7 @@ Walkthrough figure_5() {
                               .direction = "In both sets the search goes from A along d, toward the origin.",
                               .support = "In both sets the support point along d is E.",
                               .crossing = "On the left the move to E passes the origin. On the right it stops short of "
-                                          "it, so the origin is not in the difference."}};
+                                          "it, so the right set does not contain it."}};
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ std::vector<std::string> facts_of_answers(const Answer& any) {
   for (const auto& [reason, names] :
        reasons_for_skipping(any.regions, [](const gjk::Roles& each) { return to_string(each); }))
     facts.push_back(names + ": " + reason);
-  facts.push_back("faint, below the hatching: what it would answer there; it relies on its history");
+  facts.push_back("faint, under the hatching: what the algorithm would answer there");
   return facts;
 }
 
@@ -106,7 +106,7 @@ std::vector<Diagram> figure_6_diagrams() {
                   {"R1 beyond B, R2 beyond A, R3 and R4 on the two sides; A is the newest vertex"},
                   where,
                   std::bind_front(draw_segment, sketch, Show::regions)},
-          Diagram{"Algorithm 3, asked of every origin shown, answers R3 or R4.",
+          Diagram{"Wherever the origin lies off the line AB, Algorithm 3 answers R3 or R4.",
                   facts_of_answers(ask(sketch.simplex, Point(0, 1, 0))),
                   where + "R3 is shaded in one colour, R4 in another. R1 and R2 are hatched: they are skipped.",
                   std::bind_front(draw_segment, sketch, Show::answers)}};
@@ -175,7 +175,7 @@ std::vector<Diagram> figure_7_diagrams() {
                    "AB_n = AB×ABC_n and AC_n = ABC_n×AC point away from the triangle (Eq. 11)"},
                   where,
                   std::bind_front(draw_triangle, sketch, Show::regions)},
-          Diagram{"Algorithm 4, asked of every origin shown, answers R3, R7, else R1.", facts_of_answers(sketch.inside),
+          Diagram{"Wherever the origin lies, Algorithm 4 answers R3, R7, else R1.", facts_of_answers(sketch.inside),
                   where + "R1, R3 and R7 are shaded in three colours; R2, R4, R5 and R6 are hatched: they are skipped.",
                   std::bind_front(draw_triangle, sketch, Show::answers)}};
 }

@@ -53,7 +53,7 @@ Walkthrough by_complete_rules(const Scene& scene, const std::string& title, cons
 Walkthrough complete_beside_the_report() {
   Walkthrough both = search_of(
       "complete/beside-the-report", "The report's rules go round, the complete rules end", nothing_skipped,
-      "what the report's history saves, and what it costs: one pair, both sets of rules", cycling_apart("as intended"));
+      "what the report's history saves, and what it costs: one pair, both sets of rules", cycling_apart("the report"));
   both.scenes.push_back(by_rules(RuleSet::complete, "complete", both.scenes[0]));
   both.layout = Layout::in_step;
   both.naming = Naming::fixed;
@@ -65,7 +65,7 @@ Walkthrough complete_beside_the_report() {
 /// Algorithm 1 goes on to process the simplex after it has found P·dir < 0, and what it finds there may overwrite the
 /// answer. Two unit balls ten apart are enough: the search finds the same point twice.
 Walkthrough as_printed_spheres() {
-  const Scene scene{.name = "as intended", .a = {"disk a", Ball{{0, 0, 0}, 1}}, .b = {"disk b", Ball{{10, 0, 0}, 1}}};
+  const Scene scene{.name = "the report", .a = {"disk a", Ball{{0, 0, 0}, 1}}, .b = {"disk b", Ball{{10, 0, 0}, 1}}};
   return until_they_part(
       by_rules(RuleSet::as_printed, "as printed", scene),
       search_of("as-printed-spheres", "Algorithm 1 as printed, and as its text means it", "Section 3.1.4",
@@ -78,7 +78,7 @@ Walkthrough as_printed_spheres() {
 /// too, need no second one then.
 Walkthrough eager_between_centers() {
   const Scene scene = from_center_to_center(scene_of("triangle", {{-3, -1}, {0, -2}, {0, 0}}, "quadrilateral",
-                                                     {{2, 1}, {4, 0}, {5, 2}, {3, 3}}, "as intended"));
+                                                     {{2, 1}, {4, 0}, {5, 2}, {3, 3}}, "the report"));
   return until_they_part(
       by_rules(RuleSet::eager, "eager", scene),
       search_of("eager-between-centers", "The first point tested, too, and as the report has it",

@@ -10,7 +10,7 @@ using At = Remark::At;
 /// One row of the catalogue.
 struct RegionRow {
   std::string name;   ///< "r3"; the walkthrough is "regions/2-simplex-r3"
-  std::string title;  ///< "the origin in R3"; headed by "2-simplex: "
+  std::string title;  ///< "case R3"; headed by "2-simplex: "
   std::string summary;
   std::string text;  ///< of the RegionCase
   Scene scene;
@@ -22,7 +22,7 @@ struct RegionRow {
 std::vector<RegionRow> at_vertex() {
   return {
       {.name = "elsewhere",
-       .title = "the origin elsewhere",
+       .title = "case elsewhere",
        .summary = "a point has no regions: the search goes from A back toward the origin",
        .text = "A is not the origin: the origin lies elsewhere",
        .scene = scene_of("quadrilateral", {{1, 1}, {0, 3}, {-2, 1}, {-1, 0}}, "triangle", {{0, -1}, {1, -4}, {3, -3}}),
@@ -30,7 +30,7 @@ std::vector<RegionRow> at_vertex() {
                    {At::direction_chosen, 1,
                     "only this search starts from a point, all later ones start from an edge or a face"}}},
       {.name = "a-is-origin",
-       .title = "the origin at A",
+       .title = "case at A",
        .summary = "the first point found is the origin: the objects touch at one point",
        .text = "A is the origin",
        .scene = scene_of("square", {{-2, 0}, {-1, -2}, {1, -1}, {0, 1}}, "triangle", {{1, -1}, {3, 0}, {2, 2}}),
@@ -46,14 +46,14 @@ std::vector<RegionRow> at_vertex() {
 std::vector<RegionRow> beside_segment() {
   return {
       {.name = "r3",
-       .title = "the origin in R3",
+       .title = "case R3",
        .summary = "the origin lies to the left of the move from B to A",
        .text = "R3: the origin lies to the left of the move from B to A",
        .scene = scene_of("triangle a", {{-2, 3}, {-3, 1}, {0, 0}}, "triangle b", {{-1, -2}, {2, -2}, {0, 1}}),
        .remarks = {{At::region_tested, 2, "it lies to the left of the move from B to A, in R3", "R3 or R4"},
                    {At::direction_chosen, 2, "(AB×AO)×AB is perpendicular to AB and points to the origin's side"}}},
       {.name = "r4",
-       .title = "the origin in R4",
+       .title = "case R4",
        .summary = "the origin lies to the right of the move from B to A: the same expression as for R3",
        .text = "R4: the origin lies to the right of the move from B to A",
        .scene = scene_of("quadrilateral", {{0, -3}, {1, -1}, {-2, 0}, {-2, -2}}, "triangle", {{1, 0}, {3, 1}, {0, 3}}),
@@ -64,7 +64,7 @@ std::vector<RegionRow> beside_segment() {
 std::vector<RegionRow> on_segment() {
   return {
       {.name = "on-segment",
-       .title = "the origin on AB",
+       .title = "case on AB",
        .summary = "AB and AO are parallel, (AB×AO)×AB is zero: the objects intersect",
        .text = "the origin lies on the segment AB",
        .scene = scene_of("parallelogram", {{-2, -1}, {-1, -3}, {0, 0}, {-1, 2}}, "triangle", {{0, 1}, {1, 3}, {-2, 2}}),
@@ -72,7 +72,7 @@ std::vector<RegionRow> on_segment() {
                     "AB"},
                    {At::end, 2, "the zero vector is no direction to search along, hence the test for zero"}}},
       {.name = "a-is-origin",
-       .title = "the origin at A",
+       .title = "case at A",
        .summary = "AO is zero, and with it (AB×AO)×AB: the objects touch at one point",
        .text = "A is the origin",
        .scene = scene_of("parallelogram", {{-1, -2}, {0, -1}, {-1, 1}, {-2, 0}}, "triangle", {{-1, 1}, {2, 3}, {0, 4}}),
@@ -106,7 +106,7 @@ std::vector<RegionRow> skipped_around_segment() {
 std::vector<RegionRow> beyond_edges_of_triangle() {
   return {
       {.name = "r3",
-       .title = "the origin in R3",
+       .title = "case R3",
        .summary = "the origin lies beyond AB: C is dropped",
        .text = "R3: the origin lies beyond AB",
        .scene = scene_of("quadrilateral", {{1, 2}, {-1, 3}, {-1, 1}, {2, 0}}, "triangle", {{0, -1}, {-1, 2}, {-2, -1}}),
@@ -116,7 +116,7 @@ std::vector<RegionRow> beyond_edges_of_triangle() {
             {At::direction_chosen, 3,
              "ABn would do in the plane, but not in space, where the origin may lie above or below the triangle"}}},
       {.name = "r7",
-       .title = "the origin in R7",
+       .title = "case R7",
        .summary = "the origin lies beyond AC: B is dropped",
        .text = "R7: the origin lies beyond AC",
        .scene = scene_of("triangle", {{2, 0}, {1, 3}, {-2, 1}}, "parallelogram", {{0, -1}, {2, -4}, {3, -2}, {1, 1}}),
@@ -127,7 +127,7 @@ std::vector<RegionRow> beyond_edges_of_triangle() {
 std::vector<RegionRow> within_triangle() {
   return {
       {.name = "r1-above",
-       .title = "the origin in R1, above the triangle",
+       .title = "case R1, above the triangle",
        .summary = "the origin lies above ABC: nothing is dropped, the search goes along ABCn",
        .text = "R1: the origin lies above the triangle",
        .scene = scene_of("pyramid", {{4, 3, 0}, {1, 4, 0}, {0, 1, 0}, {3, 0, 0}, {2, 2, 4}}, "triangle",
@@ -136,7 +136,7 @@ std::vector<RegionRow> within_triangle() {
                    {At::direction_chosen, 3,
                     "the order stays [C, B, A], so BC×BD of the next simplex will be ABCn and point to its A"}}},
       {.name = "r1-below",
-       .title = "the origin in R1, below the triangle",
+       .title = "case R1, below the triangle",
        .summary = "the origin lies below ABC: A and B change places, the search goes along −ABCn",
        .text = "R1: the origin lies below the triangle",
        .scene = scene_of("tetrahedron a", {{2, 1, -3}, {3, 1, 0}, {1, 3, 1}, {1, 0, -1}}, "tetrahedron b",
@@ -147,14 +147,14 @@ std::vector<RegionRow> within_triangle() {
              "swapping A and B turns the normal round, so BC×BD of the next simplex will be −ABCn and point to its A"},
             {At::region_tested, 4, "without the swap the three normals would now point inward", "ABCD"}}},
       {.name = "r1-in-plane",
-       .title = "the origin in R1, in the triangle",
+       .title = "case R1, in the triangle",
        .summary = "the origin lies in the triangle itself: the objects intersect",
        .text = "R1: the origin lies in the triangle",
        .scene =
            scene_of("kite a", {{0, -1}, {-1, 0}, {-2, -1}, {-1, -3}}, "kite b", {{-1, 2}, {-2, 0}, {-1, -1}, {0, 0}}),
        .remarks = {{At::region_tested, 3, "neither R3 nor R7, which leaves R1: not above, not below", "R1"}}},
       {.name = "on-edge",
-       .title = "the origin on an edge",
+       .title = "case on an edge",
        .summary = "the origin lies on AB: the edge tests say no, ABCn·AO is zero, the objects intersect",
        .text = "the origin lies on the edge AB",
        .scene = scene_of("rectangle", {{-2, -1}, {0, 1}, {-1, 2}, {-3, 0}}, "parallelogram",
@@ -162,7 +162,7 @@ std::vector<RegionRow> within_triangle() {
        .remarks = {{At::region_tested, 3, "the origin lies on AB, and on the edge is not beyond it", "R3"},
                    {At::region_tested, 3, "an edge belongs to R1, so this case needs no test of its own", "R1"}}},
       {.name = "on-vertex",
-       .title = "the origin at a vertex",
+       .title = "case at a vertex",
        .summary = "A is the origin: every product with AO is zero, the objects touch at one point",
        .text = "A is the origin",
        .scene = scene_of("triangle", {{-2, 2}, {-3, -1}, {-1, 0}}, "parallelogram", {{1, 3}, {-1, 3}, {-2, 2}, {0, 2}}),
@@ -215,7 +215,7 @@ std::vector<RegionRow> skipped_around_triangle() {
 
 std::vector<RegionRow> above_ABC() {
   return {{.name = "face-abc",
-           .title = "the origin above ABC",
+           .title = "case above ABC",
            .summary = "the first face sees the origin and is kept: D is dropped",
            .text = "the origin lies above the face ABC",
            .scene = scene_of("tetrahedron", {{-1, 0, -1}, {3, 4, -1}, {2, -2, -2}, {1, 0, 3}}, "triangle",
@@ -224,7 +224,7 @@ std::vector<RegionRow> above_ABC() {
                         "the first face that sees the origin is taken, and no other face is looked at", "ABC"},
                        {At::direction_chosen, 4, "d is the normal with which the face was tested"}}},
           {.name = "face-abc-edge-ac",
-           .title = "the origin above ABC, beyond AC",
+           .title = "case above ABC, beyond AC",
            .summary = "of the face ABC only the edge AC is kept: B and D are dropped",
            .text = "the origin lies above the face ABC and beyond its edge AC",
            .scene = scene_of("tetrahedron", {{2, 3, 2}, {-2, -3, 0}, {-1, -3, 4}, {-2, 3, 1}}, "triangle",
@@ -233,7 +233,7 @@ std::vector<RegionRow> above_ABC() {
                         "ABC AC"},
                        {At::direction_chosen, 4, "d is found as in R7 of a triangle"}}},
           {.name = "face-abc-edge-ab",
-           .title = "the origin above ABC, beyond AB",
+           .title = "case above ABC, beyond AB",
            .summary = "of the face ABC only the edge AB is kept: C and D are dropped",
            .text = "the origin lies above the face ABC and beyond its edge AB",
            .scene = scene_of("triangle a", {{-2, 2, -1}, {-1, 1, -5}, {2, 2, 0}}, "triangle b",
@@ -245,7 +245,7 @@ std::vector<RegionRow> above_ABC() {
 
 std::vector<RegionRow> above_ACD() {
   return {{.name = "face-acd",
-           .title = "the origin above ACD",
+           .title = "case above ACD",
            .summary = "ABC does not see the origin, ACD does and is kept: B is dropped",
            .text = "the origin lies above the face ACD",
            .scene = scene_of("triangle a", {{0, 3, -2}, {3, -2, -1}, {-1, -1, -2}}, "triangle b",
@@ -254,7 +254,7 @@ std::vector<RegionRow> above_ACD() {
                         "ACD"},
                        {At::reduced, 4, "in the next simplex this A will be B, while C and D keep their letters"}}},
           {.name = "face-acd-edge-ad",
-           .title = "the origin above ACD, beyond AD",
+           .title = "case above ACD, beyond AD",
            .summary = "of the face ACD only the edge AD is kept: B and C are dropped",
            .text = "the origin lies above the face ACD and beyond its edge AD",
            .scene = scene_of("tetrahedron a", {{-2, -5, 4}, {2, 1, 0}, {-5, 0, -2}, {-1, 0, -3}}, "tetrahedron b",
@@ -262,7 +262,7 @@ std::vector<RegionRow> above_ACD() {
            .remarks = {{At::region_tested, 4, "ADn = ACDn×AD lies in the plane of ACD and points out of it across AD",
                         "ACD AD"}}},
           {.name = "face-acd-edge-ac",
-           .title = "the origin above ACD, beyond AC",
+           .title = "case above ACD, beyond AC",
            .summary = "of the face ACD only the edge AC is kept: B and D are dropped",
            .text = "the origin lies above the face ACD and beyond its edge AC",
            .scene = scene_of("triangle a", {{2, 4, -4}, {0, -1, -1}, {3, -1, -3}}, "triangle b",
@@ -273,7 +273,7 @@ std::vector<RegionRow> above_ACD() {
 
 std::vector<RegionRow> above_ADB() {
   return {{.name = "face-adb",
-           .title = "the origin above ADB",
+           .title = "case above ADB",
            .summary = "only the last face sees the origin and is kept: C is dropped, B becomes the oldest",
            .text = "the origin lies above the face ADB",
            .scene = scene_of("triangle", {{0, 0, -4}, {3, 0, 1}, {0, -4, 0}}, "tetrahedron",
@@ -282,7 +282,7 @@ std::vector<RegionRow> above_ADB() {
                         "ADB"},
                        {At::reduced, 4, "in the order [D, B, A] BC×BD would point away from the next A"}}},
           {.name = "face-adb-edge-ab",
-           .title = "the origin above ADB, beyond AB",
+           .title = "case above ADB, beyond AB",
            .summary = "of the face ADB only the edge AB is kept: C and D are dropped",
            .text = "the origin lies above the face ADB and beyond its edge AB",
            .scene = scene_of("triangle a", {{3, 3, 3}, {4, 3, -3}, {0, 3, -4}}, "triangle b",
@@ -290,7 +290,7 @@ std::vector<RegionRow> above_ADB() {
            .remarks = {{At::region_tested, 4, "this ABn = ADBn×AB lies in the plane of ADB, the ABn of ABC in that of ABC",
                         "ADB AB"}}},
           {.name = "face-adb-edge-ad",
-           .title = "the origin above ADB, beyond AD",
+           .title = "case above ADB, beyond AD",
            .summary = "of the face ADB only the edge AD is kept: B and C are dropped",
            .text = "the origin lies above the face ADB and beyond its edge AD",
            .scene = scene_of("triangle a", {{-4, 3, -2}, {-5, -3, -3}, {0, 1, 3}}, "triangle b",
@@ -301,14 +301,14 @@ std::vector<RegionRow> above_ADB() {
 
 std::vector<RegionRow> within_tetrahedron() {
   return {{.name = "inside",
-           .title = "the origin inside",
+           .title = "case inside",
            .summary = "none of the three faces that meet A sees the origin: the objects intersect",
            .text = "the origin lies in the tetrahedron",
            .scene = scene_of("triangle a", {{0, 0, 2}, {2, -1, -2}, {-1, -2, -1}}, "triangle b",
                              {{1, -2, 0}, {0, 1, -3}, {3, 1, -1}}),
            .remarks = {{At::region_tested, 4, "ABC, ACD and ADB do not see it, and BCD has been left behind", "ABCD"}}},
           {.name = "on-face",
-           .title = "the origin on a face",
+           .title = "case on a face",
            .summary = "the normal of the face ACD gives zero, which is not above: the objects intersect",
            .text = "the origin lies on the face ACD",
            .scene = scene_of("octahedron", {{2, 1, 0}, {-2, -1, 0}, {-1, 2, 0}, {1, -2, 0}, {0, 0, 2}, {0, 0, -2}},
@@ -317,7 +317,7 @@ std::vector<RegionRow> within_tetrahedron() {
                        {At::region_tested, 4,
                         "its faces belong to the tetrahedron, so this case needs no test of its own", "ABCD"}}},
           {.name = "in-plane-of-face",
-           .title = "the origin in the plane of a face, but not on the face",
+           .title = "case in the plane of a face, but not on it",
            .summary = "the normal of ABC gives zero, but another face sees the origin",
            .text = "the origin lies in the plane of ABC, outside the triangle",
            .scene = scene_of("triangle a", {{-4, 1, 3}, {0, 0, -3}, {3, 3, 2}}, "triangle b",
@@ -326,7 +326,7 @@ std::vector<RegionRow> within_tetrahedron() {
                        {At::region_tested, 4, "another face sees the origin, so the zero for ABC did not mean contact",
                         "ACD"}}},
           {.name = "a-is-origin",
-           .title = "the origin at A",
+           .title = "case at A",
            .summary = "every product with AO is zero: no face sees the origin, the objects touch at one point",
            .text = "A is the origin",
            .scene = scene_of("triangle", {{-2, 0, 2}, {-3, 0, -2}, {1, -3, 1}}, "tetrahedron",

@@ -178,7 +178,7 @@ class DifferencePicture {
   }
 
   void name_projection() {
-    panel_.label(pencil_.at(projection()), pencil_.at(projection()), shown_.names.of(now_.found->w) + "·d",
+    panel_.label(pencil_.at(projection()), pencil_.at(projection()), shown_.names.of(now_.found->w) + "·d / |d|",
                  style_.small_label(), line_label_gap);
   }
 

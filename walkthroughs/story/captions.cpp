@@ -161,7 +161,11 @@ class Captions {
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
     Frame frame = frame_about(Focus::direction,
-                              "the next direction d leads from " + names_.simplex(now_.simplex) + " toward the origin",
+                              now_.simplex.size() == 3
+                                  ? "the next direction d is the normal of " + names_.simplex(now_.simplex) +
+                                        " on the origin's side"
+                                  : "the next direction d leads from " + names_.simplex(now_.simplex) +
+                                        " toward the origin",
                               {{Mark::none, direction_told(event), "d", vec(event.direction)}});
     if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "where d is rounded, what is decided along it is not"});

@@ -191,7 +191,7 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
       {{Mark::answer, std::string(gjk::to_string(result.status)) + ", proven"}});
   if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&result.certificate))
     frame.facts.push_back(
-        {Mark::none, "the certificate is d = " + vector(direction->d, dimension) + ": a·d < b·d for all their points"});
+        {Mark::none, "the certificate is d = " + vector(direction->d, dimension) + ": p·d < q·d for each point p of a and q of b"});
   else
     frame.facts.push_back({Mark::none, "the certificate is " + names.simplex(now.simplex) + ", of " +
                                            pairs_in_words(result.certificate)});

@@ -143,6 +143,11 @@ std::size_t last_event(const Story& story) {
   return std::max(story.tellings[0].trace.events.size(), story.tellings[1].trace.events.size()) - 1;
 }
 
+int iterations_of(const Telling& telling) {
+  const auto* const finished = std::get_if<gjk::Finished<double>>(&telling.trace.events.back());
+  return finished ? finished->result.iterations : 0;
+}
+
 /// What stands above a frame of two runs, and whether it only says that they go on, or that one does.
 struct Sentence {
   std::string text;
@@ -158,7 +163,8 @@ Sentence sentence_for(const Story& story, std::size_t i, std::size_t common, con
   const auto ends_here = [i](const Telling& telling) { return i + 1 == telling.trace.events.size(); };
   if (std::ranges::all_of(story.tellings, ends_here)) return {"Here both runs end."};
   for (const Telling& telling : story.tellings)
-    if (ends_here(telling)) return {"Here one run ends: " + telling.scene.name + "."};
+    if (ends_here(telling))
+      return {"Here one run ends, in iteration " + std::to_string(iterations_of(telling)) + ": " + telling.scene.name + "."};
   const auto has_ended = [i](const Telling& telling) { return i >= telling.trace.events.size(); };
   if (std::ranges::none_of(story.tellings, has_ended)) return {"Both runs go on.", both_go_on};
   const Telling& going_on = story.tellings[has_ended(story.tellings[0]) ? 1 : 0];
