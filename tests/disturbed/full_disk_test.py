@@ -43,7 +43,7 @@ def problems_of(case, call, failed, code, said):
     sentence = said.strip().splitlines()[-1] if said.strip() else ""
     if code == case.code and call == "openat":
         found += [f"{name} is not there, exit code {code}" for name in case.whole if name not in case.files()]
-    elif code not in ((2, 5) if call == "openat" else (5,)) or not (re.search(r"gjkstep(-study)?: .*;", sentence) or any(map(tells_of_errors, failed))):
+    elif code not in ((2, 5) if call == "openat" else (5,)) or not (re.search(r"gjkstep(-study)?: .*(;|\. )", sentence) or any(map(tells_of_errors, failed))):
         found.append(f"exit code {code} and not 5, '{sentence}'")
     return found + [f"the next run: {wrong}" for wrong in case.disturbed()]
 

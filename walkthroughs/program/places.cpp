@@ -51,7 +51,7 @@ bool is_one_of(const std::vector<std::string>& names, const std::string& file) {
 
 [[noreturn]] void refuse(const std::string& one, const std::string& other, const fs::path& where) {
   throw UsageError(one + " and " + other + " have the same place, " + where.string() +
-                   ": one would be written over the other. Give one of them another place (--out, --captions, --report)");
+                   ": one would be written over the other. Give one of them another place");
 }
 
 /// Requires: there is one. Names the first few.

@@ -66,15 +66,15 @@ TEST_CASE("Parting: steps that no mistake explains are told themselves, and part
   ToldRun run = wrong_order();
   run.steps.resize(1);
   run.steps[0].simplex = {{-1, 0, 0}};  // no farthest point
-  CHECK(own_parting(run, 1).facts[1].text.find("the farthest point of the difference is P") != std::string::npos);
+  CHECK(own_parting(run, 1).facts[1].text.find("The support point along +x is P") != std::string::npos);
   run = wrong_order();
   run.steps.resize(3);
   run.steps[2].simplex = {{0, -2, -1}};  // too much is dropped
-  CHECK(own_parting(run, 3).facts[0].text.find("leave the simplex") != std::string::npos);
+  CHECK(own_parting(run, 3).facts[0].text.find("drop ") != std::string::npos);
   run = wrong_order();
   run.steps.resize(3);
   run.steps[2].direction = {3, 10, 6};  // after two vertices rightly kept
-  CHECK(own_parting(run, 2).facts[0].text.find("The next search goes from segment") != std::string::npos);
+  CHECK(own_parting(run, 2).facts[0].text.find("The next direction d leads from segment") != std::string::npos);
 }
 
 }  // namespace
