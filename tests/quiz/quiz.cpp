@@ -136,7 +136,7 @@ std::optional<Asked> asked_of(const Story& story, const Frame& frame) {
     const gjk::Roles& face = now.regions.back().feature;
     const gjk::RegionTested<double>* const chosen = chosen_after(trace, event, face);
     return Asked{"edges of a face",
-                 "Does the origin's foot lie beyond " + names.sorted(gjk::Roles{gjk::Role::A, face[1]}) + ", beyond " +
+                 "Projected onto its plane, does the origin lie beyond " + names.sorted(gjk::Roles{gjk::Role::A, face[1]}) + ", beyond " +
                      names.sorted(gjk::Roles{gjk::Role::A, face[2]}) + ", or above the face " + names.sorted(face) +
                      "?",
                  names.sorted(chosen ? chosen->feature : face), chosen ? "edge" : "face"};

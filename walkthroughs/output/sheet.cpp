@@ -19,8 +19,9 @@ SheetLayout sheet_layout(int count, const Output& output) {
     if (columns <= fitting(cell.width))
       return {count, std::max(columns, std::min(count, sheet_columns)), small.size, cell};
     if (std::max(cell.width, cell.height) == render::min_pixels)
-      throw render::FileError("cannot draw a sheet of " + std::to_string(count) +
-                              " frames: they do not fit into one picture; leave out --sheet, or choose --detail iteration");
+      throw render::FileError(
+          "cannot draw a sheet of " + std::to_string(count) +
+          " frames: they do not fit into one picture; leave out --sheet, or choose --detail iteration");
   }
 }
 

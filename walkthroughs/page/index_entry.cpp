@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <locale>
 #include <set>
 
 #include "render/json_text.hpp"
@@ -35,18 +38,13 @@ std::size_t telling_frame(const Story& story) {
 std::string words_of_captions(const Story& story) {
   std::set<std::string> words;
   for (const Frame& frame : story.frames) {
-    std::string word;
-    for (const char c : plain(frame.caption) + " ") {
-      const bool is_letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-      if (is_letter)
-        word += static_cast<char>(c | 0x20);
-      else if (!word.empty())
-        words.insert(std::exchange(word, ""));
-    }
+    std::vector<std::string> own;
+    const std::string caption = boost::to_lower_copy(plain(frame.caption), std::locale::classic());
+    boost::split(own, caption, [](char c) { return c < 'a' || c > 'z'; });
+    words.insert(own.begin(), own.end());
   }
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+  words.erase("");
+  return joined(words, " ");
 }
 
 /// Of its page, in percent of what is shown of it.
@@ -136,7 +134,7 @@ std::optional<PageJson> entry_in(std::string_view text) {
   const PageJson entry = PageJson::parse(text.substr(0, text.find(closing)), nullptr, false);
   static const PageJson sample =
       PageJson::parse(R"({"name": "", "title": "", "section": "", "sentence": "", "words": "",
-      "answers": [],      "steps": 0, "iteration_ends": [], "picture": 0, "cut": {}, "is_dark": false})");
+      "answers": [], "steps": 0, "iteration_ends": [], "picture": 0, "cut": {}, "is_dark": false})");
   return are_alike(entry, sample) ? std::optional(entry) : std::nullopt;
 }
 

@@ -245,7 +245,7 @@ class Iteration {
       if (std::get<Region>(events_[i]).face == face.feature) event = i;
     if (event == end_) return std::nullopt;
     return asked(decision(Kind::region), scene_, event,
-                 "The origin lies above face " + name + ". Beyond which of its edges does its foot lie?",
+                 "The origin lies above face " + name + ". Projected onto its plane, beyond which edge does it lie?",
                  std::move(choices), right);
   }
 

@@ -175,8 +175,7 @@ class DecisionPicture {
       case Kind::crossing:
         return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", ↔", lens_.plane.stretch.x());
       case Kind::segment: return "plane of " + face + " and O";
-      case Kind::true_shape:
-        return face + " from above, in true shape";
+      case Kind::true_shape: return face + " from above, in true shape";
       case Kind::edge_on: {
         const bool is_narrow = frame_.width() < narrow && !view_.is_left_behind();
         return face +

@@ -427,7 +427,8 @@ void add_formats(CLI::App& command, RenderCommand& render) {
 }
 
 void add_frames(CLI::App& command, RenderCommand& render) {
-  add_choice(command, "--detail", render.detail, "a frame for each decision, or for each iteration", {"decision", "iteration"});
+  add_choice(command, "--detail", render.detail, "a frame for each decision, or for each iteration",
+             {"decision", "iteration"});
   command.add_option("--frames", render.frames,
                      "a choice of frames, numbered anew: steps such as 4,10,18 or 3-7, and kinds: " + frame_kinds());
   add_choice(command, "--theme", render.theme,

@@ -160,13 +160,12 @@ class Captions {
   }
 
   std::optional<Frame> operator()(const gjk::DirectionChosen<double>& event) const {
-    Frame frame = frame_about(Focus::direction,
-                              now_.simplex.size() == 3
-                                  ? "the next direction d is the normal of " + names_.simplex(now_.simplex) +
-                                        " on the origin's side"
-                                  : "the next direction d leads from " + names_.simplex(now_.simplex) +
-                                        " toward the origin",
-                              {{Mark::none, direction_told(event), "d", vec(event.direction)}});
+    Frame frame = frame_about(
+        Focus::direction,
+        now_.simplex.size() == 3
+            ? "the next direction d is the normal of " + names_.simplex(now_.simplex) + " on the origin's side"
+            : "the next direction d leads from " + names_.simplex(now_.simplex) + " toward the origin",
+        {{Mark::none, direction_told(event), "d", vec(event.direction)}});
     if (now_.in_exact_fallback)
       frame.facts.push_back({Mark::none, "where d is rounded, what is decided along it is not"});
     else if (now_.simplex.size() == 3 && !now_.reduction)
@@ -426,7 +425,8 @@ class Captions {
     const std::string lies = event.verdict == Verdict::rejected ? "does not lie" : "lies";
     const std::string face = names_.sorted(event.face.empty() ? gjk::Roles("ABC") : event.face);
     const bool is_flat = scene_.dimension == Dimension::plane;
-    return (is_flat ? "" : "projected onto the plane of " + face + ", ") + "the origin " + lies + " beyond edge " + feature;
+    return (is_flat ? "" : "projected onto the plane of " + face + ", ") + "the origin " + lies + " beyond edge " +
+           feature;
   }
 
   std::string caption_of_triangle(const gjk::RegionTested<double>& event, const std::string& feature) const {

@@ -91,8 +91,7 @@ std::vector<Fact> signs_taken(const Moment& now, const Names& names, Dimension d
       facts.push_back({Mark::none, signs[i]});
     else
       facts.back().text += ", " + signs[i];
-  if (left_out > 0)
-    facts.push_back({Mark::none, "and before these " + std::to_string(left_out) + " more"});
+  if (left_out > 0) facts.push_back({Mark::none, "and before these " + std::to_string(left_out) + " more"});
   if (!std::ranges::all_of(now.signs, [](const auto& sign) { return !sign.exact.empty(); }))
     facts.push_back({Mark::none, "± is a bound on what was rounded"});
   return facts;
@@ -190,8 +189,8 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
       Focus::proven, is_apart ? "it is proven: the objects do not intersect" : "it is proven: the objects intersect",
       {{Mark::answer, std::string(gjk::to_string(result.status)) + ", proven"}});
   if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&result.certificate))
-    frame.facts.push_back(
-        {Mark::none, "the certificate is d = " + vector(direction->d, dimension) + ": p·d < q·d for each point p of a and q of b"});
+    frame.facts.push_back({Mark::none, "the certificate is d = " + vector(direction->d, dimension) +
+                                           ": p·d < q·d for each point p of a and q of b"});
   else
     frame.facts.push_back({Mark::none, "the certificate is " + names.simplex(now.simplex) + ", of " +
                                            pairs_in_words(result.certificate)});

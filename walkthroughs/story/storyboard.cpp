@@ -164,7 +164,8 @@ Sentence sentence_for(const Story& story, std::size_t i, std::size_t common, con
   if (std::ranges::all_of(story.tellings, ends_here)) return {"Here both runs end."};
   for (const Telling& telling : story.tellings)
     if (ends_here(telling))
-      return {"Here one run ends, in iteration " + std::to_string(iterations_of(telling)) + ": " + telling.scene.name + "."};
+      return {"Here one run ends, in iteration " + std::to_string(iterations_of(telling)) + ": " + telling.scene.name +
+              "."};
   const auto has_ended = [i](const Telling& telling) { return i >= telling.trace.events.size(); };
   if (std::ranges::none_of(story.tellings, has_ended)) return {"Both runs go on.", both_go_on};
   const Telling& going_on = story.tellings[has_ended(story.tellings[0]) ? 1 : 0];
@@ -380,8 +381,10 @@ std::vector<std::size_t> places_of(const FrameChoice& choice, const std::vector<
 std::string objection_to(const FrameChoice& choice, const std::vector<Frame>& frames) {
   const std::string there_are = frames.size() == 1 ? "has 1 step" : "has " + std::to_string(frames.size()) + " steps";
   for (const auto& [from, to] : choice.steps)
-    if (to > frames.size()) return there_are + ", and no step " + std::to_string(to) + "; choose from 1 to " + std::to_string(frames.size());
-  return places_of(choice, frames).empty() ? there_are + ", and none is of these kinds; choose others, or leave it out" : "";
+    if (to > frames.size())
+      return there_are + ", and no step " + std::to_string(to) + "; choose from 1 to " + std::to_string(frames.size());
+  return places_of(choice, frames).empty() ? there_are + ", and none is of these kinds; choose others, or leave it out"
+                                           : "";
 }
 
 }  // namespace walkthroughs::story

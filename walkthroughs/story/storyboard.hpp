@@ -13,7 +13,7 @@
 namespace walkthroughs::story {
 
 enum class Detail {
-  decision,  ///< one frame for each event that changes the picture
+  decision,   ///< one frame for each event that changes the picture
   iteration,  ///< one frame for each iteration: its last
 };
 
