@@ -38,8 +38,7 @@ std::vector<Failure> all_failures() {
        .title = "Apart, but found to intersect: a product too small",
        .section = "3.1.3",
        .summary = "lengths of 1e-12: w·d, a product of four of them, becomes 0",
-       .turn = {.cause = "in truth it stopped short: w·d is a product of four lengths of 1e−12, and becomes 0",
-                .truth = "in truth they do not"},
+       .turn = {.cause = "in truth it stopped short: w·d is a product of four lengths of 1e−12, and becomes 0"},
        .scene = scene_of("triangle a", moved({{-1, 0}, {-1, 3}, {1, 3}}, 1e-12), "triangle b",
                          moved({{-2, -3}, {3, -3}, {2, -1}}, 1e-12))},
       // Range, at the other end: (AB×AO)×AB is a product of three lengths.
@@ -48,7 +47,7 @@ std::vector<Failure> all_failures() {
        .section = "3.2.2",
        .summary = "lengths of 1e13: (AB×AO)×AB, a product of three of them, becomes infinite",
        .turn = {.cause = "the product of three lengths of 1e13 is beyond the largest float, 3.4e38",
-                .truth = "no support function can be asked about an infinite direction"},
+                .ending = "no support function can be asked about an infinite direction"},
        .scene = scene_of("triangle a", moved({{-3, -3}, {0, -3}, {-1, 3}}, 1e13), "triangle b",
                          moved({{0, -3}, {0, 1}, {-3, 0}}, 1e13))},
       // A sign: the origin lies on an edge, and rounding puts it beyond.
@@ -57,7 +56,7 @@ std::vector<Failure> all_failures() {
        .section = "3.2.3",
        .summary = "the origin lies on AB: ABn·AO is rounded up from 0, and (AB×AO)×AB leads nowhere",
        .turn = {.cause = "it lies on that edge, but ABn was rounded, and ABn·AO is no longer 0",
-                .truth = "from an edge that holds the origin no direction leads toward it"},
+                .ending = "from an edge that holds the origin no direction leads toward it"},
        .scene = scene_of("triangle a", {{97, 94}, {-9, 46}, {87, -147}}, "triangle b",
                          {{-119, 93}, {94, -74}, {-113, -85}})},
       // A test for zero: all vertices of the difference lie in one plane through the origin, which is not parallel to an axis.
@@ -66,7 +65,7 @@ std::vector<Failure> all_failures() {
        .section = "3.2.3",
        .summary = "two triangles that overlap in one tilted plane: ABCn·AO misses 0",
        .turn = {.cause = "it lies in the triangle, but ABCn·AO adds up rounded products and misses 0",
-                .truth = "rounded away from 0, ABCn·AO sent d out of the plane that holds a − b"},
+                .ending = "rounded away from 0, ABCn·AO sent d out of the plane that holds a − b"},
        .scene = scene_of("triangle a", {{-145, -135, 145}, {357, 235, -189}, {16, 234, -394}}, "triangle b",
                          {{-357, -235, 189}, {141, 253, -351}, {77, 23, 7}})},
       // The support function: far from the origin the roundings of P·d are larger than the objects.
@@ -75,7 +74,7 @@ std::vector<Failure> all_failures() {
        .section = "2.4",
        .summary = "coordinates of 16,000,000: dot products are rounded by more than the objects are wide",
        .turn = {.cause = "it is not: a·d and b·d are near −592,000,000, where floats lie 64 apart",
-                .truth = "the point that reaches across the origin was missed"},
+                .ending = "the point that reaches across the origin was missed"},
        .scene = scene_of("quadrilateral a", moved({{3, 6}, {-8, 9}, {2, 1}, {-9, 9}}, 1, 16e6), "quadrilateral b",
                          moved({{9, -2}, {-1, 4}, {-2, 9}, {-2, -6}}, 1, 16e6))}};
 }

@@ -37,6 +37,7 @@ template <class S>
 struct BallOf {
   gjk::Vec3<S> center;
   S radius;
+  friend bool operator==(const BallOf&, const BallOf&) = default;
 };
 
 /// A closed cylinder with flat caps; `axis` of any length but zero, `height` from cap to cap, `center` halfway. Without height it is
@@ -45,12 +46,14 @@ template <class S>
 struct CylinderOf {
   gjk::Vec3<S> center, axis;
   S radius, height;
+  friend bool operator==(const CylinderOf&, const CylinderOf&) = default;
 };
 
 /// A box along the axes, of so much in x, y and z.
 template <class S>
 struct BoxOf {
   gjk::Vec3<S> center, size;
+  friend bool operator==(const BoxOf&, const BoxOf&) = default;
 };
 
 /// All points within `radius` of the segment.
@@ -58,6 +61,7 @@ template <class S>
 struct CapsuleOf {
   gjk::Vec3<S> from, to;
   S radius;
+  friend bool operator==(const CapsuleOf&, const CapsuleOf&) = default;
 };
 
 template <class S>
@@ -70,6 +74,7 @@ using AnyShapeOf = std::variant<PointsOf<S>, BallOf<S>, CylinderOf<S>, BoxOf<S>,
 template <class S>
 struct SumOf {
   std::vector<AnyShapeOf<S>> summands;  ///< two
+  friend bool operator==(const SumOf&, const SumOf&) = default;
 };
 
 using Points = PointsOf<double>;

@@ -284,7 +284,10 @@ struct FieldsOf<Scene> {
                                    Field("zero_test", &R::zero_test).where_not_empty(),
                                    Field("scalar", &R::scalar).where_not_empty(),
                                    Field("certified", &R::certified).where_not_empty(),
-                                   Field("mistake", &R::mistake).where_not_empty()};
+                                   Field("mistake", &R::mistake).where_not_empty(),
+                                   Field("a_as_read", &R::a_as_read).where_not_empty(),
+                                   Field("b_as_read", &R::b_as_read).where_not_empty(),
+                                   Word("truth", "left-out", &R::leaves_truth_out)};
 };
 
 template <>

@@ -18,6 +18,11 @@ bool moves(const Pose& pose) {
   return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
 }
 
+bool is_same(const Object& one, const Object& other) {
+  return one.form == other.form && one.pose.rotation == other.pose.rotation &&
+         one.pose.translation == other.pose.translation;
+}
+
 std::vector<Point> vertices_of(const Object& object) {
   std::vector<Point> vertices;
   if (const auto* set = std::get_if<Points>(&object.form))
@@ -70,18 +75,20 @@ struct NearestFloats {
   double length(double x) const { return x == 0 ? 0 : positive_float(x); }
 };
 
-void round_to_float(Object& object) {
+void round_to_float(Object& object, std::optional<Object>& as_read) {
+  const Object before = object;
   object.form = converted<double>(object.form, NearestFloats{});
   for (double& x : object.pose.rotation.reshaped()) x = nearest_float(x);
   object.pose.translation = nearest_float(object.pose.translation);
+  if (!is_same(object, before)) as_read = before;
 }
 
 }  // namespace
 
 Scene in_float(Scene scene) {
   scene.scalar = Scalar::binary32;
-  round_to_float(scene.a);
-  round_to_float(scene.b);
+  round_to_float(scene.a, scene.a_as_read);
+  round_to_float(scene.b, scene.b_as_read);
   Point& first = scene.options.first_direction;
   const Point given = first;
   first = nearest_float(first);

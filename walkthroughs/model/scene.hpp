@@ -34,6 +34,9 @@ struct Object {
   mutable std::size_t support_calls = 0;  ///< so that a test can see who asks
 };
 
+/// Returns: whether they are the same in the same place, whatever they are called.
+bool is_same(const Object& one, const Object& other);
+
 template <class S>
 gjk::Pose<S> pose_in(const Pose& pose) {
   return {pose.rotation.cast<S>(), pose.translation.cast<S>()};
@@ -140,10 +143,13 @@ struct Scene {
   Scalar scalar = Scalar::binary64;  ///< binary32: every number of the scene is a float, see in_float()
   bool certified = false;  ///< proven, and where that fails decided by the exact fallback; by certified_collision()
   std::optional<Mistake> mistake = {};  ///< that the search makes on purpose; only with what mistaken() leaves as usual
+  /// The objects before their numbers were rounded to float, where that has changed them.
+  std::optional<Object> a_as_read = {}, b_as_read = {};
+  bool leaves_truth_out = false;  ///< whether nothing is told but what the search answers
 };
 
 /// Returns: the scene with every number rounded to the nearest float, to be searched in float. So the objects that are
-/// drawn are those that are searched, and what goes wrong is the search's doing.
+/// drawn are those that are searched, and what goes wrong is the search's doing. The scene keeps the objects as read.
 /// Errors: std::range_error, with the number, where one is beyond all floats or a length or direction vanishes.
 Scene in_float(Scene scene);
 

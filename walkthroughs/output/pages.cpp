@@ -33,8 +33,12 @@ std::string copy_of_scene(const PageOrigin& origin) { return origin.name + ".jso
 std::vector<PageFile> sources(const Story& story, const PageOrigin& origin) {
   std::vector<PageFile> files;
   std::vector<Trace> traces;
-  for (const Telling& telling : story.tellings) traces.push_back(telling.trace);
-  if (!traces.empty()) files.push_back({trace_file, traces_json(story.walkthrough, traces)});
+  std::vector<Truth> truths;
+  for (const Telling& telling : story.tellings) {
+    traces.push_back(telling.trace);
+    truths.push_back(telling.truth);
+  }
+  if (!traces.empty()) files.push_back({trace_file, traces_json(story.walkthrough, traces, truths)});
   if (origin.file.empty() || !origin.option.empty()) return files;
   const std::vector<std::uint8_t> scene = render::read_file(origin.file);
   files.push_back({copy_of_scene(origin), {scene.begin(), scene.end()}});

@@ -44,15 +44,19 @@ std::string how_it_ends(const Story& story) {
   return story.tellings.empty() ? "-" : joined(story.tellings, ", ", answer);
 }
 
-/// What is true, where the walkthrough is about an answer that is not.
-std::string in_truth(const Walkthrough& w) {
-  return w.findings ? " (in truth " + std::string(to_string(exact_answer(w.scenes[0]))) + ")" : "";
+/// What is true, where one search answers otherwise.
+std::string truth_beside(const Story& story) {
+  if (story.tellings.size() != 1) return "";
+  const Telling& telling = story.tellings[0];
+  return is_otherwise(telling.truth, answer_of(telling.trace))
+             ? " (in truth " + std::string(to_string(telling.truth.answer.status)) + ")"
+             : "";
 }
 
 Row row_of(const Walkthrough& w) {
   const Story story = tell(w);
   return {w.name, plain(w.region_case ? w.region_case->text : w.summary),
-          w.region_case ? w.region_case->section : w.source, how_it_ends(story) + in_truth(w),
+          w.region_case ? w.region_case->section : w.source, how_it_ends(story) + truth_beside(story),
           std::to_string(story.frames.size())};
 }
 

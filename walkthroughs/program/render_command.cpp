@@ -23,6 +23,7 @@
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
+#include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/printable.hpp"
@@ -292,10 +293,19 @@ class Rendering {
     const auto story = std::make_shared<const StagedStory>(std::move(told));
     progress(w.name + ": drawing");
     for (const std::string& sentence : story->left_out()) note(w.name + ": " + sentence);
+    note_truth(*story);
     note_what_stays(w);
     if (command_.captions) stories_.push_back(story);
     const Output output = output_of(chosen);
     for (const std::unique_ptr<Sink>& sink : sinks_) sink->add(story, output, renderer);
+  }
+
+  /// Where a search answers otherwise than the truth, be its last frame among those drawn or not.
+  static void note_truth(const Story& story) {
+    for (const Telling& telling : story.tellings)
+      if (const TruthTold told = truth_told(telling.truth, telling.scene, answer_of(telling.trace));
+          !told.sentence.empty() && !telling.scene.mistake)
+        note(story.walkthrough.name + ": " + told.sentence);
   }
 
   /// What an earlier run has left beside the frames, and this one does not make.

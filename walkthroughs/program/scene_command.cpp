@@ -6,6 +6,7 @@
 #include <string>
 
 #include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/story/warnings.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/text/scene_file.hpp"
 
@@ -25,9 +26,12 @@ struct SceneCommand {
       return ok;
     }
     expect_output_apart_from(*check);
-    const std::string declared = summary(read_scene(*check));  // before the first word that says it is well
+    const SceneFile file = read_scene(*check);
+    const std::string declared = summary(file);  // before the first word that says it is well
     std::cout << printable(*check) << ": ok: " << declared
               << (is_scene_file(*check) ? "" : ". Before it is drawn, give it a name that ends in .json") << '\n';
+    for (const std::string& warning : warnings_about(file.walkthrough.scenes.front()))
+      std::cout << printable(*check) << ": warning: " << warning << '\n';
     return ok;
   }
 };

@@ -356,14 +356,25 @@ class Captions {
     return (simplex.size() == 1 ? "is " : simplex.size() == 2 ? "lies on " : "lies in ") + names_.simplex(simplex);
   }
 
+  bool is_wrong(const gjk::Result<double>& result) const {
+    return result.status != gjk::Status::undecided && is_otherwise(telling_.truth, result.status);
+  }
+
+  /// What stands before an answer that may be wrong. Where it is, not by rounding, that is said at once.
+  std::string concluded(const gjk::Result<double>& result) const {
+    const bool is_mistaken = scene_.mistake || scene_.rules == RuleSet::as_printed;
+    if (is_wrong(result)) return is_mistaken ? "the search concludes, wrongly, that " : "the search concludes that ";
+    return in_float() ? "the search concludes that " : "";
+  }
+
   std::string answer_caption(const gjk::Result<double>& result) const {
+    const std::string before = concluded(result);
     switch (result.status) {
       case gjk::Status::intersecting:
-        return (in_float() ? "the search concludes that the origin " : "the origin ") +
-               place_of_origin(result.simplex) + ", so the objects intersect";
+        return before + "the origin " + place_of_origin(result.simplex) + ", so the objects intersect";
       case gjk::Status::separated:
-        return in_float() ? "the search concludes that the objects do not intersect"
-                          : "the difference does not contain the origin, so the objects do not intersect";
+        return !before.empty() ? before + "the objects do not intersect"
+                               : "the difference does not contain the origin, so the objects do not intersect";
       case gjk::Status::undecided: return "the search ends without an answer";
     }
     return "";
@@ -382,7 +393,9 @@ class Captions {
     if (result.separation)
       tell("with d = " + vec(result.separation->direction) + ": w·d ≤ " + names_.of(result.separation->vertex.w) +
            "·d = " + number(result.separation->support_value) + " < 0 for every point w of the difference" +
-           (in_float() ? ", computed in floats" : ""));
+           (in_float()         ? ", computed in floats"
+            : is_wrong(result) ? ", computed in doubles"
+                               : ""));
     if (result.status != gjk::Status::intersecting) return;
     if (is_complete() && now_.regions.back().feature.size() == 4)
       return tell("no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it");

@@ -167,28 +167,63 @@ struct ExactFinding {
 
 // -- The truth --------------------------------------------------------------------------------------------------------
 
-/// Requires: a simplex of these objects that contains the origin and is not flat.
-Vec shared_point(const gjk::Simplex<gjk::Fraction>& simplex, const Scene& scene) {
-  gjk::CommonSimplex certificate;
-  for (int i = 0; i < simplex.size(); ++i) certificate.of.add({*simplex[i].a.index, *simplex[i].b.index});
-  const gjk::detail::Fractions weights = *gjk::weights_of(certificate, exact(scene.a), exact(scene.b));
+constexpr const char* words_for_answer(gjk::Status answer) {
+  return answer == gjk::Status::intersecting ? "together" : answer == gjk::Status::separated ? "apart" : "no answer";
+}
+
+/// What is searched otherwise than the truth is found.
+std::string searched(const Scene& scene) {
+  if (scene.rules == RuleSet::as_printed) return "as printed";
+  return scene.scalar == Scalar::binary32 ? "in floats" : "in doubles";
+}
+
+/// Returns: point `i` of a set of points, exactly where the matrix of its pose puts it.
+Vec exact_point(const Object& object, int i) {
+  const Vec p = exact(std::get<Points>(object.form)[static_cast<std::size_t>(i)]), t = exact(object.pose.translation);
+  Vec moved;
+  for (int row = 0; row < 3; ++row) moved[row] = exact(Point(object.pose.rotation.row(row))).dot(p) + t[row];
+  return moved;
+}
+
+/// The points that a certificate names, numbered anew in its order.
+struct NamedPoints {
+  std::vector<Vec> a, b;
+  gjk::IndexPairs of;
+
+  NamedPoints(const gjk::IndexPairs& pairs, const Scene& scene) {
+    for (const gjk::IndexPair pair : pairs) {
+      of.add({static_cast<int>(a.size()), static_cast<int>(a.size())});
+      a.push_back(exact_point(a_as_read(scene), pair.a));
+      b.push_back(exact_point(b_as_read(scene), pair.b));
+    }
+  }
+};
+
+/// Requires: a certificate of this scene.
+std::string certificate_told(const ExactAnswer& answer, const Scene& scene) {
+  const NamedPoints named(answer.nearest, scene);
+  const gjk::PointSet<gjk::Fraction> a(named.a), b(named.b);
+  if (answer.status == gjk::Status::separated) {
+    const gjk::detail::Fractions d = gjk::direction_of(gjk::SeparatingFeature{named.of}, a, b).value();
+    const Vec v(-d[0], -d[1], -d[2]);
+    return "in truth a − b is nearest to the origin at v = " + written(v, scene.dimension) + ", " +
+           quotient_with_length(v.dot(v), v) + " away";
+  }
+  const gjk::detail::Fractions weights = gjk::weights_of(gjk::CommonSimplex{named.of}, a, b).value();
   Vec point = Vec::Zero();
-  for (int i = 0; i < simplex.size(); ++i) point += simplex[i].a.point * weights[static_cast<std::size_t>(i)];
-  return point;
+  for (std::size_t i = 0; i < weights.size(); ++i) point += named.a[i] * weights[i];
+  return "in truth both objects hold the point " + written(point, scene.dimension, rounded);
 }
 
-std::string truth(const gjk::Result<gjk::Fraction>& result, const Scene& scene) {
-  if (result.status == gjk::Status::intersecting)
-    return "in truth both objects hold the point " +
-           written(shared_point(result.simplex, scene), scene.dimension, rounded);
-  if (result.status == gjk::Status::separated)
-    return "in truth the objects are at least " +
-           quotient_with_length(-result.separation->support_value, result.separation->direction) + " apart";
-  throw std::logic_error("exact arithmetic finds no answer");
+/// "a[0] − b[2], a[1] − b[2]", by the places of the points in their sets.
+std::string differences_told(const gjk::IndexPairs& pairs) {
+  return joined(pairs, ", ", [](const gjk::IndexPair& pair) {
+    return "a[" + std::to_string(pair.a) + "] − b[" + std::to_string(pair.b) + "]";
+  });
 }
 
-const gjk::Result<gjk::Fraction>& result_of(const ExactTrace& trace) {
-  return std::get<gjk::Finished<gjk::Fraction>>(trace.events.back()).result;
+bool have_points(const Scene& scene) {
+  return std::holds_alternative<Points>(scene.a.form) && std::holds_alternative<Points>(scene.b.form);
 }
 
 }  // namespace
@@ -209,7 +244,29 @@ std::string short_fraction(const std::string& fraction) {
   return with_true_minus(digits);
 }
 
-gjk::Status exact_answer(const Scene& scene) { return result_of(run_exactly(scene)).status; }
+std::string in_truth(gjk::Status answer) {
+  return answer == gjk::Status::intersecting ? "they intersect" : "they are apart";
+}
+
+TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) {
+  TruthTold told;
+  const auto add = [&](const std::string& sentence) { told.sentence += (told.sentence.empty() ? "" : " ") + sentence; };
+  const auto tell = [&](const std::string& fact) { told.facts.push_back({Fact::Mark::truth, fact}); };
+  if (is_otherwise(truth, shown)) {
+    add(as_sentence(searched(scene)) + ": " + words_for_answer(shown) + ". In truth: " + in_truth(truth.answer.status) +
+        ".");
+    if (truth.answer.nearest.size() > 0 && have_points(scene)) {
+      tell(certificate_told(truth.answer, scene));
+      tell("the certificate is " + differences_told(truth.answer.nearest));
+    }
+    if ((scene.a_as_read || scene.b_as_read) && exact_answer(scene.a, scene.b).status != truth.answer.status)
+      tell("this is the truth about the numbers as read: rounding them to floats has moved the objects");
+  }
+  if (truth.of_decimals) add("The decimals as typed say otherwise: " + in_truth(*truth.of_decimals) + ".");
+  if (truth.exchanged)
+    add("With a and b exchanged the search answers: " + std::string(words_for_answer(*truth.exchanged)) + ".");
+  return told;
+}
 
 std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace) {
   const ExactTrace exact_trace = run_exactly(scene);
@@ -217,13 +274,9 @@ std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const 
   Remark wrong = std::visit(ExactFinding{scene.dimension, trace.events[i]}, exact_trace.events[i]);
   wrong.text = turn.cause;
   wrong.contradicts = true;
+  if (turn.ending.empty()) return {wrong};
   const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;
-  return {wrong,
-          {.at = Remark::At::end,
-           .iteration = last,
-           .text = turn.truth,
-           .fact = truth(result_of(exact_trace), scene),
-           .contradicts = true}};
+  return {wrong, {.at = Remark::At::end, .iteration = last, .text = turn.ending}};
 }
 
 }  // namespace walkthroughs::story

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
@@ -25,14 +26,14 @@ const gjk::Result<double>& result_of(const Trace& trace) {
   return std::get<gjk::Finished<double>>(trace.events.back()).result;
 }
 
-std::string how_search_ended(const gjk::Result<double>& mistaken, const gjk::Result<double>& right) {
-  const bool meet = right.status == gjk::Status::intersecting;
-  const std::string truth = std::string("the objects ") + (meet ? "do intersect" : "do not intersect");
+/// `truth`: of what the right search answers, where nothing is known that says otherwise.
+std::string how_search_ended(const gjk::Result<double>& mistaken, const gjk::Result<double>& right, gjk::Status truth) {
+  const bool meet = truth == gjk::Status::intersecting;
   if (mistaken.status == gjk::Status::undecided)
     return (mistaken.cycle_start ? "It goes round for ever" : "It ends without an answer") +
            std::string(meet ? ", and Algorithm 1 then says no. " : ", which happens to do no harm. ") +
-           as_sentence(truth);
-  if (mistaken.status != right.status) return "A wrong answer: " + truth;
+           as_sentence("in truth " + in_truth(truth));
+  if (mistaken.status != truth) return "A wrong answer: in truth " + in_truth(truth);
   return "The same answer, found " + std::string(mistaken.iterations > right.iterations ? "later" : "sooner") +
          ": that is why such a mistake passes tests";
 }
@@ -48,10 +49,11 @@ std::string how_long_unnoticed(Mistake mistake) {
                                              : words;
 }
 
-std::string how_it_ended(Mistake mistake, const gjk::Result<double>& mistaken, const gjk::Result<double>& right) {
+std::string how_it_ended(Mistake mistake, const gjk::Result<double>& mistaken, const gjk::Result<double>& right,
+                         gjk::Status truth) {
   if (is_none_along_axes(mistake) && mistaken.status == right.status)
     return std::string("The same answer, found sooner, and proven: ") + none_along_axes;
-  return how_search_ended(mistaken, right) + ". " + as_sentence(how_long_unnoticed(mistake));
+  return how_search_ended(mistaken, right, truth) + ". " + as_sentence(how_long_unnoticed(mistake));
 }
 
 std::string both_lines(const WrongLine& line, const Names& names) {
@@ -84,11 +86,13 @@ std::optional<ToldMistake> mistake_told(const Story& story, std::size_t common) 
   if (!mistake || common == mistaken.events.size()) return std::nullopt;
   const Moment parting = replay(right, common + 1);
   const Names names(story.walkthrough.naming, story.tellings[1].hull, parting);
+  const gjk::Status known = story.tellings[0].truth.answer.status;
+  const gjk::Status truth = known == gjk::Status::undecided ? result_of(right).status : known;
   ToldMistake told{.meaning = names.translate(wrong_on_purpose::description_of(*mistake).meaning),
                    .lines = {},
-                   .ending = how_it_ended(*mistake, result_of(mistaken), result_of(right)),
+                   .ending = how_it_ended(*mistake, result_of(mistaken), result_of(right), truth),
                    .is_wrong_there = !is_none_along_axes(*mistake),
-                   .ends_wrongly = result_of(mistaken).status != result_of(right).status};
+                   .ends_wrongly = result_of(mistaken).status != truth};
   if (const WrongLine* const line = line_gone_wrong(*mistake, right, common)) told.lines = both_lines(*line, names);
   return told;
 }

@@ -9,6 +9,7 @@
 
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/moment.hpp"
+#include "walkthroughs/model/truth.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -68,6 +69,7 @@ struct Telling {
   Trace trace;
   LabelledHull hull;  ///< where corners have names
   Panels panels;
+  Truth truth = {};
   std::vector<std::optional<Frame>> said = {};  ///< of each event what caption() says
 };
 

@@ -90,7 +90,7 @@ Naming read_letters(const Value& root) {
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_object(root,
                 {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "zero_test", "scalar", "certified", "panels", "letters", "size", "text_scale"},
+                 "zero_test", "scalar", "certified", "truth", "panels", "letters", "size", "text_scale"},
                 "an object { ... } that holds the scene");
   const auto title = root.member("title");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
@@ -105,6 +105,7 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   const auto zero_test = chosen(root, "zero_test", ZeroTest::exact);
   const bool certified = certified_of(root, a, b);
   Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified};
+  if (const auto truth = root.member("truth")) scene.leaves_truth_out = !true_or_false(*truth);
   if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
     scene = from_center_to_center(std::move(scene));
 
@@ -162,6 +163,7 @@ std::string example_scene() {
   "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
   "certified": false,      // true: the answer is proven, and where doubles cannot do that, found anew by a second
                            // search; of objects that are points, without a pose
+  "truth": true,           // where the search answers otherwise than the truth, the last picture says so; false: it does not
 
   // What is shown beside the search. What is left out is not computed. "close-up" magnifies what is around the origin
   // in all pictures of tests; without it only where marks would cover each other.

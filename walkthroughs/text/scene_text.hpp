@@ -11,6 +11,7 @@
 ///                      of a to that of b: the mean of a point set's points, the sum of the centers of a sum
 ///     zero_test        core/zero_test.hpp
 ///     scalar           "float": numbers are rounded to the nearest float and computed with
+///     truth            false: nothing beside what the search answers is computed or told
 ///     size             without it up to the reader; the text_scale up to the theme
 ///     points           their convex hull
 ///     box              along the axes; "half_extents" may stand in place of "size"

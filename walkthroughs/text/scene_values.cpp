@@ -77,6 +77,8 @@ int whole_number(const Value& value, int low, int high) {
   return low;
 }
 
+bool true_or_false(const Value& value) { return expect(value, Kind::boolean, "true or false") && value.is_true(); }
+
 std::size_t choice(const Value& value, std::span<const std::string_view> words) {
   const std::vector<std::string> known(words.begin(), words.end());
   if (!expect(value, Kind::string, list_of(known, "or"))) return 0;
@@ -105,8 +107,9 @@ void expect_positive_float(const Value& value, double x) {
 }
 
 void fail_wrong_count(const Space& space, const Value& value, std::size_t count) {
-  const std::string hint =
-      !space.is_plane() && count == 2 ? "; if the scene is two-dimensional, add \"dimension\": 2 beside \"a\" and \"b\"" : "";
+  const std::string hint = !space.is_plane() && count == 2
+                               ? "; if the scene is two-dimensional, add \"dimension\": 2 beside \"a\" and \"b\""
+                               : "";
   value.fail("expected " + std::string(space.point_words()) + ", found a list of " + std::to_string(count) +
              " elements" + hint);
 }
@@ -373,7 +376,7 @@ Object read_object(const Value& value, const Space& space) {
 bool certified_of(const Value& declared, const Object& a, const Object& b) {
   const auto value = declared.member("certified");
   if (!value) return false;
-  if (!expect(*value, Kind::boolean, "true or false") || !value->is_true()) return false;
+  if (!true_or_false(*value)) return false;
   for (const auto& [key, object] : {std::pair("a", &a), std::pair("b", &b)}) {
     if (!value->is_good()) break;
     if (!std::holds_alternative<Points>(object->form))

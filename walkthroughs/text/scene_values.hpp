@@ -31,6 +31,7 @@ Value required(const Value& object, std::string_view key, std::string_view what_
 
 double number(const Value& value);
 int whole_number(const Value& value, int low, int high);
+bool true_or_false(const Value& value);
 /// Returns: the position of the word in `words`.
 std::size_t choice(const Value& value, std::span<const std::string_view> words);
 /// Returns: what `declared` says with that key; `otherwise` where there is none.

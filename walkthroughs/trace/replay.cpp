@@ -112,6 +112,11 @@ std::optional<Parting> parting_from_search(const Scene& scene, const std::vector
   return is_point_first ? recorded.wrong() : different;
 }
 
+std::string objection_to_truth(std::string_view line, const Json& expected) {
+  const Json found = Json::parse(line, nullptr, false);
+  return said(&found) == said(&expected) ? "" : "is " + said(&found) + ", but the truth is " + said(&expected);
+}
+
 bool is_last(const gjk::Event<double>& event, const Scene& scene) {
   return event.index() == (scene.certified ? event_index<gjk::Certified> : event_index<gjk::Finished>);
 }

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "walkthroughs/model/scene.hpp"
@@ -28,6 +30,10 @@ std::string objection_to(const gjk::SupportPoint<double>& found, const Object& o
 
 /// Returns: nothing where these events are those of the search.
 std::optional<Parting> parting_from_search(const Scene& scene, const std::vector<gjk::Event<double>>& events);
+
+/// Returns: what speaks against that line behind the events of a scene, which says what is true beside their answer; empty where
+/// nothing does. `expected`: the line, see truth_json().
+std::string objection_to_truth(std::string_view line, const nlohmann::ordered_json& expected);
 
 /// Returns: whether no event follows this one in the search of `scene`.
 bool is_last(const gjk::Event<double>& event, const Scene& scene);

@@ -5,6 +5,7 @@
 
 #include "render/json_text.hpp"
 #include "walkthroughs/model/event_fields.hpp"
+#include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/model/words_of.hpp"
 
@@ -131,13 +132,27 @@ Json json(const gjk::Event<double>& event) {
 
 Json event_json(const gjk::Event<double>& event) { return json(event); }
 
-void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
-  std::vector<Trace> traces;
-  for (const Scene& scene : walkthrough.scenes) traces.push_back(run(scene));
-  out << traces_json(walkthrough, traces);
+Json truth_json(const Scene& scene, const Truth& truth, gjk::Status shown) {
+  if (!says_more(truth, shown)) return nullptr;
+  Json line{{"scene", scene.name}, {"event", "truth"}, {"status", json(truth.answer.status)}};
+  if (truth.answer.nearest.size() > 0) line["nearest"] = json(truth.answer.nearest);
+  if (truth.of_decimals) line["of_decimals"] = json(*truth.of_decimals);
+  if (truth.exchanged) line["exchanged"] = json(*truth.exchanged);
+  return line;
 }
 
-std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces) {
+void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
+  std::vector<Trace> traces;
+  std::vector<Truth> truths;
+  for (const Scene& scene : walkthrough.scenes) {
+    traces.push_back(run(scene));
+    truths.push_back(truth_of(scene, answer_of(traces.back())));
+  }
+  out << traces_json(walkthrough, traces, truths);
+}
+
+std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces,
+                        const std::vector<Truth>& truths) {
   Walkthrough presented = walkthrough;
   presented.remarks = remarks_of(walkthrough, traces);
   Json header{{"schema", "gjkstep-trace"}, {"version", trace_version},        {"walkthrough", walkthrough.name},
@@ -149,6 +164,8 @@ std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>
       line.update(json(event));
       lines += render::json_text(line) + '\n';
     }
+    if (const Json truth = truth_json(walkthrough.scenes[s], truths[s], answer_of(traces[s])); !truth.is_null())
+      lines += render::json_text(truth) + '\n';
   }
   return lines;
 }

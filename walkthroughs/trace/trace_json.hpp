@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "walkthroughs/model/truth.hpp"
 #include "walkthroughs/model/walkthrough.hpp"
 
 namespace walkthroughs::trace {
@@ -25,13 +26,18 @@ inline constexpr int trace_version = 3, oldest_trace_version = 2;
 /// Returns: one event as in a trace, but for its scene; keys in their order.
 nlohmann::ordered_json event_json(const gjk::Event<double>& event);
 
+/// Returns: the line behind the events of a scene that says what is true beside their answer; null where there is nothing to
+/// say.
+nlohmann::ordered_json truth_json(const Scene& scene, const Truth& truth, gjk::Status shown);
+
 /// Returns: the JSON Schema (draft 2020-12) of one line of a trace.
 std::string trace_schema();
 
 /// Runs the scenes of `walkthrough`, of which there must be one, and writes their traces.
 void write_traces(std::ostream& out, const Walkthrough& walkthrough);
 
-/// Returns: the same, of scenes that have been run. Requires: a trace for each scene.
-std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces);
+/// Returns: the same, of scenes that have been run. Requires: for each scene a trace, and the truth beside it.
+std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces,
+                        const std::vector<Truth>& truths);
 
 }  // namespace walkthroughs::trace

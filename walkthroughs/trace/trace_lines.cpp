@@ -110,10 +110,7 @@ void read(const Value& value, const How&, gjk::Expression& expression) {
   expression = *named;
 }
 
-void read(const Value& value, const How&, bool& is_true) {
-  expect(value, Kind::boolean, "true or false");
-  is_true = value.is_true();
-}
+void read(const Value& value, const How&, bool& is_true) { is_true = true_or_false(value); }
 
 template <class E>
 requires std::is_enum_v<E>
@@ -301,12 +298,29 @@ void require_usual_search(const Value& mistake, const Scene& scene) {
                  ", the crossing test on, the exact zero test and in double, and this scene says otherwise");
 }
 
+/// Objects as read are there where rounding them to float makes those of the scene, and others.
+void require_rounded(const Value& value, const Scene& scene) {
+  const auto require = [&](const char* key, const std::optional<Object>& as_read, const Object& object) {
+    if (!as_read) return;
+    Scene rounded = scene;
+    rounded.a = *as_read;
+    rounded.a_as_read.reset();
+    if (scene.scalar != Scalar::binary32)
+      member(value, key).fail("belongs to a scene whose 'scalar' is 'float'");
+    else if (rounded = in_float(std::move(rounded)); !is_same(rounded.a, object) || !rounded.a_as_read)
+      member(value, key).fail("is not what was rounded to the scene's object. " + trace_advice);
+  };
+  require("a_as_read", scene.a_as_read, scene.a);
+  require("b_as_read", scene.b_as_read, scene.b);
+}
+
 void read(const Value& value, const How&, Scene& scene) {
   expect(value, Kind::object, "an object that describes a scene");
   const Space space{.dimension = dimension_of(value), .numbers = numbers_of(chosen(value, "scalar", Scalar::binary64))};
   read<Scene>(value, {.space = &space}, scene);
   certified_of(value, scene.a, scene.b);
   if (!value.is_good()) return;
+  require_rounded(value, scene);
   scene = in_its_scalar(std::move(scene));
   if (scene.mistake) require_usual_search(member(value, "mistake"), scene);
 }
@@ -359,8 +373,8 @@ std::string read_name(const Value& value) {
   return value.text();
 }
 
-/// Whether this is a trace, and one that this program knows: before anything else can look wrong about it.
-void require_known_version(const Value& root) {
+/// Returns: its version, if this is a trace, and one that this program knows: before anything else can look wrong about it.
+int known_version(const Value& root) {
   const auto schema = root.is(Kind::object) ? root.member("schema") : std::nullopt;
   if (!schema || !schema->is(Kind::string) || schema->text() != "gjkstep-trace")
     root.fail("is not the first line of a trace: it has no \"schema\": \"gjkstep-trace\". " + trace_advice);
@@ -369,6 +383,7 @@ void require_known_version(const Value& root) {
   if (version.number() != trace_version && version.number() != oldest_trace_version)
     version.fail("version " + number_text(version.number()) + " is not known. This program reads versions " +
                  std::to_string(oldest_trace_version) + " and " + std::to_string(trace_version) + ". " + trace_advice);
+  return version.number() == oldest_trace_version ? oldest_trace_version : trace_version;
 }
 
 // -- Events -----------------------------------------------------------------------------------------------------------
@@ -395,8 +410,8 @@ gjk::Event<double> read_event(const Value& line) {
   return read_one_of(std::type_identity<gjk::Event<double>>{});
 }
 
-Walkthrough read_header(const Value& root) {
-  require_known_version(root);
+Walkthrough read_header(const Value& root, int& version) {
+  version = known_version(root);
   expect_object(root, {"schema", "version", "walkthrough", "scalar", "presentation", "scenes"}, "an object");
   constexpr std::array<std::string_view, 1> scalars{"double"};
   choice(member(root, "scalar"), scalars);

@@ -7,8 +7,8 @@
 namespace walkthroughs::trace {
 
 /// Reads the first line: what the rest is, and the scenes in full. Returns: the walkthrough, its remarks among the rest;
-/// nothing in it computes.
-Walkthrough read_header(const Value& root);
+/// nothing in it computes. `version`: is set to that of the trace.
+Walkthrough read_header(const Value& root, int& version);
 
 /// Reads a line after the first, field by field as event_fields.hpp lists them. Returns: its event; the line says its scene
 /// besides. Requires: an object.

@@ -200,6 +200,22 @@ Json event() {
   return line;
 }
 
+Json truth() {
+  const Json status = schema(Holds<gjk::Status>{}, Meaning::plain);
+  return described(
+      "What is true beside the answer of a scene; behind its events, where that is more than they say. 'status' is "
+      "proven of the objects as read, by 'nearest': index pairs of points whose differences are the feature nearest to "
+      "the origin, or hold it. 'of_decimals' is the answer about the decimals as typed, 'exchanged' that of the search "
+      "with a and b exchanged, where these are others.",
+      object({{"scene", {{"type", "string"}}},
+              {"event", {{"const", "truth"}}},
+              {"status", status},
+              {"nearest", reference("index_pairs")},
+              {"of_decimals", status},
+              {"exchanged", status}},
+             {"scene", "event", "status"}));
+}
+
 Json definitions() {
   const Json number{{"anyOf", {{{"type", "number"}}, one_of(std::array{"inf", "-inf", "nan"})}}};
   Json object_of_scene = reference("shape");
@@ -222,7 +238,8 @@ Json definitions() {
       {"pose", described("The object is turned about the origin, then moved.", record<Pose>())},
       {"object", described("A shape with a name and perhaps a pose.", object_of_scene)},
       {"scene", record<Scene>()},
-      {"header", described("The first line.", header())}};
+      {"header", described("The first line.", header())},
+      {"truth", truth()}};
   const auto add_events = [&]<class... Events>(std::type_identity<std::variant<Events...>>) {
     ((defs[std::string(FieldsOf<Events>::event)] = event<Events>()), ...);
   };
@@ -235,6 +252,7 @@ Json definitions() {
 std::string trace_schema() {
   Json lines = Json::array({reference("header")});
   for (const std::string_view name : event_names) lines.push_back(reference(std::string(name)));
+  lines.push_back(reference("truth"));
   const Json whole{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "One line of a trace of gjkstep, version " + std::to_string(trace_version)},

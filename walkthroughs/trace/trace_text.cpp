@@ -1,11 +1,15 @@
 #include "walkthroughs/trace/trace_text.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
+#include "walkthroughs/model/moment.hpp"
+#include "walkthroughs/model/truth.hpp"
 #include "walkthroughs/text/printable.hpp"
 #include "walkthroughs/trace/replay.hpp"
+#include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_lines.hpp"
 
 namespace walkthroughs::trace {
@@ -21,6 +25,9 @@ Complaint about(std::size_t line, std::string reason) { return {static_cast<int>
 struct Lines {
   std::string_view rest;
   std::size_t taken = 0;
+
+  /// Returns: the next one.
+  std::string_view next_text() const { return rest.substr(0, rest.find('\n')); }
 
   /// Takes one and reads it. Returns: what is wrong with it. One without line break behind it may be all that is left of one.
   template <class Read>
@@ -75,7 +82,8 @@ std::optional<Complaint> read_lines(Lines lines, TraceFile& file) {
     return about(lines.taken + 1, "the trace is cut off: " + missing + " is missing. " + trace_advice);
   };
   if (lines.rest.empty()) return cut_off("its first line");
-  if (auto wrong = lines.next([&](const Value& line) { file.walkthrough = read_header(line); })) return wrong;
+  int version = trace_version;
+  if (auto wrong = lines.next([&](const Value& line) { file.walkthrough = read_header(line, version); })) return wrong;
   for (const Scene& scene : file.walkthrough.scenes) {
     const std::size_t before = lines.taken;
     Events& events = file.traces.emplace_back().events;
@@ -87,6 +95,19 @@ std::optional<Complaint> read_lines(Lines lines, TraceFile& file) {
       return about(before + parting->event + 1, parting->what + ". The trace contradicts itself. " + trace_advice);
     if (wrong) return wrong;
     if (parting) return cut_off(parting->what + " of the scene " + in_quotes(scene.name));
+    if (version == oldest_trace_version) continue;  // says nothing of the truth
+    const gjk::Status shown = answer_of(file.traces.back());
+    const nlohmann::ordered_json truth = truth_json(scene, truth_of(scene, shown), shown);
+    if (truth.is_null()) continue;
+    if (lines.rest.empty()) return cut_off("'truth' of the scene " + in_quotes(scene.name));
+    const std::string_view text = lines.next_text();
+    wrong = lines.next([&](const Value& line) {
+      expect(line, Kind::object, "an object that says the truth");
+      if (!line.is_good()) return;
+      if (const std::string objection = objection_to_truth(text, truth); !objection.empty())
+        line.fail(objection + ". " + trace_advice);
+    });
+    if (wrong) return wrong;
   }
   const auto refuse = [](const Value& line) {
     expect(line, Kind::object, "an object that holds one event");
