@@ -2,7 +2,7 @@
 // input: exact arithmetic, which is asked for comparison, starts from the floats of the scene.
 
 #include "walkthroughs/catalogue/catalogue.hpp"
-#include "walkthroughs/story/exact.hpp"
+#include "walkthroughs/story/rounding.hpp"
 
 namespace walkthroughs::catalogue {
 namespace {

@@ -95,10 +95,10 @@ Walkthrough eager_between_centers() {
 std::vector<Walkthrough> other_rules() {
   return {endless(cycling_apart("cycle-separated"), "Apart, and the search goes round in a circle",
                   "a pair that does not intersect, on which the search never ends by itself",
-                  "these objects do not intersect, which it would never find out"),
+                  "without a limit Algorithm 1 would not end"),
           endless(cycling_together("cycle-intersecting"), "Together, and the search goes round in a circle",
                   "a pair that does intersect, which the report's limit would answer with \"no collision\"",
-                  "at its limit Algorithm 1 answers \"no collision\", but these objects do intersect"),
+                  "at its limit Algorithm 1 answers \"no collision\""),
           by_complete_rules(cycling_apart("complete/cycle-separated"), "Every region of A asked: the circle is broken",
                             "the pair of cycle-separated, by rules that keep the feature nearest to the origin"),
           by_complete_rules(cycling_together("complete/cycle-intersecting"),

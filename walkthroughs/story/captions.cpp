@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "walkthroughs/story/decision.hpp"
+#include "walkthroughs/story/rounding.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs::story {
@@ -88,7 +89,8 @@ class Captions {
     const bool is_first = event.iteration == 1, is_missed = event.verdict == Crossing::not_crossed;
     const std::string stops = name + " stops short of the origin along d",
                       level = name + " lies level with the origin along d",
-                      nothing = " (Eq. 9). Nothing of the difference reaches farther";
+                      nothing =
+                          " (Eq. 9)" + std::string(is_farthest() ? ". Nothing of the difference reaches farther" : "");
     if (is_missed && is_first)
       return frame(" < 0", stops + nothing, Mark::no, "the difference ends before the origin (Eq. 9)");
     if (is_missed && *event.value == 0)
@@ -111,6 +113,15 @@ class Captions {
       const Mark mark = remark.contradicts ? Mark::truth : Mark::none;
       frame.facts.insert(frame.facts.begin() + 1, {mark, in_letters(remark.fact)});
     }
+  }
+
+  /// Says so where the number of a frame decides otherwise than exact arithmetic, unless a remark says why.
+  void add_exact(Frame& frame, const gjk::Event<double>& event) const {
+    const std::optional<std::string> exactly = exact_otherwise(event, now_, scene_, names_);
+    if (!exactly) return;
+    frame.facts.insert(frame.facts.begin() + 1, {Mark::truth, "in exact arithmetic: " + *exactly});
+    const auto says_why = [&](const Remark& remark) { return remark.contradicts && is_about(remark, event); };
+    if (std::ranges::none_of(story_.remarks, says_why)) append_to(frame, "in exact arithmetic it is otherwise");
   }
 
   /// Corners keep their names, so there is nothing to tell; roles move on.
@@ -232,9 +243,10 @@ class Captions {
   std::string why_told(const gjk::SimplexReduced<double>& event) const {
     using enum gjk::ReductionReason;
     const gjk::Roles newest_first = {event.kept[event.kept.size() - 1], event.kept[0]};
-    const std::string edge = " edge " + names_.sorted(newest_first);
-    if (event.why == beyond_edge) return "the origin lies beyond" + edge;
-    if (event.why == nearest_on_edge) return "the point nearest to the origin lies on" + edge;
+    const std::string edge = " edge " + names_.sorted(newest_first),
+                      by_number = is_decided_otherwise() ? "by the rounded number, " : "";
+    if (event.why == beyond_edge) return by_number + "the origin lies beyond" + edge;
+    if (event.why == nearest_on_edge) return by_number + "the point nearest to the origin lies on" + edge;
     return names_.translate(gjk::to_string(event.why));
   }
 
@@ -364,7 +376,24 @@ class Captions {
   std::string concluded(const gjk::Result<double>& result) const {
     const bool is_mistaken = scene_.mistake || scene_.rules == RuleSet::as_printed;
     if (is_wrong(result)) return is_mistaken ? "the search concludes, wrongly, that " : "the search concludes that ";
-    return in_float() ? "the search concludes that " : "";
+    return in_float() || is_decided_otherwise() ? "the search concludes that " : "";
+  }
+
+  bool is_otherwise_exactly(const gjk::Event<double>& event) const {
+    return exact_otherwise(event, now_, scene_, names_).has_value();
+  }
+  /// Whether a region of this iteration was decided otherwise than exact arithmetic decides it.
+  bool is_decided_otherwise() const {
+    return std::ranges::any_of(now_.regions, [&](const auto& region) { return is_otherwise_exactly(region); });
+  }
+  /// Whether no point is known to reach farther along d than the one that was found.
+  bool is_farthest() const {
+    const auto is_wrong_here = [&](const gjk::Event<double>& event) {
+      const auto* found = std::get_if<gjk::SupportFound<double>>(&event);
+      return found && found->iteration == now_.iteration && is_otherwise_exactly(event);
+    };
+    return std::ranges::none_of(telling_.trace.events, is_wrong_here) &&
+           !is_otherwise(telling_.truth, answer_of(telling_.trace));
   }
 
   std::string answer_caption(const gjk::Result<double>& result) const {
@@ -509,7 +538,9 @@ std::optional<Frame> caption(const gjk::Event<double>& event, const Story& story
                              const Moment& now) {
   const Captions captions(story, telling, now);
   std::optional<Frame> frame = std::visit(captions, event);
-  if (frame) captions.add_remarks(*frame, event);
+  if (!frame) return frame;
+  captions.add_remarks(*frame, event);
+  captions.add_exact(*frame, event);
   return frame;
 }
 

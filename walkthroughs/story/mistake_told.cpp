@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/pseudocode.hpp"
+#include "walkthroughs/story/truth_told.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs::story {

@@ -9,8 +9,8 @@
 #include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/captions.hpp"
-#include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
+#include "walkthroughs/story/truth_told.hpp"
 
 namespace walkthroughs::story {
 namespace {

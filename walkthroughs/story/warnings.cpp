@@ -5,7 +5,7 @@
 
 #include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/model/truth.hpp"
-#include "walkthroughs/story/exact.hpp"
+#include "walkthroughs/story/truth_told.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs::story {

@@ -1,0 +1,167 @@
+#include "walkthroughs/story/rounding.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "walkthroughs/story/exact.hpp"
+
+namespace walkthroughs::story {
+namespace {
+
+using gjk::Expression;
+using gjk::Fraction;
+using gjk::NamedVector;
+
+int sign_of(double x) { return (x > 0) - (x < 0); }
+int sign_of(const Fraction& x) { return x.sign(); }
+
+bool is_zero(const ExactVector& v) { return v.x() == 0 && v.y() == 0 && v.z() == 0; }
+
+ExactVector exact_difference(const Vertex& vertex) { return exact(vertex.a.point) - exact(vertex.b.point); }
+
+ExactVector cross(const ExactVector& u, const ExactVector& v) {
+  return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(), u.x() * v.y() - u.y() * v.x()};
+}
+
+// -- Expressions ------------------------------------------------------------------------------------------------------
+
+/// Computes what expressions say of the simplex that is processed.
+class Exactly {
+ public:
+  /// `normal_of_edge`: how the normal of an edge is made, where there is one.
+  explicit Exactly(const Simplex& simplex, const Expression& normal_of_edge = {})
+      : simplex_(simplex), normal_of_edge_(normal_of_edge) {}
+
+  ExactVector vector(const NamedVector& named) const {
+    switch (named.kind) {
+      case NamedVector::Kind::to_origin: return -at(gjk::Role::A);
+      case NamedVector::Kind::edge: return from_to(named.of[0], named.of[1]);
+      case NamedVector::Kind::normal: break;
+    }
+    if (named.of.size() == 3) return cross(from_to(named.of[0], named.of[1]), from_to(named.of[0], named.of[2]));
+    return cross(vector(normal_of_edge_.X), vector(normal_of_edge_.Y));
+  }
+  /// Requires: the form of a vector.
+  ExactVector vector(const Expression& expression) const {
+    const ExactVector X = vector(expression.X);
+    if (expression.form == Expression::Form::negative) return -X;
+    return expression.form == Expression::Form::triple ? cross(cross(X, vector(expression.Y)), X) : X;
+  }
+  Fraction dot(const Expression& expression) const { return vector(expression.X).dot(vector(expression.Y)); }
+
+ private:
+  ExactVector at(gjk::Role role) const { return exact_difference(simplex_[role]); }
+  ExactVector from_to(gjk::Role P, gjk::Role Q) const { return at(Q) - at(P); }
+
+  const Simplex& simplex_;
+  const Expression normal_of_edge_;
+};
+
+// -- Farthest points --------------------------------------------------------------------------------------------------
+
+/// Returns: how far the farthest point reaches along d, and which it is. Only those are compared exactly that could be it.
+const Point& farthest(const Points& points, const Point& d) {
+  double most = points[0].dot(d), size = 0;
+  for (const Point& p : points) {
+    most = std::max(most, p.dot(d));
+    size = std::max(size, p.cwiseAbs().dot(d.cwiseAbs()));
+  }
+  constexpr double more_than_roundings = 1e-14;
+  const double enough = most - more_than_roundings * size;
+  const Point* farthest = nullptr;
+  for (const Point& p : points)
+    if (!(p.dot(d) < enough) && (!farthest || exact(p).dot(exact(d)) > exact(*farthest).dot(exact(d)))) farthest = &p;
+  return *farthest;
+}
+
+/// Returns: the points of a set that its pose does not move; null of others.
+const Points* points_at_rest(const Object& object) {
+  return moves(object.pose) ? nullptr : std::get_if<Points>(&object.form);
+}
+
+// -- Events -----------------------------------------------------------------------------------------------------------
+
+struct ExactFinding {
+  const Moment& now;
+  const Scene& scene;
+  const Names& names;
+  using Finding = std::optional<std::string>;
+
+  Finding operator()(const gjk::SupportFound<double>& e) const {
+    const Points *a = points_at_rest(scene.a), *b = points_at_rest(scene.b);
+    if (!a || !b || !gjk::is_usable_direction(e.direction)) return std::nullopt;
+    const ExactVector d = exact(e.direction), taken = exact_difference(e.vertex),
+                      right = exact(farthest(*a, e.direction)) - exact(farthest(*b, -e.direction));
+    if (!(right.dot(d) > taken.dot(d))) return std::nullopt;
+    return names.of(e.vertex.w) + "·d = " + number(Fraction(taken.dot(d))) + ", but " + vector(right, scene.dimension) +
+           "·d = " + number(Fraction(right.dot(d)));
+  }
+  Finding operator()(const gjk::CrossingTested<double>& e) const {
+    if (!e.value) return std::nullopt;
+    const Fraction reach = exact_difference(*now.found).dot(exact(now.direction->value));
+    if (sign_of(reach) == sign_of(*e.value)) return std::nullopt;
+    return names.of(now.found->w) + "·d = " + number(reach);
+  }
+  Finding operator()(const gjk::RegionTested<double>& e) const {
+    const Exactly exactly(now.processed, e.formula);
+    if (const double* value = std::get_if<double>(&e.value)) {
+      const Fraction right = exactly.dot(e.expression);
+      return sign_of(right) == sign_of(*value) ? std::nullopt : told(e.expression, number(right));
+    }
+    if (const Point* value = std::get_if<Point>(&e.value)) {
+      const ExactVector right = exactly.vector(e.expression);
+      return is_zero(right) == value->isZero(0) ? std::nullopt : told(e.expression, vector(right, scene.dimension));
+    }
+    return std::nullopt;
+  }
+  Finding operator()(const gjk::DirectionChosen<double>& e) const {
+    const ExactVector right = Exactly(now.processed).vector(e.expression);
+    const bool leads_there = gjk::is_usable_direction(e.direction) && right.dot(exact(e.direction)) > 0;
+    return leads_there ? std::nullopt : told(e.expression, vector(right, scene.dimension));
+  }
+  Finding operator()(const auto&) const { return std::nullopt; }
+
+ private:
+  Finding told(const Expression& expression, const std::string& value) const {
+    return names.translate(expression) + " = " + value;
+  }
+};
+
+/// Returns: the remark's place; its text is the cause.
+struct PlacedRemark {
+  Remark remark;
+
+  void operator()(const gjk::SupportFound<double>&) { remark.at = Remark::At::support_found; }
+  void operator()(const gjk::CrossingTested<double>&) { remark.at = Remark::At::crossing_tested; }
+  void operator()(const gjk::DirectionChosen<double>&) { remark.at = Remark::At::direction_chosen; }
+  void operator()(const gjk::RegionTested<double>& e) {
+    remark.at = Remark::At::region_tested;
+    remark.only_for = (e.face.empty() ? "" : to_string(e.face) + " ") + to_string(e.feature);
+  }
+  void operator()(const auto&) {}
+};
+
+}  // namespace
+
+std::optional<std::string> exact_otherwise(const gjk::Event<double>& event, const Moment& now, const Scene& scene,
+                                           const Names& names) {
+  if (scene.mistake || now.in_exact_fallback || scene.leaves_truth_out) return std::nullopt;
+  return std::visit(ExactFinding{now, scene, names}, event);
+}
+
+std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace) {
+  const LabelledHull no_hull;
+  Moment now;
+  for (const gjk::Event<double>& event : trace.events) {
+    advance(now, event);
+    if (!exact_otherwise(event, now, scene, Names(Naming::roles, no_hull, now))) continue;
+    PlacedRemark wrong{{.at = {}, .iteration = now.iteration, .text = turn.cause, .contradicts = true}};
+    std::visit(wrong, event);
+    if (turn.ending.empty()) return {wrong.remark};
+    const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;
+    return {wrong.remark, {.at = Remark::At::end, .iteration = last, .text = turn.ending}};
+  }
+  throw std::logic_error("exact arithmetic decides as this search does");
+}
+
+}  // namespace walkthroughs::story

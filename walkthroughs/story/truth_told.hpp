@@ -1,0 +1,23 @@
+/// What is true of a scene, told beside what its search answers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "walkthroughs/story/story.hpp"
+
+namespace walkthroughs::story {
+
+/// Returns: "they intersect" or "they are apart". Requires: an answer.
+std::string in_truth(gjk::Status answer);
+
+/// What there is to tell of a scene beside what its search answers. The sentence is empty where there is nothing.
+struct TruthTold {
+  std::string sentence;  ///< "In doubles: apart. In truth: they intersect."
+  std::vector<Fact> facts;
+};
+
+/// Requires: that the search of `scene` has answered `shown`.
+TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown);
+
+}  // namespace walkthroughs::story
