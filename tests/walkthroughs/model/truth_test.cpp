@@ -1,0 +1,112 @@
+// What is true of a scene, beside what its search answers.
+
+#include "walkthroughs/model/truth.hpp"
+
+#include "tests/kit/catch.hpp"
+#include "tests/walkthroughs/truth_about.hpp"
+#include "walkthroughs/model/moment.hpp"
+
+using namespace walkthroughs::program;
+using namespace walkthroughs::test;
+using gjk::Status;
+
+namespace {
+
+Scene plane_scene(const std::vector<Point>& a, const std::vector<Point>& b) {
+  return walkthrough_of(a, {}, b).scenes[0];
+}
+
+Status shown(const Scene& scene) { return answer_of(run(scene)); }
+
+Truth truth(const Scene& scene) { return truth_of(scene, shown(scene)); }
+
+/// Two segments that share an end; as doubles, too.
+Scene shared_end() { return plane_scene({{0, 0.5, 0}, {0.3, 0.2, 0}}, {{0.3, 0.8, 0}, {0, 0.5, 0}}); }
+
+/// In decimals the point lies on the segment. In doubles it does not.
+Scene near_segment() { return plane_scene({{0, 0, 0}, {-2, -3, 0}}, {{-0.2, -0.3, 0}}); }
+
+}  // namespace
+
+TEST_CASE("Two segments that share an end are found apart, and touch in truth, by a certificate") {
+  const Scene scene = shared_end();
+  REQUIRE(shown(scene) == Status::separated);
+  const Truth known = truth(scene);
+  CHECK(known.answer.status == Status::intersecting);
+  REQUIRE(known.answer.nearest.size() == 1);
+  CHECK(known.answer.nearest[0] == gjk::IndexPair{0, 1});
+  CHECK(is_otherwise(known, Status::separated));
+  CHECK_FALSE(is_otherwise(known, Status::intersecting));
+  CHECK(says_more(known, Status::separated));
+}
+
+TEST_CASE("Decimals as typed may answer otherwise than their doubles") {
+  const Scene scene = near_segment();
+  const Truth known = truth(scene);
+  CHECK(known.answer.status == truth_about(scene));
+  CHECK(known.answer.status == Status::separated);
+  CHECK(known.of_decimals == Status::intersecting);
+  Scene of_whole_numbers = plane_scene({{0, 0, 0}, {-20, -30, 0}}, {{-2, -3, 0}});
+  CHECK_FALSE(truth(of_whole_numbers).of_decimals);
+  // What has a factor of ten to spare, or needs one, is the same number.
+  for (const double power : {1e-12, 1e-3, 1e6}) {
+    Scene scaled = plane_scene({{0, 0, 0}, {-2 * power, -3 * power, 0}}, {{-power, -power, 0}});
+    CHECK_FALSE(truth(scaled).of_decimals);
+  }
+  // Of as many digits no power of ten makes doubles that are whole.
+  const Scene of_many_digits = plane_scene({{0, 0, 0}, {1.0 / 3, 1e-12, 0}}, {{0.1, 0.1, 0}});
+  CHECK_FALSE(truth(of_many_digits).of_decimals);
+}
+
+TEST_CASE("What the search answers with a and b exchanged is known where it is another") {
+  const Truth known = truth(shared_end());
+  CHECK(known.exchanged == Status::intersecting);
+  CHECK_FALSE(truth(walkthrough("figure-4-left").scenes[0]).exchanged);
+  Scene proven = shared_end();
+  proven.certified = true;
+  CHECK_FALSE(says_more(truth(proven), Status::intersecting));
+  for (const Walkthrough* w : find_walkthroughs("mistakes"))
+    for (const Scene& scene : w->scenes)
+      if (scene.mistake) CHECK_FALSE(truth(scene).exchanged);
+}
+
+TEST_CASE("Between the centers a search is the same with a and b exchanged, and is not run again") {
+  Scene scene = shared_end();
+  scene.rules = RuleSet::eager;
+  scene = from_center_to_center(scene);
+  std::swap(scene.a, scene.b);
+  CHECK(shown(from_center_to_center(scene)) == shown(scene));
+  scene.a.support_calls = 0;
+  truth_of(scene, Status::separated);
+  CHECK(scene.a.support_calls == 0);
+}
+
+TEST_CASE("The truth of a scene in float is that of the numbers as read") {
+  // 0.1 is above its float, so that the point is outside of the triangle as read, and on its edge in floats.
+  const Scene scene = in_float(plane_scene({{0, 0, 0}, {0.1, 0, 0}, {0, 1, 0}}, {{0.10000000149011612, 0, 0}}));
+  REQUIRE(scene.a_as_read);
+  CHECK_FALSE(scene.b_as_read);
+  CHECK(truth_about(scene) == Status::intersecting);
+  CHECK(truth_about(*scene.a_as_read, scene.b) == Status::separated);
+  CHECK(truth(scene).answer.status == Status::separated);
+  CHECK(is_same(*in_float(scene).a_as_read, *scene.a_as_read));
+}
+
+TEST_CASE("Of a scene that leaves the truth out nothing is computed beside its search") {
+  Scene scene = shared_end();
+  const Status answer = shown(scene);
+  scene.leaves_truth_out = true;
+  scene.a.support_calls = 0;
+  CHECK_FALSE(says_more(truth_of(scene, answer), answer));
+  CHECK(scene.a.support_calls == 0);
+}
+
+TEST_CASE("The truth about the catalogue's sets of points is that of linear equations") {
+  for (const Walkthrough& w : whole_catalogue())
+    for (const Scene& scene : w.scenes) {
+      const std::size_t pairs = vertices_of(a_as_read(scene)).size() * vertices_of(b_as_read(scene)).size();
+      if (pairs == 0 || pairs > 12) continue;
+      INFO(w.name << ", " << scene.name);
+      CHECK(truth(scene).answer.status == truth_about(a_as_read(scene), b_as_read(scene)));
+    }
+}
