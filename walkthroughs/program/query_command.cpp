@@ -184,7 +184,9 @@ Command add_query_command(CLI::App& app) {
   command->option_defaults()->always_capture_default();  // which help shows
   command->add_option("--scalar", query->scalar, "compute in float, double, long-double or exact fractions");
   command->add_option("--rules", query->rules, words_and_meanings(gjk::rule_sets));
-  command->add_option("--zero-test", query->zero_test, words_and_meanings(gjk::zero_tests));
+  command->add_option("--zero-test", query->zero_test,
+                      words_and_meanings(gjk::zero_tests) +
+                          "; relative makes together of what is barely apart (of 175 pairs from public projects 9)");
   expect_number(
       command->add_option("--max-iterations", query->max_iterations, "so many at most; then the answer is undecided"),
       1, scene_limits::iterations);

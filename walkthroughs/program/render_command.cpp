@@ -304,8 +304,8 @@ class Rendering {
   static void note_truth(const Story& story) {
     for (const Telling& telling : story.tellings)
       if (const TruthTold told = truth_told(telling.truth, telling.scene, answer_of(telling.trace));
-          !told.sentence.empty() && !telling.scene.mistake)
-        note(story.walkthrough.name + ": " + told.sentence);
+          !told.note.empty() && !telling.scene.mistake)
+        note(story.walkthrough.name + ": " + told.note);
   }
 
   /// What an earlier run has left beside the frames, and this one does not make.

@@ -8,6 +8,7 @@
 
 #include "walkthroughs/story/decision.hpp"
 #include "walkthroughs/story/rounding.hpp"
+#include "walkthroughs/story/truth_told.hpp"
 #include "walkthroughs/story/words.hpp"
 
 namespace walkthroughs::story {
@@ -66,7 +67,8 @@ class Captions {
       caption = found + ", which was found before, in iteration " +
                 std::to_string(iteration_that_found(event.vertex.w)) +
                 (is_vertex(event.vertex.w) ? "" : ", and dropped since");
-    const bool is_retold_exactly = scene_.scalar == Scalar::binary64;  // the doubles here are not the search's floats
+    const bool is_retold_exactly =  // the doubles here are not the search's floats
+        scene_.scalar == Scalar::binary64 && !is_otherwise_exactly(event);
     Frame frame = frame_about(
         Focus::support, caption,
         {{Mark::none, "d = " + vec(event.direction) + (is_retold_exactly ? "; " + farthest_two(event) : "")},
@@ -102,6 +104,15 @@ class Captions {
       return frame(as_zero(*event.value), level + ". The search goes on", Mark::none, "this proves nothing");
     return frame(" > 0", "along d, " + name + " lies past the origin. The search goes on", Mark::yes,
                  is_first ? "this proves nothing" : "the origin was crossed");  // no move led to the first
+  }
+
+  /// Joins to the last frame what is true beside the answer, behind that. How a mistake ends is told in words of its own.
+  void add_truth(Frame& frame, const gjk::Event<double>& event) const {
+    if (scene_.mistake || &event != &telling_.trace.events.back()) return;
+    const TruthTold told = truth_told(telling_.truth, scene_, answer_of(telling_.trace));
+    append_to(frame, told.sentence);
+    if (!told.sentence.empty()) frame.headline = frame.caption;
+    frame.facts.insert(frame.facts.begin() + 1, told.facts.begin(), told.facts.end());
   }
 
   /// Joins to a frame what the walkthrough has to say about its event.
@@ -375,8 +386,12 @@ class Captions {
   /// What stands before an answer that may be wrong. Where it is, not by rounding, that is said at once.
   std::string concluded(const gjk::Result<double>& result) const {
     const bool is_mistaken = scene_.mistake || scene_.rules == RuleSet::as_printed;
-    if (is_wrong(result)) return is_mistaken ? "the search concludes, wrongly, that " : "the search concludes that ";
-    return in_float() || is_decided_otherwise() ? "the search concludes that " : "";
+    if (is_wrong(result))
+      return is_mistaken  ? "the search concludes, wrongly, that "
+             : in_float() ? "in floats the search concludes that "
+                          : "in doubles the search concludes that ";
+    const bool is_unproven = result.status == gjk::Status::intersecting && !holds_origin_exactly(result.simplex);
+    return in_float() || is_unproven ? "the search concludes that " : "";
   }
 
   bool is_otherwise_exactly(const gjk::Event<double>& event) const {
@@ -539,6 +554,7 @@ std::optional<Frame> caption(const gjk::Event<double>& event, const Story& story
   const Captions captions(story, telling, now);
   std::optional<Frame> frame = std::visit(captions, event);
   if (!frame) return frame;
+  captions.add_truth(*frame, event);
   captions.add_remarks(*frame, event);
   captions.add_exact(*frame, event);
   return frame;

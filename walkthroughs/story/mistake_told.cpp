@@ -44,7 +44,7 @@ std::string how_long_unnoticed(Mistake mistake) {
   if (is_none_along_axes(mistake)) return none_along_axes;
   const auto thrown = pairs_to_notice(mistake, TestPairs::triangles),
              touching = pairs_to_notice(mistake, TestPairs::grid_triangles);
-  const std::string words = "a test needs " + thrown.text() + " random pairs of triangles to find it";
+  const std::string words = "it takes " + thrown.text() + " random pairs of triangles to find it";
   return thrown.is_more && !touching.is_more ? words + ", but " + touching.text() + " on a grid, where they touch"
                                              : words;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
+#include "core/certified/check.hpp"
 #include "walkthroughs/story/exact.hpp"
 
 namespace walkthroughs::story {
@@ -66,8 +68,8 @@ const Point& farthest(const Points& points, const Point& d) {
     most = std::max(most, p.dot(d));
     size = std::max(size, p.cwiseAbs().dot(d.cwiseAbs()));
   }
-  constexpr double more_than_roundings = 1e-14;
-  const double enough = most - more_than_roundings * size;
+  constexpr double more_than_roundings = 1e-14, more_than_underflow = 1e-300;
+  const double enough = most - (more_than_roundings * size + more_than_underflow);
   const Point* farthest = nullptr;
   for (const Point& p : points)
     if (!(p.dot(d) < enough) && (!farthest || exact(p).dot(exact(d)) > exact(*farthest).dot(exact(d)))) farthest = &p;
@@ -147,6 +149,17 @@ std::optional<std::string> exact_otherwise(const gjk::Event<double>& event, cons
                                            const Names& names) {
   if (scene.mistake || now.in_exact_fallback || scene.leaves_truth_out) return std::nullopt;
   return std::visit(ExactFinding{now, scene, names}, event);
+}
+
+bool holds_origin_exactly(const Simplex& simplex) {
+  std::vector<ExactVector> differences;
+  gjk::CommonSimplex all;
+  for (const Vertex& vertex : simplex) {
+    all.of.add({static_cast<int>(differences.size()), 0});
+    differences.push_back(exact_difference(vertex));
+  }
+  using Set = gjk::PointSet<Fraction>;
+  return !differences.empty() && gjk::holds(all, Set(std::move(differences)), Set({ExactVector::Zero()}));
 }
 
 std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace) {

@@ -19,6 +19,9 @@ namespace walkthroughs::story {
 std::optional<std::string> exact_otherwise(const gjk::Event<double>& event, const Moment& now, const Scene& scene,
                                            const Names& names);
 
+/// Returns: whether the hull of these points of the difference holds the origin, in fractions; false of dependent points, too.
+bool holds_origin_exactly(const Simplex& simplex);
+
 /// What rounding does to a search, in words; the numbers are found.
 struct WrongTurn {
   std::string cause;        ///< why the first wrong decision is made: a clause

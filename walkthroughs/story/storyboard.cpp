@@ -10,7 +10,6 @@
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
-#include "walkthroughs/story/truth_told.hpp"
 
 namespace walkthroughs::story {
 namespace {
@@ -255,25 +254,6 @@ void tell_until_they_part(Story& story) {
   }
 }
 
-// -- The truth --------------------------------------------------------------------------------------------------------
-
-/// On the last frame: of one search in its caption, of two below it. How a mistake ends is told there already, and close-ups
-/// do not come to an answer.
-void tell_truth(Story& story) {
-  if (story.walkthrough.layout == Layout::close_ups) return;
-  for (const Telling& telling : story.tellings) {
-    if (telling.scene.mistake) continue;
-    const TruthTold told = truth_told(telling.truth, telling.scene, answer_of(telling.trace));
-    if (told.sentence.empty()) continue;
-    Frame& last = story.frames.back();
-    if (story.tellings.size() == 1)
-      last.caption += " " + told.sentence;
-    else
-      last.facts.push_back({Fact::Mark::truth, telling.scene.name + ": " + told.sentence, {}, {}, &telling.scene});
-    last.facts.insert(last.facts.end(), told.facts.begin(), told.facts.end());
-  }
-}
-
 // -- Diagrams ---------------------------------------------------------------------------------------------------------
 
 void tell_diagrams(Story& story) {
@@ -369,7 +349,6 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
     case Layout::until_they_part: tell_until_they_part(story); break;
     case Layout::diagrams: tell_diagrams(story); break;
   }
-  tell_truth(story);
   set_first_events(story.frames);
   if (detail == Detail::iteration) keep_only(story, last_of_each_iteration(story.frames));
   return story;

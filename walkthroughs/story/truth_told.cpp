@@ -76,11 +76,16 @@ std::string in_truth(gjk::Status answer) {
 
 TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) {
   TruthTold told;
-  const auto add = [&](const std::string& sentence) { told.sentence += (told.sentence.empty() ? "" : " ") + sentence; };
   const auto tell = [&](const std::string& fact) { told.facts.push_back({Fact::Mark::truth, fact}); };
+  const auto note = [&](const std::string& sentence) { told.note += (told.note.empty() ? "" : " ") + sentence; };
+  const auto tell_and_note = [&](const std::string& clause) {
+    tell(clause);
+    note(as_sentence(clause) + ".");
+  };
   if (is_otherwise(truth, shown)) {
-    if (shown != gjk::Status::undecided) add(as_sentence(searched(scene)) + ": " + words_for_answer(shown) + ".");
-    add("In truth: " + in_truth(truth.answer.status) + ".");
+    const std::string in_truth_they = in_truth(truth.answer.status);
+    told.sentence = "in truth " + in_truth_they;
+    note(as_sentence(searched(scene)) + ": " + words_for_answer(shown) + ". In truth: " + in_truth_they + ".");
     if (truth.answer.nearest.size() > 0 && have_points(scene)) {
       tell(certificate_told(truth.answer, scene));
       tell("the certificate is " + differences_told(truth.answer.nearest));
@@ -88,9 +93,9 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
     if ((scene.a_as_read || scene.b_as_read) && exact_answer(scene.a, scene.b).status != truth.answer.status)
       tell("this is the truth about the numbers as read: rounding them to floats has moved the objects");
   }
-  if (truth.of_decimals) add("The decimals as typed say otherwise: " + in_truth(*truth.of_decimals) + ".");
+  if (truth.of_decimals) tell_and_note("the decimals as typed say otherwise: " + in_truth(*truth.of_decimals));
   if (truth.exchanged)
-    add("With a and b exchanged the search answers: " + std::string(words_for_answer(*truth.exchanged)) + ".");
+    tell_and_note("with a and b exchanged the search answers: " + std::string(words_for_answer(*truth.exchanged)));
   return told;
 }
 

@@ -11,10 +11,11 @@ namespace walkthroughs::story {
 /// Returns: "they intersect" or "they are apart". Requires: an answer.
 std::string in_truth(gjk::Status answer);
 
-/// What there is to tell of a scene beside what its search answers. The sentence is empty where there is nothing.
+/// What there is to tell of a scene beside what its search answers. All of it is empty where there is nothing.
 struct TruthTold {
-  std::string sentence;  ///< "In doubles: apart. In truth: they intersect."
-  std::vector<Fact> facts;
+  std::string sentence;     ///< "in truth they intersect"; empty where that is what the search answers
+  std::vector<Fact> facts;  ///< why, and what else is to tell
+  std::string note;         ///< without a picture: "In doubles: apart. In truth: they intersect."
 };
 
 /// Requires: that the search of `scene` has answered `shown`.

@@ -48,7 +48,7 @@ std::vector<std::string> warnings_about(const Scene& scene) {
   if (is_near_contact(scene.a, scene.b, scene.scalar))
     warnings.push_back("the objects are in contact within the rounding of " +
                        std::string(in_float ? "floats" : "doubles") + ": a search may answer either way");
-  warnings.push_back(truth_told(truth_of(scene, shown), scene, shown).sentence);
+  warnings.push_back(truth_told(truth_of(scene, shown), scene, shown).note);
   std::erase(warnings, "");
   return warnings;
 }

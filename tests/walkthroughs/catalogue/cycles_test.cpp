@@ -71,6 +71,8 @@ TEST_CASE("The last frame tells how often a search goes round, as the study has 
   CHECK(kit::has(bytes_of(kit::source("tests/study/results") / "errors.md"), "| triangles | 4e-6 ("));
   for (const std::string& name : cycles) {
     const std::vector<Fact> facts = tell(walkthrough(name)).frames.back().facts;
-    CHECK(kit::has(facts.at(1).text, "Of a million random pairs of triangles 4 go round"));
+    CHECK(std::ranges::any_of(facts, [](const Fact& fact) {
+      return kit::has(fact.text, "Of a million random pairs of triangles 4 go round");
+    }));
   }
 }

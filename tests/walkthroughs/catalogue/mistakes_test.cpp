@@ -110,7 +110,7 @@ TEST_CASE("Each mistake parts from the report's search where it says and ends as
     // How many pairs notice it is told, as it was measured.
     const Mistake mistake = *w.scenes[0].mistake;
     const PairsToNotice thrown = pairs_to_notice(mistake, TestPairs::triangles);
-    const bool is_told = has(story.frames.back().caption, "test needs " + thrown.text() + " random pairs of triangles");
+    const bool is_told = has(story.frames.back().caption, "It takes " + thrown.text() + " random pairs of triangles");
     CHECK(is_told == !is_none_along_axes(mistake));
   }
 }

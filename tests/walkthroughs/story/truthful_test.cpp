@@ -141,7 +141,7 @@ ExactVecs exact_differences(const Simplex& simplex) {
 
 bool is_hedged(const Frame& frame) {
   const auto is_truth = [](const Fact& fact) { return fact.mark == Fact::Mark::truth; };
-  return std::ranges::any_of(frame.facts, is_truth) || has(frame.caption, "The search concludes");
+  return std::ranges::any_of(frame.facts, is_truth) || has(frame.caption, "search concludes");
 }
 
 /// Returns: what is false in a frame, and not hedged; empty where nothing is.
@@ -171,12 +171,12 @@ std::string falsehood_at_end(const Story& story) {
   const Scene& scene = telling.scene;
   const Status shown = answer_of(telling.trace), truth = truth_about(a_as_read(scene), b_as_read(scene));
   const bool says_truth = has(
-      last.caption, std::string("In truth: ") + (truth == Status::intersecting ? "they intersect" : "they are apart"));
+      last.caption, std::string("In truth ") + (truth == Status::intersecting ? "they intersect" : "they are apart"));
   if (shown != truth && !says_truth) return "no truth";
   if (shown == truth && has(last.caption, "In truth")) return "truth where all is right";
   if (shown != truth && !is_hedged(last)) return "not hedged";
   const gjk::Simplex<double>& simplex = all<gjk::Finished>(telling.trace).at(0).result.simplex;
-  if (shown == Status::intersecting && !has(last.caption, "The search concludes") &&
+  if (shown == Status::intersecting && !has(last.caption, "search concludes") &&
       !gjk::test::contain_origin(exact_differences(simplex)))
     return "place of the origin";
   return "";

@@ -9,6 +9,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 #include "tests/kit/places.hpp"
+#include "tests/kit/text.hpp"
 #include "tests/walkthroughs/trace/traces.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/alternative_text.hpp"
@@ -351,6 +352,49 @@ TEST_CASE("A point of an object that the search found cannot be changed", "[trac
   const std::size_t found = lines[2].at("a").at("index");
   lines[0]["scenes"][0]["a"]["points"][found][0] = 4.0;
   CHECK(complaint_about_trace(text_of(lines)).starts_with("bad.jsonl:3: 'a' is not where the point of index"));
+}
+
+TEST_CASE("What a trace says of the truth cannot be changed, left out or added", "[trace-file]") {
+  const std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("failures/coplanar-askew")));
+  REQUIRE(lines.back().at("event") == "truth");
+  const auto complaint_about_last = [&](const auto& change) {
+    std::vector<OrderedJson> changed = lines;
+    change(changed);
+    return complaint_about_trace(text_of(changed));
+  };
+  using Lines = std::vector<OrderedJson>;
+  CHECK(kit::has(complaint_about_last([](Lines& all) { all.back()["status"] = "separated"; }), "but the truth is {"));
+  CHECK(kit::has(complaint_about_last([](Lines& all) { all.back()["nearest"][0][1] = 2; }), "but the truth is {"));
+  CHECK(kit::has(complaint_about_last([](Lines& all) { all.back().erase("exchanged"); }), "but the truth is {"));
+  CHECK(kit::has(complaint_about_last([](Lines& all) { all.back() = 3; }), "an object that says the truth"));
+  CHECK(kit::has(complaint_about_last([](Lines& all) { all.pop_back(); }),
+                 "'truth' of the scene 'coplanar-askew' is missing"));
+  CHECK(kit::has(complaint_about_last([](Lines& all) { all.push_back(all.back()); }), "nothing may follow"));
+  CHECK(kit::has(complaint_about_last([](Lines& all) { all[0]["scenes"][0]["truth"] = "left-out"; }),
+                 "nothing may follow"));
+  CHECK(complaint_about_last([](Lines& all) {
+          all[0]["scenes"][0]["truth"] = "left-out";
+          all.pop_back();
+        }) == "read");
+  CHECK(complaint_about_last([](Lines& all) {  // which knew nothing of it
+          all[0]["version"] = 2;
+          all.pop_back();
+        }) == "read");
+}
+
+TEST_CASE("Objects as read are those that were rounded to the scene's", "[trace-file]") {
+  const std::vector<OrderedJson> lines = json_lines(trace_text(walkthrough("failures/vanished-product")));
+  const auto complaint = [&](const char* key, const OrderedJson& value) {
+    std::vector<OrderedJson> changed = lines;
+    changed[0]["scenes"][0][key] = value;
+    return complaint_about_trace(text_of(changed));
+  };
+  const OrderedJson& scene = lines[0].at("scenes").at(0);
+  OrderedJson other = scene.at("a_as_read");
+  other["points"][0][0] = 1e-13;
+  CHECK(kit::has(complaint("a_as_read", other), "is not what was rounded to the scene's object"));
+  CHECK(kit::has(complaint("b_as_read", scene.at("b")), "is not what was rounded to the scene's object"));
+  CHECK(kit::has(complaint("scalar", "double"), "belongs to a scene whose 'scalar' is 'float'"));
 }
 
 TEST_CASE("A file that is larger than a trace may be is refused", "[trace-file]") {
