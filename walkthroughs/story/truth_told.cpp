@@ -85,7 +85,9 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
   if (is_otherwise(truth, shown)) {
     const std::string in_truth_they = in_truth(truth.answer.status);
     told.sentence = "in truth " + in_truth_they;
-    note(as_sentence(searched(scene)) + ": " + words_for_answer(shown) + ". In truth: " + in_truth_they + ".");
+    note((shown == gjk::Status::undecided ? "No answer"
+                                          : as_sentence(searched(scene)) + ": " + words_for_answer(shown)) +
+         ". In truth: " + in_truth_they + ".");
     if (truth.answer.nearest.size() > 0 && have_points(scene)) {
       tell(certificate_told(truth.answer, scene));
       tell("the certificate is " + differences_told(truth.answer.nearest));
