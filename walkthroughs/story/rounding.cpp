@@ -94,9 +94,11 @@ struct ExactFinding {
     if (!a || !b || !gjk::is_usable_direction(e.direction)) return std::nullopt;
     const ExactVector d = exact(e.direction), taken = exact_difference(e.vertex),
                       right = exact(farthest(*a, e.direction)) - exact(farthest(*b, -e.direction));
-    if (!(right.dot(d) > taken.dot(d))) return std::nullopt;
-    return names.of(e.vertex.w) + "·d = " + number(Fraction(taken.dot(d))) + ", but " + vector(right, scene.dimension) +
-           "·d = " + number(Fraction(right.dot(d)));
+    const Fraction reach = taken.dot(d), farther = right.dot(d) - reach;
+    if (!(farther > 0)) return std::nullopt;
+    const std::string found = names.of(e.vertex.w) + "·d = " + number(reach),
+                      largest = number(Fraction(reach + farther)), other = vector(right, scene.dimension) + "·d";
+    return found + ", but " + other + (number(reach) != largest ? " = " + largest : " is larger by " + number(farther));
   }
   Finding operator()(const gjk::CrossingTested<double>& e) const {
     if (!e.value) return std::nullopt;
