@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -104,30 +105,29 @@ inline Fraction least_along(const Fractions& v, const Grown& grown, int sign) {
 
 }  // namespace detail
 
-/// Returns: the weights of the points of `nearest`, exactly, whose sum is 1: those of the point v of their line, plane
-/// or space that is nearest to the origin. None where these are no such points.
-inline std::optional<detail::Fractions> nearest_weights_of(const IndexPairs& nearest, const Grown& a, const Grown& b) {
-  const auto points = detail::core_points(nearest, a, b);
-  return points ? detail::nearest_weights(*points) : std::nullopt;
-}
+/// The point v of the line, plane or space through the points of `nearest` that is nearest to the origin, exactly. It is
+/// the sum of these points times their weights, whose sum is 1.
+struct NearestPoint {
+  detail::Fractions v, weights;
+};
 
-/// Returns: v, exactly. If the answer holds, it is the point of the difference of the cores nearest to the origin.
-inline std::optional<detail::Fractions> nearest_point_of(const IndexPairs& nearest, const Grown& a, const Grown& b) {
+/// Returns: nothing where these are no points of the difference of the cores, or depend on each other.
+inline std::optional<NearestPoint> nearest_point_of(const IndexPairs& nearest, const Grown& a, const Grown& b) {
   const auto points = detail::core_points(nearest, a, b);
-  const auto weights = points ? detail::nearest_weights(*points) : std::nullopt;
+  auto weights = points ? detail::nearest_weights(*points) : std::nullopt;
   if (!weights) return std::nullopt;
   detail::Fractions v(3);
   for (std::size_t k = 0; k < points->size(); ++k)
     for (std::size_t i = 0; i < 3; ++i) v[i] += (*weights)[k] * (*points)[k][i];
-  return v;
+  return NearestPoint{std::move(v), std::move(*weights)};
 }
 
 /// Returns: whether these points prove the answer. No weight is below 0, so v is in the difference. No w·v is below
 /// v·v, so v is nearest to the origin. And |v|² tells the answer.
 inline bool holds(const GrownResult& result, const Grown& a, const Grown& b) {
-  const auto weights = nearest_weights_of(result.nearest, a, b);
-  if (!weights || std::ranges::any_of(*weights, [](const Fraction& t) { return t < 0; })) return false;
-  const detail::Fractions v = *nearest_point_of(result.nearest, a, b);
+  const auto nearest = nearest_point_of(result.nearest, a, b);
+  if (!nearest || std::ranges::any_of(nearest->weights, [](const Fraction& t) { return t < 0; })) return false;
+  const detail::Fractions& v = nearest->v;
   const Fraction square = detail::dot(v, v), reach = Fraction(a.radius()) + Fraction(b.radius());
   if (detail::least_along(v, a, +1) + detail::least_along(v, b, -1) < square) return false;
   return result.status == (square <= reach * reach ? Status::intersecting : Status::separated);

@@ -132,7 +132,7 @@ class MovedSet {
   /// Returns: that point times the divisor.
   Triple<Dyadic> exactly(std::size_t i) const {
     const Vec3<double>& p = given_.points[i];
-    return motion_ ? (*motion_)(p) : Triple<Dyadic>{p.x(), p.y(), p.z()};
+    return motion_ ? moved_[i] : Triple<Dyadic>{p.x(), p.y(), p.z()};
   }
   /// Returns: an exponent that none of these goes below.
   int least_exponent() const {
@@ -171,8 +171,8 @@ class MovedSet {
 
   PointSet<double> moved() {
     motion_.emplace(given_.motion);
-    std::vector<Triple<Dyadic>> exact;
-    for (std::size_t i = 0; i < given_.points.size(); ++i) exact.push_back(exactly(i));
+    moved_.reserve(given_.points.size());
+    for (const Vec3<double>& p : given_.points) moved_.push_back((*motion_)(p));
     const auto unit_of = [](const std::vector<Triple<Dyadic>>& points) {
       std::optional<int> unit;
       for (const auto& [x, y, z] : points)
@@ -181,10 +181,10 @@ class MovedSet {
       return unit.value_or(0);
     };
     // The divisor d and what it divides are off by 2u each, and the quotient by another u.
-    const int of_divisor = exponent_of(motion_->divisor()), of_points = unit_of(exact);
+    const int of_divisor = exponent_of(motion_->divisor()), of_points = unit_of(moved_);
     const double divisor = gjk::detail::near(motion_->divisor(), of_divisor).value;
     unit_ = of_points - of_divisor;
-    auto point = exact.begin();
+    auto point = moved_.begin();
     return all([&](const Vec3<double>&, int i) -> Bounded {
       const Triple<Dyadic>& p = i < 2 ? *point : *point++;
       const Bounded times_divisor = gjk::detail::near(i == 0 ? p.x : i == 1 ? p.y : p.z, of_points);
@@ -210,7 +210,8 @@ class MovedSet {
   }
 
   MovedPoints given_;
-  std::optional<ExactMotion> motion_;  // none where it is at rest
+  std::optional<ExactMotion> motion_;   // none where it is at rest
+  std::vector<Triple<Dyadic>> moved_;  // by the motion, times the divisor
   int unit_ = 0;
   Vec3<double> error_ = Vec3<double>::Zero();
   PointSet<double> near_;
