@@ -31,7 +31,8 @@ inline Fractions turned(const Quaternion& q, const Fractions& p) {
 inline Fractions turned(const Matrix3& M, const Fractions& p) {
   Fractions turned(3);
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) turned[static_cast<std::size_t>(i)] += Fraction(M(i, j)) * p[static_cast<std::size_t>(j)];
+    for (int j = 0; j < 3; ++j)
+      turned[static_cast<std::size_t>(i)] += Fraction(M(i, j)) * p[static_cast<std::size_t>(j)];
   return turned;
 }
 
@@ -103,6 +104,12 @@ inline Fraction least_along(const Fractions& v, const Grown& grown, int sign) {
   return sum;
 }
 
+inline Fraction sum_of_radii(const Grown& grown) {
+  Fraction sum = 0;
+  for (const double radius : grown.radii()) sum += Fraction(radius);
+  return sum;
+}
+
 }  // namespace detail
 
 /// The point v of the line, plane or space through the points of `nearest` that is nearest to the origin, exactly. It is
@@ -128,7 +135,7 @@ inline bool holds(const GrownResult& result, const Grown& a, const Grown& b) {
   const auto nearest = nearest_point_of(result.nearest, a, b);
   if (!nearest || std::ranges::any_of(nearest->weights, [](const Fraction& t) { return t < 0; })) return false;
   const detail::Fractions& v = nearest->v;
-  const Fraction square = detail::dot(v, v), reach = Fraction(a.radius()) + Fraction(b.radius());
+  const Fraction square = detail::dot(v, v), reach = detail::sum_of_radii(a) + detail::sum_of_radii(b);
   if (detail::least_along(v, a, +1) + detail::least_along(v, b, -1) < square) return false;
   return result.status == (square <= reach * reach ? Status::intersecting : Status::separated);
 }

@@ -90,13 +90,13 @@ inline Status certified_status(const AxialCylinder& a, const AxialCylinder& b) {
   using detail::Dyadic;
   if (a.axis() != b.axis()) throw std::invalid_argument("the cylinders are not parallel");
   const Dyadic of_a = a.center().divisor(), of_b = b.center().divisor(), both = of_a * of_b;
-  const auto p = detail::seen_along(a.axis(), a.center().exactly(0)), q = detail::seen_along(a.axis(), b.center().exactly(0));
+  const auto p = detail::seen_along(a.axis(), a.center().exactly(0)),
+             q = detail::seen_along(a.axis(), b.center().exactly(0));
   std::array<Dyadic, 3> way;
   for (std::size_t i = 0; i < 3; ++i) way[i] = of_b * p[i] - of_a * q[i];
   const Dyadic reach = both * (Dyadic(a.radius()) + b.radius()), heights = both * (Dyadic(a.height()) + b.height());
   const bool intervals_meet = detail::is_at_most(Dyadic(4) * detail::square(way[2]), detail::square(heights));
-  const bool discs_meet =
-      detail::is_at_most(detail::square(way[0]) + detail::square(way[1]), detail::square(reach));
+  const bool discs_meet = detail::is_at_most(detail::square(way[0]) + detail::square(way[1]), detail::square(reach));
   return intervals_meet && discs_meet ? Status::intersecting : Status::separated;
 }
 
@@ -121,8 +121,10 @@ inline std::optional<Status> certified_status(const AxialCylinder& a, const Grow
   Dyadic beyond = sign_of(above) > 0 ? above : sign_of(below) > 0 ? below : Dyadic();
   const Dyadic across = Dyadic(4) * (detail::square((*low)[0]) + detail::square((*low)[1]));
   const Dyadic twice = Dyadic(2) * both;
-  return detail::is_within_reach(across, beyond, twice * a.radius(), twice * b.radius()) ? Status::intersecting
-                                                                                         : Status::separated;
+  Dyadic reach;
+  for (const double radius : b.radii()) reach = reach + radius;
+  return detail::is_within_reach(across, beyond, twice * a.radius(), twice * reach) ? Status::intersecting
+                                                                                    : Status::separated;
 }
 
 }  // namespace gjk

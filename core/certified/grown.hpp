@@ -34,12 +34,6 @@
 
 namespace gjk {
 
-/// The rotation p ↦ q p q⁻¹. Its length does not matter, but is not zero.
-struct Quaternion {
-  double w = 1, x = 0, y = 0, z = 0;
-  friend bool operator==(const Quaternion&, const Quaternion&) = default;
-};
-
 using Matrix3 = Eigen::Matrix<double, 3, 3>;
 
 /// p ↦ M p + t, not rounded. M is that matrix as it stands, be it a rotation or not, or that of the quaternion.
@@ -70,7 +64,7 @@ class ExactMotion {
 
   Triple<Dyadic> operator()(const Vec3<double>& point) const {
     const Triple<Dyadic> p = dyadic(point);
-    const auto &[x, y, z] = translation_;
+    const auto& [x, y, z] = translation_;
     return {dot(rows_[0], p) + x, dot(rows_[1], p) + y, dot(rows_[2], p) + z};
   }
   const Dyadic& divisor() const { return divisor_; }
@@ -146,8 +140,8 @@ class MovedSet {
  private:
   static MovedPoints checked(MovedPoints given) {
     const auto is_finite = [](const Vec3<double>& p) { return p.allFinite(); };
-    bool good = !given.points.empty() && std::ranges::all_of(given.points, is_finite) &&
-                is_finite(given.motion.translation);
+    bool good =
+        !given.points.empty() && std::ranges::all_of(given.points, is_finite) && is_finite(given.motion.translation);
     if (const auto* q = std::get_if<Quaternion>(&given.motion.turn))
       good = good && std::isfinite(q->w) && is_finite({q->x, q->y, q->z}) && *q != Quaternion{0, 0, 0, 0};
     else
@@ -210,7 +204,7 @@ class MovedSet {
   }
 
   MovedPoints given_;
-  std::optional<ExactMotion> motion_;   // none where it is at rest
+  std::optional<ExactMotion> motion_;  // none where it is at rest
   std::vector<Triple<Dyadic>> moved_;  // by the motion, times the divisor
   int unit_ = 0;
   Vec3<double> error_ = Vec3<double>::Zero();
@@ -221,7 +215,7 @@ class MovedSet {
 
 // -- The shape -------------------------------------------------------------------------------------------------------
 
-/// The Minkowski sum of sets of moved points and of a ball around the origin.
+/// The Minkowski sum of sets of moved points and of balls around the origin.
 ///
 /// Its points have numbers: those of each set in their order, the last set fastest. No list of them is ever made.
 class Grown {
@@ -231,9 +225,13 @@ class Grown {
   /// `radius`: of the ball; no motion changes it.
   /// Errors: std::invalid_argument where there is no set, or one without points, or more than `most_points` sums, or
   /// numbers are not finite, or the quaternion is zero, or the radius negative.
-  explicit Grown(std::vector<MovedPoints> summands, double radius = 0) : radius_(radius) {
-    if (!(radius >= 0 && std::isfinite(radius)))
-      throw std::invalid_argument("a grown set needs a finite radius that is not negative");
+  explicit Grown(std::vector<MovedPoints> summands, double radius = 0)
+      : Grown(std::move(summands), std::vector<double>{radius}) {}
+  /// Of several balls, whose sum is not rounded.
+  Grown(std::vector<MovedPoints> summands, std::vector<double> radii) : radii_(std::move(radii)) {
+    for (const double radius : radii_)
+      if (!(radius >= 0 && std::isfinite(radius)))
+        throw std::invalid_argument("a grown set needs a finite radius that is not negative");
     std::int64_t points = 1;
     sets_.reserve(summands.size());
     for (MovedPoints& each : summands) {
@@ -250,7 +248,7 @@ class Grown {
   explicit Grown(const Sphere<S>& ball) : Grown(at_rest<S>({ball.center()}), static_cast<double>(ball.radius())) {}
 
   const std::vector<detail::MovedSet>& sets() const { return sets_; }
-  double radius() const { return radius_; }
+  const std::vector<double>& radii() const { return radii_; }
 
  private:
   template <class S>
@@ -262,7 +260,7 @@ class Grown {
   }
 
   std::vector<detail::MovedSet> sets_;
-  double radius_;
+  std::vector<double> radii_;
 };
 
 struct GrownResult {
@@ -299,7 +297,8 @@ class GrownDifference {
     const auto make_room = [&unit](int other) { unit = std::max(unit.value_or(other), other); };
     for (const Grown* grown : {&a, &b}) {
       for (const MovedSet& set : grown->sets()) make_room(set.unit());
-      if (grown->radius() != 0) make_room(std::ilogb(grown->radius()));
+      for (const double radius : grown->radii())
+        if (radius != 0) make_room(std::ilogb(radius));
     }
     unit_ = *unit;
     terms_.reserve(of_a_ + b.sets().size());
@@ -342,10 +341,14 @@ class GrownDifference {
   N reach() const {
     if constexpr (std::same_as<N, Bounded>) {
       const PowerOfTwo scaled(-unit_);
-      return scaled(a_.radius()) + scaled(b_.radius());
+      Bounded sum;
+      for_each_radius([&](double radius) { sum = sum + scaled(radius); });
+      return sum;
     } else {
       const int least = least_exponent();
-      return (divisor_ * (Dyadic(a_.radius()) + Dyadic(b_.radius()))).over_power(least);
+      Dyadic sum;
+      for_each_radius([&](double radius) { sum = sum + radius; });
+      return (divisor_ * sum).over_power(least);
     }
   }
   /// Nobody is told.
@@ -384,6 +387,11 @@ class GrownDifference {
     return found;
   }
 
+  template <class Use>
+  void for_each_radius(const Use& use) const {
+    for (const Grown* grown : {&a_, &b_}) std::for_each(grown->radii().begin(), grown->radii().end(), use);
+  }
+
   /// The whole numbers are known from here on.
   int least_exponent() const {
     if (least_exponent_) return *least_exponent_;
@@ -405,8 +413,9 @@ class GrownDifference {
         if (!own || *quaternion(*set) != *own) term.times = term.times * set->divisor();
       make_room(term.times, term.set->least_exponent());
     }
-    for (const double radius : {a_.radius(), b_.radius()})
+    for_each_radius([&](double radius) {
       if (radius != 0) make_room(divisor_, BinaryFraction(radius).e);
+    });
     least_exponent_ = least;
     return least;
   }

@@ -1,7 +1,5 @@
 /// C10: certified_collision() of grown sets, against distances in fractions and against what is true by construction.
 /// Every certificate is multiplied out.
-#include "core/certified/grown.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +10,7 @@
 #include <vector>
 
 #include "core/certified/check_grown.hpp"
-
+#include "core/certified/grown.hpp"
 #include "tests/core/certified_support.hpp"
 #include "tests/core/oracle.hpp"
 #include "tests/core/support.hpp"
@@ -150,7 +148,8 @@ struct WholeMotion {
 /// A turn by quarters about coordinate axes, as a matrix or a quaternion.
 Matrix3 quarter_turn(Dice& dice) {
   std::array<int, 3> axes{0, 1, 2};
-  for (int i = 2; i > 0; --i) std::swap(axes[static_cast<std::size_t>(i)], axes[static_cast<std::size_t>(dice.between(0, i))]);
+  for (int i = 2; i > 0; --i)
+    std::swap(axes[static_cast<std::size_t>(i)], axes[static_cast<std::size_t>(dice.between(0, i))]);
   Matrix3 turn = Matrix3::Zero();
   for (int i = 0; i < 3; ++i) turn(i, axes[static_cast<std::size_t>(i)]) = dice.coin() ? 1 : -1;
   if (turn.determinant() < 0) turn.row(0) *= -1;
@@ -189,7 +188,8 @@ std::vector<MovedPoints> whole_sets(Dice& dice, const Motion& motion, double uni
   for (MovedPoints& set : sets) {
     const int range = dice.between(0, 3);
     for (int more = dice.between(1, 5); more > 0; --more)
-      set.points.push_back(unit * 5 * V(dice.between(-range, range), dice.between(-range, range), dice.between(-range, range)));
+      set.points.push_back(unit * 5 *
+                           V(dice.between(-range, range), dice.between(-range, range), dice.between(-range, range)));
     set.motion.turn = motion.turn;
   }
   sets[0].motion.translation = motion.translation;
@@ -259,7 +259,8 @@ GrownPair clustered(Dice& dice, int exponent) {
       const V around = dice.coin() ? V(V::Zero()) : V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), 1);
       const double spread = std::ldexp(1.0, -dice.between(0, 1) * dice.between(20, 52));
       for (int more = dice.between(1, 4); more > 0; --more)
-        set.points.push_back(unit * (around + spread * V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0))));
+        set.points.push_back(
+            unit * (around + spread * V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0))));
       set.motion = motion;
     }
     return sets;
@@ -267,7 +268,8 @@ GrownPair clustered(Dice& dice, int exponent) {
   GrownPair pair{"clustered", sets(), sets(), 0, 0};
   if (dice.coin()) {  // the second is the first, or moved by some roundings
     pair.b = pair.a;
-    pair.b[0].motion.translation = unit * std::ldexp(1.0, -dice.between(45, 60)) * V(dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2));
+    pair.b[0].motion.translation = unit * std::ldexp(1.0, -dice.between(45, 60)) *
+                                   V(dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2));
   }
   if (dice.coin()) pair.r = unit * dice.between(0.0, 0.5);
   if (dice.coin() && dice.coin()) pair.s = pair.r;
@@ -277,7 +279,8 @@ GrownPair clustered(Dice& dice, int exponent) {
 GrownPair any_pair(Dice& dice) {
   // One in sixty of 1e±150, of denormal numbers, or near the largest: these are slow to check in fractions.
   constexpr std::array extremes{500, -500, -1000, -1060, 1000};
-  const int exponent = dice.between(0, 59) == 0 ? extremes[static_cast<std::size_t>(dice.between(0, 4))] : dice.between(-7, 3);
+  const int exponent =
+      dice.between(0, 59) == 0 ? extremes[static_cast<std::size_t>(dice.between(0, 4))] : dice.between(-7, 3);
   return dice.between(0, 4) == 0 ? clustered(dice, exponent) : touching(dice, exponent);
 }
 
@@ -399,7 +402,8 @@ TEST_CASE("The points of a sum have numbers, the last set fastest", "[certified]
 
 TEST_CASE("Capsules, rounded boxes and points in one place meet where they touch", "[certified]") {
   const Grown capsule({{{{0, 0, 0}, {0, 0, 2}}}}, 1), short_one({{{{3, 1, 0}, {3, 1, 0}}}}, 1);
-  const Grown floor(PointSet<double>({{-40, -9, -40}, {40, -9, 40}, {-40, 0, -40}, {-40, 0, 40}, {40, 0, -40}, {40, 0, 40}}));
+  const Grown floor(
+      PointSet<double>({{-40, -9, -40}, {40, -9, 40}, {-40, 0, -40}, {-40, 0, 40}, {40, 0, -40}, {40, 0, 40}}));
   const Grown rounded({{unit_box}}, 0.125);
   const auto wall = [](double x) { return Grown(PointSet<double>({{x, -5, -5}, {x, 5, -5}, {x, 5, 5}, {x, -5, 5}})); };
   REQUIRE(proven(short_one, floor).status == together);
@@ -431,7 +435,8 @@ TEST_CASE("A certificate that proves nothing does not hold", "[certified]") {
   GrownResult other = good;
   other.status = good.status == apart ? together : apart;
   REQUIRE_FALSE(holds(other, a, b));
-  for (const IndexPairs& wrong : {pairs({}), pairs({{0, 0}}), pairs({{8, 0}}), pairs({{-1, 0}}), pairs({{1, 0}, {1, 0}})}) {
+  for (const IndexPairs& wrong :
+       {pairs({}), pairs({{0, 0}}), pairs({{8, 0}}), pairs({{-1, 0}}), pairs({{1, 0}, {1, 0}})}) {
     other = good;
     other.nearest = wrong;
     REQUIRE_FALSE(holds(other, a, b));

@@ -1,7 +1,9 @@
 #include "walkthroughs/model/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "walkthroughs/model/number_text.hpp"
@@ -16,6 +18,33 @@ bool is_at_rest(const Pose& pose) {
 
 bool moves(const Pose& pose) {
   return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
+}
+
+double distance_from_rotation(const Eigen::Matrix3d& matrix) {
+  const Eigen::Matrix3d product = matrix.transpose() * matrix;
+  if (!(matrix.determinant() > 0)) return std::numeric_limits<double>::infinity();
+  return (product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+}
+
+namespace {
+
+/// Returns: the quaternion times a power of two, so that its square neither overflows nor vanishes.
+gjk::Quaternion near_one(const gjk::Quaternion& q) {
+  const int exponent = std::ilogb(std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
+  const auto scaled = [exponent](double x) { return std::scalbn(x, -exponent); };
+  return {scaled(q.w), scaled(q.x), scaled(q.y), scaled(q.z)};
+}
+
+}  // namespace
+
+Eigen::Matrix3d matrix_of(const gjk::Quaternion& quaternion) {
+  const auto [w, x, y, z] = near_one(quaternion);
+  const double square = w * w + x * x + y * y + z * z;
+  Eigen::Matrix3d matrix;
+  matrix << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+      2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),        //
+      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
+  return matrix / square;
 }
 
 std::vector<Point> vertices_of(const Object& object) {
@@ -70,13 +99,17 @@ struct NearestFloats {
   double length(double x) const { return x == 0 ? 0 : positive_float(x); }
 };
 
+}  // namespace
+
 void round_to_float(Object& object) {
   object.form = converted<double>(object.form, NearestFloats{});
   for (double& x : object.pose.rotation.reshaped()) x = nearest_float(x);
   object.pose.translation = nearest_float(object.pose.translation);
+  if (!object.pose.quaternion) return;
+  gjk::Quaternion& q = *object.pose.quaternion;
+  q = near_one(q);
+  for (double* x : {&q.w, &q.x, &q.y, &q.z}) *x = nearest_float(*x);
 }
-
-}  // namespace
 
 Scene in_float(Scene scene) {
   scene.scalar = Scalar::binary32;

@@ -2,9 +2,9 @@
 #include <string>
 #include <variant>
 
-#include "core/certified/grown.hpp"
 #include "core/certified/certified.hpp"
 #include "core/certified/check.hpp"
+#include "core/certified/grown.hpp"
 #include "core/certified/shapes.hpp"
 #include "tests/study/methods/methods_of_scalar.hpp"
 
