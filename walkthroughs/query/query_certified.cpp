@@ -13,9 +13,8 @@ namespace {
 /// Returns: the points of an object that nothing moves.
 template <class S>
 std::optional<gjk::PointSet<S>> points_of(const Object& object) {
-  const auto* points = moves(object.pose) ? nullptr : std::get_if<Points>(&object.form);
-  if (!points) return std::nullopt;
-  return gjk::PointSet<S>(converted<S>(*points, Cast<S>{}));
+  if (moves(object.pose) || !std::holds_alternative<Points>(object.form)) return std::nullopt;
+  return gjk::PointSet<S>(std::get<PointsOf<S>>(converted<S>(object.form, Cast<S>{})));
 }
 
 /// Appends what proves the answer about two grown sets; in fractions with what a check of it computes.
