@@ -237,6 +237,12 @@ class Cylinder {
   Vec3<S> to_cap_ = Vec3<S>::Zero();
 };
 
+/// The rotation p ↦ q p q⁻¹. Its length does not matter, but is not zero.
+struct Quaternion {
+  double w = 1, x = 0, y = 0, z = 0;
+  friend bool operator==(const Quaternion&, const Quaternion&) = default;
+};
+
 /// A rigid motion: x ↦ rotation·x + translation. Products are written as dot products. Eigen's matrix product does not
 /// compile for the exact numbers of Boost.
 template <class S>

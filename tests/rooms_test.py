@@ -36,7 +36,8 @@ floors = [
 
 
 # Headers that need Boost, too; who includes others of the core needs Eigen only.
-proving = [f"core/certified/{name}.hpp" for name in ("certified", "exact_fallback", "telling", "balls", "check", "fraction")]
+proving = [f"core/certified/{name}.hpp" for name in ("certified", "exact_fallback", "telling", "grown", "check", "check_grown", "dyadic",
+                                                      "fraction")]
 
 
 def floor_of(path):

@@ -7,9 +7,9 @@
 ///
 /// What to call for which sets:
 ///  - Hulls of points: certified_collision(). Never wrong, never undecided; with a certificate.
-///  - Balls, among them and points: certified_status() of balls.hpp. Never wrong, never undecided.
-///  - All else, posed shapes too: certified_shapes() of shapes.hpp. Never wrong; undecided near contact, with a bound
-///    on it.
+///  - Points that a pose moves, sums of these, balls, capsules, rounded boxes: certified_collision() of grown.hpp.
+///    Never wrong, never undecided; with a certificate.
+///  - All else: certified_shapes() of shapes.hpp. Never wrong; undecided near contact, with a bound on it.
 ///
 /// How it works:
 ///  1. collision() runs in S. It finds a separating axis or a tetrahedron around the origin.

@@ -8,51 +8,51 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "../certificate.hpp"
 #include "../nearest.hpp"
 #include "bounded.hpp"
+#include "dyadic.hpp"
 #include "telling.hpp"
 #include "usual_arithmetic.hpp"
 
 namespace gjk::detail {
 
-inline int sign_of(const Whole& x) { return x.sign(); }
+/// Multiplies doubles by a power of two. One double may not hold it, and std::scalbn() is slow.
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(int exponent)
+      : factors_{std::scalbn(1.0, exponent / 2), std::scalbn(1.0, exponent - exponent / 2)} {}
 
-/// A double as m·2^e, m odd; of zero m is 0.
-struct BinaryFraction {
-  std::int64_t m = 0;
-  int e = 0;
-
-  explicit BinaryFraction(double x) {
-    if (x == 0) return;
-    m = static_cast<std::int64_t>(std::frexp(x, &e) * 0x1p53);
-    const int zeros = std::countr_zero(static_cast<std::uint64_t>(m));
-    m >>= zeros;
-    e += zeros - 53;
+  /// Requires: of a product that is not far above 1, so that the error covers what underflow loses.
+  Bounded operator()(double x) const {
+    const double value = x * factors_[0] * factors_[1];
+    return {value, std::abs(value) < 0x1p-960 && x != 0 ? 1e-300 : 0.0};  // it may have lost digits
   }
+
+ private:
+  std::array<double, 2> factors_;
 };
 
 /// Two sets of points and the points of their difference, in either kind of number. Whole numbers are the coordinates
 /// times one power of two. Doubles are the coordinates times another, which brings the largest near 1: so no polynomial
 /// overflows. Floats are widened.
+///
+/// The search asks no more of a difference than what stands here. That of grown.hpp is another.
 template <class S>
 class ExactDifference {
  public:
-  /// `radii`: other numbers of the same unit, to be had with number().
-  ExactDifference(const PointSet<S>& a, const PointSet<S>& b, const Vec3<S>& radii = Vec3<S>::Zero())
-      : a_(a), b_(b), radii_(radii) {
-    const double largest = static_cast<double>(a.extent().cwiseMax(b.extent()).cwiseMax(radii).maxCoeff());
-    if (largest != 0) exponent_ = -std::ilogb(largest);
-    factors_ = {std::scalbn(1.0, exponent_ / 2), std::scalbn(1.0, exponent_ - exponent_ / 2)};
-  }
+  using Scalar = S;
+
+  ExactDifference(const PointSet<S>& a, const PointSet<S>& b)
+      : a_(a), b_(b), exponent_(exponent_for(a.extent().cwiseMax(b.extent()).maxCoeff())), scaled_(exponent_) {}
 
   const PointSet<S>& a() const { return a_; }
   const PointSet<S>& b() const { return b_; }
@@ -82,17 +82,34 @@ class ExactDifference {
     for (const IndexPair pair : pairs) simplex.add(vertex(pair));
     return simplex;
   }
+
+  // -- As a search along a direction asks
+
+  /// Calls look(set, index, sign) for both sets: their sum, each with its sign, is the difference. `pair`: numbers one
+  /// point of each. Returns: what they return, as such a pair.
+  template <class Look>
+  IndexPair for_each_set(IndexPair pair, Look&& look) const {
+    return {look(a_, pair.a, +1), look(b_, pair.b, -1)};
+  }
+  /// Returns: the points that doubles are multiplied with to find the farthest of a set.
+  static const PointSet<S>& scanned(const PointSet<S>& set) { return set; }
+  /// Returns: how much farther than one of these another may truly be. `along`: the direction. `doubt`: how far its
+  /// components may mislead, for coordinates of 1.
+  static double slack(const PointSet<S>& set, const Vec3<S>&, const Vec3<double>& doubt) {
+    return doubt.dot(set.extent().template cast<double>()) +
+           8 * static_cast<double>(std::numeric_limits<S>::denorm_min());
+  }
+
   /// Returns: the powers of two with which a polynomial of that degree is multiplied where it is computed. That of
   /// whole numbers is known once whole numbers were made.
   Powers powers(int degree) const { return {degree * exponent_, least_exponent_ ? -degree * *least_exponent_ : 0}; }
 
-  /// Requires: a coordinate, or a radius.
+  /// Requires: a coordinate.
   template <class N>
   N number(S coordinate) const {
     const double x = static_cast<double>(coordinate);
     if constexpr (std::same_as<N, Bounded>) {
-      const double value = x * factors_[0] * factors_[1];
-      return {value, std::abs(value) < 0x1p-960 && x != 0 ? 1e-300 : 0.0};  // it may have lost digits
+      return scaled_(x);
     } else {
       const BinaryFraction fraction(x);
       return fraction.m == 0 ? Whole(0) : Whole(fraction.m) << static_cast<unsigned>(fraction.e - least_exponent());
@@ -100,6 +117,8 @@ class ExactDifference {
   }
 
  private:
+  static int exponent_for(S largest) { return largest == S(0) ? 0 : -std::ilogb(static_cast<double>(largest)); }
+
   int least_exponent() const {
     if (!least_exponent_) {
       int least = std::numeric_limits<int>::max();
@@ -108,16 +127,14 @@ class ExactDifference {
           if (x != 0) least = std::min(least, BinaryFraction(static_cast<double>(x)).e);
       };
       for (const PointSet<S>* set : {&a_, &b_}) std::for_each(set->points().begin(), set->points().end(), look_at);
-      look_at(radii_);
       least_exponent_ = least;
     }
     return *least_exponent_;
   }
 
   const PointSet<S>&a_, &b_;
-  Vec3<S> radii_;
-  int exponent_ = 0;
-  std::array<double, 2> factors_;  // 2^exponent_: one number may not hold it, and std::scalbn() is slow
+  int exponent_;
+  PowerOfTwo scaled_;
   mutable std::optional<int> least_exponent_;
 };
 
@@ -143,10 +160,12 @@ Triple<N> toward_origin(const FromA<N>& A, int size, int side) {
 
 /// A simplex, by the indices of its vertices, that tells where the origin is. The whole numbers are made where the
 /// first sign is in doubt.
-template <class S, class Obs = const NobodyListens>
+template <class Difference, class Obs = const NobodyListens>
 class ExactSimplex {
  public:
-  explicit ExactSimplex(const ExactDifference<S>& difference, const FallbackTeller<S, Obs>& tell = {})
+  using Tell = FallbackTeller<typename Difference::Scalar, Obs>;
+
+  explicit ExactSimplex(const Difference& difference, const Tell& tell = Tell())
       : difference_(difference), tell_(tell) {}
 
   const IndexPairs& vertices() const { return vertices_; }
@@ -191,7 +210,7 @@ class ExactSimplex {
     return quick.has_certain_sign() ? sign_of(quick) : sign_of(polynomial(whole()));
   }
 
-  const FallbackTeller<S, Obs>& tell() const { return tell_; }
+  const Tell& tell() const { return tell_; }
 
   // -- As nearest_with_A() asks
 
@@ -254,7 +273,7 @@ class ExactSimplex {
   }
 
  private:
-  static constexpr bool tells = FallbackTeller<S, Obs>::somebody_listens;
+  static constexpr bool tells = Tell::somebody_listens;
 
   static SignWords product(const NamedVector& X, const NamedVector& Y, const Roles& face = {}) {
     return {{Expression::Form::dot, X, Y}, face};
@@ -291,8 +310,8 @@ class ExactSimplex {
     return kept;
   }
 
-  const ExactDifference<S>& difference_;
-  FallbackTeller<S, Obs> tell_;
+  const Difference& difference_;
+  Tell tell_;
   IndexPairs vertices_;
   FromA<Bounded> bounded_;
   mutable std::optional<FromA<Whole>> whole_;
@@ -317,10 +336,12 @@ inline HighestBits highest_bits(const Triple<Whole>& d) {
 }
 
 /// Looks for points of the difference along a direction that is known exactly: that from a simplex toward the origin.
-template <class S, class Obs = const NobodyListens>
+template <class Difference, class Obs = const NobodyListens>
 class AlongDirection {
+  using S = typename Difference::Scalar;
+
  public:
-  AlongDirection(const ExactDifference<S>& difference, const ExactSimplex<S, Obs>& from)
+  AlongDirection(const Difference& difference, const ExactSimplex<Difference, Obs>& from)
       : difference_(difference),
         from_(from),
         bounded_(from.template toward_origin<Bounded>()),
@@ -368,13 +389,22 @@ class AlongDirection {
   std::optional<IndexPair> vertex_nearer() const {
     const IndexPair found = near_farthest();
     if (is_nearer(found)) return found;
-    const IndexPair farthest = farthest_beside(found);
-    return is_nearer(farthest) ? std::optional(farthest) : std::nullopt;
+    const Candidates candidates = candidates_beside(found);
+    if (candidates.sums > most_candidates) {
+      const IndexPair farthest = farthest_beside(found);
+      return is_nearer(farthest) ? std::optional(farthest) : std::nullopt;
+    }
+    for (int i = 0; i < candidates.sums; ++i)
+      if (const IndexPair pair = candidate(candidates, i, found); is_nearer(pair)) return pair;
+    return std::nullopt;
   }
 
  private:
+  /// Along d the vertices of the simplex reach equally far, for d is perpendicular to all of its edges.
   bool is_nearer(IndexPair vertex) const {
-    const IndexPair A = from_.vertices()[from_.size() - 1];
+    const IndexPairs& vertices = from_.vertices();
+    if (std::find(vertices.begin(), vertices.end(), vertex) != vertices.end()) return false;
+    const IndexPair A = vertices[from_.size() - 1];
     const auto nearer = [&]<class N>(const Triple<N>& d) {
       return dot(difference_.template w<N>(vertex) - difference_.template w<N>(A), d);
     };
@@ -382,8 +412,38 @@ class AlongDirection {
     return (quick.has_certain_sign() ? sign_of(quick) : sign_of(nearer(whole()))) > 0;
   }
 
+  /// The points of each set of which one may be the farthest, in the order in which the sets are looked at.
+  struct Candidates {
+    std::vector<std::vector<int>> of_sets;
+    int sums = 1;
+  };
+  /// To compare so many sums in doubles takes less time than to compare a few points exactly.
+  static constexpr int most_candidates = 64;
+
+  Candidates candidates_beside(IndexPair found) const {
+    Candidates all;
+    difference_.for_each_set(found, [&](const auto& set, int near_farthest, int sign) {
+      std::vector<int>& candidates = all.of_sets.emplace_back(1, near_farthest);
+      for_each_candidate(set, near_farthest, sign, [&](int i) {
+        if (candidates.size() <= most_candidates) candidates.push_back(i);
+      });
+      all.sums = std::min(all.sums * static_cast<int>(candidates.size()), most_candidates + 1);
+      return near_farthest;
+    });
+    return all;
+  }
+  IndexPair candidate(const Candidates& candidates, int number, IndexPair found) const {
+    std::size_t k = 0;
+    return difference_.for_each_set(found, [&](const auto&, int, int) {
+      const std::vector<int>& of_set = candidates.of_sets[k++];
+      const int i = number % static_cast<int>(of_set.size());
+      number /= static_cast<int>(of_set.size());
+      return of_set[static_cast<std::size_t>(i)];
+    });
+  }
+
   void tell(IndexPair vertex, const Expression& what, const Bounded& w_d, const Whole* exact = nullptr) const {
-    if constexpr (FallbackTeller<S, Obs>::somebody_listens)
+    if constexpr (ExactSimplex<Difference, Obs>::Tell::somebody_listens)
       from_.tell().sign([&] { return SignWords{what}; },
                         {power_ + difference_.exponent(), difference_.powers(from_.degree_of_direction() + 1).whole},
                         w_d, exact, difference_.vertex(vertex));
@@ -398,10 +458,13 @@ class AlongDirection {
   }
 
   IndexPair near_farthest() const {
-    return {*difference_.a().support(rough_).index, *difference_.b().support(-rough_).index};
+    return difference_.for_each_set({}, [this](const auto& set, int, int sign) {
+      return *difference_.scanned(set).support(sign > 0 ? rough_ : Vec3<S>(-rough_)).index;
+    });
   }
   IndexPair farthest_beside(IndexPair found) const {
-    return {farthest_of(difference_.a(), found.a, +1), farthest_of(difference_.b(), found.b, -1)};
+    return difference_.for_each_set(
+        found, [this](const auto& set, int near_farthest, int sign) { return farthest_of(set, near_farthest, sign); });
   }
 
   static std::array<Bounded, 3> components(const Triple<Bounded>& d) { return {d.x, d.y, d.z}; }
@@ -438,33 +501,36 @@ class AlongDirection {
   }
 
   /// Returns: by how much some point of the set may lie farther along d than the one that its support function finds.
-  double slack(const PointSet<S>& set) const {
-    return doubt_.dot(set.extent().template cast<double>()) +
-           8 * static_cast<double>(std::numeric_limits<S>::denorm_min());
+  double slack(const auto& set) const { return difference_.slack(set, rough_, doubt_); }
+
+  /// Calls use(i) for each other point of the set that may lie as far along d (where `toward` is −1, along −d) as the
+  /// point found by its support function.
+  void for_each_candidate(const auto& set, int near_farthest, int toward, auto&& use) const {
+    const auto& points = difference_.scanned(set).points();
+    const Vec3<double> along = toward * rough_.template cast<double>();
+    const auto roughly = [&](int i) { return points[static_cast<std::size_t>(i)].template cast<double>().dot(along); };
+    const double enough = roughly(near_farthest) - slack(set);
+    for (int i = 0; i < static_cast<int>(points.size()); ++i)
+      if (i != near_farthest && !(roughly(i) < enough)) use(i);  // what is not a number is looked at
   }
 
   /// Returns: the support point of the set along d (where `toward` is −1, along −d), exactly.
   /// `near_farthest`: the point found by its support function.
-  int farthest_of(const PointSet<S>& set, int near_farthest, int toward) const {
-    const Vec3<double> along = toward * rough_.template cast<double>();
-    const auto roughly = [&](int i) {
-      return set.points()[static_cast<std::size_t>(i)].template cast<double>().dot(along);
-    };
+  int farthest_of(const auto& set, int near_farthest, int toward) const {
     const auto exactly = [&](int i) {
       const Whole reach = dot(difference_.template point<Whole>(set, i), whole());
       return toward > 0 ? reach : Whole(-reach);
     };
-    const double enough = roughly(near_farthest) - slack(set);
     int farthest = near_farthest;
-    Whole most = exactly(farthest);
-    for (int i = 0; i < static_cast<int>(set.points().size()); ++i) {
-      if (i == near_farthest || roughly(i) < enough) continue;  // what is not a number is looked at
+    std::optional<Whole> most;  // of one that is alone it is not asked
+    for_each_candidate(set, near_farthest, toward, [&](int i) {
+      if (!most) most = exactly(farthest);
       const Whole here = exactly(i);
-      if (here > most) {
+      if (here > *most) {
         most = here;
         farthest = i;
       }
-    }
+    });
     return farthest;
   }
 
@@ -473,8 +539,8 @@ class AlongDirection {
     return *whole_;
   }
 
-  const ExactDifference<S>& difference_;
-  const ExactSimplex<S, Obs>& from_;
+  const Difference& difference_;
+  const ExactSimplex<Difference, Obs>& from_;
   Triple<Bounded> bounded_;
   int power_;  // of two, with which bounded_ is multiplied
   mutable std::optional<Triple<Whole>> whole_;
@@ -490,7 +556,7 @@ template <class S, class Obs>
 [[gnu::noinline]] void decide_exactly(const PointSet<S>& a, const PointSet<S>& b, const IndexPairs& offered,
                                       Teller<Obs>& tell, CertifiedResult& result) {
   const ExactDifference<S> difference(a, b);
-  ExactSimplex<S, Obs> simplex(difference, FallbackTeller<S, Obs>(tell));
+  ExactSimplex<ExactDifference<S>, Obs> simplex(difference, FallbackTeller<S, Obs>(tell));
   IndexPair next = offered[0];
   while (true) {
     tell.enter_iteration(result.iterations + ++result.fallback_iterations);
@@ -506,7 +572,7 @@ template <class S, class Obs>
       result.certificate = CommonSimplex{simplex.vertices()};
       return;
     }
-    const AlongDirection<S, Obs> along(difference, simplex);
+    const AlongDirection along(difference, simplex);
     const auto is_nearer = [&](IndexPair p, IndexPair q) { return along.reach(p).value < along.reach(q).value; };
     next = *std::max_element(offered.begin(), offered.end(), is_nearer);
     if (along.sign(next) >= 0) continue;

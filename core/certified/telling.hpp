@@ -13,12 +13,10 @@
 
 #include "../telling.hpp"
 #include "bounded.hpp"
+#include "dyadic.hpp"
 #include "fraction.hpp"
 
 namespace gjk::detail {
-
-/// Whole numbers of any length; those of ordinary coordinates fit 512 bits and need no heap.
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
 
 /// A polynomial as it is called, and in the plane of which face its normal lies.
 struct SignWords {

@@ -52,10 +52,10 @@ struct Normal {
 Normal normal_with(double height) {
   const Pair<double> pair = pair_of<double>({V(1, 1, 0), V(2, 2, 1), V(2, 2, 1 + height)}, {V(0, 0, 0)});
   const detail::ExactDifference<double> difference(pair.a, pair.b);
-  detail::ExactSimplex<double> triangle(difference);
+  detail::ExactSimplex triangle(difference);
   for (int i = 0; i < 3; ++i) triangle.add({i, 0});
   const auto of_doubles = triangle.toward_origin<Bounded>();
-  const Bounded reach = detail::AlongDirection<double>(difference, triangle).reach({0, 0});
+  const Bounded reach = detail::AlongDirection(difference, triangle).reach({0, 0});
   return {inaccuracy(of_doubles), reach.error == dot(difference.w<Bounded>({0, 0}), of_doubles).error};
 }
 

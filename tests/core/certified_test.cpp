@@ -110,7 +110,7 @@ template <class S>
 bool compare_along(const Pair<S>& pair, Dice& dice) {
   const std::vector<IndexPair> all = all_pairs(pair);
   const detail::ExactDifference<S> difference(pair.a, pair.b);
-  detail::ExactSimplex<S> simplex(difference);
+  detail::ExactSimplex simplex(difference);
   ExactVecs corners;
   for (int i = dice.between(1, 3); i > 0; --i) {
     simplex.add(all[static_cast<std::size_t>(dice.between(0, static_cast<int>(all.size()) - 1))]);
@@ -119,7 +119,7 @@ bool compare_along(const Pair<S>& pair, Dice& dice) {
   if (gram_determinant(corners) == 0) return false;
   const ExactVec d = toward_origin(corners);
   if (d == ExactVec(ExactVec::Zero())) return false;
-  const detail::AlongDirection<S> along(difference, simplex);
+  const detail::AlongDirection along(difference, simplex);
   bool is_any_across = false;
   for (const IndexPair w : all) {
     const int expected = exact_w(pair, w).dot(d).sign();
@@ -148,9 +148,9 @@ TEMPLATE_TEST_CASE("C3: the sign of w·d is the exact one, and no point across t
 template <class S>
 std::optional<IndexPair> across_from(const Pair<S>& pair, std::initializer_list<int> points) {
   const detail::ExactDifference<S> difference(pair.a, pair.b);
-  detail::ExactSimplex<S> simplex(difference);
+  detail::ExactSimplex simplex(difference);
   for (const int i : points) simplex.add({i, 0});
-  return detail::AlongDirection<S>(difference, simplex).vertex_across();
+  return detail::AlongDirection(difference, simplex).vertex_across();
 }
 
 TEST_CASE("C3: where a float loses what a direction has along y, twice that is allowed for", "[certified]") {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "core/certified/check.hpp"
-#include "core/certified/balls.hpp"
+#include "core/certified/grown.hpp"
 #include "core/certified/shapes.hpp"
 #include "core/rule_sets.hpp"
 #include "tests/core/support.hpp"
@@ -74,8 +74,8 @@ void ask_about_points(int pair, Dice& dice, Answers& answers) {
     require(in_scalar == x, "the direction is not the one that the support functions were asked along", pair);
   }
   const Sphere<S> ball(b.points()[0], static_cast<S>(dice.between(1, 20)) / S(7));
-  answers.add(certified_status(a, ball));
-  answers.add(certified_status(Sphere<S>(a.points()[0], S(1)), ball));
+  answers.add(certified_collision(Grown(a), Grown(ball)).status);
+  answers.add(certified_collision(Grown(Sphere<S>(a.points()[0], S(1))), Grown(ball)).status);
 }
 
 /// Far from where they would be undecided.

@@ -259,9 +259,17 @@ struct FieldsOf<gjk::Certified<S>> {
 // -- The first line ---------------------------------------------------------------------------------------------------
 
 template <>
+struct FieldsOf<gjk::Quaternion> {
+  using R = gjk::Quaternion;
+  static constexpr std::tuple list{Field("w", &R::w), Field("x", &R::x), Field("y", &R::y), Field("z", &R::z)};
+};
+
+template <>
 struct FieldsOf<Pose> {
   using R = Pose;
-  static constexpr std::tuple list{Field("rotation", &R::rotation), Field("translation", &R::translation)};
+  static constexpr std::tuple list{Field("rotation", &R::rotation), Field("translation", &R::translation),
+                                   Field("quaternion", &R::quaternion).where_not_empty(),
+                                   Word("matrix", "as_written", &R::matrix_as_written)};
 };
 
 template <>

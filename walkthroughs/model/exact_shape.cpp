@@ -1,10 +1,12 @@
 #include "walkthroughs/model/exact_shape.hpp"
 
-#include <optional>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <variant>
+#include <vector>
 
-#include "core/certified/exact_fallback.hpp"
-#include "core/certified/shapes.hpp"
+#include "core/certified/cylinders.hpp"
 #include "core/certified/support_error.hpp"
 
 namespace walkthroughs::model {
@@ -32,27 +34,91 @@ gjk::Vec3<S> near_support(const Shape<S>& shape, const gjk::Vec3<S>& d) {
   return std::visit([&](const auto& form) { return near_support(form, d); }, shape.form());
 }
 
-namespace {
-
 template <class S>
 gjk::ShapesResult bounded_answer(const Object& a, const Object& b) {
   const auto posed = [](const Object& o) { return PosedForm<S>(Asked<S>(converted<S>(o.form, Cast<S>{})), o.pose); };
   return gjk::certified_shapes<S>(posed(a), posed(b));
 }
+template gjk::ShapesResult bounded_answer<float>(const Object& a, const Object& b);
+template gjk::ShapesResult bounded_answer<double>(const Object& a, const Object& b);
+
+namespace {
+
+gjk::Motion motion_of(const Pose& pose) {
+  if (pose.quaternion) return {*pose.quaternion, pose.translation};
+  return {pose.rotation, pose.translation};
+}
+
+/// The sets of points and the balls that a shape is the sum of.
+struct Summands {
+  std::vector<gjk::MovedPoints> sets;
+  std::vector<double> radii;
+  std::int64_t points = 1;
+
+  /// Returns: whether the shape is such a sum, and was added.
+  bool add(const AnyShape& shape) {
+    return std::visit([this](const auto& one) { return (*this)(one); }, shape);
+  }
+
+  bool operator()(const Points& points) { return add_set(points); }
+  bool operator()(const Ball& ball) {
+    radii.push_back(ball.radius);
+    return add_set({ball.center});
+  }
+  /// Half of the least doubles is none.
+  bool operator()(const BoxOf<double>& box) {
+    return 2 * (box.size / 2) == box.size && (*this)(ShapeRow<BoxOf<double>>::as_sum(box));
+  }
+  bool operator()(const CapsuleOf<double>& capsule) {
+    radii.push_back(capsule.radius);
+    return add_set({capsule.from, capsule.to});
+  }
+  bool operator()(const Cylinder&) { return false; }
+  bool operator()(const Sum& sum) { return add(sum.summands[0]) && add(sum.summands[1]); }
+
+ private:
+  bool add_set(Points set) {
+    points *= static_cast<std::int64_t>(set.size());
+    if (points > gjk::Grown::most_points) return false;
+    sets.push_back({std::move(set)});
+    return true;
+  }
+};
+
+std::optional<gjk::AxialCylinder> axial(const Object& object) {
+  const auto* cylinder = std::get_if<Cylinder>(&object.form);
+  if (!cylinder) return std::nullopt;
+  return gjk::AxialCylinder::of(cylinder->center, cylinder->axis, cylinder->radius, cylinder->height,
+                                motion_of(object.pose));
+}
 
 }  // namespace
 
+std::optional<gjk::Grown> exact_shape(const AnyShape& shape, const Pose& pose) {
+  Summands summands;
+  if (!summands.add(shape)) return std::nullopt;
+  const gjk::Motion motion = motion_of(pose);
+  for (gjk::MovedPoints& set : summands.sets) set.motion.turn = motion.turn;
+  summands.sets[0].motion.translation = motion.translation;  // of the sum, once
+  return gjk::Grown(std::move(summands.sets), std::move(summands.radii));
+}
+
+std::optional<gjk::Status> exact_status_of_cylinders(const Object& a, const Object& b) {
+  const auto can = axial(a), other = axial(b);
+  if (can && other) return can->axis() == other->axis() ? std::optional(certified_status(*can, *other)) : std::nullopt;
+  if (other) return exact_status_of_cylinders(b, a);
+  const auto grown = can ? exact_shape(b.form, b.pose) : std::nullopt;
+  return grown ? certified_status(*can, *grown) : std::nullopt;
+}
+
 ExactAnswer exact_answer(const Object& a, const Object& b) {
-  const auto *points_a = std::get_if<Points>(&a.form), *points_b = std::get_if<Points>(&b.form);
-  if (!points_a || !points_b || moves(a.pose) || moves(b.pose)) return {bounded_answer<double>(a, b).status};
-  const gjk::NobodyListens nobody;
-  gjk::detail::Teller<const gjk::NobodyListens> tell(nobody, gjk::CrossingTest::on);
-  gjk::IndexPairs first;
-  first.add({0, 0});
-  gjk::CertifiedResult result;
-  gjk::detail::decide_exactly(gjk::PointSet<double>(*points_a), gjk::PointSet<double>(*points_b), first, tell, result);
-  const auto* feature = std::get_if<gjk::SeparatingFeature>(&result.certificate);
-  return {result.status, feature ? feature->of : std::get<gjk::CommonSimplex>(result.certificate).of};
+  const auto grown_a = exact_shape(a.form, a.pose), grown_b = exact_shape(b.form, b.pose);
+  if (grown_a && grown_b) {
+    const gjk::GrownResult result = gjk::certified_collision(*grown_a, *grown_b);
+    return {result.status, result.nearest};
+  }
+  if (const auto status = exact_status_of_cylinders(a, b)) return {*status};
+  return {bounded_answer<double>(a, b).status};
 }
 
 bool is_near_contact(const Object& a, const Object& b, Scalar scalar) {

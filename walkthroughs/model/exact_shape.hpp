@@ -1,7 +1,14 @@
 /// What is true of two objects: the answer that core/certified proves.
+///
+/// An object is what its numbers say. A pose moves points by its quaternion, or else by its matrix as it stands; radii and
+/// heights stay what they are.
 #pragma once
 
+#include <optional>
+
 #include "core/certificate.hpp"
+#include "core/certified/grown.hpp"
+#include "core/certified/shapes.hpp"
 #include "core/result.hpp"
 #include "walkthroughs/model/scene.hpp"
 
@@ -10,12 +17,27 @@ namespace walkthroughs::model {
 struct ExactAnswer {
   gjk::Status status = gjk::Status::undecided;
   /// The certificate: the numbers of the points of a and b whose differences make the feature nearest to the origin, or
-  /// the simplex that holds it. Of objects that are no points none.
+  /// the simplex that holds it. Of other objects than gjk::Grown none.
   gjk::IndexPairs nearest = {};
 };
 
-/// Returns: the answer about the objects as their doubles and the matrix of their pose say them. Undecided where their
-/// points are only known within a bound, and they are nearer than that.
+/// Returns: points, balls, boxes, capsules and sums of these as what is decided exactly; nothing for other shapes, and where
+/// numbers are so many or so small that it cannot be said.
+/// The points of a sum are numbered as gjk::Grown numbers them. A ball has one point, a box its corners in the order of the
+/// doubled size: x first. A capsule has two.
+std::optional<gjk::Grown> exact_shape(const AnyShape& shape, const Pose& pose);
+
+/// Returns: the exact answer about cylinders along one coordinate axis, and balls and capsules along it; nothing for others.
+std::optional<gjk::Status> exact_status_of_cylinders(const Object& a, const Object& b);
+
+/// Returns: what can be said of any two objects, in numbers of S, which must hold theirs.
+template <class S>
+gjk::ShapesResult bounded_answer(const Object& a, const Object& b);
+extern template gjk::ShapesResult bounded_answer<float>(const Object& a, const Object& b);
+extern template gjk::ShapesResult bounded_answer<double>(const Object& a, const Object& b);
+
+/// Returns: the answer about the objects as their doubles and their poses say them. Undecided where points are only known
+/// within a bound, and the objects are nearer than that.
 ExactAnswer exact_answer(const Object& a, const Object& b);
 
 /// Returns: whether a search in numbers of that scalar could answer either way, by the rounding of its points alone.

@@ -1,8 +1,11 @@
 #include "walkthroughs/model/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "walkthroughs/model/number_text.hpp"
 
@@ -18,9 +21,33 @@ bool moves(const Pose& pose) {
   return pose.rotation != Eigen::Matrix3d::Identity() || pose.translation != Point::Zero();
 }
 
-bool is_same(const Object& one, const Object& other) {
-  return one.form == other.form && one.pose.rotation == other.pose.rotation &&
-         one.pose.translation == other.pose.translation;
+bool is_same(const Object& one, const Object& other) { return one.form == other.form && one.pose == other.pose; }
+
+double distance_from_rotation(const Eigen::Matrix3d& matrix) {
+  const Eigen::Matrix3d product = matrix.transpose() * matrix;
+  if (!(matrix.determinant() > 0)) return std::numeric_limits<double>::infinity();
+  return (product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+}
+
+namespace {
+
+/// Returns: the quaternion times a power of two, so that its square neither overflows nor vanishes.
+gjk::Quaternion near_one(const gjk::Quaternion& q) {
+  const int exponent = std::ilogb(std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
+  const auto scaled = [exponent](double x) { return std::scalbn(x, -exponent); };
+  return {scaled(q.w), scaled(q.x), scaled(q.y), scaled(q.z)};
+}
+
+}  // namespace
+
+Eigen::Matrix3d matrix_of(const gjk::Quaternion& quaternion) {
+  const auto [w, x, y, z] = near_one(quaternion);
+  const double square = w * w + x * x + y * y + z * z;
+  Eigen::Matrix3d matrix;
+  matrix << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+      2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),        //
+      2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
+  return matrix / square;
 }
 
 std::vector<Point> vertices_of(const Object& object) {
@@ -75,12 +102,25 @@ struct NearestFloats {
   double length(double x) const { return x == 0 ? 0 : positive_float(x); }
 };
 
-void round_to_float(Object& object, std::optional<Object>& as_read) {
-  const Object before = object;
+}  // namespace
+
+void round_to_float(Object& object) {
   object.form = converted<double>(object.form, NearestFloats{});
   for (double& x : object.pose.rotation.reshaped()) x = nearest_float(x);
   object.pose.translation = nearest_float(object.pose.translation);
-  if (!is_same(object, before)) as_read = before;
+  if (!object.pose.quaternion) return;
+  gjk::Quaternion& q = *object.pose.quaternion;
+  q = near_one(q);
+  for (double* x : {&q.w, &q.x, &q.y, &q.z}) *x = nearest_float(*x);
+}
+
+namespace {
+
+/// Keeps the object as read where that is another.
+void round_to_float(Object& object, std::optional<Object>& as_read) {
+  Object before = object;
+  round_to_float(object);
+  if (!is_same(object, before)) as_read = std::move(before);
 }
 
 }  // namespace

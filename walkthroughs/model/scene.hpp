@@ -18,7 +18,28 @@
 namespace walkthroughs::model {
 
 using Point = gjk::Vec3<double>;
-using Pose = gjk::Pose<double>;
+
+/// First turned about the origin, then moved.
+struct Pose {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Point translation = Point::Zero();
+  /// What an exact answer must know of the rotation: as a quaternion it was read, and its matrix is rounded.
+  std::optional<gjk::Quaternion> quaternion = {};
+  /// As a matrix it was read. It is taken as it stands, and need not be a rotation but to rotation_tolerance.
+  bool matrix_as_written = false;
+
+  Point operator()(const Point& p) const { return gjk::Pose<double>{rotation, translation}(p); }
+  friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+/// Of each number of the product of a written matrix and its transpose.
+inline constexpr double rotation_tolerance = 1e-5;
+
+/// Returns: by how much these products differ from the identity at most. What is mirrored differs by more than all else.
+double distance_from_rotation(const Eigen::Matrix3d& matrix);
+
+/// Returns: the matrix of the rotation, rounded. Requires: a finite quaternion, not zero.
+Eigen::Matrix3d matrix_of(const gjk::Quaternion& quaternion);
 
 /// Returns: whether the pose leaves everything where it is. The sign of zero counts: it decides that of the points found.
 bool is_at_rest(const Pose& pose);
@@ -147,6 +168,9 @@ struct Scene {
   std::optional<Object> a_as_read = {}, b_as_read = {};
   bool leaves_truth_out = false;  ///< whether nothing is told but what the search answers
 };
+
+/// Rounds every number of the object to the nearest float. Errors: std::range_error as in_float().
+void round_to_float(Object& object);
 
 /// Returns: the scene with every number rounded to the nearest float, to be searched in float. So the objects that are
 /// drawn are those that are searched, and what goes wrong is the search's doing. The scene keeps the objects as read.

@@ -58,7 +58,7 @@ struct ShortDecimal {
 /// Multiplies decimals by a power of ten, such that all of a scene's become whole numbers.
 struct Times10 {
   int power;
-  mutable bool is_exact = true;  ///< whether doubles hold all of them
+  bool& is_exact;  ///< becomes false where no double holds the product
 
   double length(double x) const {
     if (x == 0) return x;
@@ -71,37 +71,50 @@ struct Times10 {
   }
   Point point(const Point& p) const { return {length(p.x()), length(p.y()), length(p.z())}; }
   Point direction(const Point& d) const { return d; }
-
-  Object object(Object object) const {
-    object.form = converted<double>(object.form, *this);
-    object.pose.translation = point(object.pose.translation);
-    return object;
-  }
 };
 
-/// A matrix of small whole numbers is what its decimals say.
-bool is_turned_by_decimals(const Object& object) {
+/// A turn by degrees has no decimals, unless its matrix is of whole numbers. A matrix as typed has, and it is multiplied, too:
+/// only points are moved so.
+bool has_decimals(const Object& object) {
   const Eigen::Matrix3d& R = object.pose.rotation;
-  return R == R.array().round().matrix();
+  return R == R.array().round().matrix() ||
+         (object.pose.matrix_as_written && std::holds_alternative<Points>(object.form));
 }
 
-/// Returns: the exact answer about the decimals; undecided where it is not known, or cannot be another.
-Status answer_of_decimals(const Object& a, const Object& b) {
-  if (!is_turned_by_decimals(a) || !is_turned_by_decimals(b)) return Status::undecided;
+/// The powers of ten of the last digits.
+struct LastDigits {
   int least = 0, most = 0;
-  const auto look_at = [&](double x) {
+
+  void look_at(double x) {
     if (x == 0) return;
     const int exponent = ShortDecimal(x).exponent;
     least = std::min(least, exponent);
     most = std::max(most, exponent);
+  }
+  /// Doubles hold no more digits than this.
+  bool may_be_exact() const { return most - least <= 40; }
+};
+
+/// Returns: the exact answer about the decimals; undecided where it is not known, or cannot be another.
+Status answer_of_decimals(const Object& a, const Object& b) {
+  if (!has_decimals(a) || !has_decimals(b)) return Status::undecided;
+  LastDigits of_lengths, of_matrices;
+  for (const Object* object : {&a, &b}) {
+    visit_numbers(*object, [&](double x) { of_lengths.look_at(x); });
+    for (const double x : object->pose.rotation.reshaped()) of_matrices.look_at(x);
+  }
+  const int of_points = -of_lengths.least, of_both = of_points - of_matrices.least;
+  const bool is_round = !std::holds_alternative<Points>(a.form) || !std::holds_alternative<Points>(b.form);
+  if (of_both == 0 || (is_round && of_matrices.least < 0) || !of_lengths.may_be_exact()) return Status::undecided;
+  bool is_exact = true;
+  const auto scaled = [&](Object object) {
+    object.form = converted<double>(object.form, Times10{of_points, is_exact});
+    for (double& x : object.pose.rotation.reshaped()) x = Times10{-of_matrices.least, is_exact}.length(x);
+    object.pose.translation = Times10{of_both, is_exact}.point(object.pose.translation);
+    return object;
   };
-  visit_numbers(a, look_at);
-  visit_numbers(b, look_at);
-  constexpr int beyond_exactness = 40;  // no double holds as many digits
-  if (least == 0 || most - least > beyond_exactness) return Status::undecided;
-  const Times10 scaled{-least};
-  const Object scaled_a = scaled.object(a), scaled_b = scaled.object(b);
-  return scaled.is_exact ? exact_answer(scaled_a, scaled_b).status : Status::undecided;
+  const Object scaled_a = scaled(a), scaled_b = scaled(b);
+  return is_exact ? exact_answer(scaled_a, scaled_b).status : Status::undecided;
 }
 
 // -- Exchanged --------------------------------------------------------------------------------------------------------

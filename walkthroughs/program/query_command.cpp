@@ -56,7 +56,8 @@ Answers are written before more is read, so a program may ask one pair and wait.
 
 --certified
 Every answer is true, whatever rounds or overflows, in --scalar float or double, for any finite numbers.
-About points and spheres that no pose moves none is "undecided". Of points:
+About points, spheres, boxes, capsules and sums of these, in any pose, none is "undecided". Nor about cylinders, spheres and
+capsules along one coordinate axis. Of points that no pose moves:
   {"status": "...", "iterations": n, "second_iterations": m, "proof": "...", "certificate": {...}}
 The proof is "direction" or "tetrahedron" where what the first search found is proof enough. Else it is "second-search":
 an exact fallback of m iterations. Rules, zero test, start and iterations steer the first search only.
@@ -67,8 +68,14 @@ A certificate is about the numbers as read and converted, multiplied without rou
 With --fractions each number is "p/q", and there is what a check needs. "direction" stands beside "nearest".
 Beside "simplex" stand "weights" w[k] >= 0, whose sum is 1, and "point". This is the sum of all w[k] a[i], and also of
 all w[k] b[j]: a point of both objects.
-If a sphere is one of the two: {"status": "...", "proof": "distance"}. Squared distances were compared exactly.
-Points of cylinders, of sums and of what a pose moves are computed, and known to some roundings:
+Of all others of these without cylinders, where squared distances were compared exactly:
+  {"status": "...", "iterations": n, "proof": "distance", "certificate": {"nearest": [[i, j], ...]}}
+Let the core be an object without its radii, turned by its matrix or quaternion without rounding. Of the hull of these
+a[i] - b[j] of the cores, let v be the point nearest to 0. Of all a - b none is nearer. They intersect where |v| is at most the
+sum of the radii. A sphere has one point. A capsule has "from" and "to". A box has 8 corners, x changing first, and fewer where it
+is flat. The points of a sum are numbered in pairs, those of the second shape first. --fractions adds "weights", and "point": v.
+Of cylinders along one coordinate axis, also with a sphere or a capsule along it: {"status": "...", "proof": "discs"}.
+Points of other cylinders are computed, and known to some roundings:
   {"status": "separated", "iterations": n, "proof": "direction", "certificate": {"direction": [x, y, z]}}
   {"status": "intersecting", "iterations": n, "proof": "surface"}, one of points found that goes around 0
   {"status": "undecided", "iterations": n, "gap": g}: no farther apart than g, and no deeper in each other

@@ -1,84 +1,63 @@
 #include "walkthroughs/query/query_certified.hpp"
 
+#include <concepts>
 #include <optional>
 #include <variant>
 
-#include "core/certified/balls.hpp"
-#include "core/certified/support_error.hpp"
-
-// How well the points of a query's objects are known, so that gjk::certified_shapes() takes them.
-
-namespace walkthroughs::model {
-
-template <class S>
-gjk::SupportError support_error(const AskedSum<S>& asked) {
-  return gjk::support_error(asked.sum());
-}
-template <class S>
-gjk::Vec3<S> near_support(const AskedSum<S>& asked, const gjk::Vec3<S>& d) {
-  return gjk::near_support(asked.sum(), d);
-}
-
-/// Of a shape that has one form of several.
-template <template <class> class Shape, class S>
-requires requires(const Shape<S>& shape) { shape.form(); }
-gjk::SupportError support_error(const Shape<S>& shape) {
-  return std::visit([](const auto& form) { return support_error(form); }, shape.form());
-}
-template <template <class> class Shape, class S>
-requires requires(const Shape<S>& shape) { shape.form(); }
-gjk::Vec3<S> near_support(const Shape<S>& shape, const gjk::Vec3<S>& d) {
-  return std::visit([&](const auto& form) { return near_support(form, d); }, shape.form());
-}
-
-}  // namespace walkthroughs::model
+#include "core/certified/check_grown.hpp"
+#include "walkthroughs/model/exact_shape.hpp"
 
 namespace walkthroughs::query {
 namespace {
 
-/// What is decided exactly.
+/// Returns: the points of an object that nothing moves.
 template <class S>
-using ExactShape = std::variant<gjk::PointSet<S>, gjk::Sphere<S>>;
-
-/// Returns: nothing where its points are computed: of cylinders, of sums, and where a pose moves it.
-template <class S>
-std::optional<ExactShape<S>> exact_shape(const Object& object) {
-  if (moves(object.pose)) return std::nullopt;
-  const auto shape = converted<S>(object.form, reading::InScalar<S>{});
-  if (const auto* points = std::get_if<PointsOf<S>>(&shape)) return gjk::PointSet<S>(*points);
-  if (const auto* ball = std::get_if<BallOf<S>>(&shape)) return gjk::Sphere<S>(ball->center, ball->radius);
-  return std::nullopt;
+std::optional<gjk::PointSet<S>> points_of(const Object& object) {
+  if (moves(object.pose) || !std::holds_alternative<Points>(object.form)) return std::nullopt;
+  return gjk::PointSet<S>(std::get<PointsOf<S>>(converted<S>(object.form, Cast<S>{})));
 }
 
-template <class S>
-struct Answer {
-  const PairAsWritten& pair;
-  const QueryOptions& query;
-  std::string& out;
-
-  void operator()(const gjk::PointSet<S>& a, const gjk::PointSet<S>& b) const {
-    const gjk::Options<S> options = search_options<S>(pair, query);
-    const gjk::CertifiedResult result = gjk::with_rules(
-        query.rules, query.zero_test, [&]<class Rules>() { return gjk::certified_collision<S, Rules>(a, b, options); });
-    write_answer(result, CertificateWriter<S>{a, b, query.evidence, out});
+/// Appends what proves the answer about two grown sets; in fractions with what a check of it computes.
+void write_answer(const gjk::GrownResult& result, const gjk::Grown& a, const gjk::Grown& b, QueryEvidence evidence,
+                  std::string& out) {
+  write_status(result, out);
+  write_indices(result.nearest, out += ",\"proof\":\"distance\",\"certificate\":{\"nearest\":");
+  if (evidence == QueryEvidence::fractions) {
+    const auto nearest = *gjk::nearest_point_of(result.nearest, a, b);
+    write_numbers(nearest.weights, out += ",\"weights\":");
+    write_numbers(nearest.v, out += ",\"point\":");
   }
-  /// One of them is a ball.
-  void operator()(const auto& a, const auto& b) const { write_answer_of_balls(gjk::certified_status(a, b), out); }
-};
+  out += "}}\n";
+}
 
+/// In numbers of S, which hold those of the pair.
 template <class S>
-void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
-  const auto a = exact_shape<S>(pair.a), b = exact_shape<S>(pair.b);
-  if (a && b) return std::visit(Answer<S>{pair, query, out}, *a, *b);
-  const PosedForm<S> one = query_object<S>(std::move(pair.a)), other = query_object<S>(std::move(pair.b));
-  write_answer(gjk::certified_shapes<S>(one, other), query.evidence, out);
+void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
+  if (const auto a = points_of<S>(pair.a), b = points_of<S>(pair.b); a && b) {
+    const gjk::Options<S> options = search_options<S>(pair, query);
+    const auto prove = [&]<class Rules>() { return gjk::certified_collision<S, Rules>(*a, *b, options); };
+    const gjk::CertifiedResult result = gjk::with_rules(query.rules, query.zero_test, prove);
+    return write_answer(result, CertificateWriter<S>{*a, *b, query.evidence, out});
+  }
+  const auto a = exact_shape(pair.a.form, pair.a.pose), b = exact_shape(pair.b.form, pair.b.pose);
+  if (a && b) return write_answer(gjk::certified_collision(*a, *b), *a, *b, query.evidence, out);
+  if (const auto status = exact_status_of_cylinders(pair.a, pair.b)) return write_answer_of_cylinders(*status, out);
+  write_answer(bounded_answer<S>(pair.a, pair.b), query.evidence, out);
+}
+
+/// Returns: the object in floats, of which doubles hold each.
+Object in_float(Object object) {
+  object.form = converted<double>(converted<float>(object.form, reading::InScalar<float>{}), Cast<double>{});
+  round_to_float(object);
+  return object;
 }
 
 }  // namespace
 
 void answer_certified(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
-  const auto answer = query.scalar == QueryScalar::binary32 ? answer_in<float> : answer_in<double>;
-  answer(std::move(pair), query, out);
+  if (query.scalar == QueryScalar::binary32)
+    return answer_in<float>({in_float(std::move(pair.a)), in_float(std::move(pair.b))}, query, out);
+  answer_in<double>(pair, query, out);
 }
 
 }  // namespace walkthroughs::query

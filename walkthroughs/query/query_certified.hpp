@@ -22,6 +22,12 @@ void write_direction(const gjk::Vec3<S>& d, QueryEvidence evidence, std::string&
     write_numbers(d, out);
 }
 
+inline void write_indices(const gjk::IndexPairs& pairs, std::string& out) {
+  write_list(pairs, out, [&out](gjk::IndexPair pair) {
+    out.append("[").append(std::to_string(pair.a)).append(",").append(std::to_string(pair.b)).append("]");
+  });
+}
+
 /// Writes a certificate about two sets of points; in fractions, if the evidence is: then with the numbers that would have to be
 /// solved for to check it.
 template <class S>
@@ -54,11 +60,7 @@ struct CertificateWriter {
 
   bool is_in_fractions() const { return evidence == QueryEvidence::fractions; }
 
-  void write_indices(const gjk::IndexPairs& pairs) const {
-    write_list(pairs, out, [this](gjk::IndexPair pair) {
-      out.append("[").append(std::to_string(pair.a)).append(",").append(std::to_string(pair.b)).append("]");
-    });
-  }
+  void write_indices(const gjk::IndexPairs& pairs) const { query::write_indices(pairs, out); }
 
   /// Returns: the point of A that the weights make; that of B is the same.
   Fractions weighted(const gjk::IndexPairs& pairs, const Fractions& weights) const {
@@ -82,8 +84,8 @@ void write_answer(const gjk::CertifiedResult& result, const CertificateWriter<S>
 }
 
 /// What is decided exactly needs no more words.
-inline void write_answer_of_balls(gjk::Status status, std::string& out) {
-  out.append("{\"status\":\"").append(words_of::of(status)).append("\",\"proof\":\"distance\"}\n");
+inline void write_answer_of_cylinders(gjk::Status status, std::string& out) {
+  out.append("{\"status\":\"").append(words_of::of(status)).append("\",\"proof\":\"discs\"}\n");
 }
 
 inline void write_answer(const gjk::ShapesResult& result, QueryEvidence evidence, std::string& out) {
@@ -99,7 +101,7 @@ inline void write_answer(const gjk::ShapesResult& result, QueryEvidence evidence
   out += "}\n";
 }
 
-/// Appends the answer to a pair, which is used up. Of points and balls it is exact; of shapes whose points are computed it may be
+/// Appends the answer to a pair, which is used up. Of all that exact_shape.hpp decides it is exact; of other shapes it may be
 /// undecided. Requires: a pair read for a query in float or double whose evidence is a certificate.
 void answer_certified(PairAsWritten&& pair, const QueryOptions& query, std::string& out);
 

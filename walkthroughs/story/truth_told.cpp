@@ -1,8 +1,9 @@
 #include "walkthroughs/story/truth_told.hpp"
 
-#include <vector>
+#include <optional>
+#include <utility>
 
-#include "core/certified/check.hpp"
+#include "core/certified/check_grown.hpp"
 #include "walkthroughs/story/exact.hpp"
 #include "walkthroughs/story/words.hpp"
 
@@ -19,42 +20,44 @@ std::string searched(const Scene& scene) {
   return scene.scalar == Scalar::binary32 ? "in floats" : "in doubles";
 }
 
-/// Returns: point `i` of a set of points, exactly where the matrix of its pose puts it.
-ExactVector exact_point(const Object& object, int i) {
-  const ExactVector p = exact(std::get<Points>(object.form)[static_cast<std::size_t>(i)]),
-                    t = exact(object.pose.translation);
-  ExactVector moved;
-  for (int row = 0; row < 3; ++row) moved[row] = exact(Point(object.pose.rotation.row(row))).dot(p) + t[row];
-  return moved;
-}
+ExactVector vector_of(const gjk::detail::Fractions& v) { return {v[0], v[1], v[2]}; }
 
-/// The points that a certificate names, numbered anew in its order.
-struct NamedPoints {
-  std::vector<ExactVector> a, b;
-  gjk::IndexPairs of;
-
-  NamedPoints(const gjk::IndexPairs& pairs, const Scene& scene) {
-    for (const gjk::IndexPair pair : pairs) {
-      of.add({static_cast<int>(a.size()), static_cast<int>(a.size())});
-      a.push_back(exact_point(a_as_read(scene), pair.a));
-      b.push_back(exact_point(b_as_read(scene), pair.b));
-    }
-  }
+/// Two objects that are decided exactly, and the point of the difference of their cores that is nearest to the origin.
+struct Decided {
+  gjk::Grown a, b;
+  gjk::IndexPairs nearest;
+  gjk::NearestPoint point;
 };
 
-/// Requires: a certificate of this scene.
-std::string certificate_told(const ExactAnswer& answer, const Scene& scene) {
-  const NamedPoints named(answer.nearest, scene);
-  const gjk::PointSet<gjk::Fraction> a(named.a), b(named.b);
-  if (answer.status == gjk::Status::separated) {
-    const gjk::detail::Fractions d = gjk::direction_of(gjk::SeparatingFeature{named.of}, a, b).value();
-    const ExactVector v(-d[0], -d[1], -d[2]);
-    return "in truth a − b is nearest to the origin at v = " + vector(v, scene.dimension) + ", " + length(v) + " away";
-  }
-  const gjk::detail::Fractions weights = gjk::weights_of(gjk::CommonSimplex{named.of}, a, b).value();
+/// Returns: nothing of others.
+std::optional<Decided> decided(const ExactAnswer& answer, const Scene& scene) {
+  if (answer.nearest.size() == 0) return std::nullopt;
+  auto a = exact_shape(a_as_read(scene).form, a_as_read(scene).pose),
+       b = exact_shape(b_as_read(scene).form, b_as_read(scene).pose);
+  if (!a || !b) return std::nullopt;
+  auto point = gjk::nearest_point_of(answer.nearest, *a, *b);
+  if (!point) return std::nullopt;
+  return Decided{std::move(*a), std::move(*b), answer.nearest, std::move(*point)};
+}
+
+/// Returns: the point of a that the nearest point of the difference comes from.
+ExactVector point_of_a(const Decided& decided) {
   ExactVector point = ExactVector::Zero();
-  for (std::size_t i = 0; i < weights.size(); ++i) point += named.a[i] * weights[i];
-  return "in truth both objects hold the point " + vector(point, scene.dimension, place);
+  for (int k = 0; k < decided.nearest.size(); ++k)
+    point += vector_of(gjk::detail::core_point(decided.a, decided.nearest[k].a).value()) *
+             decided.point.weights[static_cast<std::size_t>(k)];
+  return point;
+}
+
+/// Of sets of points where they touch or how far they are apart, of round objects how far without their radii.
+std::string why_told(const Decided& decided, gjk::Status answer, Dimension dimension) {
+  const ExactVector v = vector_of(decided.point.v);
+  const gjk::Fraction reach = gjk::detail::sum_of_radii(decided.a) + gjk::detail::sum_of_radii(decided.b);
+  if (reach > 0)
+    return "in truth they are " + length(v) + " apart without their radii, which add up to " + number(reach);
+  if (answer == gjk::Status::intersecting)
+    return "in truth both objects hold the point " + vector(point_of_a(decided), dimension, place);
+  return "in truth a − b is nearest to the origin at v = " + vector(v, dimension) + ", " + length(v) + " away";
 }
 
 /// "a[0] − b[2], a[1] − b[2]", by the places of the points in their sets.
@@ -64,8 +67,10 @@ std::string differences_told(const gjk::IndexPairs& pairs) {
   });
 }
 
-bool have_points(const Scene& scene) {
-  return std::holds_alternative<Points>(scene.a.form) && std::holds_alternative<Points>(scene.b.form);
+/// Whether the pose is a turn by degrees whose sines were rounded.
+bool has_rounded_matrix(const Pose& pose) {
+  return !pose.quaternion && !pose.matrix_as_written &&
+         pose.rotation != Eigen::Matrix3d(pose.rotation.array().round().matrix());
 }
 
 }  // namespace
@@ -88,10 +93,12 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
     note((shown == gjk::Status::undecided ? "No answer"
                                           : as_sentence(searched(scene)) + ": " + words_for_answer(shown)) +
          ". In truth: " + in_truth_they + ".");
-    if (truth.answer.nearest.size() > 0 && have_points(scene)) {
-      tell(certificate_told(truth.answer, scene));
+    if (const std::optional<Decided> certificate = decided(truth.answer, scene)) {
+      tell(why_told(*certificate, truth.answer.status, scene.dimension));
       tell("the certificate is " + differences_told(truth.answer.nearest));
     }
+    if (has_rounded_matrix(a_as_read(scene).pose) || has_rounded_matrix(b_as_read(scene).pose))
+      tell("this is the truth about the matrix of a turn as it was rounded");
     if ((scene.a_as_read || scene.b_as_read) && exact_answer(scene.a, scene.b).status != truth.answer.status)
       tell("this is the truth about the numbers as read: rounding them to floats has moved the objects");
   }

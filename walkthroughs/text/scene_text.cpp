@@ -141,7 +141,8 @@ std::string example_scene() {
       [-1, -1,  1], [1, -1,  1], [1, 1,  1], [-1, 1,  1]
     ],
     "pose": {  // first turned about the origin, then moved
-      "rotation": {"axis": [1, 1, 0], "degrees": 30},
+      "rotation": {"axis": [1, 1, 0], "degrees": 30},  // or {"w": 1, "x": 0, "y": 0, "z": 1}, a quaternion of any
+                                                       // length, or a matrix [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
       "translation": [2.5, 0.5, 0]
     }
   },

@@ -17,7 +17,8 @@
 ///     box              along the axes; "half_extents" may stand in place of "size"
 ///     sum              each point of one plus each of the other (Section 2.3, Eq. 3); sums may be in one another
 ///     pose             either or both of its keys: the shape is first turned about the origin, counter-clockwise seen from the
-///                      tip of the axis, then moved. In the plane the rotation is {"degrees": d}
+///                      tip of the axis, then moved. In the plane the rotation is {"degrees": d}. It may also be a quaternion of any
+///                      length, or a matrix, which is taken as it stands: its columns are perpendicular and of length 1 to 1e-5
 ///
 /// All numbers are finite and at most 1e150 in magnitude, so that the squares of lengths are finite. Lengths may be 0.
 #pragma once

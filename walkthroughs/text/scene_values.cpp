@@ -339,8 +339,21 @@ Eigen::Matrix3d rotation_about(const Point& axis, double degrees) {
   return cosine * Eigen::Matrix3d::Identity() + (1 - cosine) * n * n.transpose() + sine * cross;
 }
 
-Eigen::Matrix3d read_rotation(const Value& value, const Space& space) {
-  expect_object(value, {"axis", "degrees"}, "an object with 'axis' and 'degrees'");
+constexpr double most_degrees = 1e6;  // far beyond it doubles do not tell one degree from the next
+
+/// One of the ways to say a rotation.
+const std::string rotation_words =
+    "{\"axis\": [x, y, z], \"degrees\": d}, a quaternion {\"w\", \"x\", \"y\", \"z\"}, or a matrix of three rows";
+
+double read_degrees(const Value& value) {
+  const double degrees = number_of_any_size(value);
+  if (!(std::abs(degrees) <= most_degrees))
+    value.fail("expected an angle from -1000000 to 1000000 degrees, found " + number_text(degrees));
+  return degrees;
+}
+
+Eigen::Matrix3d read_turn(const Value& value, const Space& space) {
+  expect_object(value, {"axis", "degrees"}, rotation_words);
   const auto axis_given = value.member("axis");
   Point axis(0, 0, 1);
   if (axis_given || !space.is_plane()) {
@@ -349,13 +362,62 @@ Eigen::Matrix3d read_rotation(const Value& value, const Space& space) {
     if (space.is_plane() && (axis.x() != 0 || axis.y() != 0))
       axis_value.fail("turns the object out of the plane; with \"dimension\": 2 leave the axis out");
   }
-  return rotation_about(axis, number(required(value, "degrees", "give the angle as a number")));
+  return rotation_about(axis, read_degrees(required(value, "degrees", "give the angle as a number")));
+}
+
+gjk::Quaternion read_quaternion(const Value& value, const Space& space) {
+  expect_object(value, {"w", "x", "y", "z"}, rotation_words);
+  const auto read = [&](std::string_view key) {
+    return number_of_any_size(required(value, key, "a quaternion has four numbers"));
+  };
+  const gjk::Quaternion q{read("w"), read("x"), read("y"), read("z")};
+  if (q == gjk::Quaternion{0, 0, 0, 0}) value.fail("has no length; give a quaternion other than zero");
+  if (space.is_plane() && (q.x != 0 || q.y != 0))
+    value.fail("turns the object out of the plane; with \"dimension\": 2 'x' and 'y' are 0");
+  return q;
+}
+
+Eigen::Matrix3d read_matrix(const Value& value, const Space& space) {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+  const std::vector<Value> rows = value.children();
+  if (rows.size() != 3)
+    value.fail("expected three rows of three numbers, found a list of " + std::to_string(rows.size()));
+  for (std::size_t i = 0; i < 3 && i < rows.size(); ++i) {
+    if (!expect(rows[i], Kind::list, "a row of three numbers")) break;
+    const std::vector<Value> numbers = rows[i].children();
+    if (numbers.size() != 3)
+      rows[i].fail("expected a row of three numbers, found a list of " + std::to_string(numbers.size()));
+    for (std::size_t j = 0; j < 3 && j < numbers.size(); ++j)
+      matrix(static_cast<int>(i), static_cast<int>(j)) = number_of_any_size(numbers[j]);
+  }
+  if (!(distance_from_rotation(matrix) <= rotation_tolerance))
+    value.fail(
+        "is not a rotation; expected columns that are perpendicular, of length 1 and right-handed, each product to "
+        "0.00001");
+  if (space.is_plane() && (matrix(2, 0) != 0 || matrix(2, 1) != 0))
+    value.fail("turns the object out of the plane; with \"dimension\": 2 the third row is [0, 0, 1]");
+  return matrix;
+}
+
+void read_rotation(const Value& value, const Space& space, Pose& pose) {
+  const auto has = [&](std::string_view key) { return value.member(key).has_value(); };
+  if (value.is(Kind::list)) {
+    pose.rotation = read_matrix(value, space);
+    pose.matrix_as_written = true;
+  } else if (has("w") || has("x") || has("y") || has("z")) {
+    const gjk::Quaternion quaternion = read_quaternion(value, space);
+    if (!value.is_good()) return;
+    pose.quaternion = quaternion;
+    pose.rotation = matrix_of(quaternion);
+  } else {
+    pose.rotation = read_turn(value, space);
+  }
 }
 
 Pose read_pose(const Value& value, const Space& space) {
   expect_object(value, {"translation", "rotation"}, "an object with 'translation' and 'rotation'");
   Pose pose;
-  if (const auto rotation = value.member("rotation")) pose.rotation = read_rotation(*rotation, space);
+  if (const auto rotation = value.member("rotation")) read_rotation(*rotation, space, pose);
   if (const auto translation = value.member("translation")) pose.translation = space.point(*translation);
   return pose;
 }

@@ -6,7 +6,7 @@
 namespace walkthroughs::trace {
 namespace {
 
-/// A share of the largest coordinate: a few dozen roundings, and what a pose may lack of being a rotation.
+/// A share of the largest coordinate: a few dozen roundings, and what they leave of a rotation.
 constexpr double roundings = 1024;
 
 double largest(const Point& p) { return p.cwiseAbs().maxCoeff(); }
@@ -31,7 +31,8 @@ class Objection {
         pose_(object.pose),
         length_(largest(direction)),
         along_(direction / length_),
-        precision_(precision) {}
+        precision_(precision),
+        shear_(object.pose.matrix_as_written ? distance_from_rotation(object.pose.rotation) : 0) {}
 
   std::string operator()(const Points& points) const {
     if (!found_.index) return "has no index, though it is one of a list of points";
@@ -98,7 +99,8 @@ class Objection {
   }
 
   double allowance(double size) const {
-    return roundings * precision_.epsilon * (3 * size + largest(pose_.translation)) + precision_.least_normal;
+    return roundings * precision_.epsilon * (3 * size + largest(pose_.translation)) + precision_.least_normal +
+           8 * shear_ * size;
   }
   Point turned(const Point& p) const { return Pose{pose_.rotation, Point::Zero()}(p); }
 
@@ -107,6 +109,7 @@ class Objection {
   const double length_;
   const Point along_;  // its largest component is 1 or -1, so that nothing overflows
   const Precision precision_;
+  const double shear_;  // what a matrix as it was written lacks of a rotation
 };
 
 }  // namespace

@@ -271,13 +271,26 @@ void read(const Value& value, const How& how, Eigen::Matrix3d& rotation) {
   if (rows.size() != 3) return value.fail("expected three rows, found " + std::to_string(rows.size()));
   for (int row = 0; row < 3; ++row)
     rotation.row(row) = Space{Dimension::space}.point(rows[static_cast<std::size_t>(row)]);
-  const Scalar scalar = how.space->numbers == Numbers::binary32 ? Scalar::binary32 : Scalar::binary64;
-  const double allowed = 64 * precision_of(scalar).epsilon;  // some roundings of sines and cosines
-  const Eigen::Matrix3d product = rotation * rotation.transpose();
-  if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= allowed && rotation.determinant() > 0))
-    value.fail("is not a rotation: its rows are not perpendicular unit vectors in right-handed order");
   if (how.space->is_plane() && (rotation(2, 0) != 0 || rotation(2, 1) != 0))
     value.fail("turns the object out of the plane");
+}
+
+/// A matrix that was written may lack more of a rotation than some roundings of sines and cosines.
+void read(const Value& value, const How& how, Pose& pose) {
+  read<Pose>(value, how, pose);
+  if (!value.is_good()) return;
+  const Scalar scalar = how.space->numbers == Numbers::binary32 ? Scalar::binary32 : Scalar::binary64;
+  const double roundings = 64 * precision_of(scalar).epsilon;
+  const auto tolerance = [&](double otherwise) { return std::max(roundings, otherwise); };
+  if (!(distance_from_rotation(pose.rotation) <= tolerance(pose.matrix_as_written ? rotation_tolerance : 0)))
+    member(value, "rotation")
+        .fail("is not a rotation: its columns are not perpendicular unit vectors in right-handed order");
+  if (!pose.quaternion) return;
+  const auto& [w, x, y, z] = *pose.quaternion;
+  const Eigen::Vector4d numbers(w, x, y, z);
+  if (!numbers.allFinite() || numbers.isZero(0) ||
+      !((matrix_of(*pose.quaternion) - pose.rotation).cwiseAbs().maxCoeff() <= roundings))
+    member(value, "quaternion").fail("is not the quaternion of that rotation");
 }
 
 void read(const Value& value, const How& how, Object& object) {

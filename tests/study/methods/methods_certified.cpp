@@ -2,9 +2,9 @@
 #include <string>
 #include <variant>
 
-#include "core/certified/balls.hpp"
 #include "core/certified/certified.hpp"
 #include "core/certified/check.hpp"
+#include "core/certified/grown.hpp"
 #include "core/certified/shapes.hpp"
 #include "tests/study/methods/methods_of_scalar.hpp"
 
@@ -22,8 +22,9 @@ struct Proven {
 template <class S>
 struct AskingShapes {
   Proven operator()(const auto& a, const auto& b) const {
-    if constexpr (requires { gjk::certified_status(a, b); }) {
-      return {gjk::certified_status(a, b), 0, 0};
+    if constexpr (requires { gjk::Grown(a), gjk::Grown(b); }) {
+      const gjk::GrownResult result = gjk::certified_collision(gjk::Grown(a), gjk::Grown(b));
+      return {result.status, 0, result.iterations};
     } else {
       const gjk::ShapesResult result = gjk::certified_shapes<S>(a, b);
       return {result.status, result.iterations, 0};

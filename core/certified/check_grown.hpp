@@ -1,0 +1,143 @@
+/// Does the answer about two grown sets hold? It is multiplied out in fractions, without any code of what made it.
+/// Needs Eigen and Boost.Multiprecision.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "check.hpp"
+#include "grown.hpp"
+
+namespace gjk {
+namespace detail {
+
+/// Returns: q p q⁻¹, by (w² − v·v)p + 2(v·p)v + 2w v×p over q·q.
+inline Fractions turned(const Quaternion& q, const Fractions& p) {
+  const Fraction w = q.w;
+  const Fractions v{q.x, q.y, q.z};
+  const Fractions across{v[1] * p[2] - v[2] * p[1], v[2] * p[0] - v[0] * p[2], v[0] * p[1] - v[1] * p[0]};
+  const Fraction vv = dot(v, v), square = w * w + vv;
+  Fractions turned(3);
+  for (std::size_t i = 0; i < 3; ++i)
+    turned[i] = ((w * w - vv) * p[i] + 2 * dot(v, p) * v[i] + 2 * w * across[i]) / square;
+  return turned;
+}
+
+inline Fractions turned(const Matrix3& M, const Fractions& p) {
+  Fractions turned(3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      turned[static_cast<std::size_t>(i)] += Fraction(M(i, j)) * p[static_cast<std::size_t>(j)];
+  return turned;
+}
+
+/// Returns: M p + t.
+inline Fractions moved(const Motion& motion, const Vec3<double>& point) {
+  const Fractions p = fractions(point);
+  Fractions moved = std::visit([&](const auto& turn) { return turned(turn, p); }, motion.turn);
+  for (std::size_t i = 0; i < 3; ++i) moved[i] += Fraction(motion.translation[static_cast<int>(i)]);
+  return moved;
+}
+
+/// Returns: the point of the core that has that number; none where none has.
+inline std::optional<Fractions> core_point(const Grown& grown, int number) {
+  if (number < 0) return std::nullopt;
+  Fractions sum(3);
+  for (std::size_t k = grown.sets().size(); k-- > 0;) {
+    const MovedPoints& set = grown.sets()[k].given();
+    const auto size = static_cast<int>(set.points.size());
+    const Fractions p = moved(set.motion, set.points[static_cast<std::size_t>(number % size)]);
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += p[i];
+    number /= size;
+  }
+  return number == 0 ? std::optional(sum) : std::nullopt;
+}
+
+/// Returns: the points of the difference of the cores; none where they are not 1 to 4, or a number is none.
+inline std::optional<std::vector<Fractions>> core_points(const IndexPairs& pairs, const Grown& a, const Grown& b) {
+  if (pairs.size() < 1) return std::nullopt;
+  std::vector<Fractions> points;
+  for (const auto& [i, j] : pairs) {
+    const auto of_a = core_point(a, i), of_b = core_point(b, j);
+    if (!of_a || !of_b) return std::nullopt;
+    points.push_back(minus(*of_a, *of_b));
+  }
+  return points;
+}
+
+/// Returns: the weights of the point nearest to the origin on the line, plane or space through these; none where they
+/// depend on each other.
+inline std::optional<Fractions> nearest_weights(const std::vector<Fractions>& points) {
+  std::vector<Fractions> edges, rows;
+  for (std::size_t i = 1; i < points.size(); ++i) edges.push_back(minus(points[i], points[0]));
+  for (const Fractions& edge : edges) {
+    rows.emplace_back();
+    for (const Fractions& other : edges) rows.back().push_back(dot(edge, other));
+    rows.back().push_back(-dot(edge, points[0]));
+  }
+  const auto others = solution_of(std::move(rows), edges.size());
+  if (!others) return std::nullopt;
+  Fractions weights{1};
+  for (const Fraction& t : *others) {
+    weights[0] -= t;
+    weights.push_back(t);
+  }
+  return weights;
+}
+
+/// Returns: the least of p·v of all points of the core, where `sign` is −1 that of −p·v.
+inline Fraction least_along(const Fractions& v, const Grown& grown, int sign) {
+  Fraction sum = 0;
+  for (const MovedSet& set : grown.sets()) {
+    std::optional<Fraction> least;
+    for (const Vec3<double>& p : set.given().points) {
+      const Fraction here = sign * dot(moved(set.given().motion, p), v);
+      if (!least || here < *least) least = here;
+    }
+    sum += *least;
+  }
+  return sum;
+}
+
+inline Fraction sum_of_radii(const Grown& grown) {
+  Fraction sum = 0;
+  for (const double radius : grown.radii()) sum += Fraction(radius);
+  return sum;
+}
+
+}  // namespace detail
+
+/// The point v of the line, plane or space through the points of `nearest` that is nearest to the origin, exactly. It is
+/// the sum of these points times their weights, whose sum is 1.
+struct NearestPoint {
+  detail::Fractions v, weights;
+};
+
+/// Returns: nothing where these are no points of the difference of the cores, or depend on each other.
+inline std::optional<NearestPoint> nearest_point_of(const IndexPairs& nearest, const Grown& a, const Grown& b) {
+  const auto points = detail::core_points(nearest, a, b);
+  auto weights = points ? detail::nearest_weights(*points) : std::nullopt;
+  if (!weights) return std::nullopt;
+  detail::Fractions v(3);
+  for (std::size_t k = 0; k < points->size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) v[i] += (*weights)[k] * (*points)[k][i];
+  return NearestPoint{std::move(v), std::move(*weights)};
+}
+
+/// Returns: whether these points prove the answer. No weight is below 0, so v is in the difference. No w·v is below
+/// v·v, so v is nearest to the origin. And |v|² tells the answer.
+inline bool holds(const GrownResult& result, const Grown& a, const Grown& b) {
+  const auto nearest = nearest_point_of(result.nearest, a, b);
+  if (!nearest || std::ranges::any_of(nearest->weights, [](const Fraction& t) { return t < 0; })) return false;
+  const detail::Fractions& v = nearest->v;
+  const Fraction square = detail::dot(v, v), reach = detail::sum_of_radii(a) + detail::sum_of_radii(b);
+  if (detail::least_along(v, a, +1) + detail::least_along(v, b, -1) < square) return false;
+  return result.status == (square <= reach * reach ? Status::intersecting : Status::separated);
+}
+
+}  // namespace gjk
