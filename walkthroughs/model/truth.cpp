@@ -77,7 +77,7 @@ struct Times10 {
 /// only points are moved so.
 bool has_decimals(const Object& object) {
   const Eigen::Matrix3d& R = object.pose.rotation;
-  return R == R.array().round().matrix() ||
+  return (R == R.array().round().matrix() && !object.pose.quaternion) ||
          (object.pose.matrix_as_written && std::holds_alternative<Points>(object.form));
 }
 
