@@ -456,7 +456,8 @@ inline GrownResult certified_collision(const Grown& a, const Grown& b) {
   detail::ExactSimplex simplex(difference);
   GrownResult result;
   result.status = Status::intersecting;
-  for (std::optional<IndexPair> next = IndexPair{}; next; ++result.iterations) {
+  for (std::optional<IndexPair> next = IndexPair{}; next;) {
+    ++result.iterations;
     simplex.add(*next);
     simplex.keep(nearest_with_A(simplex, simplex.size()));
     if (simplex.contains_origin()) break;
