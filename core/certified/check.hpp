@@ -59,10 +59,11 @@ std::optional<Fractions> point_of(const PointSet<S>& set, int index) {
   return mean;
 }
 
-/// Returns: these points of the difference; none where they are not 1 to `most`, or an index is none.
-template <class S>
-std::optional<std::vector<Fractions>> points_of(const IndexPairs& pairs, int most, const PointSet<S>& a,
-                                                const PointSet<S>& b) {
+/// `point_of`: makes of an object and a number the point that has it, or none.
+/// Returns: these points of the difference; none where they are not 1 to `most`, or a number is none.
+template <class Objects, class PointOf>
+std::optional<std::vector<Fractions>> differences_of(const IndexPairs& pairs, int most, const Objects& a,
+                                                     const Objects& b, const PointOf& point_of) {
   if (pairs.size() < 1 || pairs.size() > most) return std::nullopt;
   std::vector<Fractions> points;
   for (const auto& [i, j] : pairs) {
@@ -71,6 +72,12 @@ std::optional<std::vector<Fractions>> points_of(const IndexPairs& pairs, int mos
     points.push_back(minus(*of_a, *of_b));
   }
   return points;
+}
+
+template <class S>
+std::optional<std::vector<Fractions>> points_of(const IndexPairs& pairs, int most, const PointSet<S>& a,
+                                                const PointSet<S>& b) {
+  return differences_of(pairs, most, a, b, point_of<S>);
 }
 
 /// Returns: whether a·d < b·d for all points.

@@ -58,18 +58,6 @@ inline std::optional<Fractions> core_point(const Grown& grown, int number) {
   return number == 0 ? std::optional(sum) : std::nullopt;
 }
 
-/// Returns: the points of the difference of the cores; none where they are not 1 to 4, or a number is none.
-inline std::optional<std::vector<Fractions>> core_points(const IndexPairs& pairs, const Grown& a, const Grown& b) {
-  if (pairs.size() < 1) return std::nullopt;
-  std::vector<Fractions> points;
-  for (const auto& [i, j] : pairs) {
-    const auto of_a = core_point(a, i), of_b = core_point(b, j);
-    if (!of_a || !of_b) return std::nullopt;
-    points.push_back(minus(*of_a, *of_b));
-  }
-  return points;
-}
-
 /// Returns: the weights of the point nearest to the origin on the line, plane or space through these; none where they
 /// depend on each other.
 inline std::optional<Fractions> nearest_weights(const std::vector<Fractions>& points) {
@@ -120,7 +108,7 @@ struct NearestPoint {
 
 /// Returns: nothing where these are no points of the difference of the cores, or depend on each other.
 inline std::optional<NearestPoint> nearest_point_of(const IndexPairs& nearest, const Grown& a, const Grown& b) {
-  const auto points = detail::core_points(nearest, a, b);
+  const auto points = detail::differences_of(nearest, 4, a, b, detail::core_point);
   auto weights = points ? detail::nearest_weights(*points) : std::nullopt;
   if (!weights) return std::nullopt;
   detail::Fractions v(3);

@@ -5,9 +5,9 @@
 ///     gjk::certified_status(*can, *other);                                    // intersecting or separated
 ///
 /// Such cylinders are discs times intervals.
-///  C11. They meet where their intervals and their discs do. A ball or a capsule meets one where it is at most its
-///       radius from it: of that, its distances along and across the axis are taken. All is compared in numbers that do
-///       not round.
+///  C11. They meet where their intervals and their discs do. A ball or a capsule meets one that is at most its
+///       radius away. That distance has a part along the axis and one across it. All is compared in numbers that do not
+///       round.
 #pragma once
 
 #include <algorithm>

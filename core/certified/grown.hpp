@@ -1,11 +1,12 @@
 /// Collision tests of points that a pose moves, of their sums, and of both grown by a ball: balls, boxes, capsules,
 /// rounded boxes. They are exact: never wrong, never undecided. Needs what certified.hpp needs.
 ///
-///     const gjk::Grown capsule({{{{0, 0, 0}, {0, 0, 2}}}}, 0.5);                    // a segment, grown by 0.5
-///     const gjk::Grown box({{corners, {gjk::Quaternion{2, 1, 0, 0}, {0, 0, 3}}}});  // turned, then moved
+///     const gjk::Grown capsule({{{{0, 0, 0}, {0, 0, 2}}}}, 0.5);
+///     const gjk::Grown box({{corners, {gjk::Quaternion{2, 1, 0, 0}, {0, 0, 3}}}});
 ///     const gjk::GrownResult result = gjk::certified_collision(capsule, box);
-///     result.status;    // intersecting or separated
-///     result.nearest;   // why: see GrownResult; holds() of check_grown.hpp multiplies it out
+///
+/// The first is a segment, grown by 0.5. The second is turned, then moved. The result has the answer and why: see
+/// GrownResult. holds() of check_grown.hpp multiplies it out.
 ///
 /// The assumptions are those of certified.hpp. The core of a grown set is the hull of its points, without the ball.
 ///  C10. Two grown sets meet where their cores are at most the sum of the radii apart. The exact fallback walks to the
@@ -223,8 +224,9 @@ class Grown {
   static constexpr std::int64_t most_points = 1 << 30;
 
   /// `radius`: of the ball; no motion changes it.
-  /// Errors: std::invalid_argument where there is no set, or one without points, or more than `most_points` sums, or
-  /// numbers are not finite, or the quaternion is zero, or the radius negative.
+  /// Requires: at least one set, and none without points; at most `most_points` sums of these. Finite numbers, no
+  /// quaternion of zeros, no radius below 0.
+  /// Errors: std::invalid_argument.
   explicit Grown(std::vector<MovedPoints> summands, double radius = 0)
       : Grown(std::move(summands), std::vector<double>{radius}) {}
   /// Of several balls, whose sum is not rounded.
@@ -276,8 +278,8 @@ namespace detail {
 
 // -- The difference of the cores -------------------------------------------------------------------------------------
 
-/// The difference of two cores, as the exact fallback asks it (see ExactDifference): the sum of all of their sets, those
-/// of b with their sign changed. Doubles are in a unit that brings the largest coordinate or radius near 1. Whole numbers
+/// The difference of two cores, as the exact fallback asks it: see ExactDifference. It is the sum of all of their sets,
+/// those of b with their sign changed. Doubles are in a unit that brings the largest coordinate or radius near 1. Whole numbers
 /// are times the squares of all quaternions and a power of two.
 class GrownDifference {
  public:
@@ -456,7 +458,8 @@ inline GrownResult certified_collision(const Grown& a, const Grown& b) {
   detail::ExactSimplex simplex(difference);
   GrownResult result;
   result.status = Status::intersecting;
-  for (std::optional<IndexPair> next = IndexPair{}; next; ++result.iterations) {
+  for (std::optional<IndexPair> next = IndexPair{}; next;) {
+    ++result.iterations;
     simplex.add(*next);
     simplex.keep(nearest_with_A(simplex, simplex.size()));
     if (simplex.contains_origin()) break;
