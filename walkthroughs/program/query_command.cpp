@@ -21,6 +21,7 @@
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/program/standard_output.hpp"
+#include "walkthroughs/query/measure.hpp"
 #include "walkthroughs/query/query.hpp"
 #include "walkthroughs/story/words.hpp"
 #include "walkthroughs/text/names.hpp"
@@ -148,12 +149,20 @@ struct QueryCommand {
   int max_iterations = 20;
   std::optional<std::string> start, first_direction;
   bool certified = false, fractions = false;
+  std::optional<std::string> measured;  ///< a file
+  bool csv = false;
 
   /// Returns: the exit code: 0, or 3 where a line was bad (told on standard error; the others are answered).
   /// Errors: UsageError; InputError where standard input cannot be read; render::FileError where standard output cannot be
   /// written.
   int run() const {
     const QueryOptions options = checked_options();
+    if (measured) {
+      expect_output_apart_from(*measured);
+      const Measurement found = measure(read_text(*measured, query_limits::measured), *measured, options);
+      std::cout << (csv ? csv_of(found) : table_of(found));
+      return ok;
+    }
     Places places;
     places.read_standard_input();
     places.write_standard_output();
@@ -213,6 +222,12 @@ Command add_query_command(CLI::App& app) {
       ->add_flag("--fractions", query->fractions,
                  "write certificates in exact fractions, with what it takes to check them")
       ->needs(certified);
+  CLI::Option* const measured = command->add_option("--measure", query->measured,
+                                                    "ask the pairs of this file in each scalar by each set of rules, "
+                                                    "and certified: what a pair costs, how many answers are "
+                                                    "wrong, and which setting to choose");
+  measured->type_name("FILE")->excludes(certified)->excludes("--scalar")->excludes("--rules");
+  command->add_flag("--csv", query->csv, "write that table as CSV")->needs(measured);
   command->footer(footer());
   return {command, [query] { return query->run(); }};
 }

@@ -6,22 +6,29 @@
 #include "core/gjk.hpp"
 #include "core/rule_sets.hpp"
 #include "render/json_text.hpp"
+#include "walkthroughs/query/prepared_pair.hpp"
 #include "walkthroughs/query/query_certified.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
-#include "walkthroughs/query/query_pair.hpp"
 
 namespace walkthroughs::query {
+
+template <class S>
+gjk::Result<S> searched(const PreparedPair<S>& pair, const QueryOptions& query) {
+  const auto search = [&]<class Rules>() { return gjk::collision<S, Rules>(pair.a, pair.b, pair.options); };
+  if constexpr (std::floating_point<S>)
+    return gjk::with_rules(query.rules, query.zero_test, search);
+  else  // what does not round has nothing to tolerate: both zero tests are this one
+    return gjk::with_rules<gjk::ExactZeroTest>(query.rules, search);
+}
+template gjk::Result<float> searched(const PreparedPair<float>&, const QueryOptions&);
+template gjk::Result<double> searched(const PreparedPair<double>&, const QueryOptions&);
+template gjk::Result<long double> searched(const PreparedPair<long double>&, const QueryOptions&);
+
 namespace {
 
 template <class S>
 void answer_in(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
-  const gjk::Options<S> options = search_options<S>(pair, query);
-  const PosedForm<S> a = query_object<S>(std::move(pair.a)), b = query_object<S>(std::move(pair.b));
-  const auto answer_by = [&]<class Rules>() { write_answer(gjk::collision<S, Rules>(a, b, options), out); };
-  if constexpr (std::floating_point<S>)
-    gjk::with_rules(query.rules, query.zero_test, answer_by);
-  else  // what does not round has nothing to tolerate: both zero tests are this one
-    gjk::with_rules<gjk::ExactZeroTest>(query.rules, answer_by);
+  write_answer(searched(prepared<S>(std::move(pair), query), query), out);
 }
 
 void answer(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "core/certified/check_grown.hpp"
@@ -17,6 +18,29 @@ std::optional<gjk::PointSet<S>> points_of(const Object& object) {
   return gjk::PointSet<S>(std::get<PointsOf<S>>(converted<S>(object.form, Cast<S>{})));
 }
 
+}  // namespace
+
+template <class S>
+Provable<S> provable(const PairAsWritten& pair, const QueryOptions& query) {
+  if (auto a = points_of<S>(pair.a), b = points_of<S>(pair.b); a && b)
+    return ProvablePoints<S>{search_options<S>(pair, query), query.rules, query.zero_test, std::move(*a),
+                             std::move(*b)};
+  auto a = exact_shape(pair.a.form, pair.a.pose), b = exact_shape(pair.b.form, pair.b.pose);
+  if (a && b) return ProvableGrown{std::move(*a), std::move(*b)};
+  return ProvableOthers{pair.a, pair.b};
+}
+template Provable<double> provable(const PairAsWritten&, const QueryOptions&);
+
+template <class S>
+gjk::CertifiedResult proven(const ProvablePoints<S>& pair) {
+  return gjk::with_rules(pair.rules, pair.zero_test, [&]<class Rules>() {
+    return gjk::certified_collision<S, Rules>(pair.a, pair.b, pair.options);
+  });
+}
+template gjk::CertifiedResult proven(const ProvablePoints<double>&);
+
+namespace {
+
 /// Appends what proves the answer about two grown sets; in fractions with what a check of it computes.
 void write_answer(const gjk::GrownResult& result, const gjk::Grown& a, const gjk::Grown& b, QueryEvidence evidence,
                   std::string& out) {
@@ -30,19 +54,26 @@ void write_answer(const gjk::GrownResult& result, const gjk::Grown& a, const gjk
   out += "}}\n";
 }
 
-/// In numbers of S, which hold those of the pair.
+template <class S>
+struct Writer {
+  QueryEvidence evidence;
+  std::string& out;
+
+  void operator()(const ProvablePoints<S>& pair) const {
+    write_answer(proven(pair), CertificateWriter<S>{pair.a, pair.b, evidence, out});
+  }
+  void operator()(const ProvableGrown& pair) const {
+    write_answer(gjk::certified_collision(pair.a, pair.b), pair.a, pair.b, evidence, out);
+  }
+  void operator()(const ProvableOthers& pair) const {
+    if (const auto status = exact_status_of_cylinders(pair.a, pair.b)) return write_answer_of_cylinders(*status, out);
+    write_answer(bounded_answer<S>(pair.a, pair.b), evidence, out);
+  }
+};
+
 template <class S>
 void answer_in(const PairAsWritten& pair, const QueryOptions& query, std::string& out) {
-  if (const auto a = points_of<S>(pair.a), b = points_of<S>(pair.b); a && b) {
-    const gjk::Options<S> options = search_options<S>(pair, query);
-    const auto prove = [&]<class Rules>() { return gjk::certified_collision<S, Rules>(*a, *b, options); };
-    const gjk::CertifiedResult result = gjk::with_rules(query.rules, query.zero_test, prove);
-    return write_answer(result, CertificateWriter<S>{*a, *b, query.evidence, out});
-  }
-  const auto a = exact_shape(pair.a.form, pair.a.pose), b = exact_shape(pair.b.form, pair.b.pose);
-  if (a && b) return write_answer(gjk::certified_collision(*a, *b), *a, *b, query.evidence, out);
-  if (const auto status = exact_status_of_cylinders(pair.a, pair.b)) return write_answer_of_cylinders(*status, out);
-  write_answer(bounded_answer<S>(pair.a, pair.b), query.evidence, out);
+  std::visit(Writer<S>{query.evidence, out}, provable<S>(pair, query));
 }
 
 /// Returns: the object in floats, of which doubles hold each.

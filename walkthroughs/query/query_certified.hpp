@@ -6,11 +6,37 @@
 
 #include "core/certified/certified.hpp"
 #include "core/certified/check.hpp"
+#include "core/certified/grown.hpp"
 #include "core/certified/shapes.hpp"
 #include "walkthroughs/query/query_evidence.hpp"
 #include "walkthroughs/query/query_pair.hpp"
 
 namespace walkthroughs::query {
+
+// A pair made ready to be proven, as often as one likes: by what it consists of.
+
+template <class S>
+struct ProvablePoints {
+  gjk::Options<S> options;
+  RuleSet rules;
+  ZeroTest zero_test;
+  gjk::PointSet<S> a, b;
+};
+struct ProvableGrown {
+  gjk::Grown a, b;
+};
+/// Cylinders, and what is too large for gjk::Grown.
+struct ProvableOthers {
+  Object a, b;
+};
+template <class S>
+using Provable = std::variant<ProvablePoints<S>, ProvableGrown, ProvableOthers>;
+
+/// Requires: numbers that S holds; float or double.
+template <class S>
+Provable<S> provable(const PairAsWritten& pair, const QueryOptions& query);
+template <class S>
+gjk::CertifiedResult proven(const ProvablePoints<S>& pair);
 
 /// Appends a direction that is proof enough by itself.
 template <class S>
