@@ -226,9 +226,9 @@ Measurement measure(std::string_view text, const std::string& file_name, const Q
 }
 
 std::string table_of(const Measurement& m) {
-  std::string text =
-      std::to_string(m.pairs) + " pairs, of which " + std::to_string(m.together) + " intersect" +
-      (m.unknown ? "; left out are " + std::to_string(m.unknown) + " that nothing can be proven about" : "") + "\n\n";
+  std::string text = "pairs: " + std::to_string(m.pairs) + "; they intersect: " + std::to_string(m.together);
+  if (m.unknown > 0) text += "; left out, as nothing can be proven: " + std::to_string(m.unknown);
+  text += "\n\n";
   const auto row = [&](const auto&... cells) {
     char line[160];
     std::snprintf(line, sizeof line, "%-12s %-12s %9s %15s %15s %10s %11s\n", cells...);
