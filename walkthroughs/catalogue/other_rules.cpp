@@ -34,9 +34,9 @@ Walkthrough endless(const Scene& scene, const std::string& title, const std::str
         9,
         ending,
         {},
-        "Algorithms 4 and 5 take the first edge or face that sees the origin, not the nearest: nothing keeps the "
-        "search from coming back. Of a million random pairs of triangles 4 go round. Another first direction may help. "
-        "The complete rules end, but where numbers round. A certified answer always does"}});
+        "Algorithms 4 and 5 take the first edge or face that sees the origin, not the nearest. Of a million random "
+        "pairs of triangles 4 go round. The complete rules end, but where numbers round. A certified answer always "
+        "does"}});
 }
 
 constexpr const char* nothing_skipped = "Section 3.2, every region of A";

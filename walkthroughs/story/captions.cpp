@@ -440,7 +440,7 @@ class Captions {
            (in_float()         ? ", computed in floats"
             : is_wrong(result) ? ", computed in doubles"
                                : ""));
-    if (result.status != gjk::Status::intersecting) return;
+    if (result.status != gjk::Status::intersecting || is_wrong(result)) return;
     if (is_complete() && now_.regions.back().feature.size() == 4)
       return tell("no edge or face at " + names_.of(gjk::Role::A) + " has the origin beyond it");
     for (const auto& region : now_.regions)

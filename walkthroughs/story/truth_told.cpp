@@ -94,8 +94,8 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
                                           : as_sentence(searched(scene)) + ": " + words_for_answer(shown)) +
          ". In truth: " + in_truth_they + ".");
     if (const std::optional<Decided> certificate = decided(truth.answer, scene)) {
-      tell(why_told(*certificate, truth.answer.status, scene.dimension));
-      tell("the certificate is " + differences_told(truth.answer.nearest));
+      tell(why_told(*certificate, truth.answer.status, scene.dimension) + ", by " +
+           differences_told(truth.answer.nearest));
     }
     if (has_rounded_matrix(a_as_read(scene).pose) || has_rounded_matrix(b_as_read(scene).pose))
       tell("this is the truth about the matrix of a turn as it was rounded");

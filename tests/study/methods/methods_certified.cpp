@@ -24,7 +24,7 @@ struct AskingShapes {
   Proven operator()(const auto& a, const auto& b) const {
     if constexpr (requires { gjk::Grown(a), gjk::Grown(b); }) {
       const gjk::GrownResult result = gjk::certified_collision(gjk::Grown(a), gjk::Grown(b));
-      return {result.status, 0, result.iterations};
+      return {result.status, result.iterations, 0};
     } else {
       const gjk::ShapesResult result = gjk::certified_shapes<S>(a, b);
       return {result.status, result.iterations, 0};
