@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "core/certified/certified.hpp"
 #include "core/certified/check.hpp"
 #include "core/certified/grown.hpp"
 #include "core/certified/shapes.hpp"
