@@ -1,11 +1,10 @@
 /// C11: cylinders along one coordinate axis, with each other and with balls and capsules, against distances in fractions.
-#include "core/certified/cylinders.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
+#include "core/certified/cylinders.hpp"
 #include "core/certified/shapes.hpp"
 #include "tests/core/certified_support.hpp"
 #include "tests/kit/catch.hpp"
