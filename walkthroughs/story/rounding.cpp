@@ -21,6 +21,12 @@ bool is_zero(const ExactVector& v) { return v.x() == 0 && v.y() == 0 && v.z() ==
 
 ExactVector exact_difference(const Vertex& vertex) { return exact(vertex.a.point) - exact(vertex.b.point); }
 
+/// Points of round objects and of sums may overflow: then nothing is known.
+bool is_finite(const Vertex& vertex) { return vertex.a.point.allFinite() && vertex.b.point.allFinite(); }
+bool is_finite(const Simplex& simplex) {
+  return std::ranges::all_of(simplex, [](const Vertex& vertex) { return is_finite(vertex); });
+}
+
 ExactVector cross(const ExactVector& u, const ExactVector& v) {
   return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(), u.x() * v.y() - u.y() * v.x()};
 }
@@ -150,10 +156,12 @@ struct PlacedRemark {
 std::optional<std::string> exact_otherwise(const gjk::Event<double>& event, const Moment& now, const Scene& scene,
                                            const Names& names) {
   if (scene.mistake || now.in_exact_fallback || scene.leaves_truth_out) return std::nullopt;
+  if (!is_finite(now.processed) || (now.found && !is_finite(*now.found))) return std::nullopt;
   return std::visit(ExactFinding{now, scene, names}, event);
 }
 
 bool holds_origin_exactly(const Simplex& simplex) {
+  if (!is_finite(simplex)) return false;
   std::vector<ExactVector> differences;
   gjk::CommonSimplex all;
   for (const Vertex& vertex : simplex) {

@@ -201,6 +201,19 @@ void check_sentences(int scenes, std::uint64_t seed) {
 
 }  // namespace
 
+TEST_CASE("Where points overflow nothing is said of exact numbers") {
+  Walkthrough w = walkthrough("as-printed-spheres");
+  w.layout = Layout::search;
+  w.scenes = {w.scenes[1]};
+  w.remarks = {};
+  w.scenes[0].a.form = Ball{{3e38, 0, 0}, 3e38};
+  w.scenes[0].b.form = Ball{{-3e38, 1, 0}, 3e38};
+  w.scenes[0] = in_float(w.scenes[0]);
+  const Story story = tell(w);
+  REQUIRE_FALSE(all<gjk::SupportFound>(story.tellings[0].trace).at(0).vertex.a.point.allFinite());
+  CHECK(has(story.frames.back().caption, "In truth they are apart."));
+}
+
 TEST_CASE("Three hundred hostile scenes are told without a sentence that is false and not hedged") {
   check_sentences(300, 20261128);
 }
