@@ -253,12 +253,11 @@ class Captions {
 
   std::string why_told(const gjk::SimplexReduced<double>& event) const {
     using enum gjk::ReductionReason;
+    if (event.why != beyond_edge && event.why != nearest_on_edge) return names_.translate(gjk::to_string(event.why));
     const gjk::Roles newest_first = {event.kept[event.kept.size() - 1], event.kept[0]};
-    const std::string edge = " edge " + names_.sorted(newest_first),
-                      by_number = is_decided_otherwise() ? "by the rounded number, " : "";
-    if (event.why == beyond_edge) return by_number + "the origin lies beyond" + edge;
-    if (event.why == nearest_on_edge) return by_number + "the point nearest to the origin lies on" + edge;
-    return names_.translate(gjk::to_string(event.why));
+    return std::string(is_decided_otherwise() ? "by the rounded number, " : "") +
+           (event.why == beyond_edge ? "the origin lies beyond" : "the point nearest to the origin lies on") +
+           " edge " + names_.sorted(newest_first);
   }
 
   /// What Algorithm 4 or 5 has not come to, because what stands before it has decided, and why that does no harm.
