@@ -1,5 +1,5 @@
-/// A double that knows its error (dynamic error bound), and vectors of it or of any other number. That is enough to
-/// take the sign of a polynomial.
+/// A number that knows its error (dynamic error bound), and vectors of it or of any other number. That is enough to take
+/// the sign of a polynomial.
 #pragma once
 
 #include <cmath>
@@ -16,28 +16,36 @@ inline constexpr double roundoff = roundoff_of<double>;
 ///  - An operation rounds its value by u|value|. It rounds its error by less than 16u of it (six operations at most).
 ///  - What underflow loses is far below 1e-300: each product at most 2^-1075, and no sum.
 ///  - Where something overflows the error is infinite or not a number, and no sign is certain.
-struct Bounded {
-  double value = 0, error = 0;
+template <class N>
+struct BoundedNumber {
+  static constexpr N u = std::numeric_limits<N>::epsilon() / 2;
+
+  N value = 0, error = 0;
 
   /// Returns: whether the number that is meant has the sign of `value`. Without an error it has: zero is a sign, too.
   bool has_certain_sign() const { return std::abs(value) > error || error == 0; }
 
-  friend Bounded operator-(const Bounded& x) { return {-x.value, x.error}; }
-  friend Bounded operator+(const Bounded& x, const Bounded& y) {
-    const double value = x.value + y.value;
-    return {value, (x.error + y.error + roundoff * std::abs(value)) * (1 + 16 * roundoff)};
+  friend BoundedNumber operator-(const BoundedNumber& x) { return {-x.value, x.error}; }
+  friend BoundedNumber operator+(const BoundedNumber& x, const BoundedNumber& y) {
+    const N value = x.value + y.value;
+    return {value, (x.error + y.error + u * std::abs(value)) * (1 + 16 * u)};
   }
-  friend Bounded operator-(const Bounded& x, const Bounded& y) { return x + -y; }
+  friend BoundedNumber operator-(const BoundedNumber& x, const BoundedNumber& y) { return x + -y; }
   /// xy − v₁v₂ = v₁ε₂ + v₂ε₁ + ε₁ε₂, where x = v₁ + ε₁ and y = v₂ + ε₂.
-  friend Bounded operator*(const Bounded& x, const Bounded& y) {
-    const double value = x.value * y.value;
-    const double carried = std::abs(x.value) * y.error + (std::abs(y.value) + y.error) * x.error;
-    return {value, (carried + roundoff * std::abs(value)) * (1 + 16 * roundoff) + 1e-300};
+  friend BoundedNumber operator*(const BoundedNumber& x, const BoundedNumber& y) {
+    const N value = x.value * y.value;
+    const N carried = std::abs(x.value) * y.error + (std::abs(y.value) + y.error) * x.error;
+    return {value, (carried + u * std::abs(value)) * (1 + 16 * u) + N(1e-300)};
   }
 };
 
+using Bounded = BoundedNumber<double>;
+
 /// −1, 0 or 1. Requires: a certain sign.
-inline int sign_of(const Bounded& x) { return x.value > 0 ? 1 : x.value < 0 ? -1 : 0; }
+template <class N>
+int sign_of(const BoundedNumber<N>& x) {
+  return x.value > 0 ? 1 : x.value < 0 ? -1 : 0;
+}
 
 /// A vector of any numbers that can be added and multiplied. Eigen would want to know more of them.
 template <class N>

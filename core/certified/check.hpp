@@ -92,32 +92,50 @@ bool separates(const Fractions& d, const PointSet<S>& a, const PointSet<S>& b) {
 
 }  // namespace detail
 
+/// The point v of the line, plane or space through some points that is nearest to the origin, exactly. It is the sum of
+/// these points times their weights, whose sum is 1.
+struct NearestPoint {
+  detail::Fractions v, weights;
+};
+
+namespace detail {
+
+/// v = w₀ + Σ tₖ(wₖ − w₀), where every (wᵢ − w₀)·v is 0. Returns: nothing where the points depend on each other.
+inline std::optional<NearestPoint> nearest_point_of(const std::vector<Fractions>& points) {
+  std::vector<Fractions> edges, rows;
+  for (std::size_t i = 1; i < points.size(); ++i) edges.push_back(minus(points[i], points[0]));
+  for (const Fractions& edge : edges) {
+    rows.emplace_back();
+    for (const Fractions& other : edges) rows.back().push_back(dot(edge, other));
+    rows.back().push_back(-dot(edge, points[0]));
+  }
+  const auto t = solution_of(std::move(rows), edges.size());
+  if (!t) return std::nullopt;
+  NearestPoint nearest{points[0], {1}};
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) nearest.v[i] += (*t)[k] * edges[k][i];
+    nearest.weights[0] -= (*t)[k];
+    nearest.weights.push_back((*t)[k]);
+  }
+  return nearest;
+}
+
+}  // namespace detail
+
 /// Requires: finite sets. Returns: whether it proves of these two sets what it says.
 template <class S>
 bool holds(const SeparatingDirection& certificate, const PointSet<S>& a, const PointSet<S>& b) {
   return certificate.d.allFinite() && detail::separates(detail::fractions(certificate.d), a, b);
 }
 
-/// Returns: −v, exactly. v = w₀ + Σ tₖ(wₖ − w₀), where every (wᵢ − w₀)·v is 0. None where these are no such points.
+/// Returns: −v, exactly, v being the point nearest to the origin on the line or plane through these points. None where
+/// these are no such points.
 template <class S>
 std::optional<detail::Fractions> direction_of(const SeparatingFeature& certificate, const PointSet<S>& a,
                                               const PointSet<S>& b) {
   const auto points = detail::points_of(certificate.of, 3, a, b);
-  if (!points) return std::nullopt;
-  const detail::Fractions& w = points->front();
-  std::vector<detail::Fractions> edges, rows;
-  for (std::size_t i = 1; i < points->size(); ++i) edges.push_back(detail::minus((*points)[i], w));
-  for (const auto& edge : edges) {
-    rows.emplace_back();
-    for (const auto& other : edges) rows.back().push_back(detail::dot(edge, other));
-    rows.back().push_back(-detail::dot(edge, w));
-  }
-  const auto t = detail::solution_of(std::move(rows), edges.size());
-  if (!t) return std::nullopt;
-  detail::Fractions d{-w[0], -w[1], -w[2]};
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    for (std::size_t i = 0; i < 3; ++i) d[i] -= (*t)[k] * edges[k][i];
-  return d;
+  const auto nearest = points ? detail::nearest_point_of(*points) : std::nullopt;
+  return nearest ? std::optional(detail::minus(detail::Fractions(3), nearest->v)) : std::nullopt;
 }
 
 template <class S>

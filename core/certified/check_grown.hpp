@@ -58,26 +58,6 @@ inline std::optional<Fractions> core_point(const Grown& grown, int number) {
   return number == 0 ? std::optional(sum) : std::nullopt;
 }
 
-/// Returns: the weights of the point nearest to the origin on the line, plane or space through these; none where they
-/// depend on each other.
-inline std::optional<Fractions> nearest_weights(const std::vector<Fractions>& points) {
-  std::vector<Fractions> edges, rows;
-  for (std::size_t i = 1; i < points.size(); ++i) edges.push_back(minus(points[i], points[0]));
-  for (const Fractions& edge : edges) {
-    rows.emplace_back();
-    for (const Fractions& other : edges) rows.back().push_back(dot(edge, other));
-    rows.back().push_back(-dot(edge, points[0]));
-  }
-  const auto others = solution_of(std::move(rows), edges.size());
-  if (!others) return std::nullopt;
-  Fractions weights{1};
-  for (const Fraction& t : *others) {
-    weights[0] -= t;
-    weights.push_back(t);
-  }
-  return weights;
-}
-
 /// Returns: the least of p·v of all points of the core, where `sign` is −1 that of −p·v.
 inline Fraction least_along(const Fractions& v, const Grown& grown, int sign) {
   Fraction sum = 0;
@@ -100,21 +80,10 @@ inline Fraction sum_of_radii(const Grown& grown) {
 
 }  // namespace detail
 
-/// The point v of the line, plane or space through the points of `nearest` that is nearest to the origin, exactly. It is
-/// the sum of these points times their weights, whose sum is 1.
-struct NearestPoint {
-  detail::Fractions v, weights;
-};
-
 /// Returns: nothing where these are no points of the difference of the cores, or depend on each other.
 inline std::optional<NearestPoint> nearest_point_of(const IndexPairs& nearest, const Grown& a, const Grown& b) {
   const auto points = detail::differences_of(nearest, 4, a, b, detail::core_point);
-  auto weights = points ? detail::nearest_weights(*points) : std::nullopt;
-  if (!weights) return std::nullopt;
-  detail::Fractions v(3);
-  for (std::size_t k = 0; k < points->size(); ++k)
-    for (std::size_t i = 0; i < 3; ++i) v[i] += (*weights)[k] * (*points)[k][i];
-  return NearestPoint{std::move(v), std::move(*weights)};
+  return points ? detail::nearest_point_of(*points) : std::nullopt;
 }
 
 /// Returns: whether these points prove the answer. No weight is below 0, so v is in the difference. No w·v is below

@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "bounded.hpp"
 
@@ -31,7 +32,7 @@ struct BinaryFraction {
   }
 };
 
-/// m·2^e. Every finite double is one, and so are sums and products of these.
+/// m·2^e. Every finite number of C++ is one, and so are sums and products of these.
 struct Dyadic {
   Whole m = 0;
   int e = 0;
@@ -41,6 +42,11 @@ struct Dyadic {
     const BinaryFraction fraction(x);
     m = fraction.m;
     e = fraction.e;
+  }
+  /// A finer number, as the sum of its doubles.
+  template <class N>
+  requires(std::numeric_limits<N>::digits > std::numeric_limits<double>::digits) explicit Dyadic(N x) {
+    for (; x != 0; x -= static_cast<double>(x)) *this = *this + Dyadic(static_cast<double>(x));
   }
 
   /// Requires: that it is one. Returns: the whole number that this is times 2^-exponent.

@@ -111,8 +111,7 @@ class ExactDifference {
     if constexpr (std::same_as<N, Bounded>) {
       return scaled_(x);
     } else {
-      const BinaryFraction fraction(x);
-      return fraction.m == 0 ? Whole(0) : Whole(fraction.m) << static_cast<unsigned>(fraction.e - least_exponent());
+      return Dyadic(x).over_power(least_exponent());
     }
   }
 

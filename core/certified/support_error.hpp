@@ -25,7 +25,8 @@ struct SupportError {
   /// Adds what underflow loses, some ten times half the least number, and leaves room for how this itself was rounded.
   template <class S>
   static SupportError of(double size, double in_roundings) {
-    constexpr double u = std::numeric_limits<S>::epsilon() / 2.0, most = std::numeric_limits<S>::max() * 0x1p-20;
+    constexpr double u = std::numeric_limits<S>::epsilon() / 2.0;
+    constexpr S most = std::numeric_limits<S>::max() * S(0x1p-20);
     const double error = u * in_roundings + 16 * static_cast<double>(std::numeric_limits<S>::denorm_min());
     return {size, size < most ? error : std::numeric_limits<double>::infinity()};
   }

@@ -157,7 +157,7 @@ constexpr int directions = 3000;
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("C6: points of a set", "[certified]", float, double) {
+TEMPLATE_TEST_CASE("C6: points of a set", "[certified]", float, double, long double) {
   using S = TestType;
   Dice dice(1);
   Needed needed;
@@ -172,7 +172,7 @@ TEMPLATE_TEST_CASE("C6: points of a set", "[certified]", float, double) {
   REQUIRE(needed.reach > 0.05);
 }
 
-TEMPLATE_TEST_CASE("C6: balls", "[certified]", float, double) {
+TEMPLATE_TEST_CASE("C6: balls", "[certified]", float, double, long double) {
   using S = TestType;
   Dice dice(2);
   Needed needed;
@@ -185,7 +185,7 @@ TEMPLATE_TEST_CASE("C6: balls", "[certified]", float, double) {
   REQUIRE(needed.reach > 0.1);
 }
 
-TEMPLATE_TEST_CASE("C6: cylinders, also along their axes and beside them", "[certified]", float, double) {
+TEMPLATE_TEST_CASE("C6: cylinders, also along their axes and beside them", "[certified]", float, double, long double) {
   using S = TestType;
   Dice dice(3);
   Needed needed;
@@ -199,7 +199,7 @@ TEMPLATE_TEST_CASE("C6: cylinders, also along their axes and beside them", "[cer
 }
 
 TEMPLATE_TEST_CASE("C6: a cylinder asked within sixteen roundings of its axis answers with the middle of a cap",
-                   "[certified]", float, double) {
+                   "[certified]", float, double, long double) {
   using S = TestType;
   using V = Vec3<S>;
   const Cylinder<S> can(V(0, 0, 0), V(0, 0, 1), S(1), S(2));
@@ -211,7 +211,7 @@ TEMPLATE_TEST_CASE("C6: a cylinder asked within sixteen roundings of its axis an
   }
 }
 
-TEMPLATE_TEST_CASE("C6: what a pose moves", "[certified]", float, double) {
+TEMPLATE_TEST_CASE("C6: what a pose moves", "[certified]", float, double, long double) {
   using S = TestType;
   Dice dice(4);
   Needed points_needed, can_needed;
@@ -261,7 +261,8 @@ TEST_CASE("C6: how many roundings each shape is given, as its derivation ends", 
      (18 * 8 + 2 * 6) * u + lost + stretched * support_error(ball).error);
 }
 
-TEMPLATE_TEST_CASE("C6: a sum reaches as far as both, and lies where their points do", "[certified]", float, double) {
+TEMPLATE_TEST_CASE("C6: a sum reaches as far as both, and lies where their points do", "[certified]", float, double,
+                   long double) {
   using S = TestType;
   Dice dice(5);
   for (int i = 0; i < directions; ++i) {

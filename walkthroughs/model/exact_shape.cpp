@@ -1,5 +1,6 @@
 #include "walkthroughs/model/exact_shape.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -22,25 +23,75 @@ gjk::Vec3<S> near_support(const AskedSum<S>& asked, const gjk::Vec3<S>& d) {
   return gjk::near_support(asked.sum(), d);
 }
 
-/// Of a shape that has one form of several.
-template <template <class> class Shape, class S>
-requires requires(const Shape<S>& shape) { shape.form(); }
-gjk::SupportError support_error(const Shape<S>& shape) {
-  return std::visit([](const auto& form) { return support_error(form); }, shape.form());
+template <class S>
+gjk::SupportError support_error(const Asked<S>& asked) {
+  return std::visit([](const auto& form) { return support_error(form); }, asked.form());
 }
-template <template <class> class Shape, class S>
-requires requires(const Shape<S>& shape) { shape.form(); }
-gjk::Vec3<S> near_support(const Shape<S>& shape, const gjk::Vec3<S>& d) {
-  return std::visit([&](const auto& form) { return near_support(form, d); }, shape.form());
+template <class S>
+gjk::Vec3<S> near_support(const Asked<S>& asked, const gjk::Vec3<S>& d) {
+  return std::visit([&](const auto& form) { return near_support(form, d); }, asked.form());
 }
 
+namespace {
+
+/// Turns points and axes, not radii and heights.
 template <class S>
-gjk::ShapesResult bounded_answer(const Object& a, const Object& b) {
-  const auto posed = [](const Object& o) { return PosedForm<S>(Asked<S>(converted<S>(o.form, Cast<S>{})), o.pose); };
-  return gjk::certified_shapes<S>(posed(a), posed(b));
+struct Turn {
+  Eigen::Matrix<S, 3, 3> rotation;
+
+  explicit Turn(const Pose& pose) : rotation(pose.rotation.cast<S>()) {
+    if constexpr (std::same_as<S, long double>)
+      if (pose.quaternion) rotation = matrix_of<S>(*pose.quaternion);
+  }
+  S length(S x) const { return x; }
+  gjk::Vec3<S> point(const gjk::Vec3<S>& p) const { return rotation * p; }
+  gjk::Vec3<S> direction(const gjk::Vec3<S>& d) const { return rotation * d; }
+};
+
+template <class S>
+AnyShapeOf<S> turned(const AnyShapeOf<S>& shape, const Turn<S>& turn) {
+  const auto turn_one = [&](const auto& one) -> AnyShapeOf<S> {
+    if constexpr (requires { one.summands; })
+      return SumOf<S>{{turned(one.summands[0], turn), turned(one.summands[1], turn)}};
+    else
+      return converted<S>(AnyShapeOf<S>(one), turn);
+  };
+  return visit_shape(turn_one, shape);
 }
-template gjk::ShapesResult bounded_answer<float>(const Object& a, const Object& b);
-template gjk::ShapesResult bounded_answer<double>(const Object& a, const Object& b);
+
+/// An object where its pose puts it.
+template <class S>
+struct Placed {
+  gjk::MinkowskiSum<S, Asked<S>, gjk::PointSet<S>> sum;
+
+  explicit Placed(const Object& object)
+      : sum(Asked<S>(turned(converted<S>(object.form, Cast<S>{}), Turn<S>(object.pose))),
+            gjk::PointSet<S>({object.pose.translation.cast<S>()})) {}
+
+  /// Beside that of the sum:
+  ///  - Each number of the matrix of a quaternion is off by 10u, which moves a point x by 30u|x| at most.
+  ///  - The product with x, 3√3u|x|.
+  friend gjk::SupportError support_error(const Placed& placed) {
+    gjk::SupportError known = gjk::support_error(placed.sum);
+    known.error += 40 * gjk::detail::roundoff_of<S> * known.size;
+    return known;
+  }
+  friend gjk::Vec3<S> near_support(const Placed& placed, const gjk::Vec3<S>& d) {
+    return gjk::near_support(placed.sum, d);
+  }
+};
+
+template <class S>
+gjk::ShapesResult answer_in(const Object& a, const Object& b) {
+  return gjk::certified_shapes<S>(Placed<S>(a), Placed<S>(b));
+}
+
+}  // namespace
+
+gjk::ShapesResult bounded_answer(const Object& a, const Object& b) {
+  const gjk::ShapesResult quick = answer_in<double>(a, b);
+  return quick.status != gjk::Status::undecided ? quick : answer_in<long double>(a, b);
+}
 
 namespace {
 
@@ -118,11 +169,11 @@ ExactAnswer exact_answer(const Object& a, const Object& b) {
     return {result.status, result.nearest};
   }
   if (const auto status = exact_status_of_cylinders(a, b)) return {*status};
-  return {bounded_answer<double>(a, b).status};
+  return {bounded_answer(a, b).status};
 }
 
 bool is_near_contact(const Object& a, const Object& b, Scalar scalar) {
-  return with_scalar(scalar, [&]<class S>() { return bounded_answer<S>(a, b).status == gjk::Status::undecided; });
+  return with_scalar(scalar, [&]<class S>() { return answer_in<S>(a, b).status == gjk::Status::undecided; });
 }
 
 }  // namespace walkthroughs::model

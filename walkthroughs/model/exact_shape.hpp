@@ -23,18 +23,15 @@ struct ExactAnswer {
 
 /// Returns: points, balls, boxes, capsules and sums of these as what is decided exactly; nothing for other shapes, and where
 /// numbers are so many or so small that it cannot be said.
-/// The points of a sum are numbered as gjk::Grown numbers them. A ball has one point, a box its corners in the order of the
-/// doubled size: x first. A capsule has two.
+/// The points of a sum are numbered as gjk::Grown numbers them. A ball has one point, a capsule two, a box its corners as
+/// its ShapeRow makes them.
 std::optional<gjk::Grown> exact_shape(const AnyShape& shape, const Pose& pose);
 
 /// Returns: the exact answer about cylinders along one coordinate axis, and balls and capsules along it; nothing for others.
 std::optional<gjk::Status> exact_status_of_cylinders(const Object& a, const Object& b);
 
-/// Returns: what can be said of any two objects, in numbers of S, which must hold theirs.
-template <class S>
+/// Returns: what can be said of any two objects. Where doubles leave it open, long doubles are asked.
 gjk::ShapesResult bounded_answer(const Object& a, const Object& b);
-extern template gjk::ShapesResult bounded_answer<float>(const Object& a, const Object& b);
-extern template gjk::ShapesResult bounded_answer<double>(const Object& a, const Object& b);
 
 /// Returns: the answer about the objects as their doubles and their poses say them. Undecided where points are only known
 /// within a bound, and the objects are nearer than that.

@@ -40,15 +40,18 @@ gjk::Quaternion near_one(const gjk::Quaternion& q) {
 
 }  // namespace
 
-Eigen::Matrix3d matrix_of(const gjk::Quaternion& quaternion) {
-  const auto [w, x, y, z] = near_one(quaternion);
-  const double square = w * w + x * x + y * y + z * z;
-  Eigen::Matrix3d matrix;
+template <class S>
+Eigen::Matrix<S, 3, 3> matrix_of(const gjk::Quaternion& quaternion) {
+  const gjk::Quaternion q = near_one(quaternion);
+  const S w = q.w, x = q.x, y = q.y, z = q.z, square = w * w + x * x + y * y + z * z;
+  Eigen::Matrix<S, 3, 3> matrix;
   matrix << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //
       2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),        //
       2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z;
   return matrix / square;
 }
+template Eigen::Matrix<double, 3, 3> matrix_of(const gjk::Quaternion& quaternion);
+template Eigen::Matrix<long double, 3, 3> matrix_of(const gjk::Quaternion& quaternion);
 
 std::vector<Point> vertices_of(const Object& object) {
   std::vector<Point> vertices;

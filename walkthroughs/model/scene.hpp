@@ -38,8 +38,11 @@ inline constexpr double rotation_tolerance = 1e-5;
 /// Returns: by how much these products differ from the identity at most. What is mirrored differs by more than all else.
 double distance_from_rotation(const Eigen::Matrix3d& matrix);
 
-/// Returns: the matrix of the rotation, rounded. Requires: a finite quaternion, not zero.
-Eigen::Matrix3d matrix_of(const gjk::Quaternion& quaternion);
+/// Returns: the matrix of the rotation, in doubles or long doubles. Requires: a finite quaternion, not zero.
+template <class S = double>
+Eigen::Matrix<S, 3, 3> matrix_of(const gjk::Quaternion& quaternion);
+extern template Eigen::Matrix<double, 3, 3> matrix_of(const gjk::Quaternion& quaternion);
+extern template Eigen::Matrix<long double, 3, 3> matrix_of(const gjk::Quaternion& quaternion);
 
 /// Returns: whether the pose leaves everything where it is. The sign of zero counts: it decides that of the points found.
 bool is_at_rest(const Pose& pose);
@@ -83,7 +86,6 @@ class PosedForm {
   [[gnu::noinline]] gjk::SupportPoint<S> support(const gjk::Vec3<S>& d) const {
     return std::visit([&](const auto& form) { return form.support(d); }, form_);
   }
-  const auto& form() const { return form_; }
 
  private:
   using Form = std::variant<Asked<S>, gjk::Posed<S, Asked<S>>>;

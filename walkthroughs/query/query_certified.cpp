@@ -1,6 +1,5 @@
 #include "walkthroughs/query/query_certified.hpp"
 
-#include <concepts>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -67,7 +66,7 @@ struct Writer {
   }
   void operator()(const ProvableOthers& pair) const {
     if (const auto status = exact_status_of_cylinders(pair.a, pair.b)) return write_answer_of_cylinders(*status, out);
-    write_answer(bounded_answer<S>(pair.a, pair.b), evidence, out);
+    write_answer(bounded_answer(pair.a, pair.b), evidence, out);
   }
 };
 
