@@ -43,10 +43,10 @@ void add_force_flag(CLI::App& command, bool& force) {
                    "overwrite, and remove, also files that gjkstep has not written or that were changed since");
 }
 
-void expect_output_apart_from(const std::string& scene_file) {
-  if (scene_file.empty()) return;  // which is told where it is read
+void expect_output_apart_from(const std::string& file, const std::string& what) {
+  if (file.empty()) return;  // which is told where it is read
   Places places;
-  places.read(scene_file, "the scene file " + scene_file);
+  places.read(file, what + " " + file);
   places.write_standard_output();
   places.expect_apart();
 }

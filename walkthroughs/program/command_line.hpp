@@ -48,8 +48,8 @@ void expect_named(const std::string& option, const std::string& name, const std:
 /// The option --force of all commands that write files. Adding it to a command fills `force`, which must live as long.
 void add_force_flag(CLI::App& command, bool& force);
 
-/// Errors: UsageError where standard output is the scene file that is to be read.
-void expect_output_apart_from(const std::string& scene_file);
+/// Errors: UsageError where standard output is the file that is to be read. `what`: the file is, in that message.
+void expect_output_apart_from(const std::string& file, const std::string& what = "the scene file");
 
 /// Whether a word of the command line means a scene file and not a walkthrough: whether it ends in .json, in capitals or not.
 bool is_scene_file(const std::string& name);

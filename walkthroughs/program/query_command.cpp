@@ -39,7 +39,7 @@ Standard input holds JSON Lines, each {"a": OBJECT, "b": OBJECT}. An OBJECT is o
          R"(It may have a "pose" and a "name", as in scene files ('gjkstep scene --example').
 A point [x, y] means [x, y, 0]. A pair may say "dimension": 2. --scalar exact takes points, boxes and their sums only.
 A number is read as the nearest double, and then converted. A line may have 16 MiB, and end in CR LF.
-"name", "family", "answer", "notes" and "source" of a pair are not looked at.
+"name", "family", "answer", "expect", "notes" and "source" of a pair are not looked at.
 The first direction is +x. With --start between, and with eager rules, it leads from the center of a to that of b.
 The center of points is their mean. With --start inside the first vertex is the difference of these centers; it has no indices.
 
@@ -57,8 +57,9 @@ Answers are written before more is read, so a program may ask one pair and wait.
 
 --certified
 Every answer is true, whatever rounds or overflows, in --scalar float or double, for any finite numbers.
-About points, spheres, boxes, capsules and sums of these, in any pose, none is "undecided". Nor about cylinders, spheres and
-capsules along one coordinate axis. Of points that no pose moves:
+About points, spheres, boxes, capsules and sums of these, in any pose, none is "undecided", unless sums have more than 2^30
+points, or half of a size is no double. Nor about cylinders, spheres and capsules along one coordinate axis. Other cylinders
+are undecided only where rounding leaves it open, nearer than ten roundings of the coordinates. Of points that no pose moves:
   {"status": "...", "iterations": n, "second_iterations": m, "proof": "...", "certificate": {...}}
 The proof is "direction" or "tetrahedron" where what the first search found is proof enough. Else it is "second-search":
 an exact fallback of m iterations. Rules, zero test, start and iterations steer the first search only.
@@ -73,8 +74,9 @@ Of all others of these without cylinders, where squared distances were compared 
   {"status": "...", "iterations": n, "proof": "distance", "certificate": {"nearest": [[i, j], ...]}}
 Let the core be an object without its radii, turned by its matrix or quaternion without rounding. Of the hull of these
 a[i] - b[j] of the cores, let v be the point nearest to 0. Of all a - b none is nearer. They intersect where |v| is at most the
-sum of the radii. A sphere has one point. A capsule has "from" and "to". A box has 8 corners, x changing first, and fewer where it
-is flat. The points of a sum are numbered in pairs, those of the second shape first. --fractions adds "weights", and "point": v.
+sum of the radii. A sphere has one point. A capsule has "from" and "to". A box has the corners ---, +--, ++-, -+-, -++, +++, +-+
+and --+ by the sides of x, y and z; where it is flat, those with a + there are left out. The points of a sum are numbered in
+pairs, those of the second shape first. --fractions adds "weights", and "point": v.
 Of cylinders along one coordinate axis, also with a sphere or a capsule along it: {"status": "...", "proof": "discs"}.
 Points of other cylinders are computed, and known to some roundings:
   {"status": "separated", "iterations": n, "proof": "direction", "certificate": {"direction": [x, y, z]}}
@@ -158,7 +160,7 @@ struct QueryCommand {
   int run() const {
     const QueryOptions options = checked_options();
     if (measured) {
-      expect_output_apart_from(*measured);
+      expect_output_apart_from(*measured, "the file of pairs");
       const Measurement found = measure(read_text(*measured, query_limits::measured), *measured, options);
       std::cout << (csv ? csv_of(found) : table_of(found));
       return ok;

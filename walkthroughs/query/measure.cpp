@@ -1,12 +1,12 @@
 #include "walkthroughs/query/measure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "core/certified/certified.hpp"
 #include "walkthroughs/model/exact_shape.hpp"
@@ -58,7 +58,7 @@ struct Proof {
   }
   Answered operator()(const ProvableOthers& pair) const {
     if (const auto status = exact_status_of_cylinders(pair.a, pair.b)) return {*status, 0};
-    const gjk::ShapesResult result = bounded_answer<double>(pair.a, pair.b);
+    const gjk::ShapesResult result = bounded_answer(pair.a, pair.b);
     return {result.status, result.iterations};
   }
 };
@@ -107,25 +107,25 @@ double time_of(const Contender& contender) {
   return static_cast<double>(passed.count()) / static_cast<double>(asked);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+double median(std::array<double, rounds> values) {
+  std::ranges::nth_element(values, values.begin() + rounds / 2);
+  return values[rounds / 2];
 }
 
+/// Of each setting, how long each round has taken.
+using Times = std::vector<std::array<double, rounds>>;
+
 /// All settings take turns, and each round begins with another.
-void time_all(const std::vector<Contender>& contenders, std::vector<Measured>& measured) {
-  std::vector<std::vector<double>> times(contenders.size());
+void time_all(const std::vector<Contender>& contenders, Times& times) {
+  times.resize(contenders.size());
   for (std::size_t round = 0; round < rounds; ++round)
     for (std::size_t k = 0; k < contenders.size(); ++k) {
       const std::size_t turn = (k + round) % contenders.size();
-      times[turn].push_back(time_of(contenders[turn]));
+      times[turn][round] += time_of(contenders[turn]) * static_cast<double>(contenders[turn].pairs);
     }
-  for (std::size_t k = 0; k < measured.size(); ++k) measured[k].nanoseconds = median(times[k]);
 }
 
-Measured judged(const Contender& contender, const std::vector<Status>& truth) {
-  Measured measured{contender.setting};
+void judge(const Contender& contender, const std::vector<Status>& truth, Measured& measured) {
   for (std::size_t i = 0; i < contender.pairs; ++i) {
     const auto [status, iterations] = contender.ask(i);
     measured.iterations += iterations;
@@ -134,49 +134,45 @@ Measured judged(const Contender& contender, const std::vector<Status>& truth) {
        : status == Status::intersecting ? measured.found_together
                                         : measured.found_apart);
   }
-  measured.iterations /= static_cast<double>(contender.pairs);
-  return measured;
 }
 
 // -- Reading ----------------------------------------------------------------------------------------------------------
 
-/// Returns: the pairs of a text. `fit_floats`: becomes false where a number is none that a float may be.
-Pairs read_pairs(std::string_view text, const std::string& file_name, const QueryOptions& query, bool& fit_floats) {
-  Pairs pairs;
-  QueryOptions in_floats = query;
-  in_floats.scalar = QueryScalar::binary32;
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    Reading<PairAsWritten> pair = read_pair(line, query);
-    if (pair.complaint) pair.complaint->line = number;
-    pairs.push_back(accepted(std::move(pair), file_name));
-    fit_floats = fit_floats && !read_pair(line, in_floats).complaint;
-    text.remove_prefix(std::min(end + 1, text.size()));
+/// The pairs of a text, some after the other.
+class PairReader {
+ public:
+  PairReader(std::string_view text, const std::string& file_name, const QueryOptions& query)
+      : text_(text), file_name_(file_name), query_(query), in_floats_(query) {
+    in_floats_.scalar = QueryScalar::binary32;
   }
-  if (pairs.empty()) throw InputError(file_name + ": has no pairs; give one a line: {\"a\": …, \"b\": …}");
-  return pairs;
-}
+
+  /// Returns: at most so many; none at the end.
+  Pairs next(std::size_t most) {
+    Pairs pairs;
+    for (; !text_.empty() && pairs.size() < most; ++number_) {
+      const std::size_t end = std::min(text_.find('\n'), text_.size());
+      const std::string_view line = text_.substr(0, end);
+      Reading<PairAsWritten> pair = read_pair(line, query_);
+      if (pair.complaint) pair.complaint->line = number_;
+      pairs.push_back(accepted(std::move(pair), file_name_));
+      fit_floats_ = fit_floats_ && !read_pair(line, in_floats_).complaint;
+      text_.remove_prefix(std::min(end + 1, text_.size()));
+    }
+    return pairs;
+  }
+  /// Whether all numbers read so far may be floats.
+  bool fit_floats() const { return fit_floats_; }
+
+ private:
+  std::string_view text_;
+  const std::string& file_name_;
+  const QueryOptions& query_;
+  QueryOptions in_floats_;
+  int number_ = 1;
+  bool fit_floats_ = true;
+};
 
 // -- Choosing ---------------------------------------------------------------------------------------------------------
-
-std::string digits(double x, int places) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", places, x);
-  return text;
-}
-
-std::string name_of(const Setting& setting) { return setting.scalar + ", " + setting.rules; }
-
-using Chosen = std::optional<Measured>;
-
-template <class Suits>
-Chosen fastest(const Measurement& measurement, const Suits& suits) {
-  Chosen chosen;
-  for (const Measured& each : measurement.settings)
-    if (suits(each) && (!chosen || each.nanoseconds < chosen->nanoseconds)) chosen = each;
-  return chosen;
-}
 
 /// Of n pairs like these k were not answered rightly. Returns: a bound on the share of such pairs which holds in 95 of 100
 /// samples: that of a Poisson number, (k + 1.65 √(k + 1) + 2) / n at least, and 3/n where none was.
@@ -185,43 +181,91 @@ double share_at_most(std::size_t k, std::size_t n) {
   return (k == 0 ? 3 : count + 1.65 * std::sqrt(count + 1) + 2) / static_cast<double>(n);
 }
 
-std::string with_cost(const Measured& chosen) {
-  return name_of(chosen.setting) + " (" + digits(chosen.nanoseconds, 0) + " ns)";
+constexpr double one_in_a_million = 1e-6;
+constexpr std::size_t enough_pairs = 3'000'000;  // of which none is answered wrongly
+
+/// What settings are chosen for. Rules as printed are known to be wrong, and never chosen.
+constexpr std::array<std::string_view, 3> aims{"never wrong", "wrong in at most one of a million of these", "fastest"};
+
+std::array<const Measured*, 3> chosen(const Measurement& m) {
+  std::array<const Measured*, 3> fastest{};
+  for (const Measured& each : m.settings) {
+    const bool is_never_wrong = each.setting.is_certified,
+               is_rarely = is_never_wrong || share_at_most(each.not_right(), m.pairs) <= one_in_a_million;
+    const std::array suits{is_never_wrong, is_rarely, each.setting.rules != words_of::of(RuleSet::as_printed)};
+    for (std::size_t aim = 0; aim < aims.size(); ++aim)
+      if (suits[aim] && (!fastest[aim] || each.nanoseconds < fastest[aim]->nanoseconds)) fastest[aim] = &each;
+  }
+  return fastest;
+}
+
+// -- Writing ----------------------------------------------------------------------------------------------------------
+
+std::string digits(double x, int places) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", places, x);
+  return text;
 }
 
 std::string advice(const Measurement& m) {
-  constexpr double one_in_a_million = 1e-6;
-  const Chosen never = fastest(m, [](const Measured& each) { return each.setting.is_certified; });
-  const Chosen rarely = fastest(m, [&](const Measured& each) {
-    return each.setting.is_certified || share_at_most(each.not_right(), m.pairs) <= one_in_a_million;
-  });
-  std::string text = "never wrong: " + with_cost(*never) + "\n";
-  text += "wrong in at most one of a million of these: " + with_cost(*rarely) + "\n";
-  if (m.pairs < 3'000'000)
-    text += "  (" + std::to_string(m.pairs) + " pairs cannot show less than " +
-            digits(3e6 / static_cast<double>(m.pairs), 1) + " in a million; 3000000 without a wrong answer can)\n";
-  return text + "fastest: " + with_cost(*fastest(m, [](const Measured&) { return true; })) + "\n";
+  std::string text;
+  const auto settings = chosen(m);
+  for (std::size_t aim = 0; aim < aims.size(); ++aim) {
+    const Measured& each = *settings[aim];
+    text += std::string(aims[aim]) + ": " + each.setting.scalar + ", " + each.setting.rules + " (" +
+            digits(each.nanoseconds, 0) + " ns" +
+            (each.not_right() > 0 ? ", " + std::to_string(each.not_right()) + " not right" : "") + ")\n";
+  }
+  if (m.pairs < enough_pairs)
+    text += "  (" + std::to_string(m.pairs) + " pairs are too few to show one of a million; " +
+            std::to_string(enough_pairs) + " without a wrong answer can)\n";
+  return text;
+}
+
+/// Where numbers are beyond floats these are not asked any more.
+void forget_floats(Measurement& measurement, Times& times) {
+  measurement.fit_floats = false;
+  const auto is_float = [](const Measured& each) { return each.setting.scalar == query_scalars[0]; };
+  const auto count = std::ranges::count_if(measurement.settings, is_float);
+  std::erase_if(measurement.settings, is_float);
+  times.erase(times.begin(), times.begin() + std::min<std::ptrdiff_t>(count, std::ssize(times)));
 }
 
 }  // namespace
 
 Measurement measure(std::string_view text, const std::string& file_name, const QueryOptions& query) {
-  bool fit_floats = true;
-  Pairs pairs = read_pairs(text, file_name, query, fit_floats);
-  Measurement measurement{.fit_floats = fit_floats};
-  std::vector<Status> truth;
-  std::erase_if(pairs, [&](const PairAsWritten& pair) {
-    const Status status = exact_answer(pair.a, pair.b).status;
-    if (status != Status::undecided) truth.push_back(status);
-    measurement.unknown += status == Status::undecided;
-    return status == Status::undecided;
-  });
-  if (pairs.empty()) throw InputError(file_name + ": nothing can be proven about any of its pairs");
-  measurement.pairs = pairs.size();
-  measurement.together = static_cast<std::size_t>(std::ranges::count(truth, Status::intersecting));
-  const std::vector<Contender> contenders = contenders_about(pairs, fit_floats, query);
-  for (const Contender& each : contenders) measurement.settings.push_back(judged(each, truth));
-  time_all(contenders, measurement.settings);
+  constexpr std::size_t block = 4096, timed_pairs = 100'000;
+  PairReader reader(text, file_name, query);
+  Measurement measurement;
+  Times times;
+  std::size_t timed = 0;
+  for (Pairs pairs; !(pairs = reader.next(block)).empty();) {
+    std::vector<Status> truth;
+    measurement.unknown += std::erase_if(pairs, [&](const PairAsWritten& pair) {
+      const Status status = exact_answer(pair.a, pair.b).status;
+      if (status != Status::undecided) truth.push_back(status);
+      return status == Status::undecided;
+    });
+    if (pairs.empty()) continue;
+    if (measurement.fit_floats && !reader.fit_floats()) forget_floats(measurement, times);
+    const std::vector<Contender> contenders = contenders_about(pairs, measurement.fit_floats, query);
+    if (measurement.settings.empty())
+      for (const Contender& each : contenders) measurement.settings.push_back({each.setting});
+    for (std::size_t k = 0; k < contenders.size(); ++k) judge(contenders[k], truth, measurement.settings[k]);
+    if (timed < timed_pairs) {
+      time_all(contenders, times);
+      timed += pairs.size();
+    }
+    measurement.pairs += pairs.size();
+    measurement.together += static_cast<std::size_t>(std::ranges::count(truth, Status::intersecting));
+  }
+  if (measurement.pairs + measurement.unknown == 0)
+    throw InputError(file_name + ": has no pairs; give one a line: {\"a\": …, \"b\": …}");
+  if (measurement.pairs == 0) throw InputError(file_name + ": nothing can be proven about any of its pairs");
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    measurement.settings[k].nanoseconds = median(times[k]) / static_cast<double>(timed);
+    measurement.settings[k].iterations /= static_cast<double>(measurement.pairs);
+  }
   return measurement;
 }
 
@@ -245,12 +289,18 @@ std::string table_of(const Measurement& m) {
 }
 
 std::string csv_of(const Measurement& m) {
-  std::string text = "scalar,rules,pairs,ns_a_pair,found_together,found_apart,undecided,iterations\n";
-  for (const Measured& each : m.settings)
+  std::string text =
+      "scalar,rules,pairs,left_out,ns_a_pair,found_together,found_apart,undecided,iterations,chosen_for\n";
+  const auto settings = chosen(m);
+  for (const Measured& each : m.settings) {
+    std::string chosen_for;
+    for (std::size_t aim = 0; aim < aims.size(); ++aim)
+      if (settings[aim] == &each) chosen_for.append(chosen_for.empty() ? "" : "; ").append(aims[aim]);
     text += each.setting.scalar + "," + each.setting.rules + "," + std::to_string(m.pairs) + "," +
-            digits(each.nanoseconds, 1) + "," + std::to_string(each.found_together) + "," +
-            std::to_string(each.found_apart) + "," + std::to_string(each.undecided) + "," + digits(each.iterations, 3) +
-            "\n";
+            std::to_string(m.unknown) + "," + digits(each.nanoseconds, 1) + "," + std::to_string(each.found_together) +
+            "," + std::to_string(each.found_apart) + "," + std::to_string(each.undecided) + "," +
+            digits(each.iterations, 3) + "," + chosen_for + "\n";
+  }
   return text;
 }
 

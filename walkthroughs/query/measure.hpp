@@ -34,7 +34,8 @@ struct Measurement {
   std::vector<Measured> settings = {};
 };
 
-/// Returns: nothing but the measurement of the pairs of a text, one a line. `query`: start, iteration limit and zero test.
+/// Returns: nothing but the measurement of the pairs of a text, one a line. Beside the text it keeps some thousand pairs at a
+/// time. All are judged; the first hundred thousand are timed. `query`: start, iteration limit and zero test.
 /// Errors: InputError about the first line that is wrong, or a text without pairs.
 Measurement measure(std::string_view text, const std::string& file_name, const QueryOptions& query);
 

@@ -27,7 +27,7 @@ namespace walkthroughs::query {
 
 namespace query_limits {
 inline constexpr std::size_t line = scene_limits::bytes;       ///< as long as a scene file may be
-inline constexpr std::size_t measured = std::size_t{1} << 28;  ///< bytes of a file whose pairs are measured
+inline constexpr std::size_t measured = std::size_t{1} << 30;  ///< bytes of a file whose pairs are measured
 }  // namespace query_limits
 
 /// Appends the answer to one pair, or an error that names that line, and a line feed. Returns: whether it is an answer.

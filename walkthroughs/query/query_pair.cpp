@@ -9,7 +9,7 @@ using namespace reading;
 
 /// Beside these a line may say what the pair is called, where it comes from and how it is answered: nobody looks at that.
 const Keys& keys_of_line() {
-  static const Keys keys{"a", "b", "dimension", "name", "family", "answer", "notes", "source"};
+  static const Keys keys{"a", "b", "dimension", "name", "family", "answer", "expect", "notes", "source"};
   return keys;
 }
 
