@@ -68,10 +68,13 @@ Walkthrough as_printed_spheres() {
   const Scene scene{.name = "the report", .a = {"disk a", Ball{{0, 0, 0}, 1}}, .b = {"disk b", Ball{{10, 0, 0}, 1}}};
   return until_they_part(
       by_rules(RuleSet::as_printed, "as printed", scene),
-      search_of("as-printed-spheres", "Algorithm 1 as printed, and as its text means it", "Section 3.1.4",
-                "two spheres far apart: read literally, Algorithm 1 finds a collision", scene,
-                {{Remark::At::region_tested, 2,
-                  "wrongly: A and B are the same point, so every product with AB is zero, wherever the origin is"}}));
+      search_of(
+          "as-printed-spheres", "Algorithm 1 as printed, and as its text means it", "Section 3.1.4",
+          "two spheres far apart: read literally, Algorithm 1 finds a collision", scene,
+          {{.at = Remark::At::region_tested,
+            .iteration = 2,
+            .text = "wrongly: A and B are the same point, so every product with AB is zero, wherever the origin is",
+            .contradicts = true}}));
 }
 
 /// From one center to the other is a direction that separates most objects that are apart. Rules that test the first point,

@@ -6,9 +6,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "core/certified/fraction.hpp"
+#include "core/complete.hpp"
+#include "core/gjk.hpp"
 #include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/model/number_text.hpp"
 
@@ -16,6 +21,7 @@ namespace walkthroughs::model {
 namespace {
 
 using gjk::Status;
+using Integer = boost::multiprecision::cpp_int;
 
 // -- Decimals ---------------------------------------------------------------------------------------------------------
 
@@ -36,7 +42,7 @@ void visit_numbers(const Object& object, const std::function<void(double)>& use)
 
 /// A number as its shortest decimal says it: digits · 10^exponent.
 struct ShortDecimal {
-  boost::multiprecision::cpp_int digits = 0;
+  Integer digits = 0;
   int exponent = 0;
 
   explicit ShortDecimal(double x) {
@@ -63,58 +69,82 @@ struct Times10 {
   double length(double x) const {
     if (x == 0) return x;
     const ShortDecimal decimal(x);
-    const auto whole = boost::multiprecision::cpp_int(
-        decimal.digits * pow(boost::multiprecision::cpp_int(10), static_cast<unsigned>(decimal.exponent + power)));
+    const Integer whole = decimal.digits * pow(Integer(10), static_cast<unsigned>(decimal.exponent + power));
     const double nearest = whole.convert_to<double>();
-    if (!std::isfinite(nearest) || boost::multiprecision::cpp_int(nearest) != whole) is_exact = false;
+    if (!std::isfinite(nearest) || Integer(nearest) != whole) is_exact = false;
     return nearest;
   }
   Point point(const Point& p) const { return {length(p.x()), length(p.y()), length(p.z())}; }
   Point direction(const Point& d) const { return d; }
 };
 
-/// A turn by degrees has no decimals, unless its matrix is of whole numbers. A matrix as typed has, and it is multiplied, too:
-/// only points are moved so.
-bool has_decimals(const Object& object) {
-  const Eigen::Matrix3d& R = object.pose.rotation;
-  return (R == R.array().round().matrix() && !object.pose.quaternion) ||
-         (object.pose.matrix_as_written && std::holds_alternative<Points>(object.form));
-}
-
 /// The powers of ten of the last digits.
 struct LastDigits {
-  int least = 0, most = 0;
+  std::optional<int> least = {}, most = {};
 
   void look_at(double x) {
     if (x == 0) return;
     const int exponent = ShortDecimal(x).exponent;
-    least = std::min(least, exponent);
-    most = std::max(most, exponent);
+    least = std::min(least.value_or(exponent), exponent);
+    most = std::max(most.value_or(exponent), exponent);
   }
   /// Doubles hold no more digits than this.
-  bool may_be_exact() const { return most - least <= 40; }
+  bool may_be_exact() const { return least && *most - *least <= 40; }
 };
 
-/// Returns: the exact answer about the decimals; undecided where it is not known, or cannot be another.
-Status answer_of_decimals(const Object& a, const Object& b) {
-  if (!has_decimals(a) || !has_decimals(b)) return Status::undecided;
-  LastDigits of_lengths, of_matrices;
-  for (const Object* object : {&a, &b}) {
-    visit_numbers(*object, [&](double x) { of_lengths.look_at(x); });
-    for (const double x : object->pose.rotation.reshaped()) of_matrices.look_at(x);
-  }
-  const int of_points = -of_lengths.least, of_both = of_points - of_matrices.least;
-  const bool is_round = !std::holds_alternative<Points>(a.form) || !std::holds_alternative<Points>(b.form);
-  if (of_both == 0 || (is_round && of_matrices.least < 0) || !of_lengths.may_be_exact()) return Status::undecided;
+/// Of shapes whose pose has whole numbers.
+Status answer_of_scaled(Object a, Object b) {
+  LastDigits digits;
+  for (const Object* object : {&a, &b}) visit_numbers(*object, [&](double x) { digits.look_at(x); });
+  if (!digits.may_be_exact()) return Status::undecided;
   bool is_exact = true;
-  const auto scaled = [&](Object object) {
-    object.form = converted<double>(object.form, Times10{of_points, is_exact});
-    for (double& x : object.pose.rotation.reshaped()) x = Times10{-of_matrices.least, is_exact}.length(x);
-    object.pose.translation = Times10{of_both, is_exact}.point(object.pose.translation);
-    return object;
+  for (Object* object : {&a, &b}) {
+    const Times10 times10{-*digits.least, is_exact};
+    object->form = converted<double>(object->form, times10);
+    object->pose.translation = times10.point(object->pose.translation);
+  }
+  return is_exact ? exact_answer(a, b).status : Status::undecided;
+}
+
+gjk::Fraction decimal_fraction(double x) {
+  if (x == 0) return 0;
+  const ShortDecimal decimal(x);
+  const Integer power = pow(Integer(10), static_cast<unsigned>(std::abs(decimal.exponent)));
+  return decimal.exponent < 0 ? gjk::Fraction(decimal.digits, power) : gjk::Fraction(decimal.digits * power);
+}
+
+/// Requires: points.
+gjk::PointSet<gjk::Fraction> in_fractions(const Object& object) {
+  const auto fractions = [](const Point& p) {
+    return gjk::Vec3<gjk::Fraction>(decimal_fraction(p.x()), decimal_fraction(p.y()), decimal_fraction(p.z()));
   };
-  const Object scaled_a = scaled(a), scaled_b = scaled(b);
-  return is_exact ? exact_answer(scaled_a, scaled_b).status : Status::undecided;
+  gjk::Pose<gjk::Fraction> pose{{}, fractions(object.pose.translation)};
+  for (int axis = 0; axis < 3; ++axis) pose.rotation.col(axis) = fractions(object.pose.rotation.col(axis));
+  std::vector<gjk::Vec3<gjk::Fraction>> points;
+  for (const Point& p : std::get<Points>(object.form)) points.push_back(pose(fractions(p)));
+  return gjk::PointSet<gjk::Fraction>(std::move(points));
+}
+
+bool has_whole_matrix(const Pose& pose) {
+  return !pose.quaternion && pose.rotation == Eigen::Matrix3d(pose.rotation.array().round().matrix());
+}
+
+/// Whether the pose is a turn by degrees whose sines were rounded.
+bool has_rounded_matrix(const Pose& pose) {
+  return !pose.quaternion && !pose.matrix_as_written && !has_whole_matrix(pose);
+}
+
+/// Returns: the exact answer about the decimals; undecided where it is not known. A turn by degrees has no decimals, unless its
+/// matrix is of whole numbers.
+Status answer_of_decimals(const Object& a, const Object& b) {
+  if (has_whole_matrix(a.pose) && has_whole_matrix(b.pose))
+    if (const Status status = answer_of_scaled(a, b); status != Status::undecided) return status;
+  const auto has_decimals = [](const Object& object) {
+    return std::holds_alternative<Points>(object.form) &&
+           (has_whole_matrix(object.pose) || object.pose.matrix_as_written);
+  };
+  if (!has_decimals(a) || !has_decimals(b)) return Status::undecided;
+  return gjk::collision<gjk::Fraction, gjk::Complete<>>(in_fractions(a), in_fractions(b), {}).status;
 }
 
 // -- Exchanged --------------------------------------------------------------------------------------------------------
@@ -136,10 +166,14 @@ Status answer_exchanged(Scene scene) {
 
 Truth truth_of(const Scene& scene, Status shown) {
   if (scene.leaves_truth_out) return {};
-  Truth truth{exact_answer(a_as_read(scene), b_as_read(scene))};
-  const Status of_decimals = answer_of_decimals(a_as_read(scene), b_as_read(scene));
-  const Status known = truth.answer.status != Status::undecided ? truth.answer.status : shown;
-  if (of_decimals != Status::undecided && of_decimals != known) truth.of_decimals = of_decimals;
+  const Object &a = a_as_read(scene), &b = b_as_read(scene);
+  Truth truth{exact_answer(a, b)};
+  if (is_near_contact(a, b, Scalar::binary64)) {  // else what rounds by half a unit in the last place changes nothing
+    const Status of_decimals = answer_of_decimals(a, b);
+    const Status known = truth.answer.status != Status::undecided ? truth.answer.status : shown;
+    if (of_decimals != Status::undecided && of_decimals != known) truth.of_decimals = of_decimals;
+    truth.by_rounded_turn = has_rounded_matrix(a.pose) || has_rounded_matrix(b.pose);
+  }
   if (is_worth_exchanging(scene))
     if (const Status exchanged = answer_exchanged(scene); exchanged != shown) truth.exchanged = exchanged;
   return truth;

@@ -11,6 +11,8 @@ struct Truth {
   ExactAnswer answer = {};  ///< about the objects as read: before their numbers were rounded to float
   /// The exact answer about the objects as their shortest decimals say them, where that is another.
   std::optional<gjk::Status> of_decimals = {};
+  /// Whether they are so near to contact that rounding the matrix of a turn may have decided.
+  bool by_rounded_turn = false;
   /// What the search answers with a and b exchanged, from the same first direction, where that is another.
   std::optional<gjk::Status> exchanged = {};
 };
@@ -25,7 +27,7 @@ inline bool is_otherwise(const Truth& truth, gjk::Status shown) {
 
 /// Returns: whether there is more to tell than what the search answers.
 inline bool says_more(const Truth& truth, gjk::Status shown) {
-  return is_otherwise(truth, shown) || truth.of_decimals || truth.exchanged;
+  return is_otherwise(truth, shown) || truth.of_decimals || truth.by_rounded_turn || truth.exchanged;
 }
 
 /// The objects as read.

@@ -54,7 +54,7 @@ struct Remark {
   std::string only_for =
       {};                 ///< region_tested: the label, feature or "face feature" meant, such as "R3", "AB" or "ACD AC"
   std::string fact = {};  ///< a line of its own below the caption; empty where there is none
-  bool contradicts = false;  ///< whether `fact` is what exact numbers say against the search
+  bool contradicts = false;  ///< whether it says why, or what, exact numbers decide otherwise
 };
 
 /// The move that close-ups show: the one that iteration `iteration` makes, in three sentences.
@@ -88,19 +88,10 @@ struct Walkthrough {
   Naming naming = Naming::corners;
   std::vector<Scene> scenes = {};
   std::vector<Remark> remarks = {};
-  std::function<std::vector<Remark>(const Trace&)> findings = {};  ///< remarks that come from the first scene's trace
   std::optional<CloseUp> close_up = {};                            ///< Layout::close_ups only
   std::function<std::vector<Diagram>()> diagrams = {};             ///< Layout::diagrams only
   std::optional<RegionCase> region_case = {};                      ///< walkthroughs regions/… only
   bool begins_with_the_guess = false;  ///< certified/…: the first search is told elsewhere
 };
-
-/// Returns: the remarks of a walkthrough, and those that its findings make. Requires: the traces of its scenes.
-inline std::vector<Remark> remarks_of(const Walkthrough& walkthrough, const std::vector<Trace>& traces) {
-  std::vector<Remark> remarks = walkthrough.remarks;
-  if (walkthrough.findings)
-    for (const Remark& each : walkthrough.findings(traces.front())) remarks.push_back(each);
-  return remarks;
-}
 
 }  // namespace walkthroughs::model

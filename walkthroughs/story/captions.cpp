@@ -117,7 +117,7 @@ class Captions {
 
   /// Joins to a frame what the walkthrough has to say about its event.
   void add_remarks(Frame& frame, const gjk::Event<double>& event) const {
-    for (const Remark& remark : story_.remarks) {
+    for (const Remark& remark : walkthrough_.remarks) {
       if (!is_about(remark, event)) continue;
       append_to(frame, in_letters(remark.text));
       if (remark.fact.empty()) continue;
@@ -132,7 +132,7 @@ class Captions {
     if (!exactly) return;
     frame.facts.insert(frame.facts.begin() + 1, {Mark::truth, "in exact arithmetic: " + *exactly});
     const auto says_why = [&](const Remark& remark) { return remark.contradicts && is_about(remark, event); };
-    if (std::ranges::none_of(story_.remarks, says_why)) append_to(frame, "in exact arithmetic it is otherwise");
+    if (std::ranges::none_of(walkthrough_.remarks, says_why)) append_to(frame, "in exact arithmetic it is otherwise");
   }
 
   /// Corners keep their names, so there is nothing to tell; roles move on.
@@ -209,7 +209,7 @@ class Captions {
   }
 
   /// Of proofs, and of the second search.
-  std::optional<Frame> operator()(const auto& event) const { return caption_of(event, names_, now_, scene_.dimension); }
+  std::optional<Frame> operator()(const auto& event) const { return caption_of(event, names_, now_, scene_); }
 
  private:
   /// The second search takes one of the first where that reaches far enough, and asks no support function then.
@@ -389,8 +389,10 @@ class Captions {
       return is_mistaken  ? "the search concludes, wrongly, that "
              : in_float() ? "in floats the search concludes that "
                           : "in doubles the search concludes that ";
-    const bool is_unproven = result.status == gjk::Status::intersecting && !holds_origin_exactly(result.simplex);
-    return in_float() || is_unproven ? "the search concludes that " : "";
+    const bool is_open = !scene_.leaves_truth_out &&
+                         (telling_.truth.answer.status == gjk::Status::undecided || telling_.truth.by_rounded_turn),
+               is_unproven = result.status == gjk::Status::intersecting && !holds_origin_exactly(result.simplex);
+    return in_float() || is_open || is_unproven ? "the search concludes that " : "";
   }
 
   bool is_otherwise_exactly(const gjk::Event<double>& event) const {

@@ -36,13 +36,13 @@ inline void append_to(Frame& frame, const std::string& text) {
 
 // What caption() says of proofs and of the second search.
 std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Names& names, const Moment& now,
-                                Dimension);
+                                const Scene& scene);
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, const Moment&,
-                                Dimension dimension);
+                                const Scene& scene);
 std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now,
-                                Dimension);
+                                const Scene& scene);
 std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names& names, const Moment& now,
-                                Dimension dimension);
+                                const Scene& scene);
 
 /// Whether it is 0 for everything that lies in the plane, and nobody doubts it: a component of AB×AO, the height over a
 /// triangle.

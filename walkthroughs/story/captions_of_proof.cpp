@@ -137,14 +137,14 @@ std::string sign_in_words(const gjk::SignTaken<double>& sign, const Names& names
 }
 
 std::optional<Frame> caption_of(const gjk::FilterTried<double>& event, const Names& names, const Moment& now,
-                                Dimension) {
+                                const Scene&) {
   return event.proof == gjk::Proof::direction ? caption_of_direction(event, names)
                                               : caption_of_tetrahedron(event, names, now);
 }
 
 std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names& names, const Moment&,
-                                Dimension dimension) {
-  if (event.exact.empty() || (dimension == Dimension::plane && is_out_of_plane(event))) return std::nullopt;
+                                const Scene& scene) {
+  if (event.exact.empty() || (scene.dimension == Dimension::plane && is_out_of_plane(event))) return std::nullopt;
   const std::string name = name_of(event, names);
   const bool is_largest = event.expression.form != gjk::Expression::Form::reach && event.vertex;
   Frame frame = frame_by_number(
@@ -161,7 +161,7 @@ std::optional<Frame> caption_of(const gjk::SignTaken<double>& event, const Names
 }
 
 std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Names& names, const Moment& now,
-                                Dimension dimension) {
+                                const Scene& scene) {
   const std::string kept = names.simplex(event.after);
   const gjk::Roles gone = event.dropped();
   const bool is_vertex = event.after.size() == 1;
@@ -172,7 +172,7 @@ std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Nam
   else
     caption =
         is_vertex ? kept + " is the point nearest to the origin" : "the point nearest to the origin lies on " + kept;
-  Frame frame = frame_about(Focus::kept, caption, signs_taken(now, names, dimension));
+  Frame frame = frame_about(Focus::kept, caption, signs_taken(now, names, scene.dimension));
   if (!gone.empty())
     frame.facts.insert(frame.facts.begin(),
                        {Mark::none, names.list(event.before) + " becomes " + names.list(event.after) + ": without " +
@@ -182,14 +182,16 @@ std::optional<Frame> caption_of(const gjk::FeatureKept<double>& event, const Nam
 }
 
 std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names& names, const Moment& now,
-                                Dimension dimension) {
+                                const Scene& scene) {
   const gjk::CertifiedResult& result = event.result;
   const bool is_apart = result.status == gjk::Status::separated;
-  Frame frame = frame_about(
-      Focus::proven, is_apart ? "it is proven: the objects do not intersect" : "it is proven: the objects intersect",
-      {{Mark::answer, std::string(gjk::to_string(result.status)) + ", proven"}});
+  const std::string of_what =
+      scene.a_as_read || scene.b_as_read ? "it is proven of the numbers rounded to floats: " : "it is proven: ";
+  Frame frame =
+      frame_about(Focus::proven, of_what + (is_apart ? "the objects do not intersect" : "the objects intersect"),
+                  {{Mark::answer, std::string(gjk::to_string(result.status)) + ", proven"}});
   if (const auto* direction = std::get_if<gjk::SeparatingDirection>(&result.certificate))
-    frame.facts.push_back({Mark::none, "the certificate is d = " + vector(direction->d, dimension) +
+    frame.facts.push_back({Mark::none, "the certificate is d = " + vector(direction->d, scene.dimension) +
                                            ": p·d < q·d for each point p of a and q of b"});
   else
     frame.facts.push_back({Mark::none, "the certificate is " + names.simplex(now.simplex) + ", of " +

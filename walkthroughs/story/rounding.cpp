@@ -1,7 +1,6 @@
 #include "walkthroughs/story/rounding.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "core/certified/check.hpp"
@@ -114,14 +113,14 @@ struct ExactFinding {
   }
   Finding operator()(const gjk::RegionTested<double>& e) const {
     const Exactly exactly(now.processed, e.formula);
-    if (const double* value = std::get_if<double>(&e.value)) {
-      const Fraction right = exactly.dot(e.expression);
-      return sign_of(right) == sign_of(*value) ? std::nullopt : told(e.expression, number(right));
-    }
-    if (const Point* value = std::get_if<Point>(&e.value)) {
-      const ExactVector right = exactly.vector(e.expression);
-      return is_zero(right) == value->isZero(0) ? std::nullopt : told(e.expression, vector(right, scene.dimension));
-    }
+    if (const double* value = std::get_if<double>(&e.value))
+      if (const Fraction right = exactly.dot(e.expression); sign_of(right) != sign_of(*value))
+        return told(e.expression, number(right));
+    if (const Point* value = std::get_if<Point>(&e.value))
+      if (const ExactVector right = exactly.vector(e.expression); is_zero(right) != value->isZero(0))
+        return told(e.expression, vector(right, scene.dimension));
+    if (says_to_hold_origin(e) && !holds_origin_exactly(now.processed.only(e.feature)))
+      return names.sorted(e.feature) + " does not hold the origin";
     return std::nullopt;
   }
   Finding operator()(const gjk::DirectionChosen<double>& e) const {
@@ -132,23 +131,17 @@ struct ExactFinding {
   Finding operator()(const auto&) const { return std::nullopt; }
 
  private:
+  /// Without the crossing test the ends of a segment are not ruled out, and nothing is said of it.
+  bool says_to_hold_origin(const gjk::RegionTested<double>& e) const {
+    if (e.verdict != gjk::Verdict::chosen) return false;
+    if (e.feature.size() == 2 && scene.rules != RuleSet::complete)
+      return e.simplex_size == 2 && e.relation == gjk::Relation::zero &&
+             scene.options.crossing_test == gjk::CrossingTest::on;
+    return e.feature.size() == 4 || e.relation == gjk::Relation::zero;
+  }
   Finding told(const Expression& expression, const std::string& value) const {
     return names.translate(expression) + " = " + value;
   }
-};
-
-/// Returns: the remark's place; its text is the cause.
-struct PlacedRemark {
-  Remark remark;
-
-  void operator()(const gjk::SupportFound<double>&) { remark.at = Remark::At::support_found; }
-  void operator()(const gjk::CrossingTested<double>&) { remark.at = Remark::At::crossing_tested; }
-  void operator()(const gjk::DirectionChosen<double>&) { remark.at = Remark::At::direction_chosen; }
-  void operator()(const gjk::RegionTested<double>& e) {
-    remark.at = Remark::At::region_tested;
-    remark.only_for = (e.face.empty() ? "" : to_string(e.face) + " ") + to_string(e.feature);
-  }
-  void operator()(const auto&) {}
 };
 
 }  // namespace
@@ -163,28 +156,16 @@ std::optional<std::string> exact_otherwise(const gjk::Event<double>& event, cons
 bool holds_origin_exactly(const Simplex& simplex) {
   if (!is_finite(simplex)) return false;
   std::vector<ExactVector> differences;
-  gjk::CommonSimplex all;
-  for (const Vertex& vertex : simplex) {
-    all.of.add({static_cast<int>(differences.size()), 0});
-    differences.push_back(exact_difference(vertex));
-  }
+  for (const Vertex& vertex : simplex) differences.push_back(exact_difference(vertex));
   using Set = gjk::PointSet<Fraction>;
-  return !differences.empty() && gjk::holds(all, Set(std::move(differences)), Set({ExactVector::Zero()}));
-}
-
-std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace) {
-  const LabelledHull no_hull;
-  Moment now;
-  for (const gjk::Event<double>& event : trace.events) {
-    advance(now, event);
-    if (!exact_otherwise(event, now, scene, Names(Naming::roles, no_hull, now))) continue;
-    PlacedRemark wrong{{.at = {}, .iteration = now.iteration, .text = turn.cause, .contradicts = true}};
-    std::visit(wrong, event);
-    if (turn.ending.empty()) return {wrong.remark};
-    const int last = std::get<gjk::Finished<double>>(trace.events.back()).iteration;
-    return {wrong.remark, {.at = Remark::At::end, .iteration = last, .text = turn.ending}};
+  const Set origin({ExactVector::Zero()});
+  for (unsigned chosen = (1U << differences.size()) - 1; chosen > 0; --chosen) {
+    gjk::CommonSimplex some;
+    for (int i = 0; i < simplex.size(); ++i)
+      if (chosen >> i & 1U) some.of.add({i, 0});
+    if (gjk::holds(some, Set(differences), origin)) return true;
   }
-  throw std::logic_error("exact arithmetic decides as this search does");
+  return false;
 }
 
 }  // namespace walkthroughs::story

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "walkthroughs/story/words.hpp"
 
@@ -14,22 +13,13 @@ namespace walkthroughs::story {
 /// exact fallback.
 ///
 /// `now`: the moment after the event.
-/// Returns: "ABn·AO = 0" where the number that the event tells has another sign; "P·d = 1, but (2, 3)·d = 5" where another point
-/// of sets of points is farther; nothing where the event is right.
+/// Returns: "ABn·AO = 0" where the number that the event tells has another sign; "ABC does not hold the origin" where it is said
+/// to; "P·d = 1, but (2, 3)·d = 5" where another point of sets of points is farther; nothing where the event is right.
 std::optional<std::string> exact_otherwise(const gjk::Event<double>& event, const Moment& now, const Scene& scene,
                                            const Names& names);
 
-/// Returns: whether the hull of these points of the difference holds the origin, in fractions; false of dependent points, too.
+/// Returns: whether the hull of these points of the difference holds the origin, in fractions: that of some of them does which
+/// do not depend on each other.
 bool holds_origin_exactly(const Simplex& simplex);
-
-/// What rounding does to a search, in words; the numbers are found.
-struct WrongTurn {
-  std::string cause;        ///< why the first wrong decision is made: a clause
-  std::string ending = {};  ///< how that ended the search: a clause for the last caption, or empty
-};
-
-/// Returns: remarks on `trace`, the search of `scene`: one at the first event that is otherwise in exact arithmetic, and one at
-/// the end where there is an ending to tell. Errors: std::logic_error where there is no such event.
-std::vector<Remark> remarks_on(const WrongTurn& turn, const Scene& scene, const Trace& trace);
 
 }  // namespace walkthroughs::story

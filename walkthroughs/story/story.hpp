@@ -77,7 +77,6 @@ struct Telling {
 struct Story {
   const Walkthrough& walkthrough;
   std::vector<Telling> tellings;  ///< one for each scene
-  std::vector<Remark> remarks;    ///< all, the findings included
   std::vector<Diagram> diagrams;  ///< Layout::diagrams: one for each frame
   std::vector<Frame> frames;
 

@@ -338,7 +338,7 @@ Story tell(const Walkthrough& walkthrough, Detail detail) {
 }
 
 Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail detail) {
-  Story story{walkthrough, {}, remarks_of(walkthrough, traces), {}, {}};
+  Story story{walkthrough, {}, {}, {}};
   for (std::size_t s = 0; s < walkthrough.scenes.size(); ++s)
     story.tellings.push_back(tell_scene(walkthrough, walkthrough.scenes[s], std::move(traces[s])));
   for (Telling& telling : story.tellings) say(story, telling);

@@ -67,12 +67,6 @@ std::string differences_told(const gjk::IndexPairs& pairs) {
   });
 }
 
-/// Whether the pose is a turn by degrees whose sines were rounded.
-bool has_rounded_matrix(const Pose& pose) {
-  return !pose.quaternion && !pose.matrix_as_written &&
-         pose.rotation != Eigen::Matrix3d(pose.rotation.array().round().matrix());
-}
-
 }  // namespace
 
 std::string in_truth(gjk::Status answer) {
@@ -97,12 +91,12 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
       tell(why_told(*certificate, truth.answer.status, scene.dimension) + ", by " +
            differences_told(truth.answer.nearest));
     }
-    if (has_rounded_matrix(a_as_read(scene).pose) || has_rounded_matrix(b_as_read(scene).pose))
-      tell("this is the truth about the matrix of a turn as it was rounded");
     if ((scene.a_as_read || scene.b_as_read) && exact_answer(scene.a, scene.b).status != truth.answer.status)
       tell("this is the truth about the numbers as read: rounding them to floats has moved the objects");
   }
-  if (truth.of_decimals) tell_and_note("the decimals as typed say otherwise: " + in_truth(*truth.of_decimals));
+  if (truth.of_decimals) tell_and_note("in decimals, the shortest that read the same, " + in_truth(*truth.of_decimals));
+  if (truth.by_rounded_turn)
+    tell_and_note("they are so near to contact that rounding the matrix of a turn may have decided");
   if (truth.exchanged)
     tell_and_note("with a and b exchanged the search answers: " + std::string(words_for_answer(*truth.exchanged)));
   return told;

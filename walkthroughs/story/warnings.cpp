@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "walkthroughs/model/moment.hpp"
 #include "walkthroughs/model/truth.hpp"
@@ -11,31 +12,42 @@
 namespace walkthroughs::story {
 namespace {
 
-/// Returns: the largest coordinate of the difference, as far as support functions tell; they are asked along the axes.
-double largest_coordinate(const Scene& scene) {
+struct Lengths {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+};
+
+/// Returns: how narrow and how large coordinates are, as far as support functions tell; they are asked along the axes. The
+/// least is that of a width that is not 0, the largest that of a coordinate of the difference.
+Lengths lengths_of(const Scene& scene) {
   const AskedObject<double> a(scene.a), b(scene.b);
-  double largest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double sign : {1.0, -1.0}) {
-      const Point d = sign * Point::Unit(axis);
-      largest = std::max(largest, (a.support(d).point - b.support(Point(-d)).point).cwiseAbs().maxCoeff());
-    }
-  return largest;
+  Lengths lengths;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Point d = Point::Unit(axis), back = -d;
+    const Point of_a = a.support(d).point, of_b = b.support(back).point, behind_a = a.support(back).point,
+                behind_b = b.support(d).point;
+    for (const double width : {(of_a - behind_a)[axis], (behind_b - of_b)[axis]})
+      if (width > 0) lengths.least = std::min(lengths.least, width);
+    for (const Point& w : {Point(of_a - of_b), Point(behind_a - behind_b)})
+      lengths.largest = std::max(lengths.largest, w.cwiseAbs().maxCoeff());
+  }
+  lengths.least = std::min(lengths.least, lengths.largest);
+  return lengths;
 }
 
-/// The longest products are of four lengths: P·d, where d is (AB×AO)×AB, and ABn·AO.
+/// The longest products are of four lengths: P·d, where d is (AB×AO)×AB, and ABn·AO. Two of them are those of an edge.
 std::string about_products(const Scene& scene) {
-  const double largest = largest_coordinate(scene);
+  const auto [least, largest] = lengths_of(scene);
   const Precision precision = precision_of(scene.scalar);
   constexpr double few_terms = 16;
   const auto fourth_root = [](double x) { return std::sqrt(std::sqrt(x)); };
-  const char* const what = largest > fourth_root(precision.largest / few_terms) ? "overflow"
-                           : largest > 0 && largest < fourth_root(precision.least_normal / precision.epsilon)
-                               ? "vanish or lose digits"
-                               : nullptr;
-  if (!what) return "";
-  return "lengths are near " + plain(short_number(largest)) + ": products of four of them, such as P·d and ABn·AO, " +
-         what;
+  const bool overflow = largest > fourth_root(precision.largest / few_terms),
+             vanish = largest > 0 &&
+                      std::sqrt(least) * std::sqrt(largest) < fourth_root(precision.least_normal / precision.epsilon);
+  if (!overflow && !vanish) return "";
+  const auto told = [](double length) { return plain(short_number(length)); };
+  return (overflow || told(least) == told(largest) ? "lengths are near " + told(largest)
+                                                   : "lengths are " + told(least) + " to " + told(largest)) +
+         ": products of four of them, such as P·d and ABn·AO, " + (overflow ? "overflow" : "vanish or lose digits");
 }
 
 }  // namespace

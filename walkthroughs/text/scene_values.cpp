@@ -377,6 +377,18 @@ gjk::Quaternion read_quaternion(const Value& value, const Space& space) {
   return q;
 }
 
+/// Returns: the product of two columns that differs most from that of a rotation.
+std::string why_no_rotation(const Eigen::Matrix3d& matrix) {
+  const Eigen::Matrix3d products = matrix.transpose() * matrix;
+  Eigen::Index i, j;
+  const double most = (products - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(&i, &j);
+  if (most <= rotation_tolerance) return "it is left-handed, a mirror image";
+  const std::string found = number_text(products(i, j));
+  return i == j
+             ? "column " + std::to_string(i) + " times itself is " + found + ", not 1"
+             : "columns " + std::to_string(j) + " and " + std::to_string(i) + " have the product " + found + ", not 0";
+}
+
 Eigen::Matrix3d read_matrix(const Value& value, const Space& space) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   const std::vector<Value> rows = value.children();
@@ -391,9 +403,8 @@ Eigen::Matrix3d read_matrix(const Value& value, const Space& space) {
       matrix(static_cast<int>(i), static_cast<int>(j)) = number_of_any_size(numbers[j]);
   }
   if (!(distance_from_rotation(matrix) <= rotation_tolerance))
-    value.fail(
-        "is not a rotation; expected columns that are perpendicular, of length 1 and right-handed, each product to "
-        "0.00001");
+    value.fail("is not a rotation: " + why_no_rotation(matrix) +
+               "; expected columns that are perpendicular, of length 1 and right-handed, each product to 0.00001");
   if (space.is_plane() && (matrix(2, 0) != 0 || matrix(2, 1) != 0))
     value.fail("turns the object out of the plane; with \"dimension\": 2 the third row is [0, 0, 1]");
   return matrix;

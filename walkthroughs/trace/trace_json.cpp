@@ -137,6 +137,7 @@ Json truth_json(const Scene& scene, const Truth& truth, gjk::Status shown) {
   Json line{{"scene", scene.name}, {"event", "truth"}, {"status", json(truth.answer.status)}};
   if (truth.answer.nearest.size() > 0) line["nearest"] = json(truth.answer.nearest);
   if (truth.of_decimals) line["of_decimals"] = json(*truth.of_decimals);
+  if (truth.by_rounded_turn) line["by_rounded_turn"] = true;
   if (truth.exchanged) line["exchanged"] = json(*truth.exchanged);
   return line;
 }
@@ -153,10 +154,8 @@ void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
 
 std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces,
                         const std::vector<Truth>& truths) {
-  Walkthrough presented = walkthrough;
-  presented.remarks = remarks_of(walkthrough, traces);
-  Json header{{"schema", "gjkstep-trace"}, {"version", trace_version},        {"walkthrough", walkthrough.name},
-              {"scalar", "double"},        {"presentation", json(presented)}, {"scenes", json(walkthrough.scenes)}};
+  Json header{{"schema", "gjkstep-trace"}, {"version", trace_version},          {"walkthrough", walkthrough.name},
+              {"scalar", "double"},        {"presentation", json(walkthrough)}, {"scenes", json(walkthrough.scenes)}};
   std::string lines = render::json_text(header) + '\n';
   for (std::size_t s = 0; s < traces.size(); ++s) {
     for (const gjk::Event<double>& event : traces[s].events) {

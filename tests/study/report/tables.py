@@ -4,7 +4,7 @@ from data import add, all_but_scalar, in_short, in_words, is_certified, mean, pe
 
 of_round_shapes = ("Certified answers about sets of points, and about balls, are never undecided.\n"
                    "The points of cylinders are computed. Where they are not known well enough, the answer is undecided.\n"
-                   "Balls and cylinders need no exact fallback, and have no certificate.\n")
+                   "Balls and cylinders need no exact fallback. Certificates about balls are not multiplied out here.\n")
 
 
 def head(study, title):

@@ -53,9 +53,37 @@ TEST_CASE("Decimals as typed may answer otherwise than their doubles") {
     Scene scaled = plane_scene({{0, 0, 0}, {-2 * power, -3 * power, 0}}, {{-power, -power, 0}});
     CHECK_FALSE(truth(scaled).of_decimals);
   }
-  // Of as many digits no power of ten makes doubles that are whole.
-  const Scene of_many_digits = plane_scene({{0, 0, 0}, {1.0 / 3, 1e-12, 0}}, {{0.1, 0.1, 0}});
-  CHECK_FALSE(truth(of_many_digits).of_decimals);
+  // Of any size, and of as many digits as doubles have.
+  for (const std::string exponent : {"e-50", "e23", "e60"}) {
+    const auto at = [&](const std::string& digits) { return std::stod(digits + exponent); };
+    INFO(exponent);
+    const Scene scaled = plane_scene({{0, 0, 0}, {at("-2"), at("-3"), 0}}, {{at("-0.2"), at("-0.3"), 0}});
+    CHECK((truth(scaled).of_decimals == Status::intersecting) == (truth_about(scaled) == Status::separated));
+  }
+  const Scene of_many_digits = plane_scene({{0, 0, 0}, {0.6666666666666666, 0.3333333333333333, 0}},
+                                           {{0.2222222222222222, 0.1111111111111111, 0}});
+  CHECK(truth(of_many_digits).answer.status == truth_about(of_many_digits));
+  CHECK((truth(of_many_digits).of_decimals == Status::intersecting) ==
+        (truth_about(of_many_digits) == Status::separated));
+}
+
+TEST_CASE("Where rounding the matrix of a turn may have decided that is known, also where the search is right of it") {
+  const auto turned = [](double degrees, std::vector<Point> a, std::vector<Point> b) {
+    Scene scene = plane_scene(a, b);
+    scene.a.pose.rotation =
+        Eigen::AngleAxisd(degrees * static_cast<double>(EIGEN_PI) / 180, Point::UnitZ()).toRotationMatrix();
+    return scene;
+  };
+  // 2 cos 60° is 1: they touch, in no doubles.
+  const Scene touching = turned(60, {{2, 0, 0}, {4, 0, 0}}, {{1, -5, 0}, {1, 5, 0}});
+  CHECK(truth(touching).answer.status == shown(touching));
+  CHECK(truth(touching).by_rounded_turn);
+  CHECK(says_more(truth(touching), shown(touching)));
+  CHECK_FALSE(truth(turned(60, {{2, 0, 0}, {4, 0, 0}}, {{0.99, -5, 0}, {0.99, 5, 0}})).by_rounded_turn);
+  // A matrix that was written is taken as it stands.
+  Scene written = touching;
+  written.a.pose.matrix_as_written = true;
+  CHECK_FALSE(truth(written).by_rounded_turn);
 }
 
 TEST_CASE("What the search answers with a and b exchanged is known where it is another") {

@@ -22,14 +22,14 @@ namespace {
 // -- Scenes -----------------------------------------------------------------------------------------------------------
 
 /// Pairs of one to three points each, in the plane and in space: small whole numbers; two decimals with a shared point;
-/// powers of ten; contact by construction.
+/// powers of ten; contact by construction. And in space round shapes and boxes of small whole numbers.
 class HostileScenes {
  public:
   explicit HostileScenes(std::uint64_t seed) : dice_(seed) {}
 
   Walkthrough next() {
-    is_plane_ = dice_.coin();
-    const int kind = dice_.between(0, 3);
+    const int kind = dice_.between(0, 4);
+    is_plane_ = kind != 4 && dice_.coin();
     unit_ = kind == 2 ? std::pow(10.0, dice_.between(-150, 150)) : 1;
     decimals_ = kind == 1 || kind == 3;
     std::vector<Point> a = some_points(), b = some_points();
@@ -39,6 +39,8 @@ class HostileScenes {
     w.naming = Naming::roles;
     Scene& scene = w.scenes[0];
     scene.dimension = is_plane_ ? Dimension::plane : Dimension::space;
+    if (kind == 4) scene.a.form = some_shape();
+    if (kind == 4 && dice_.coin()) scene.b.form = some_shape();
     scene.rules = static_cast<RuleSet>(dice_.between(0, 3));
     if (kind != 2 && dice_.between(0, 3) == 0) scene = in_float(scene);
     return w;
@@ -51,6 +53,15 @@ class HostileScenes {
     std::vector<Point> points(static_cast<std::size_t>(dice_.between(1, 3)));
     for (Point& p : points) p = point();
     return points;
+  }
+  AnyShape some_shape() {
+    const auto length = [&] { return static_cast<double>(dice_.between(0, 3)); };
+    switch (dice_.between(0, 3)) {
+      case 0: return Ball{point(), length()};
+      case 1: return BoxOf<double>{point(), {length(), length(), length()}};
+      case 2: return CapsuleOf<double>{point(), point(), length()};
+      default: return Cylinder{point(), {number(), 3, number()}, length(), length()};
+    }
   }
   /// Some tenths of the way from one point to another: there in decimals, near there in doubles.
   Point on_edge(const std::vector<Point>& points) {
@@ -144,14 +155,36 @@ bool is_hedged(const Frame& frame) {
   return std::ranges::any_of(frame.facts, is_truth) || has(frame.caption, "search concludes");
 }
 
+/// Whether it says that a feature of the simplex holds the origin. On the line AB is not on AB.
+bool says_place(const Frame& frame) {
+  if (has(frame.caption, "nearest to the origin lies on ")) return false;
+  for (const char* place :
+       {"lies in triangle", "lies in tetrahedron", "lies on segment", "lies on edge", "is the origin"})
+    if (has(frame.caption, place)) return true;
+  return false;
+}
+
+/// By other means than the program's where there are such.
+Status truth_told_of(const Telling& telling) {
+  const auto is_points = [](const Object& object) { return std::holds_alternative<Points>(object.form); };
+  const Object &a = a_as_read(telling.scene), &b = b_as_read(telling.scene);
+  return is_points(a) && is_points(b) ? truth_about(a, b) : telling.truth.answer.status;
+}
+
 /// Returns: what is false in a frame, and not hedged; empty where nothing is.
 std::string falsehood(const Frame& frame, const Scene& scene, const gjk::Event<double>& event) {
   const Moment& now = frame.moments[0];
-  const bool claims_farthest = has(frame.caption, "Nothing of the difference reaches farther");
+  const bool is_of_points =
+      std::holds_alternative<Points>(scene.a.form) && std::holds_alternative<Points>(scene.b.form);
+  const bool claims_farthest = is_of_points && has(frame.caption, "Nothing of the difference reaches farther");
   if (claims_farthest && !is_farthest(scene, *now.found, now.direction->value)) return "reaches farther";
   if (const auto* region = std::get_if<gjk::RegionTested<double>>(&event);
       region && !is_hedged(frame) && !is_right(*region, now.processed))
     return to_string(region->expression);
+  if (const auto* region = std::get_if<gjk::RegionTested<double>>(&event);
+      region && !is_hedged(frame) && says_place(frame) &&
+      !gjk::test::contain_origin(exact_differences(now.processed.only(region->feature))))
+    return "place of the origin";
   if (const auto* crossing = std::get_if<gjk::CrossingTested<double>>(&event); crossing && crossing->value)
     if (const Rational exact = exact_difference(*now.found).dot(gjk::test::exact(now.direction->value));
         !is_hedged(frame) && sign(exact) != sign(*crossing->value))
@@ -168,14 +201,14 @@ std::string falsehood(const Frame& frame, const Scene& scene, const gjk::Event<d
 std::string falsehood_at_end(const Story& story) {
   const Frame& last = story.frames.back();
   const Telling& telling = story.tellings[0];
-  const Scene& scene = telling.scene;
-  const Status shown = answer_of(telling.trace), truth = truth_about(a_as_read(scene), b_as_read(scene));
+  const Status shown = answer_of(telling.trace), truth = truth_told_of(telling);
+  if (truth == Status::undecided) return has(last.caption, "search concludes") ? "" : "not known, and not hedged";
   const bool says_truth = has(
       last.caption, std::string("In truth ") + (truth == Status::intersecting ? "they intersect" : "they are apart"));
   if (shown != truth && !says_truth) return "no truth";
   if (shown == truth && has(last.caption, "In truth")) return "truth where all is right";
   if (shown != truth && !is_hedged(last)) return "not hedged";
-  const gjk::Simplex<double>& simplex = all<gjk::Finished>(telling.trace).at(0).result.simplex;
+  const Simplex simplex = all<gjk::Finished>(telling.trace).at(0).result.simplex;
   if (shown == Status::intersecting && !has(last.caption, "search concludes") &&
       !gjk::test::contain_origin(exact_differences(simplex)))
     return "place of the origin";
