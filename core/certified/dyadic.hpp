@@ -43,10 +43,12 @@ struct Dyadic {
     m = fraction.m;
     e = fraction.e;
   }
-  /// A finer number, as the sum of its doubles.
+  /// A finer number, as the sum of doubles. Brought near 1 first: it may be beyond all doubles, or its last digits may.
   template <class N>
   requires(std::numeric_limits<N>::digits > std::numeric_limits<double>::digits) explicit Dyadic(N x) {
-    for (; x != 0; x -= static_cast<double>(x)) *this = *this + Dyadic(static_cast<double>(x));
+    int power = 0;
+    for (x = std::frexp(x, &power); x != 0; x -= static_cast<double>(x)) *this = *this + Dyadic(static_cast<double>(x));
+    e += power;
   }
 
   /// Requires: that it is one. Returns: the whole number that this is times 2^-exponent.

@@ -224,14 +224,34 @@ class Surface {
   }
 
   /// Of edges that are nearly parallel, such as the two long ones of a needle, rounding leaves nothing of the product.
-  /// The two beside the corner across from the longest are the least so. The product is first brought near length 1:
-  /// squares of the least doubles would vanish.
+  /// The two beside the corner across from the longest are the least so. Where all three corners are nearly in one line
+  /// the product is made without rounding.
   Place normal_of(std::size_t i, std::size_t j, std::size_t k) const {
     const std::array<Place, 3> sides{points_[j] - points_[i], points_[k] - points_[j], points_[i] - points_[k]};
     const auto size = [](const Place& v) { return v.cwiseAbs().maxCoeff(); };
     const auto longest = static_cast<std::size_t>(std::ranges::max_element(sides, {}, size) - sides.begin());
-    const Place n = sides[(longest + 1) % 3].cross(sides[(longest + 2) % 3]);
-    return (n / size(n)).normalized();
+    const Place &from = sides[(longest + 1) % 3], &to = sides[(longest + 2) % 3], n = from.cross(to);
+    const bool is_in_line = size(n) < size(from) * size(to) / 64;
+    return scaled_to_one(is_in_line ? exact_product(i, j, k) : n);
+  }
+  /// Squares of the least doubles would vanish.
+  static Place scaled_to_one(const Place& n) { return (n / n.cwiseAbs().maxCoeff()).normalized(); }
+  /// Returns: (b − a)×(c − a) times a power of two, rounded once. Requires: that it is not zero.
+  Place exact_product(std::size_t i, std::size_t j, std::size_t k) const {
+    const auto exactly = [this](std::size_t point) {
+      const Place& p = points_[point];
+      return Triple<Dyadic>{Dyadic(p.x()), Dyadic(p.y()), Dyadic(p.z())};
+    };
+    const Triple<Dyadic> a = exactly(i), n = cross(exactly(j) - a, exactly(k) - a);
+    int most = std::numeric_limits<int>::min();
+    for (const Dyadic* x : {&n.x, &n.y, &n.z})
+      if (x->m != 0) most = std::max(most, exponent_of(*x));
+    const auto near_one = [most](const Dyadic& x) {
+      const int bits = x.m == 0 ? 0 : static_cast<int>(msb(abs(x.m)));
+      const unsigned cut = bits > 200 ? static_cast<unsigned>(bits - 200) : 0;  // so that a double can hold it
+      return std::scalbn(Whole(x.m >> cut).template convert_to<N>(), x.e + static_cast<int>(cut) - most);
+    };
+    return {near_one(n.x), near_one(n.y), near_one(n.z)};
   }
 
   void add_face(std::size_t i, std::size_t j, std::size_t k) {

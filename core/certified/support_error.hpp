@@ -24,10 +24,12 @@ struct SupportError {
 
   /// Adds what underflow loses, some ten times half the least number, and leaves room for how this itself was rounded.
   template <class S>
-  static SupportError of(double size, double in_roundings) {
+  /// `in_roundings`: long doubles, in which multiples of the largest doubles do not overflow.
+  static SupportError of(double size, long double in_roundings) {
     constexpr double u = std::numeric_limits<S>::epsilon() / 2.0;
     constexpr S most = std::numeric_limits<S>::max() * S(0x1p-20);
-    const double error = u * in_roundings + 16 * static_cast<double>(std::numeric_limits<S>::denorm_min());
+    const double error =
+        static_cast<double>(u * in_roundings) + 16 * static_cast<double>(std::numeric_limits<S>::denorm_min());
     return {size, size < most ? error : std::numeric_limits<double>::infinity()};
   }
 };
@@ -48,7 +50,7 @@ double sum_of_sizes(const Vec3<S>& v) {
 template <class S>
 SupportError support_error(const PointSet<S>& points) {
   const double size = detail::sum_of_sizes(points.extent());
-  return SupportError::of<S>(size, 8 * size);
+  return SupportError::of<S>(size, 8.0L * size);
 }
 template <class S>
 Vec3<S> near_support(const PointSet<S>& points, const Vec3<S>& d) {
@@ -65,7 +67,7 @@ Vec3<S> near_support(const PointSet<S>& points, const Vec3<S>& d) {
 template <class S>
 SupportError support_error(const Sphere<S>& ball) {
   const double center = detail::sum_of_sizes(ball.center()), r = static_cast<double>(ball.radius());
-  return SupportError::of<S>(center + r, 8 * r + 2 * center);
+  return SupportError::of<S>(center + r, 8.0L * r + 2.0L * center);
 }
 template <class S>
 Vec3<S> near_support(const Sphere<S>& ball, const Vec3<S>& d) {
@@ -97,7 +99,7 @@ template <class S>
 SupportError support_error(const Cylinder<S>& can) {
   const double center = detail::sum_of_sizes(can.center()), r = static_cast<double>(can.radius());
   const double H = static_cast<double>(can.height()) / 2;
-  return SupportError::of<S>(center + r + H, 64 * (r + H) + 4 * center);
+  return SupportError::of<S>(center + r + H, 64.0L * (r + H) + 4.0L * center);
 }
 template <class S>
 Vec3<S> near_support(const Cylinder<S>& can, const Vec3<S>& d) {
@@ -122,7 +124,7 @@ SupportError support_error(const Posed<S, A>& posed) {
   const auto off = (R.transpose() * R - Eigen::Matrix<double, 3, 3>::Identity()).cwiseAbs().maxCoeff();
   const SupportError rest = support_error(posed.shape());
   const double way = detail::sum_of_sizes(posed.pose().translation), stretched = 1.002;
-  SupportError moved = SupportError::of<S>(stretched * rest.size + way, 18 * rest.size + 2 * way);
+  SupportError moved = SupportError::of<S>(stretched * rest.size + way, 18.0L * rest.size + 2.0L * way);
   moved.error += stretched * rest.error;
   if (!(off < 1e-3)) moved.error = std::numeric_limits<double>::infinity();
   return moved;
@@ -136,7 +138,7 @@ Vec3<S> near_support(const Posed<S, A>& posed, const Vec3<S>& d) {
 template <class S, class A, class B>
 SupportError support_error(const MinkowskiSum<S, A, B>& sum) {
   const SupportError a = support_error(sum.a()), b = support_error(sum.b());
-  SupportError both = SupportError::of<S>(a.size + b.size, 2 * (a.size + b.size));
+  SupportError both = SupportError::of<S>(a.size + b.size, 2.0L * (a.size + b.size));
   both.error += a.error + b.error;
   return both;
 }

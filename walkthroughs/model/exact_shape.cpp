@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -39,9 +40,10 @@ template <class S>
 struct Turn {
   Eigen::Matrix<S, 3, 3> rotation;
 
+  /// The matrix of the pose is no better than the floats that it may have been rounded to; a quaternion is what it is.
   explicit Turn(const Pose& pose) : rotation(pose.rotation.cast<S>()) {
-    if constexpr (std::same_as<S, long double>)
-      if (pose.quaternion) rotation = matrix_of<S>(*pose.quaternion);
+    using Wide = std::conditional_t<std::same_as<S, long double>, long double, double>;
+    if (pose.quaternion) rotation = matrix_of<Wide>(*pose.quaternion).template cast<S>();
   }
   S length(S x) const { return x; }
   gjk::Vec3<S> point(const gjk::Vec3<S>& p) const { return rotation * p; }
@@ -169,7 +171,8 @@ ExactAnswer exact_answer(const Object& a, const Object& b) {
     return {result.status, result.nearest};
   }
   if (const auto status = exact_status_of_cylinders(a, b)) return {*status};
-  return {bounded_answer(a, b).status};
+  const gjk::ShapesResult result = bounded_answer(a, b);
+  return {result.status, {}, result.gap};
 }
 
 bool is_near_contact(const Object& a, const Object& b, Scalar scalar) {

@@ -19,6 +19,7 @@ struct ExactAnswer {
   /// The certificate: the numbers of the points of a and b whose differences make the feature nearest to the origin, or
   /// the simplex that holds it. Of other objects than gjk::Grown none.
   gjk::IndexPairs nearest = {};
+  double gap = 0;  ///< undecided: a bound on how far apart they are, and how deep in each other
 };
 
 /// Returns: points, balls, boxes, capsules and sums of these as what is decided exactly; nothing for other shapes, and where
