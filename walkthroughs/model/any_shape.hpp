@@ -304,7 +304,13 @@ struct Conversion {
   void operator()(field::Direction, const auto& from, gjk::Vec3<T>& to) const { to = numbers.direction(from); }
   void operator()(field::Length, const auto& from, T& to) const { to = numbers.length(from); }
   void operator()(field::Size, const auto& from, gjk::Vec3<T>& to) const {
-    for (int axis = 0; axis < 3; ++axis) to[axis] = numbers.length(from[axis]);
+    const auto size = [this](const auto& x) {
+      if constexpr (requires { numbers.size(x); })
+        return numbers.size(x);
+      else
+        return numbers.length(x);
+    };
+    for (int axis = 0; axis < 3; ++axis) to[axis] = size(from[axis]);
   }
   void operator()(field::Places, const auto& from, PointsOf<T>& to) const {
     to.reserve(from.size());
@@ -315,7 +321,8 @@ struct Conversion {
   }
 };
 
-/// Returns: the shape in numbers of T. `numbers`: has point(), direction() and length(), which turn one each and may throw.
+/// Returns: the shape in numbers of T. `numbers`: has point(), direction() and length(), which turn one each and may throw;
+/// size() where sides of boxes are turned otherwise than other lengths.
 template <class T, class Numbers, class... Shapes>
 std::variant<typename ShapeRow<Shapes>::template In<T>...> converted(const std::variant<Shapes...>& shape,
                                                                      Numbers&& numbers) {

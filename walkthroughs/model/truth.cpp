@@ -61,12 +61,13 @@ struct ShortDecimal {
   }
 };
 
-/// Multiplies decimals by a power of ten, such that all of a scene's become whole numbers.
+/// Multiplies decimals by powers of ten, such that all of a scene's become whole numbers. What a matrix is multiplied with has
+/// another power than radii and heights, which it leaves as they are.
 struct Times10 {
-  int power;
+  int power, power_of_lengths;
   bool& is_exact;  ///< becomes false where no double holds the product
 
-  double length(double x) const {
+  double times(double x, int power) const {
     if (x == 0) return x;
     const ShortDecimal decimal(x);
     const Integer whole = decimal.digits * pow(Integer(10), static_cast<unsigned>(decimal.exponent + power));
@@ -74,7 +75,9 @@ struct Times10 {
     if (!std::isfinite(nearest) || Integer(nearest) != whole) is_exact = false;
     return nearest;
   }
-  Point point(const Point& p) const { return {length(p.x()), length(p.y()), length(p.z())}; }
+  double length(double x) const { return times(x, power_of_lengths); }
+  double size(double x) const { return times(x, power); }
+  Point point(const Point& p) const { return {size(p.x()), size(p.y()), size(p.z())}; }
   Point direction(const Point& d) const { return d; }
 };
 
@@ -89,19 +92,35 @@ struct LastDigits {
     most = std::max(most.value_or(exponent), exponent);
   }
   /// Doubles hold no more digits than this.
-  bool may_be_exact() const { return least && *most - *least <= 40; }
+  bool may_be_exact() const { return !least || *most - *least <= 40; }
+  int power() const { return -least.value_or(0); }
 };
 
-/// Of shapes whose pose has whole numbers.
+std::array<double*, 4> numbers_of(gjk::Quaternion& q) { return {&q.w, &q.x, &q.y, &q.z}; }
+
+/// Of poses that have decimals.
 Status answer_of_scaled(Object a, Object b) {
-  LastDigits digits;
-  for (const Object* object : {&a, &b}) visit_numbers(*object, [&](double x) { digits.look_at(x); });
-  if (!digits.may_be_exact()) return Status::undecided;
+  LastDigits of_lengths, of_matrices;
+  for (const Object* object : {&a, &b}) {
+    visit_numbers(*object, [&](double x) { of_lengths.look_at(x); });
+    if (!object->pose.quaternion)
+      for (const double x : object->pose.rotation.reshaped()) of_matrices.look_at(x);
+  }
+  if (!of_lengths.may_be_exact()) return Status::undecided;
+  const int power = of_lengths.power(), of_both = power + of_matrices.power();
   bool is_exact = true;
   for (Object* object : {&a, &b}) {
-    const Times10 times10{-*digits.least, is_exact};
-    object->form = converted<double>(object->form, times10);
-    object->pose.translation = times10.point(object->pose.translation);
+    Pose& pose = object->pose;
+    object->form = converted<double>(object->form, Times10{pose.quaternion ? of_both : power, of_both, is_exact});
+    pose.translation = Times10{of_both, 0, is_exact}.point(pose.translation);
+    if (!pose.quaternion)
+      for (double& x : pose.rotation.reshaped()) x = Times10{of_matrices.power(), 0, is_exact}.size(x);
+    else {
+      LastDigits digits;
+      for (const double* x : numbers_of(*pose.quaternion)) digits.look_at(*x);
+      if (!digits.may_be_exact()) return Status::undecided;
+      for (double* x : numbers_of(*pose.quaternion)) *x = Times10{digits.power(), 0, is_exact}.size(*x);
+    }
   }
   return is_exact ? exact_answer(a, b).status : Status::undecided;
 }
@@ -137,27 +156,31 @@ bool has_rounded_matrix(const Pose& pose) {
 /// Returns: the exact answer about the decimals; undecided where it is not known. A turn by degrees has no decimals, unless its
 /// matrix is of whole numbers.
 Status answer_of_decimals(const Object& a, const Object& b) {
-  if (has_whole_matrix(a.pose) && has_whole_matrix(b.pose))
-    if (const Status status = answer_of_scaled(a, b); status != Status::undecided) return status;
-  const auto has_decimals = [](const Object& object) {
-    return std::holds_alternative<Points>(object.form) &&
-           (has_whole_matrix(object.pose) || object.pose.matrix_as_written);
+  if (has_rounded_matrix(a.pose) || has_rounded_matrix(b.pose)) return Status::undecided;
+  if (const Status status = answer_of_scaled(a, b); status != Status::undecided) return status;
+  const auto has_fractions = [](const Object& object) {
+    return std::holds_alternative<Points>(object.form) && !object.pose.quaternion;
   };
-  if (!has_decimals(a) || !has_decimals(b)) return Status::undecided;
+  if (!has_fractions(a) || !has_fractions(b)) return Status::undecided;
   return gjk::collision<gjk::Fraction, gjk::Complete<>>(in_fractions(a), in_fractions(b), {}).status;
 }
 
 // -- Exchanged --------------------------------------------------------------------------------------------------------
 
-/// Whether exchanging the objects could matter: a mistake is about one of them, a proof comes to the truth, and between
-/// centers the search is the same, mirrored.
-bool is_worth_exchanging(const Scene& scene) {
-  return !scene.mistake && !scene.certified &&
-         !(gjk::first_point(scene.rules) == gjk::FirstPoint::tested &&
-           from_center_to_center(scene).options.first_direction == scene.options.first_direction);
+/// Whether the search begins between the centers, as read: then it does so from the other side with a and b exchanged.
+bool begins_between_centers(const Scene& scene) {
+  if (gjk::first_point(scene.rules) != gjk::FirstPoint::tested) return false;
+  Scene as_read = scene;
+  as_read.a = a_as_read(scene);
+  as_read.b = b_as_read(scene);
+  as_read.scalar = Scalar::binary64;
+  as_read = from_center_to_center(std::move(as_read));
+  if (scene.scalar == Scalar::binary32) as_read = in_float(std::move(as_read));
+  return as_read.options.first_direction == scene.options.first_direction;
 }
 
 Status answer_exchanged(Scene scene) {
+  if (begins_between_centers(scene)) scene.options.first_direction *= -1;
   std::swap(scene.a, scene.b);
   return answer_of(run(scene));
 }
@@ -174,7 +197,7 @@ Truth truth_of(const Scene& scene, Status shown) {
     if (of_decimals != Status::undecided && of_decimals != known) truth.of_decimals = of_decimals;
     truth.by_rounded_turn = has_rounded_matrix(a.pose) || has_rounded_matrix(b.pose);
   }
-  if (is_worth_exchanging(scene))
+  if (!scene.mistake && !scene.certified)  // a mistake is about one of them, and a proof comes to the truth
     if (const Status exchanged = answer_exchanged(scene); exchanged != shown) truth.exchanged = exchanged;
   return truth;
 }

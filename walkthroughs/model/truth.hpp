@@ -25,9 +25,12 @@ inline bool is_otherwise(const Truth& truth, gjk::Status shown) {
   return truth.answer.status != gjk::Status::undecided && truth.answer.status != shown;
 }
 
+/// Returns: whether it was asked, and nothing can be proven.
+inline bool is_open(const Truth& truth) { return truth.answer.gap > 0; }
+
 /// Returns: whether there is more to tell than what the search answers.
 inline bool says_more(const Truth& truth, gjk::Status shown) {
-  return is_otherwise(truth, shown) || truth.of_decimals || truth.by_rounded_turn || truth.exchanged;
+  return is_otherwise(truth, shown) || is_open(truth) || truth.of_decimals || truth.by_rounded_turn || truth.exchanged;
 }
 
 /// The objects as read.

@@ -88,10 +88,10 @@ struct Walkthrough {
   Naming naming = Naming::corners;
   std::vector<Scene> scenes = {};
   std::vector<Remark> remarks = {};
-  std::optional<CloseUp> close_up = {};                            ///< Layout::close_ups only
-  std::function<std::vector<Diagram>()> diagrams = {};             ///< Layout::diagrams only
-  std::optional<RegionCase> region_case = {};                      ///< walkthroughs regions/… only
-  bool begins_with_the_guess = false;  ///< certified/…: the first search is told elsewhere
+  std::optional<CloseUp> close_up = {};                 ///< Layout::close_ups only
+  std::function<std::vector<Diagram>()> diagrams = {};  ///< Layout::diagrams only
+  std::optional<RegionCase> region_case = {};           ///< walkthroughs regions/… only
+  bool begins_with_the_guess = false;                   ///< certified/…: the first search is told elsewhere
 };
 
 }  // namespace walkthroughs::model

@@ -45,11 +45,10 @@ std::string how_it_ends(const Story& story) {
 
 /// What is true, where one search answers otherwise.
 std::string truth_beside(const Story& story) {
-  if (story.tellings.size() != 1) return "";
-  const Telling& telling = story.tellings[0];
-  return is_otherwise(telling.truth, answer_of(telling.trace))
-             ? " (in truth " + std::string(to_string(telling.truth.answer.status)) + ")"
-             : "";
+  for (const Telling& telling : story.tellings)
+    if (is_otherwise(telling.truth, answer_of(telling.trace)))
+      return " (in truth " + std::string(to_string(telling.truth.answer.status)) + ")";
+  return "";
 }
 
 Row row_of(const Walkthrough& w) {

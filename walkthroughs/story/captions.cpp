@@ -384,15 +384,14 @@ class Captions {
 
   /// What stands before an answer that may be wrong. Where it is, not by rounding, that is said at once.
   std::string concluded(const gjk::Result<double>& result) const {
-    const bool is_mistaken = scene_.mistake || scene_.rules == RuleSet::as_printed;
+    const bool is_mistaken = !telling_.truth.by_rounded_turn && (scene_.mistake || scene_.rules == RuleSet::as_printed);
     if (is_wrong(result))
       return is_mistaken  ? "the search concludes, wrongly, that "
              : in_float() ? "in floats the search concludes that "
                           : "in doubles the search concludes that ";
-    const bool is_open = !scene_.leaves_truth_out &&
-                         (telling_.truth.answer.status == gjk::Status::undecided || telling_.truth.by_rounded_turn),
+    const bool is_doubtful = is_open(telling_.truth) || telling_.truth.of_decimals || telling_.truth.by_rounded_turn,
                is_unproven = result.status == gjk::Status::intersecting && !holds_origin_exactly(result.simplex);
-    return in_float() || is_open || is_unproven ? "the search concludes that " : "";
+    return in_float() || is_doubtful || is_unproven ? "the search concludes that " : "";
   }
 
   bool is_otherwise_exactly(const gjk::Event<double>& event) const {

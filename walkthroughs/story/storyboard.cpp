@@ -10,6 +10,7 @@
 #include "walkthroughs/model/scene.hpp"
 #include "walkthroughs/story/captions.hpp"
 #include "walkthroughs/story/mistake_told.hpp"
+#include "walkthroughs/story/truth_told.hpp"
 
 namespace walkthroughs::story {
 namespace {
@@ -155,6 +156,12 @@ struct Sentence {
   enum class Says { what_happens, both_go_on, one_goes_on } says = Says::what_happens;
 };
 
+/// Returns: " In truth they are apart."; empty where that is what the search answers.
+std::string truth_beside(const Telling& telling) {
+  const std::string truth = truth_told(telling.truth, telling.scene, answer_of(telling.trace)).sentence;
+  return truth.empty() ? "" : " " + as_sentence(truth) + ".";
+}
+
 Sentence sentence_for(const Story& story, std::size_t i, std::size_t common, const std::optional<ToldMistake>& told) {
   using enum Sentence::Says;
   if (told && i == last_event(story)) return {told->ending + "."};
@@ -166,7 +173,7 @@ Sentence sentence_for(const Story& story, std::size_t i, std::size_t common, con
   for (const Telling& telling : story.tellings)
     if (ends_here(telling))
       return {"Here one run ends, in iteration " + std::to_string(iterations_of(telling)) + ": " + telling.scene.name +
-              "."};
+              "." + (told ? "" : truth_beside(telling))};
   const auto has_ended = [i](const Telling& telling) { return i >= telling.trace.events.size(); };
   if (std::ranges::none_of(story.tellings, has_ended)) return {"Both runs go on.", both_go_on};
   const Telling& going_on = story.tellings[has_ended(story.tellings[0]) ? 1 : 0];

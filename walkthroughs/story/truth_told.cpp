@@ -1,5 +1,6 @@
 #include "walkthroughs/story/truth_told.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -53,8 +54,12 @@ ExactVector point_of_a(const Decided& decided) {
 std::string why_told(const Decided& decided, gjk::Status answer, Dimension dimension) {
   const ExactVector v = vector_of(decided.point.v);
   const gjk::Fraction reach = gjk::detail::sum_of_radii(decided.a) + gjk::detail::sum_of_radii(decided.b);
-  if (reach > 0)
-    return "in truth they are " + length(v) + " apart without their radii, which add up to " + number(reach);
+  if (reach > 0) {
+    const gjk::Fraction excess = (v.dot(v) - reach * reach) / (2 * reach);  // of |v|, where that is near the reach
+    const bool looks_equal = length(v) == number(reach) && excess != 0;
+    return "in truth they are " + length(v) + " apart without their radii, which add up to " +
+           (looks_equal ? number(gjk::Fraction(abs(excess))) + (excess > 0 ? " less" : " more") : number(reach));
+  }
   if (answer == gjk::Status::intersecting)
     return "in truth both objects hold the point " + vector(point_of_a(decided), dimension, place);
   return "in truth a − b is nearest to the origin at v = " + vector(v, dimension) + ", " + length(v) + " away";
@@ -82,7 +87,8 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
     note(as_sentence(clause) + ".");
   };
   if (is_otherwise(truth, shown)) {
-    const std::string in_truth_they = in_truth(truth.answer.status);
+    const std::string in_truth_they =
+        in_truth(truth.answer.status) + (truth.by_rounded_turn ? ", by the matrix to which a turn was rounded" : "");
     told.sentence = "in truth " + in_truth_they;
     note((shown == gjk::Status::undecided ? "No answer"
                                           : as_sentence(searched(scene)) + ": " + words_for_answer(shown)) +
@@ -94,6 +100,10 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
     if ((scene.a_as_read || scene.b_as_read) && exact_answer(scene.a, scene.b).status != truth.answer.status)
       tell("this is the truth about the numbers as read: rounding them to floats has moved the objects");
   }
+  if (is_open(truth))
+    tell_and_note("nothing is proven" + (std::isfinite(truth.answer.gap)
+                                             ? ": they are nearer to contact than " + short_number(truth.answer.gap)
+                                             : " of so large numbers"));
   if (truth.of_decimals) tell_and_note("in decimals, the shortest that read the same, " + in_truth(*truth.of_decimals));
   if (truth.by_rounded_turn)
     tell_and_note("they are so near to contact that rounding the matrix of a turn may have decided");

@@ -15,7 +15,7 @@ inline TraceFile parse_trace(std::string_view text, const std::string& file_name
 /// Errors: InputError, about the first line that is wrong, or of a trace that contradicts itself. Reads regular files of at
 /// most trace_limits::bytes.
 inline TraceFile read_trace(const std::filesystem::path& file) {
-  return parse_trace(read_text(file, trace_limits::bytes), file.string());
+  return parse_trace(read_text(file, trace_limits::bytes), called(file));
 }
 
 }  // namespace walkthroughs::trace

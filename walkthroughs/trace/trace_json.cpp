@@ -136,6 +136,7 @@ Json truth_json(const Scene& scene, const Truth& truth, gjk::Status shown) {
   if (!says_more(truth, shown)) return nullptr;
   Json line{{"scene", scene.name}, {"event", "truth"}, {"status", json(truth.answer.status)}};
   if (truth.answer.nearest.size() > 0) line["nearest"] = json(truth.answer.nearest);
+  if (is_open(truth) && std::isfinite(truth.answer.gap)) line["gap"] = truth.answer.gap;
   if (truth.of_decimals) line["of_decimals"] = json(*truth.of_decimals);
   if (truth.by_rounded_turn) line["by_rounded_turn"] = true;
   if (truth.exchanged) line["exchanged"] = json(*truth.exchanged);

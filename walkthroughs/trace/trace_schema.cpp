@@ -205,7 +205,8 @@ Json truth() {
   return described(
       "What is true beside the answer of a scene; behind its events, where that is more than they say. 'status' is "
       "proven of the objects as read, by 'nearest': index pairs of points whose differences are the feature nearest to "
-      "the origin, or hold it. 'of_decimals' is the answer about the shortest decimals of the numbers, 'exchanged' "
+      "the origin, or hold it. Where nothing is proven they are nearer to contact than 'gap'. 'of_decimals' is the "
+      "answer about the shortest decimals of the numbers, 'exchanged' "
       "that "
       "of the search with a and b exchanged, where these are others. 'by_rounded_turn' where rounding the matrix of a "
       "turn "
@@ -214,6 +215,7 @@ Json truth() {
               {"event", {{"const", "truth"}}},
               {"status", status},
               {"nearest", reference("index_pairs")},
+              {"gap", {{"type", "number"}}},
               {"of_decimals", status},
               {"by_rounded_turn", {{"const", true}}},
               {"exchanged", status}},

@@ -98,15 +98,36 @@ TEST_CASE("What the search answers with a and b exchanged is known where it is a
       if (scene.mistake) CHECK_FALSE(truth(scene).exchanged);
 }
 
-TEST_CASE("Between the centers a search is the same with a and b exchanged, and is not run again") {
-  Scene scene = shared_end();
+TEST_CASE("A search between the centers is exchanged from the other side, whatever it is rounded to") {
+  Scene scene;
+  scene.a = {"a", Points{{0.82, -0.27, -1.59}, {-1.1, -2.94, 0.46}, {2.14, 1.74, -2.18}}};
+  scene.b = {"b", Points{{-0.524, -2.139, -0.15500000000000008}, {-1.27, 1.62, 1.32}, {-1.4, -1.28, -0.57}}};
   scene.rules = RuleSet::eager;
-  scene = from_center_to_center(scene);
-  std::swap(scene.a, scene.b);
-  CHECK(shown(from_center_to_center(scene)) == shown(scene));
-  scene.a.support_calls = 0;
-  truth_of(scene, Status::separated);
-  CHECK(scene.a.support_calls == 0);
+  for (Scene between : {from_center_to_center(scene), in_float(from_center_to_center(scene))}) {
+    Scene exchanged = scene;
+    std::swap(exchanged.a, exchanged.b);
+    exchanged = from_center_to_center(exchanged);
+    if (between.scalar == Scalar::binary32) exchanged = in_float(exchanged);
+    const Truth known = truth(between);
+    CHECK(known.exchanged.value_or(shown(between)) == shown(exchanged));
+  }
+  CHECK(truth(from_center_to_center(scene)).exchanged == Status::separated);
+}
+
+TEST_CASE("Decimals are known of quaternions, and of round shapes under a written matrix") {
+  Scene turned = plane_scene({{1, 2, 3}}, {{1, -1.2, 3.4}, {1, 5, 3.4}});
+  turned.a.pose.quaternion = gjk::Quaternion{2, 1, 0, 0};
+  turned.a.pose.rotation = matrix_of(*turned.a.pose.quaternion);
+  CHECK(truth(turned).answer.status == Status::separated);
+  CHECK(truth(turned).of_decimals == Status::intersecting);
+  // (1, 0, 0) comes to (0.6, 0.8, 0); a ball of radius 1 beside it ends there, in decimals.
+  Scene written;
+  written.a = {"a", Ball{{1.1, 0, 0}, 0.1}};
+  written.a.pose.rotation << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
+  written.a.pose.matrix_as_written = true;
+  written.b = {"b", Ball{{0.66, 1.88, 0}, 0.9}};
+  const Truth known = truth(written);
+  CHECK((known.answer.status == Status::intersecting || known.of_decimals == Status::intersecting));
 }
 
 TEST_CASE("The truth of a scene in float is that of the numbers as read") {

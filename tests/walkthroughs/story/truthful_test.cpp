@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
@@ -22,16 +23,17 @@ namespace {
 // -- Scenes -----------------------------------------------------------------------------------------------------------
 
 /// Pairs of one to three points each, in the plane and in space: small whole numbers; two decimals with a shared point;
-/// powers of ten; contact by construction. And in space round shapes and boxes of small whole numbers.
+/// powers of ten; contact by construction. And in space round shapes and boxes of small whole numbers, half of them moved by
+/// poses, as some of the points are.
 class HostileScenes {
  public:
   explicit HostileScenes(std::uint64_t seed) : dice_(seed) {}
 
   Walkthrough next() {
-    const int kind = dice_.between(0, 4);
-    is_plane_ = kind != 4 && dice_.coin();
+    const int kind = dice_.between(0, 5);
+    is_plane_ = kind < 4 && dice_.coin();
     unit_ = kind == 2 ? std::pow(10.0, dice_.between(-150, 150)) : 1;
-    decimals_ = kind == 1 || kind == 3;
+    decimals_ = kind == 1 || kind == 3 || kind == 5;
     std::vector<Point> a = some_points(), b = some_points();
     if (kind == 1) b[0] = a[0];
     if (kind == 3) b[0] = on_edge(a);
@@ -41,6 +43,7 @@ class HostileScenes {
     scene.dimension = is_plane_ ? Dimension::plane : Dimension::space;
     if (kind == 4) scene.a.form = some_shape();
     if (kind == 4 && dice_.coin()) scene.b.form = some_shape();
+    if (kind == 5 || (kind == 4 && dice_.coin())) scene.a.pose = some_pose();
     scene.rules = static_cast<RuleSet>(dice_.between(0, 3));
     if (kind != 2 && dice_.between(0, 3) == 0) scene = in_float(scene);
     return w;
@@ -53,6 +56,24 @@ class HostileScenes {
     std::vector<Point> points(static_cast<std::size_t>(dice_.between(1, 3)));
     for (Point& p : points) p = point();
     return points;
+  }
+  Pose some_pose() {
+    Pose pose{.translation = point()};
+    const auto whole = [&] { return static_cast<double>(dice_.between(-2, 2)); };
+    switch (dice_.between(0, 2)) {
+      case 0:
+        pose.quaternion = gjk::Quaternion{whole(), whole(), whole(), 1};
+        pose.rotation = matrix_of(*pose.quaternion);
+        break;
+      case 1:
+        pose.matrix_as_written = true;
+        pose.rotation << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
+        break;
+      default:
+        pose.rotation =
+            Eigen::AngleAxisd(dice_.between(-6, 6) * std::numbers::pi / 6, Point::UnitZ()).toRotationMatrix();
+    }
+    return pose;
   }
   AnyShape some_shape() {
     const auto length = [&] { return static_cast<double>(dice_.between(0, 3)); };
@@ -166,7 +187,9 @@ bool says_place(const Frame& frame) {
 
 /// By other means than the program's where there are such.
 Status truth_told_of(const Telling& telling) {
-  const auto is_points = [](const Object& object) { return std::holds_alternative<Points>(object.form); };
+  const auto is_points = [](const Object& object) {
+    return std::holds_alternative<Points>(object.form) && !moves(object.pose);
+  };
   const Object &a = a_as_read(telling.scene), &b = b_as_read(telling.scene);
   return is_points(a) && is_points(b) ? truth_about(a, b) : telling.truth.answer.status;
 }
@@ -174,8 +197,8 @@ Status truth_told_of(const Telling& telling) {
 /// Returns: what is false in a frame, and not hedged; empty where nothing is.
 std::string falsehood(const Frame& frame, const Scene& scene, const gjk::Event<double>& event) {
   const Moment& now = frame.moments[0];
-  const bool is_of_points =
-      std::holds_alternative<Points>(scene.a.form) && std::holds_alternative<Points>(scene.b.form);
+  const bool is_of_points = std::holds_alternative<Points>(scene.a.form) && !moves(scene.a.pose) &&
+                            std::holds_alternative<Points>(scene.b.form);
   const bool claims_farthest = is_of_points && has(frame.caption, "Nothing of the difference reaches farther");
   if (claims_farthest && !is_farthest(scene, *now.found, now.direction->value)) return "reaches farther";
   if (const auto* region = std::get_if<gjk::RegionTested<double>>(&event);

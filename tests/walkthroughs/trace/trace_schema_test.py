@@ -38,7 +38,7 @@ def damaged(line):
 
 
 free_words = {"scene", "region", "dropped", "why", "reason", "name", "title", "source", "summary", "text", "support", "crossing", "direction"}
-may_be_missing = {"region", "face", "formula", "normal", "value", "relation", "index", "pose", "remarks", "close_up", "separation", "nearest", "of_decimals", "by_rounded_turn", "exchanged"}
+may_be_missing = {"region", "face", "formula", "normal", "value", "relation", "index", "pose", "remarks", "close_up", "separation", "nearest", "gap", "of_decimals", "by_rounded_turn", "exchanged"}
 
 schema = json.loads(output("trace", "--schema"))
 jsonschema.Draft202012Validator.check_schema(schema)
