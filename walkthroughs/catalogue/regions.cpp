@@ -267,8 +267,8 @@ std::vector<RegionRow> above_ACD() {
            .text = "the origin lies above the face ACD and beyond its edge AC",
            .scene = scene_of("triangle a", {{2, 4, -4}, {0, -1, -1}, {3, -1, -3}}, "triangle b",
                              {{1, 2, 3}, {2, 2, -2}, {4, 0, 4}}),
-           .remarks = {{At::region_tested, 4, "this ACn = AC×ACDn lies in the plane of ACD, the ACn of ABC in that of ABC",
-                        "ACD AC"}}}};
+           .remarks = {{At::region_tested, 4,
+                        "this ACn = AC×ACDn lies in the plane of ACD, the ACn of ABC in that of ABC", "ACD AC"}}}};
 }
 
 std::vector<RegionRow> above_ADB() {
@@ -287,16 +287,16 @@ std::vector<RegionRow> above_ADB() {
            .text = "the origin lies above the face ADB and beyond its edge AB",
            .scene = scene_of("triangle a", {{3, 3, 3}, {4, 3, -3}, {0, 3, -4}}, "triangle b",
                              {{1, 2, 5}, {4, 4, 5}, {3, 1, 2}}),
-           .remarks = {{At::region_tested, 4, "this ABn = ADBn×AB lies in the plane of ADB, the ABn of ABC in that of ABC",
-                        "ADB AB"}}},
+           .remarks = {{At::region_tested, 4,
+                        "this ABn = ADBn×AB lies in the plane of ADB, the ABn of ABC in that of ABC", "ADB AB"}}},
           {.name = "face-adb-edge-ad",
            .title = "case above ADB, beyond AD",
            .summary = "of the face ADB only the edge AD is kept: B and C are dropped",
            .text = "the origin lies above the face ADB and beyond its edge AD",
            .scene = scene_of("triangle a", {{-4, 3, -2}, {-5, -3, -3}, {0, 1, 3}}, "triangle b",
                              {{-4, 1, 3}, {-2, 0, 4}, {2, 2, 4}}),
-           .remarks = {{At::region_tested, 4, "this ADn = AD×ADBn lies in the plane of ADB, the ADn of ACD in that of ACD",
-                        "ADB AD"}}}};
+           .remarks = {{At::region_tested, 4,
+                        "this ADn = AD×ADBn lies in the plane of ADB, the ADn of ACD in that of ACD", "ADB AD"}}}};
 }
 
 std::vector<RegionRow> within_tetrahedron() {

@@ -3,12 +3,12 @@
 
 namespace walkthroughs::output {
 
-OneFile animated_png(double seconds) {
-  const auto make = [seconds](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer&) {
+OneFile animated_png(double seconds, double of_last) {
+  const auto make = [=](const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer&) {
     return [=, folder = folder_of(output, story->walkthrough)] {
       const std::size_t count = story->frames.size();
       const auto png = [&](std::size_t i) { return written_picture(folder, i); };
-      const auto shown = [&](std::size_t i) { return seconds * (i + 1 == count ? last_frame_times : 1); };
+      const auto shown = [&](std::size_t i) { return i + 1 == count ? of_last : seconds; };
       return render::encode_apng(count, png, shown, text_of(story->walkthrough));
     };
   };

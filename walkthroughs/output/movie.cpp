@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "walkthroughs/model/number_text.hpp"
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/text/printable.hpp"
 
@@ -28,17 +30,19 @@ std::string hexadecimal(render::Color color) {
 
 }  // namespace
 
-std::string ffmpeg_line(Movie movie, const std::filesystem::path& folder, double seconds, render::Color paper) {
-  const std::string once_more = "tpad=stop=1:stop_mode=clone";  // the last frame
+std::string ffmpeg_line(Movie movie, const std::filesystem::path& folder, double seconds, double of_last,
+                        render::Color paper) {
+  // The last frame goes on for what it is shown longer.
+  const std::string longer = "tpad=stop_duration=" + number_text(std::max(of_last - seconds, 0.0)) + ":stop_mode=clone";
   const std::string rate = "1000/" + std::to_string(std::lround(seconds * 1000));
   const std::string input =
       "ffmpeg -y -v error -framerate " + rate + " -i " + shell_quoted(frames_in(folder)) + " -vf ";
   if (movie == Movie::gif)
-    return input + shell_quoted(once_more + ",split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none") + " " +
+    return input + shell_quoted(longer + ",split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none") + " " +
            shell_quoted(path_for_ffmpeg(folder / "animation.gif"));
   const std::string even = "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=" + hexadecimal(paper);
   // Some players cannot show less than a few frames a second, so each is repeated.
-  return input + shell_quoted(once_more + "," + even + ",fps=25") + " -c:v libx264 -pix_fmt yuv420p " +
+  return input + shell_quoted(longer + "," + even + ",fps=25") + " -c:v libx264 -pix_fmt yuv420p " +
          shell_quoted(path_for_ffmpeg(folder / "animation.mp4"));
 }
 

@@ -39,9 +39,7 @@ std::vector<PageFile> sources(const Story& story, const PageOrigin& origin) {
     truths.push_back(telling.truth);
   }
   if (!traces.empty()) files.push_back({trace_file, traces_json(story.walkthrough, traces, truths)});
-  if (origin.file.empty() || !origin.option.empty()) return files;
-  const std::vector<std::uint8_t> scene = render::read_file(origin.file);
-  files.push_back({copy_of_scene(origin), {scene.begin(), scene.end()}});
+  if (!origin.scene.empty()) files.push_back({copy_of_scene(origin), origin.scene});
   return files;
 }
 

@@ -18,6 +18,7 @@ struct PageOrigin {
   std::string name, title;
   std::string option;          ///< of the command line, before the file: "--from-trace "
   std::filesystem::path file;  ///< empty where it is one of the catalogue
+  std::string scene;           ///< the text of a scene file
 };
 
 /// What is said of pages on the command line.

@@ -47,10 +47,8 @@ inline render::PngText text_of(const Walkthrough& walkthrough) { return {walkthr
 /// strip.png: the whole walkthrough in one wide picture, as draw_strip() draws it.
 OneFile strip();
 
-inline constexpr double last_frame_times = 2;  // how much longer the last frame of an animation is shown
-
-/// animation.png: all frames as an animated PNG, which shows each for so many seconds, the last one `last_frame_times` as
-/// long. Joins the files of Frames, which must be given the story before.
-OneFile animated_png(double seconds);
+/// animation.png: all frames as an animated PNG, which shows each for so many seconds, the last one for `of_last`. Joins the
+/// files of Frames, which must be given the story before.
+OneFile animated_png(double seconds, double of_last);
 
 }  // namespace walkthroughs::output

@@ -10,6 +10,7 @@
 #include "walkthroughs/program/places.hpp"
 #include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/text_file.hpp"
 
 namespace walkthroughs::program {
 
@@ -36,7 +37,9 @@ void expect_named(const std::string& option, const std::string& name, const std:
                      ", or ./- if you mean it");
 }
 
-bool is_scene_file(const std::string& name) { return boost::algorithm::iends_with(name, ".json"); }
+bool is_scene_file(const std::string& name) {
+  return is_standard_input(name) || boost::algorithm::iends_with(name, ".json");
+}
 
 void add_force_flag(CLI::App& command, bool& force) {
   command.add_flag("--force", force,

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,10 @@ render::Backend chosen_backend(const std::optional<std::string>& name);
 /// Errors: UsageError where what is to be written has no name, that of the next option, or "-". `example`: what to
 /// name, and how.
 void expect_named(const std::string& option, const std::string& name, const std::string& example);
+
+/// Options of render that may have a word behind them, and which; alone they mean the first: --page is --page=beside.
+inline const std::map<std::string, std::vector<std::string>> words_of_flags{
+    {"--sheet", {"one", "a4", "letter", "a4-across", "letter-across"}}, {"--page", {"beside", "single"}}};
 
 /// The option --force of all commands that write files. Adding it to a command fills `force`, which must live as long.
 void add_force_flag(CLI::App& command, bool& force);

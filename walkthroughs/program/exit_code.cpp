@@ -145,6 +145,8 @@ int exit_code_of(const std::string& program, const std::string& if_out_of_memory
     output.finish();  // what was said before the error
     std::cerr << program << ": out of memory; " << if_out_of_memory << render::memory_limit() << '\n';
     return unexpected;
+  } catch (const ReaderLeft& error) {
+    return code_of(error);
   } catch (const std::exception& error) {
     output.finish();
     std::cerr << program << ": " << message_line(what_failed(error)) << '\n';

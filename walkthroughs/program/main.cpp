@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -52,10 +53,24 @@ std::string what_was_wrong(const CLI::App& app, const CLI::ParseError& error) {
          "'gjkstep --help' and 'gjkstep COMMAND --help' show what there is";
 }
 
+/// Returns: the words of the command line, the last first, as the parser wants them. "--sheet a4" is "--sheet=a4".
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (const auto flag = words_of_flags.find(words[i]);
+        flag != words_of_flags.end() && std::ranges::count(flag->second, words[i + 1]) > 0) {
+      words[i] += "=" + words[i + 1];
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+  std::ranges::reverse(words);
+  return words;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Draws, step by step, how the Gilbert-Johnson-Keerthi algorithm decides whether two convex objects "
       "collide.");
+  app.name(argc > 0 ? argv[0] : "gjkstep");
   app.footer(footer);
   app.require_subcommand(0, 1);
   bool version = false;
@@ -66,7 +81,7 @@ int run(int argc, char** argv) {
                                          add_scene_command(app), add_compare_command(app),    add_query_command(app)};
 
   try {
-    app.parse(argc, argv);
+    app.parse(words_of(argc, argv));
   } catch (const CLI::Success& help) {
     app.exit(help);
     return ok;
@@ -87,6 +102,8 @@ int run(int argc, char** argv) {
 }  // namespace walkthroughs::program
 
 int main(int argc, char** argv) {
+  // Mesa would keep what it compiles in the home folder, which is none of ours. It takes a twentieth of a second to do without.
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   return walkthroughs::program::exit_code_of("gjkstep", "ask for less, such as fewer points or a smaller --size",
                                              [&] { return walkthroughs::program::run(argc, argv); });
 }

@@ -11,6 +11,7 @@
 
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/program/exit_code.hpp"
+#include "walkthroughs/text/text_file.hpp"
 
 namespace walkthroughs::program {
 namespace {
@@ -81,7 +82,9 @@ void Places::add(std::vector<Place>& places, const fs::path& file, const std::st
   if (resolved(file) != places.back().first) places.emplace_back(resolved(file), what);
 }
 
-void Places::read(const fs::path& file, const std::string& what) { add(read_, file, what); }
+void Places::read(const fs::path& file, const std::string& what) {
+  is_standard_input(file) ? read_standard_input() : add(read_, file, what);
+}
 void Places::reserve(const fs::path& file, const std::string& what) { add(written_, file, what); }
 
 void Places::write(const fs::path& file, const std::string& what) {
@@ -94,7 +97,7 @@ void Places::write_into(const fs::path& folder, const std::vector<std::string>& 
 }
 
 void Places::read_standard_input() {
-  if (const fs::path file = file_of(STDIN_FILENO); !file.empty()) read(file, "standard input");
+  if (const fs::path file = file_of(STDIN_FILENO); !file.empty()) add(read_, file, "standard input");
 }
 
 void Places::write_standard_output() {

@@ -39,7 +39,8 @@ Standard input holds JSON Lines, each {"a": OBJECT, "b": OBJECT}. An OBJECT is o
          R"(It may have a "pose" and a "name", as in scene files ('gjkstep scene --example').
 A point [x, y] means [x, y, 0]. A pair may say "dimension": 2. --scalar exact takes points, boxes and their sums only.
 A number is read as the nearest double, and then converted. A line may have 16 MiB, and end in CR LF.
-"name", "family", "answer", "expect", "notes" and "source" of a pair are not looked at.
+"name", "id", "family", "answer", "expect", "truth", "notes", "source" and keys that begin with _ are repeated in the answer.
+A scene in one line is a pair, too. What it says beside its objects is not looked at.
 The first direction is +x. With --start between, and with eager rules, it leads from the center of a to that of b.
 The center of points is their mean. With --start inside the first vertex is the difference of these centers; it has no indices.
 
@@ -161,7 +162,7 @@ struct QueryCommand {
     const QueryOptions options = checked_options();
     if (measured) {
       expect_output_apart_from(*measured, "the file of pairs");
-      const Measurement found = measure(read_text(*measured, query_limits::measured), *measured, options);
+      const Measurement found = measure(read_text(*measured, query_limits::measured), called(*measured), options);
       std::cout << (csv ? csv_of(found) : table_of(found));
       return ok;
     }

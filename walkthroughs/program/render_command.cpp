@@ -47,6 +47,9 @@ struct RenderCommand {
   bool force = false;
   int turns = 0;
   double frame_time = 2;
+  std::optional<double> hold;  ///< of the last frame
+
+  double last_frame_time() const { return hold.value_or(2 * frame_time); }
   std::string format = "png";
   std::string detail = "decision";
   std::string theme = "report";
@@ -67,6 +70,7 @@ struct Chosen {
   std::optional<render::Size> size = {};          ///< that the file asks for
   std::optional<double> text_scale = {};          ///< the same
   std::optional<std::vector<Trace>> traces = {};  ///< where they have been read
+  std::string scene = {};                         ///< the text of a scene file
 };
 
 /// All of them, each once, in the order named.
@@ -75,8 +79,13 @@ class Selection {
   void add(const std::string& word) {
     if (!is_scene_file(word)) return add(walkthroughs_named(word));
     if (has_read(word)) return;
-    const SceneFile file = read_scene(word);
-    add({.walkthrough = file.walkthrough, .file = word, .size = file.size, .text_scale = file.text_scale});
+    std::string text = read_text(word, scene_limits::bytes);
+    const SceneFile file = parse_scene(text, called(word));
+    add({.walkthrough = file.walkthrough,
+         .file = word,
+         .size = file.size,
+         .text_scale = file.text_scale,
+         .scene = std::move(text)});
   }
   void add_trace(const std::string& file) {
     if (has_read(file)) return;
@@ -168,7 +177,8 @@ class Rendering {
   /// One for each format that is asked for, in the order in which each story is given to them.
   void make_sinks() {
     sinks_.push_back(std::make_unique<Frames>(has_svg()));
-    if (command_.apng) sinks_.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time)));
+    if (command_.apng)
+      sinks_.push_back(std::make_unique<OneFile>(animated_png(command_.frame_time, command_.last_frame_time())));
     if (command_.strip) sinks_.push_back(std::make_unique<OneFile>(strip()));
     if (command_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet()));
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
@@ -177,7 +187,7 @@ class Rendering {
     if (!has_pages()) return;
     std::vector<PageOrigin> origins;
     for (const Chosen& each : chosen_)
-      origins.push_back({each.walkthrough.name, each.walkthrough.title, each.option, each.file});
+      origins.push_back({each.walkthrough.name, each.walkthrough.title, each.option, each.file, each.scene});
     sinks_.push_back(std::make_unique<Pages>(
         PagesWanted{has_files_beside, command_.out, options_of_pictures(), std::move(origins)}));
   }
@@ -374,7 +384,7 @@ class Rendering {
   void print_movies() const {
     const Movie kind = *command_.movie == "gif" ? Movie::gif : Movie::mp4;
     for (const Chosen& each : chosen_)
-      std::cout << ffmpeg_line(kind, folder_ / each.walkthrough.name, command_.frame_time,
+      std::cout << ffmpeg_line(kind, folder_ / each.walkthrough.name, command_.frame_time, command_.last_frame_time(),
                                output_.look.style.theme.paper)
                 << '\n';
   }
@@ -397,42 +407,44 @@ void add_choice(CLI::App& command, const std::string& option, auto& word, const 
   command.add_option(option, word, what)->check(CLI::IsMember(words));
 }
 
-/// A flag that may say more: --page is as --page=beside. `option`: with the word that the flag alone means.
-void add_flag_of(CLI::App& command, const std::string& option, std::string& word, const std::string& what,
-                 const std::vector<std::string>& words) {
-  command.add_flag(option, word, what)->check(CLI::IsMember(words));
+/// A flag that may say more.
+void add_flag_of(CLI::App& command, const std::string& option, std::string& word, const std::string& what) {
+  const std::vector<std::string>& words = words_of_flags.at(option);
+  command.add_flag(option + "{" + words.front() + "}", word, what)->check(CLI::IsMember(words));
 }
 
 void add_walkthroughs(CLI::App& command, RenderCommand& render) {
-  command.add_option("NAME", render.names, "walkthroughs to render, folders of them, or scene files (.json)");
+  command.add_option("NAME", render.names,
+                     "walkthroughs to render, folders of them, or scene files (.json, or - for standard input)");
   command
       .add_option("--from-trace", render.traces,
                   "file that 'gjkstep trace' wrote: its frames are drawn without a search; may be repeated")
       ->type_name("FILE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--all", render.all, "render every walkthrough");
 }
 
 void add_formats(CLI::App& command, RenderCommand& render) {
   command.add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
-  add_flag_of(command, "--sheet{one}", render.sheet,
+  add_flag_of(command, "--sheet", render.sheet,
               "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
-              "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched",
-              {"one", "a4", "letter", "a4-across", "letter-across"});
+              "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched");
   add_choice(command, "--format", render.format,
              "svg: OUT/NAME/000.svg, 001.svg, ... as well, which stay sharp however much they are enlarged",
              {"png", "svg"});
   command.add_flag("--apng", render.apng, "write OUT/NAME/animation.png as well: all frames as an animated PNG");
-  add_flag_of(command, "--page{beside}", render.page,
+  add_flag_of(command, "--page", render.page,
               "write OUT/NAME/index.html as well, to step through in a browser, and OUT/index.html over all; "
-              "--page=single puts pictures, style, script and events into each",
-              {"beside", "single"});
+              "--page=single puts pictures, style, script and events into each");
   add_choice(command, "--movie", render.movie, "print the ffmpeg command that makes OUT/NAME/animation.mp4 or .gif",
              {"mp4", "gif"});
-  expect_number(command.add_option("--frame-time", render.frame_time,
-                                   "seconds for which animation and movie show a frame; the last one is shown twice "
-                                   "as long"),
+  expect_number(
+      command.add_option("--frame-time", render.frame_time, "seconds for which animation and movie show a frame"), 0.02,
+      60.0);
+  expect_number(command.add_option("--hold", render.hold,
+                                   "seconds for which they show the last one; if not given, twice as long"),
                 0.02, 60.0);
 }
 

@@ -25,13 +25,14 @@ struct SceneCommand {
       std::cout << example_scene();
       return ok;
     }
+    if (check->empty()) throw UsageError("scene --check '': name a scene file, or - for standard input");
     expect_output_apart_from(*check);
     const SceneFile file = read_scene(*check);
     const std::string declared = summary(file);  // before the first word that says it is well
-    std::cout << printable(*check) << ": ok: " << declared
+    std::cout << printable(called(*check)) << ": ok: " << declared
               << (is_scene_file(*check) ? "" : ". Before it is drawn, give it a name that ends in .json") << '\n';
     for (const std::string& warning : warnings_about(file.walkthrough.scenes.front()))
-      std::cout << printable(*check) << ": warning: " << warning << '\n';
+      std::cout << printable(called(*check)) << ": warning: " << warning << '\n';
     return ok;
   }
 };
@@ -43,7 +44,10 @@ Command add_scene_command(CLI::App& app) {
   CLI::App* const command = app.add_subcommand("scene", "files with scenes of your own");
   CLI::Option* const example =
       command->add_flag("--example", scene->example, "print a scene file that shows every key");
-  command->add_option("--check", scene->check, "read this scene file and say what it declares")->excludes(example);
+  command
+      ->add_option("--check", scene->check,
+                   "read this scene file (- for standard input), say what it declares and warn of rounding")
+      ->excludes(example);
   return {command, [scene] { return scene->run(); }};
 }
 

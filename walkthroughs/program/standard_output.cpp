@@ -7,14 +7,11 @@
 #include <cstring>
 #include <string>
 
-#include "render/file.hpp"
-
 namespace walkthroughs::program {
 namespace {
 
 std::string what_to_do(int error_number) {
   switch (error_number) {
-    case EPIPE: return "who reads it has left before the end; let it read all";
     case ENOSPC:
     case EDQUOT: return "make room on the disk, or write to another one";
     default: return "check where the output goes";
@@ -22,6 +19,7 @@ std::string what_to_do(int error_number) {
 }
 
 [[noreturn]] void fail_to_write(int error_number) {
+  if (error_number == EPIPE) throw ReaderLeft();
   throw render::FileError(std::string("cannot write to standard output: ") + std::strerror(error_number) + "; " +
                           what_to_do(error_number));
 }

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "render/file.hpp"
 #include "walkthroughs/rooms.hpp"
 
 namespace walkthroughs::program {
@@ -11,7 +12,12 @@ namespace walkthroughs::program {
 /// Returns: whether errno says so; then it has waited for `event` of poll(). Keeps errno.
 bool wait_for(int descriptor, short event);
 
-/// Errors: render::FileError.
+/// Who read standard output has left, as head does. Nobody is told: it was his choice.
+struct ReaderLeft : render::FileError {
+  ReaderLeft() : FileError("nobody reads standard output any more") {}
+};
+
+/// Errors: render::FileError, ReaderLeft among them.
 void write_to_standard_output(std::string_view text);
 
 }  // namespace walkthroughs::program

@@ -48,7 +48,8 @@ struct TraceCommand {
 Command add_trace_command(CLI::App& app) {
   const auto trace = std::make_shared<TraceCommand>();
   CLI::App* const command = app.add_subcommand("trace", "print the events of a walkthrough as JSON Lines");
-  CLI::Option* const name = command->add_option("NAME", trace->name, "walkthrough or scene file (.json) to trace");
+  CLI::Option* const name =
+      command->add_option("NAME", trace->name, "walkthrough or scene file (.json, or - for standard input) to trace");
   command->add_flag("--schema", trace->schema, "print the JSON Schema of one line of a trace")->excludes(name);
   return {command, [trace] { return trace->run(); }};
 }

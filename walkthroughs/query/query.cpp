@@ -41,6 +41,16 @@ void answer(PairAsWritten&& pair, const QueryOptions& query, std::string& out) {
   }
 }
 
+/// Returns: what a line notes for its writer, as the first members of its answer: "\"name\":\"one\",\"id\":7,".
+/// Requires: that the line was read.
+std::string repeated(std::string_view line) {
+  const auto all = nlohmann::ordered_json::parse(line, nullptr, false);
+  std::string text;
+  for (const auto& [key, value] : all.items())
+    if (reading::is_note(key)) text += render::json_text(nlohmann::json(key)) + ":" + render::json_text(value) + ",";
+  return text;
+}
+
 void write_error(const std::string& reason, std::size_t line_number, std::string& out) {
   using Json = nlohmann::ordered_json;
   // What was read may be in the reason, and need not be UTF-8.
@@ -56,10 +66,13 @@ void write_too_long(std::size_t line_number, std::string& out) {
 
 bool answer_line(std::string_view line, std::size_t line_number, const QueryOptions& options, std::string& out) {
   Reading<PairAsWritten> pair = read_pair(line, options);
+  const std::size_t begin = out.size();
+  const bool has_notes = pair.value.has_notes;
   if (pair.complaint)
     write_error(pair.complaint->text(), line_number, out);
   else
     answer(std::move(pair.value), options, out);
+  if (has_notes) out.insert(begin + 1, repeated(line));
   return !pair.complaint;
 }
 

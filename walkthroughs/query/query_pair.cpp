@@ -7,12 +7,6 @@ namespace {
 
 using namespace reading;
 
-/// Beside these a line may say what the pair is called, where it comes from and how it is answered: nobody looks at that.
-const Keys& keys_of_line() {
-  static const Keys keys{"a", "b", "dimension", "name", "family", "answer", "expect", "notes", "source"};
-  return keys;
-}
-
 /// What is proven needs no room for squares.
 Magnitudes magnitudes_of(QueryEvidence evidence) {
   return evidence == QueryEvidence::of_the_search ? Magnitudes::with_finite_squares : Magnitudes::all;
@@ -26,11 +20,13 @@ Reading<PairAsWritten> read_pair(std::string_view line, const QueryOptions& quer
   const Document document = Document::of_line(line);
   const Value root = document.root();
   PairAsWritten pair;
-  if (expect_object(root, keys_of_line(), "an object { ... } with 'a' and 'b'")) {
+  if (expect_scene_or_pair(root, "an object { ... } with 'a' and 'b'")) {
     const Space space{dimension_of(root), TwoNumbers::lie_in_the_plane, query.scalar, magnitudes_of(query.evidence)};
     pair.a = read_object(required(root, "a", "give the first object"), space);
     pair.b = read_object(required(root, "b", "give the second object"), space);
   }
+  if (root.is(Kind::object))
+    for (const Value& member : root.children()) pair.has_notes = pair.has_notes || is_note(member.key());
   return {std::move(pair), document.complaint()};
 }
 

@@ -13,6 +13,7 @@ namespace walkthroughs::query {
 /// As the line gives them, their numbers those of the text.
 struct PairAsWritten {
   Object a, b;
+  bool has_notes = false;  ///< whether the line has some that its answer repeats
 };
 
 /// Returns: the pair, or what is wrong with the line.

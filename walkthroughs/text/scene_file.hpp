@@ -15,7 +15,7 @@ inline SceneFile parse_scene(std::string_view text, const std::string& file_name
 /// Errors: InputError, about the first thing that is wrong. Reads regular files of at most scene_limits::bytes, and never
 /// more than that.
 inline SceneFile read_scene(const std::filesystem::path& file) {
-  return parse_scene(read_text(file, scene_limits::bytes), file.string());
+  return parse_scene(read_text(file, scene_limits::bytes), called(file));
 }
 
 }  // namespace walkthroughs::text

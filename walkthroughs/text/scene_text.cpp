@@ -87,15 +87,16 @@ Naming read_letters(const Value& root) {
   return value && choice(*value, words_of::letters) == 1 ? Naming::fixed : Naming::roles;
 }
 
+/// Pairs may note their answer as their truth.
+bool is_answer(const Value& value) { return std::ranges::count(words_of::all(gjk::Status()), value.text()) > 0; }
+
 SceneFile read_root(const Value& root, const std::string& file_name) {
-  expect_object(root,
-                {"title", "dimension", "a", "b", "first_direction", "iteration_limit", "crossing_test", "rules",
-                 "zero_test", "scalar", "certified", "truth", "panels", "letters", "size", "text_scale"},
-                "an object { ... } that holds the scene");
-  const auto title = root.member("title");
+  expect_scene_or_pair(root, "an object { ... } that holds the scene");
+  const auto title = root.member(root.member("title") ? "title" : "name");
   const std::string heading = title ? words(*title, scene_limits::title) : title_from_file(file_name);
   const auto scalar = chosen(root, "scalar", Scalar::binary64);
-  const Space space{.dimension = dimension_of(root), .numbers = numbers_of(scalar)};
+  const bool is_flat = !root.member("dimension") && is_planar(root);
+  const Space space{.dimension = is_flat ? Dimension::plane : dimension_of(root), .numbers = numbers_of(scalar)};
   Object a = scene_object(required(root, "a", "give the first object"), space, scalar);
   Object b = scene_object(required(root, "b", "give the second object"), space, scalar);
   if (!root.is_good()) return {};
@@ -105,7 +106,8 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   const auto zero_test = chosen(root, "zero_test", ZeroTest::exact);
   const bool certified = certified_of(root, a, b);
   Scene scene{"scene", std::move(a), std::move(b), options, space.dimension, rules, zero_test, scalar, certified};
-  if (const auto truth = root.member("truth")) scene.leaves_truth_out = !true_or_false(*truth);
+  if (const auto truth = root.member("truth"); truth && !is_answer(*truth))
+    scene.leaves_truth_out = !true_or_false(*truth);
   if (gjk::first_point(rules) == gjk::FirstPoint::tested && !root.member("first_direction"))
     scene = from_center_to_center(std::move(scene));
 

@@ -26,8 +26,9 @@ namespace {
 std::string suggestion(const std::string& word, std::span<const std::string> known) {
   constexpr std::size_t most = 16;  // a message is read at a glance
   const std::string near = did_you_mean(nearest(word, known));
-  return known.size() > most && !near.empty() ? near.substr(0, near.size() - 1)
-                                              : near + "Known here are " + list_of(known, "and");
+  if (known.size() > most)
+    return near.empty() ? "'gjkstep scene --example' shows them" : near.substr(0, near.size() - 1);
+  return near + (near.empty() ? "known" : "Known") + " here are " + list_of(known, "and");
 }
 
 }  // namespace
@@ -42,8 +43,32 @@ bool expect(const Value& value, Kind kind, std::string_view expected) {
 bool expect_object(const Value& value, const Keys& keys, std::string_view expected) {
   if (!expect(value, Kind::object, expected)) return false;
   for (const Value& member : value.children())
-    if (std::ranges::count(keys, member.key()) == 0) member.fail("is not a key; " + suggestion(member.key(), keys));
+    if (!member.key().starts_with('_') && std::ranges::count(keys, member.key()) == 0)
+      member.fail("is not a key; " + suggestion(member.key(), keys));
   return value.is_good();
+}
+
+namespace {
+
+const Keys notes{"name", "id", "family", "answer", "expect", "notes", "source"};
+
+}  // namespace
+
+const Keys& keys_of_scene() {
+  static const Keys keys{
+      "a",         "b",      "title",     "dimension", "first_direction", "iteration_limit", "rules", "crossing_test",
+      "zero_test", "scalar", "certified", "truth",     "panels",          "letters",         "size",  "text_scale"};
+  return keys;
+}
+
+bool is_note(std::string_view key) {
+  return key.starts_with('_') || key == "truth" || std::ranges::count(notes, key) > 0;
+}
+
+bool expect_scene_or_pair(const Value& root, std::string_view expected) {
+  Keys keys = keys_of_scene();
+  keys.insert(keys.end(), notes.begin(), notes.end());
+  return expect_object(root, keys, expected);
 }
 
 Value required(const Value& object, std::string_view key, std::string_view what_to_do) {
@@ -132,6 +157,30 @@ Dimension dimension_of(const Value& declared) {
   return dimension && whole_number(*dimension, 2, 3) == 2 ? Dimension::plane : Dimension::space;
 }
 
+namespace {
+
+/// How many numbers the points and directions in a value have.
+struct Counts {
+  bool two = false, three = false;
+
+  void look_at(const Value& value) {
+    const std::vector<Value> children = value.children();
+    if (value.is(Kind::list) && !children.empty() && children[0].is(Kind::number))
+      (children.size() == 2 ? two : three) = true;
+    else
+      for (std::size_t i = 0; i < children.size() && !three; ++i) look_at(children[i]);
+  }
+};
+
+}  // namespace
+
+bool is_planar(const Value& root) {
+  Counts counts;
+  for (const char* object : {"a", "b"})
+    if (const auto value = root.member(object)) counts.look_at(*value);
+  return counts.two && !counts.three;
+}
+
 Point Space::point(const Value& value) const {
   if (!expect(value, Kind::list, point_words())) return Point::Zero();
   const std::vector<Value> coordinates = value.children();
@@ -148,7 +197,7 @@ Point Space::point(const Value& value) const {
 }
 
 Point Space::direction(const Value& value) const {
-  const Point found = Space{dimension, two_numbers}.point(value);
+  const Point found = Space{dimension, two_numbers, Numbers::binary64, Magnitudes::all}.point(value);
   if (found.isZero(0)) value.fail("has no length; give a direction other than zero");
   return found;
 }
@@ -371,7 +420,7 @@ gjk::Quaternion read_quaternion(const Value& value, const Space& space) {
     return number_of_any_size(required(value, key, "a quaternion has four numbers"));
   };
   const gjk::Quaternion q{read("w"), read("x"), read("y"), read("z")};
-  if (q == gjk::Quaternion{0, 0, 0, 0}) value.fail("has no length; give a quaternion other than zero");
+  if (q == gjk::Quaternion{0, 0, 0, 0}) value.fail("w, x, y and z are 0; expected a quaternion other than zero");
   if (space.is_plane() && (q.x != 0 || q.y != 0))
     value.fail("turns the object out of the plane; with \"dimension\": 2 'x' and 'y' are 0");
   return q;
@@ -382,7 +431,8 @@ std::string why_no_rotation(const Eigen::Matrix3d& matrix) {
   const Eigen::Matrix3d products = matrix.transpose() * matrix;
   Eigen::Index i, j;
   const double most = (products - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(&i, &j);
-  if (most <= rotation_tolerance) return "it is left-handed, a mirror image";
+  if (most <= rotation_tolerance)
+    return "it is a mirror image, its determinant is " + number_text(matrix.determinant());
   const std::string found = number_text(products(i, j));
   return i == j
              ? "column " + std::to_string(i) + " times itself is " + found + ", not 1"
@@ -415,6 +465,8 @@ void read_rotation(const Value& value, const Space& space, Pose& pose) {
   if (value.is(Kind::list)) {
     pose.rotation = read_matrix(value, space);
     pose.matrix_as_written = true;
+  } else if ((has("axis") || has("degrees")) && (has("w") || has("x") || has("y") || has("z"))) {
+    value.fail("is a turn and a quaternion at once; give \"axis\" and \"degrees\", or \"w\", \"x\", \"y\" and \"z\"");
   } else if (has("w") || has("x") || has("y") || has("z")) {
     const gjk::Quaternion quaternion = read_quaternion(value, space);
     if (!value.is_good()) return;
@@ -426,6 +478,9 @@ void read_rotation(const Value& value, const Space& space, Pose& pose) {
 }
 
 Pose read_pose(const Value& value, const Space& space) {
+  for (const char* of_rotation : {"matrix", "quaternion", "axis", "degrees"})
+    if (const auto member = value.member(of_rotation))
+      member->fail("is not a key of a pose; a rotation is \"rotation\": " + rotation_words);
   expect_object(value, {"translation", "rotation"}, "an object with 'translation' and 'rotation'");
   Pose pose;
   if (const auto rotation = value.member("rotation")) read_rotation(*rotation, space, pose);

@@ -25,7 +25,7 @@ std::string list_of(std::span<const std::string> words, const std::string& last)
 
 /// Returns: whether it is of that kind.
 bool expect(const Value& value, Kind kind, std::string_view expected);
-/// Expects an object that has no keys but these.
+/// Expects an object that has no keys but these, and such as "_mine", which are their writer's.
 bool expect_object(const Value& value, const Keys& keys, std::string_view expected);
 Value required(const Value& object, std::string_view key, std::string_view what_to_do);
 
@@ -45,6 +45,14 @@ std::string words(const Value& value, std::size_t longest);
 
 /// Returns: what `declared` says with its key "dimension"; space where there is none.
 Dimension dimension_of(const Value& declared);
+
+/// What the text of a scene or of a pair may say beside its objects. Each may stand for the other: neither looks at what is the
+/// other's, or nobody's.
+const Keys& keys_of_scene();
+/// Whether nobody looks at it, and answers repeat it: "name", "id" and the like, and what begins with _.
+bool is_note(std::string_view key);
+/// Expects such an object.
+bool expect_scene_or_pair(const Value& root, std::string_view expected);
 
 /// What points of two numbers mean in space.
 enum class TwoNumbers { refused, lie_in_the_plane };
@@ -80,6 +88,9 @@ struct Space {
  private:
   double coordinate(const Value& value) const;
 };
+
+/// Whether all points and directions of a scene's objects have two numbers.
+bool is_planar(const Value& root);
 
 /// Returns: an object as scene files and queries write it: a shape, its numbers those of the text, and perhaps a name (else
 /// empty) and a pose. scene_text.hpp says what each may hold.

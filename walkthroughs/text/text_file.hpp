@@ -1,4 +1,4 @@
-/// Files that users name, read whole.
+/// Files that users name, read whole. "-" is standard input.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,16 @@ namespace walkthroughs::text {
 /// fault; where the file itself is, as render::read_file() says.
 using InputError = render::ReadError;
 
-/// Errors: InputError unless `file` is a regular file that can be read and has no more than `most` bytes. Reads no more.
-inline std::string read_text(const std::filesystem::path& file, std::size_t most) {
-  const std::vector<std::uint8_t> bytes = render::read_file(file, most);
-  return {bytes.begin(), bytes.end()};
+inline bool is_standard_input(const std::filesystem::path& file) { return file == "-"; }
+
+/// Returns: the file as messages call it.
+inline std::string called(const std::filesystem::path& file) {
+  return is_standard_input(file) ? "standard input" : file.string();
 }
+
+/// Errors: InputError unless `file` is a regular file, or standard input, that can be read and has no more than `most` bytes.
+/// Reads no more.
+std::string read_text(const std::filesystem::path& file, std::size_t most);
 
 /// Returns: what was read from the text of a file of that name. Errors: InputError, where something is wrong with it.
 template <class T>

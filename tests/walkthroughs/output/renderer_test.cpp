@@ -40,7 +40,7 @@ TEST_CASE("Files are written and reported in the order asked for, whatever their
     files.push_back(file.lexically_relative(folder.path()).string());
   });
   Frames frames;
-  OneFile animation = animated_png(1), in_a_strip = strip(), on_a_sheet = sheet();
+  OneFile animation = animated_png(1, 2), in_a_strip = strip(), on_a_sheet = sheet();
   for (const char* name : {"figure-5", "figure-4-right"}) {
     const auto story = std::make_shared<const StagedStory>(tell(walkthrough(name)));  // here gone before all is written
     for (Sink* sink : std::initializer_list<Sink*>{&frames, &animation, &in_a_strip, &on_a_sheet})
@@ -141,7 +141,7 @@ TEST_CASE("An animation of frames that are not there is an error of writing, not
   const Folder folder;
   Studio studio;
   const auto add = [&] {
-    write(animated_png(1), StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio, told_to_nobody);
+    write(animated_png(1, 2), StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio, told_to_nobody);
   };
   CHECK_THROWS_AS(add(), render::FileError);
   try {
