@@ -91,10 +91,7 @@ std::string pixels(std::int64_t count) { return std::to_string(count) + (count =
 
 }  // namespace
 
-std::int64_t tolerance::allowed(Size size) {
-  const std::int64_t all = std::int64_t{size.width} * size.height;
-  return std::min(std::max(few, all / one_in), all / small_one_in);
-}
+std::int64_t tolerance::allowed(Size size) { return std::int64_t{size.width} * size.height / one_in; }
 
 const char* name(Verdict verdict) {
   switch (verdict) {

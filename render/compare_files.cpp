@@ -3,6 +3,7 @@
 #include <iterator>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "render/compare.hpp"
 #include "render/file.hpp"
@@ -12,9 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_picture(const fs::path& path) {
-  return boost::algorithm::iequals(path.extension().string(), ".png");
-}
+bool is_picture(const fs::path& path) { return boost::algorithm::iequals(path.extension().string(), ".png"); }
 
 [[noreturn]] void fail(const fs::path& folder, const std::string& why, const std::string& what_to_do) {
   throw ReadError("cannot read the folder " + folder.string() + ": " + why + "; " + what_to_do);
@@ -87,7 +86,7 @@ class Walk {
   fail(folder, "a link makes it lead back to a folder around it", "remove the link");
 }
 
-Image read_picture(const fs::path& path) {
+PngPicture read_picture(const fs::path& path) {
   std::error_code unknown;
   if (fs::is_directory(path, unknown)) fail_to_enter(path);
   try {
@@ -97,10 +96,34 @@ Image read_picture(const fs::path& path) {
   }
 }
 
+/// Notes what a file says, and returns its picture.
+Image noted(PngPicture picture, const std::string& side, std::vector<std::string>& notes) {
+  for (const std::string& warning : picture.warnings) notes.push_back("of the " + side + " picture " + warning);
+  if (picture.pictures > 1)
+    notes.push_back("of the " + std::to_string(picture.pictures) + " pictures of the " + side +
+                    " animation only the first is compared");
+  return std::move(picture.image);
+}
+
+/// How samples are to be shown. Viewers may show the same samples in other colours.
+void note_colours(const PngPicture& expected, const PngPicture& actual, std::vector<std::string>& notes) {
+  for (const char* type : {"gAMA", "cHRM", "sRGB", "iCCP"}) {
+    const auto of_expected = expected.colours.find(type), of_actual = actual.colours.find(type);
+    const bool has_expected = of_expected != expected.colours.end(), has_actual = of_actual != actual.colours.end();
+    if (has_expected != has_actual || (has_expected && of_expected->second != of_actual->second))
+      notes.push_back(std::string("the chunk ") + type +
+                      " differs, which tells how to show the samples that are compared");
+  }
+}
+
 void compare_pictures(ComparedFiles& found) {
   const Sides sides = found.files.sides;
-  if (sides != Sides::only_actual) found.expected = read_picture(found.files.expected);
-  if (sides != Sides::only_expected) found.actual = read_picture(found.files.actual);
+  std::optional<PngPicture> expected, actual;
+  if (sides != Sides::only_actual) expected = read_picture(found.files.expected);
+  if (sides != Sides::only_expected) actual = read_picture(found.files.actual);
+  if (expected && actual) note_colours(*expected, *actual, found.notes);
+  if (expected) found.expected = noted(std::move(*expected), "expected", found.notes);
+  if (actual) found.actual = noted(std::move(*actual), "actual", found.notes);
   if (sides == Sides::only_expected) {
     found.verdict = Verdict::missing;
     found.words = "only the expected side has it";

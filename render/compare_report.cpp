@@ -218,11 +218,9 @@ std::string origin(const ReportHead& head) {
 /// The rule, in the words of the page.
 std::string rule() {
   return "<p>A pixel is off when a channel differs by more than " + std::to_string(tolerance::channel) +
-         ". Two pictures pass when at most " + std::to_string(tolerance::few) +
-         " pixels are off (in large pictures: one in " + std::to_string(tolerance::one_in) +
-         "; in small ones: one in " + std::to_string(tolerance::small_one_in) +
-         ") and no group of them, joined by edges or corners, is larger than " + std::to_string(tolerance::group) +
-         ".</p>\n";
+         ". Two pictures pass when at most one of " + std::to_string(tolerance::one_in) +
+         " pixels is off, of a small picture none, and no group of them, joined by edges or corners, is larger than " +
+         std::to_string(tolerance::group) + ".</p>\n";
 }
 
 std::string pictures_in_words(int count) { return std::to_string(count) + (count == 1 ? " picture" : " pictures"); }

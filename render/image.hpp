@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ namespace render {
 
 /// The largest picture that is written or read, each way.
 inline constexpr int max_image_side = 16384;
+/// Returns: what speaks against such a picture: that it is larger. Empty where nothing does.
+std::string objection_to_size(std::uint32_t width, std::uint32_t height);
 
 /// Rows from top to bottom, three bytes a pixel, no padding.
 class Image {
@@ -64,12 +67,24 @@ std::vector<std::uint8_t> encode_apng(std::size_t count,
                                       const std::function<std::vector<std::uint8_t>(std::size_t index)>& png,
                                       const std::function<double(std::size_t index)>& seconds, const PngText& text);
 
-/// Returns: the decoded picture (grey, palette and alpha are converted to RGB; alpha over white). What comes after the
-/// end chunk is no part of the picture and not looked at. `name` is what errors call it.
-/// Errors: ReadError where that is no PNG, damaged anywhere, cut off, or larger than max_image_side.
-Image decode_png(std::span<const std::uint8_t> png, const std::string& name);
+/// A PNG file as it is read.
+struct PngPicture {
+  Image image;                             ///< of an animation the first picture
+  std::vector<std::string> warnings = {};  ///< what is wrong with it and does not touch the pixels: clauses
+  std::map<std::string, std::string> colours =
+      {};                      ///< its chunks gAMA, cHRM, sRGB and iCCP, which say how to show samples
+  std::uint32_t pictures = 1;  ///< of the animation
+};
 
-/// Returns: the picture in the file, as decode_png(); what is no picture is not read as a whole. Errors: ReadError, as read_file() and decode_png().
-Image read_png(const std::filesystem::path& path);
+/// Returns: the decoded picture: the samples that are stored, of 16 bits the upper 8, rounded. Grey, palette and alpha are
+/// converted to RGB; alpha over white. What comes after the end chunk is no part of the picture and not looked at. `name`
+/// is what errors call it.
+/// Errors: ReadError where that is no PNG, damaged anywhere but in a chunk that holds no pixels, cut off, or larger than
+/// max_image_side.
+PngPicture decode_png(std::span<const std::uint8_t> png, const std::string& name);
+
+/// Returns: the picture in the file, as decode_png(); what is no picture is not read as a whole. Errors: ReadError, as
+/// read_file() and decode_png().
+PngPicture read_png(const std::filesystem::path& path);
 
 }  // namespace render

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+
 namespace render {
 
 std::uint32_t get_32(std::span<const std::uint8_t> bytes) {

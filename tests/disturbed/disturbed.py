@@ -6,6 +6,11 @@ unfinished = ".unfinished"  # how a file is called while it replaces another (re
 manifest = ".gjkstep"       # the lines in it grow while other files are written (walkthroughs/output/manifest.cpp)
 
 
+def is_of_stage(name):
+    """Whether a run that makes pages has written it where the next run looks for it, to remove it (manifest.cpp)."""
+    return f"/{unfinished}/" in name
+
+
 def fail(why):
     sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {why}")
 
@@ -58,13 +63,13 @@ class Case:
 
     def half(self):
         """The files that are there and not whole. What is printed may end early, as it is read while it is written."""
-        return [name for name, found in self.files().items() if not name.endswith((unfinished, manifest)) and not (
+        return [name for name, found in self.files().items() if not is_of_stage(name) and not name.endswith((unfinished, manifest)) and not (
             self.whole[self.stream].startswith(found) if name == self.stream else name not in self.whole or
             self.is_whole(name, found))]
 
     def left_over(self):
         """The files that no undisturbed run leaves, but for one whole one that was about to replace another."""
-        others = [name for name in self.files() if name not in self.whole]
+        others = [name for name in self.files() if name not in self.whole and not is_of_stage(name)]
         replacing = [name for name in others if self.is_whole(name.removesuffix(unfinished), (self.folder / name).read_bytes())
                      and name.endswith(unfinished)]
         return [name for name in others if name not in replacing[:1]]

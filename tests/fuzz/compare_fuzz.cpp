@@ -54,7 +54,7 @@ std::int64_t pixels_of(const Image& image) { return std::int64_t{image.size().wi
 
 std::optional<Image> decoded(View png) {
   try {
-    return decode_png(png, "it");
+    return decode_png(png, "it").image;
   } catch (const ReadError& error) {
     const std::string_view said = error.what();
     require(said.starts_with("cannot read it: it ") && said.find(';') != said.npos && said.find("png_") == said.npos);

@@ -93,7 +93,7 @@ TEST_CASE("what is written is read back, whatever the size") {
   for (const Size size : {Size{1, 1}, Size{37, 21}, Size{256, 3}}) {
     const Image image = gradient(size);
     write_file(folder / "a.png", encode_png(image, {"title", "description"}));
-    REQUIRE(read_png(folder / "a.png") == image);
+    REQUIRE(read_png(folder / "a.png").image == image);
   }
 }
 
@@ -132,14 +132,21 @@ TEST_CASE("a PNG that is cut off anywhere is told so, also where all pixels are 
   }
 }
 
-TEST_CASE("a PNG in which any one byte is another is damaged") {
+TEST_CASE("a PNG in which any one byte is another is damaged, or warns of a text that no pixel needs") {
   std::vector<std::uint8_t> bytes = encode_png(gradient({12, 12}), {"title", "a text that no pixel needs"});
+  int warned = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     INFO("byte " << i);
     bytes[i] ^= 0x10;
-    REQUIRE_FALSE(error_of_decoding(bytes).empty());
+    if (error_of_decoding(bytes).empty()) {
+      ++warned;
+      const PngPicture read = decode_png(bytes, "it");
+      REQUIRE(read.warnings.size() == 1);
+      REQUIRE(read.image == gradient({12, 12}));
+    }
     bytes[i] ^= 0x10;
   }
+  REQUIRE(warned >= 31);  // the letters of the texts
   REQUIRE(error_of_decoding(bytes).empty());
 }
 
@@ -165,7 +172,7 @@ TEST_CASE("a picture that is too large is told so, and is not called damaged") {
 
 TEST_CASE("the largest pictures are written and read, and one pixel more is refused by both") {
   for (const Size size : {Size{max_image_side, 1}, Size{1, max_image_side}})
-    REQUIRE(decode_png(encode_png(gradient(size), {}), "it") == gradient(size));
+    REQUIRE(decode_png(encode_png(gradient(size), {}), "it").image == gradient(size));
   for (const Size size : {Size{max_image_side + 1, 1}, Size{1, max_image_side + 1}})
     REQUIRE_THROWS_AS(encode_png(Image(size), {}), FileError);
 }
@@ -189,32 +196,110 @@ TEST_CASE("grey, palette and alpha become RGB, alpha over white") {
 
   const std::array<std::uint8_t, 2> grey = {0, 200};
   store_as(path, PNG_FORMAT_GRAY, {2, 1}, grey.data());
-  REQUIRE(read_png(path).pixel(1, 0) == Color{200, 200, 200});
+  REQUIRE(read_png(path).image.pixel(1, 0) == Color{200, 200, 200});
 
   const std::array<std::uint8_t, 8> rgba = {255, 0, 0, 255, 0, 0, 100, 51};
   store_as(path, PNG_FORMAT_RGBA, {2, 1}, rgba.data());
-  REQUIRE(read_png(path).pixel(0, 0) == Color{255, 0, 0});
-  REQUIRE(read_png(path).pixel(1, 0) == Color{204, 204, 224});  // 51/255 = 1/5 of it, the rest white
+  REQUIRE(read_png(path).image.pixel(0, 0) == Color{255, 0, 0});
+  REQUIRE(read_png(path).image.pixel(1, 0) == Color{204, 204, 224});  // 51/255 = 1/5 of it, the rest white
   const std::array<std::uint8_t, 4> hardly_there = {127, 128, 129, 1};
   store_as(path, PNG_FORMAT_RGBA, {1, 1}, hardly_there.data());
-  REQUIRE(read_png(path).pixel(0, 0) == Color{254, 255, 255});  // 254.498, 254.502 and 254.506, to nearest
+  REQUIRE(read_png(path).image.pixel(0, 0) == Color{254, 255, 255});  // 254.498, 254.502 and 254.506, to nearest
 
   const std::array<std::uint8_t, 6> colors = {10, 20, 30, 40, 50, 60};
   const std::array<std::uint8_t, 2> indices = {1, 0};
   store_as(path, PNG_FORMAT_RGB_COLORMAP, {2, 1}, indices.data(), colors.data(), 2);
-  REQUIRE(read_png(path).pixel(0, 0) == Color{40, 50, 60});
-  REQUIRE(read_png(path).pixel(1, 0) == Color{10, 20, 30});
+  REQUIRE(read_png(path).image.pixel(0, 0) == Color{40, 50, 60});
+  REQUIRE(read_png(path).image.pixel(1, 0) == Color{10, 20, 30});
 }
 
-TEST_CASE("16 bits a channel, interlaced") {
-  // Every sample is 0x8080, and no gamma is stated. The seven passes of Adam7 have so many rows of so many pixels.
-  std::string rows;
-  for (const auto& [count, width] : {std::pair{1, 1}, {1, 1}, {1, 2}, {2, 1}, {1, 3}, {3, 2}, {2, 5}})
-    for (int i = 0; i < count; ++i)
-      rows += std::string(1, '\0') + std::string(2 * static_cast<std::size_t>(width), '\x80');
-  const std::string png = png_begin + chunk("IHDR", big_endian(5) + big_endian(5) + std::string{16, 0, 0, 0, 1}) +
-                          chunk("IDAT", deflated(rows)) + chunk("IEND", "");
-  const Image image = decode_png(bytes_of_text(png), "it");
-  REQUIRE(image.size() == Size{5, 5});
-  for (int i = 0; i < 25; ++i) REQUIRE(image.pixel(i % 5, i / 5) == Color{128, 128, 128});
+namespace {
+
+/// A picture of 16 bits a sample whose every row, column and channel differs.
+struct Deep {
+  char kind;                                  ///< 0 grey, 2 RGB, 4 and 6 with alpha
+  std::array<int, 3> changed = {-1, -1, -1};  ///< x, y and channel of a sample that is another
+
+  static constexpr int side = 11;
+  int channels() const { return kind == 0 ? 1 : kind == 2 ? 3 : kind == 4 ? 2 : 4; }
+  unsigned sample(int x, int y, int channel) const {
+    const unsigned usual =
+        (static_cast<unsigned>(x) * 5003 + static_cast<unsigned>(y) * 1511 + static_cast<unsigned>(channel) * 9001) %
+        65536;
+    return changed == std::array{x, y, channel} ? (usual + 20000) % 65536 : usual;
+  }
+  std::string png(bool is_interlaced) const {
+    struct Pass {
+      int x, y, right, down;
+    };
+    const std::vector<Pass> adam7{{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                                  {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+    std::string rows;
+    for (const Pass& pass : is_interlaced ? adam7 : std::vector<Pass>{{0, 0, 1, 1}})
+      for (int y = pass.y; y < side; y += pass.down) {
+        std::string row;
+        for (int x = pass.x; x < side; x += pass.right)
+          for (int c = 0; c < channels(); ++c) row += big_endian(sample(x, y, c)).substr(2);
+        if (!row.empty()) rows += std::string(1, '\0') + row;
+      }
+    return png_begin +
+           chunk("IHDR",
+                 big_endian(side) + big_endian(side) + std::string{16, kind, 0, 0, is_interlaced ? '\1' : '\0'}) +
+           chunk("IDAT", deflated(rows)) + chunk("IEND", "");
+  }
+  Color pixel(int x, int y) const {
+    const bool is_grey = kind == 0 || kind == 4, has_alpha = kind >= 4;
+    const auto eighth = [&](int c) { return static_cast<int>((sample(x, y, c) * 255 + 32895) >> 16); };
+    const auto shown = [&](int c) {
+      const int value = eighth(is_grey ? 0 : c), alpha = has_alpha ? eighth(channels() - 1) : 255;
+      return static_cast<std::uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
+    };
+    return {shown(0), shown(1), shown(2)};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("16 bits a sample of every kind of colour are read alike, interlaced or not, and each sample counts") {
+  for (const char kind : {'\0', '\2', '\4', '\6'}) {
+    INFO("kind " << static_cast<int>(kind));
+    const Deep picture{kind};
+    const Image plain = decode_png(bytes_of_text(picture.png(false)), "it").image;
+    REQUIRE(decode_png(bytes_of_text(picture.png(true)), "it").image == plain);
+    for (int y = 0; y < Deep::side; ++y)
+      for (int x = 0; x < Deep::side; ++x) REQUIRE(plain.pixel(x, y) == picture.pixel(x, y));
+    for (int y = 0; y < Deep::side; ++y)
+      for (int channel = 0; channel < picture.channels(); ++channel) {
+        const Deep other{kind, {y, y, channel}};
+        for (const bool is_interlaced : {false, true})
+          REQUIRE(decode_png(bytes_of_text(other.png(is_interlaced)), "it").image != plain);
+      }
+  }
+}
+
+TEST_CASE("A wrong checksum where no pixels are is a warning, where pixels depend on it the file is damaged") {
+  const auto spoilt = [](std::string bytes) {
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    return bytes;
+  };
+  const std::string begin = png_begin + header(1, 1, 3), palette = chunk("PLTE", "abc"),
+                    end = chunk("IDAT", deflated(std::string(2, '\0'))) + chunk("IEND", "");
+  const PngPicture read = decode_png(
+      bytes_of_text(begin + palette + spoilt(chunk("tEXt", "a")) + spoilt(chunk("gAMA", "0000")) + end), "it");
+  CHECK(read.image.pixel(0, 0) == Color{'a', 'b', 'c'});
+  REQUIRE(read.warnings.size() == 2);
+  CHECK(read.warnings[0] == "the checksum of a chunk tEXt is wrong, which holds no pixels");
+  CHECK(read.colours.empty());
+  CHECK(error_of_decoding(begin + palette + spoilt(chunk("tRNS", "a")) + end) ==
+        "cannot read it: it is damaged: a checksum is wrong; replace it with an undamaged PNG file");
+  CHECK(kit::has(error_of_decoding(begin + spoilt(palette) + end), "a checksum is wrong"));
+}
+
+TEST_CASE("Samples are read as they are stored, whatever gamma a file tells, and that is told") {
+  const std::string begin = png_begin + header(1, 1, 0), gamma = chunk("gAMA", big_endian(100000)),
+                    end = chunk("IDAT", deflated(std::string("\0\x64", 2))) + chunk("IEND", "");
+  CHECK(decode_png(bytes_of_text(begin + end), "it").image.pixel(0, 0) == Color{100, 100, 100});
+  const PngPicture read = decode_png(bytes_of_text(begin + gamma + end), "it");
+  CHECK(read.image.pixel(0, 0) == Color{100, 100, 100});
+  CHECK(read.colours.at("gAMA") == big_endian(100000));
 }

@@ -42,7 +42,7 @@ std::optional<Image> drawn(const std::string& pdf) {
   const kit::Folder folder;
   kit::write(folder / "it.pdf", pdf);
   kit::shell("cd " + kit::quoted(folder.path().string()) + " && pdftoppm -png -r 72 -singlefile it.pdf it");
-  return read_png(folder / "it.png");
+  return read_png(folder / "it.png").image;
 }
 
 /// Checks that nowhere, in squares of 8 pixels, the two differ by more than that share of the square.

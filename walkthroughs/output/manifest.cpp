@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <libdeflate.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -98,13 +99,37 @@ class Manifest {
 
 // ---------------------------------------------------------------------------------------------- folders
 
+int opened(const fs::path& folder) {
+  return ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
+/// Waits for others. Returns: whether it has got the lock.
+bool lock(int descriptor, int how = 0) {
+  while (descriptor >= 0)
+    if (::flock(descriptor, LOCK_EX | how) == 0 || errno != EINTR) return errno != EWOULDBLOCK;
+  return true;
+}
+
+/// Whatever it is called.
+using FolderNumber = std::pair<dev_t, ino_t>;
+
+FolderNumber number_of(int descriptor) {
+  struct stat status {};
+  ::fstat(descriptor, &status);
+  return {status.st_dev, status.st_ino};
+}
+
+/// Those that this run claims.
+std::set<FolderNumber>& claimed() {
+  static std::set<FolderNumber> folders;
+  return folders;
+}
+
 /// As long as it lives other runs neither write to the folder nor tidy it, where the file system has locks.
 class Lock {
  public:
-  explicit Lock(const fs::path& folder)
-      : descriptor_(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
-    }
+  explicit Lock(const fs::path& folder) : descriptor_(opened(folder)) {
+    if (descriptor_ >= 0 && !claimed().contains(number_of(descriptor_))) lock(descriptor_);
   }
   ~Lock() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -170,6 +195,21 @@ bool fits(std::string_view pattern, std::string_view name) {
   return pattern.empty() && name.empty();
 }
 
+FolderClaim::FolderClaim(const fs::path& folder, const std::function<void()>& waits) : descriptor_(opened(folder)) {
+  if (descriptor_ < 0) return;
+  if (!lock(descriptor_, LOCK_NB)) {
+    if (waits) waits();
+    lock(descriptor_);
+  }
+  claimed().insert(number_of(descriptor_));
+}
+
+FolderClaim::~FolderClaim() {
+  if (descriptor_ < 0) return;
+  claimed().erase(number_of(descriptor_));
+  ::close(descriptor_);
+}
+
 void write_output(const fs::path& file, Bytes bytes) {
   const Lock lock(file.parent_path());
   note(file, bytes);
@@ -188,6 +228,38 @@ void remove_outputs(const fs::path& folder, const std::vector<std::string>& patt
   for (const std::string& name : fitting_names(folder, patterns))
     if (!kept.contains(name_in_place(name)) && is_file(folder / name) && manifest.is_ours(name))
       fs::remove(folder / name, ignored);
+}
+
+void publish(const fs::path& folder, const std::vector<std::string>& patterns, const std::string& last) {
+  const fs::path stage = folder / stage_folder;
+  std::set<std::string> moved;
+  const auto move = [&](const std::string& name) {
+    const Lock lock(folder);
+    note(folder / name, content_of(stage / name));
+    std::error_code error;
+    fs::rename(stage / name, folder / name, error);
+    if (error)
+      throw render::FileError("cannot write " + (folder / name).string() + ": " + error.message() +
+                              "; check that the folder may be written to");
+    moved.insert(name);
+  };
+  remove_outputs(folder, {last});
+  for (const std::string& name : fitting_names(stage, patterns))
+    if (name != last) move(name);
+  remove_outputs(folder, patterns, moved);
+  std::error_code is_none;
+  if (fs::exists(stage / last, is_none)) move(last);
+  discard_stage(folder, patterns);
+}
+
+void discard_stage(const fs::path& folder, const std::vector<std::string>& patterns) {
+  const fs::path stage = folder / stage_folder;
+  std::error_code ignored;
+  if (!fs::is_directory(stage, ignored)) return;
+  remove_outputs(stage, patterns);
+  tidy_manifest(stage);
+  if (Manifest(stage).tidied().empty()) fs::remove(stage / manifest_file, ignored);
+  fs::remove(stage, ignored);  // unless there is more in it
 }
 
 std::vector<fs::path> files_of_others(const fs::path& folder, const std::vector<std::string>& patterns) {

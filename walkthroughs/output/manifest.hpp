@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -21,6 +22,19 @@ inline constexpr const char* manifest_file = ".gjkstep";
 /// a * at the beginning stands for anything.
 bool fits(std::string_view pattern, std::string_view name);
 
+/// A folder that a run writes to. As long as this lives other runs wait for it, where the file system has locks.
+class FolderClaim {
+ public:
+  /// `waits`: called before it waits for another run. Claims of several folders are made in the order of their names.
+  explicit FolderClaim(const std::filesystem::path& folder, const std::function<void()>& waits = {});
+  ~FolderClaim();
+  FolderClaim(const FolderClaim&) = delete;
+  FolderClaim& operator=(const FolderClaim&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// Writes as render::write_file(), and the line about it before it is there: a run that is killed in between leaves a file that is
 /// still known. Errors: render::FileError.
 void write_output(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
@@ -29,6 +43,17 @@ void write_output(const std::filesystem::path& file, std::string_view text);
 /// Removes what is ours in `folder` and fits one of the patterns, but for what is `kept`.
 void remove_outputs(const std::filesystem::path& folder, const std::vector<std::string>& patterns,
                     const std::set<std::string>& kept = {});
+
+/// Where a run writes what is to replace an older state of a folder at once: in this folder below it.
+inline constexpr const char* stage_folder = ".unfinished";
+
+/// Moves all that was written to the stage of a folder to its place, and removes what is ours there, fits the patterns and has
+/// not come from the stage. `last` is moved when all else is in place, and what was there of that name is removed before. So a
+/// run that is interrupted before leaves the old state. In between it leaves none with that file.
+void publish(const std::filesystem::path& folder, const std::vector<std::string>& patterns, const std::string& last);
+
+/// Removes the stage of a folder, that of a run that was killed, too.
+void discard_stage(const std::filesystem::path& folder, const std::vector<std::string>& patterns);
 
 /// Returns: the files in `folder` whose names fit one of the patterns and that would be lost where one of that name is written or
 /// removed: those that are not ours.

@@ -122,7 +122,7 @@ std::vector<std::string> Pages::files(const Walkthrough& walkthrough) const {
 
 void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& output, Renderer& renderer) {
   const Walkthrough& w = story->walkthrough;
-  const fs::path folder = output.folder / w.name;
+  const fs::path folder = folder_of(output, w);
   const PageSurroundings around = surroundings_of(w, wanted_);
   const auto url = [folder, is_beside = around.has_files_beside](std::size_t frame, int turn) {
     return is_beside ? picture_name(frame, turn) : render::data_url(written_picture(folder, frame, turn));
@@ -147,6 +147,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
 }
 
 void write_index(const fs::path& folder) {
+  const FolderClaim claim(folder);  // or pages that another run adds meanwhile would be missing
   const std::vector<PageJson> entries = entries_in(folder);
   const auto is_search = [](const PageJson& entry) { return !entry["iteration_ends"].empty(); };
   if (std::ranges::count_if(entries, is_search) >= 2)

@@ -21,8 +21,10 @@ render::Size pixels_of(render::Size page, const Output& output) {
 }
 
 fs::path folder_of(const Output& output, const Walkthrough& walkthrough) {
-  render::make_folder(output.folder / walkthrough.name, "choose another with --out");
-  return output.folder / walkthrough.name;
+  fs::path folder = output.folder / walkthrough.name;
+  if (output.is_staged) folder /= stage_folder;
+  render::make_folder(folder, "choose another with --out");
+  return folder;
 }
 
 render::Canvas Renderer::canvas(render::Size page, const Output& output) {

@@ -32,13 +32,14 @@ struct Output {
   std::filesystem::path folder;
   render::Size size;
   Look look = {};
-  int turns = 0;  ///< views of each frame beside the usual one, around the vertical axis, of scenes in space
+  int turns = 0;           ///< views of each frame beside the usual one, around the vertical axis, of scenes in space
+  bool is_staged = false;  ///< whether files are written to the stage of their folder, and then published
 };
 
 /// Returns: the size of a picture of `page` at the scale of `output`, smaller where it would not fit.
 render::Size pixels_of(render::Size page, const Output& output);
 
-/// Returns: the folder FOLDER/NAME of what is written of a walkthrough, which is there. Errors: render::FileError.
+/// Returns: the folder FOLDER/NAME of what is written of a walkthrough, or its stage, which is there. Errors: render::FileError.
 std::filesystem::path folder_of(const Output& output, const Walkthrough& walkthrough);
 
 /// Draws on the thread that calls, and encodes on others, so that the next picture is drawn while the last ones are

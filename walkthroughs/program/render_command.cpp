@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -143,10 +144,17 @@ class Rendering {
                           command_.captions ? "--out and --captions" : "--out");
     expect_writable();
     Studio studio{chosen_backend(command_.gl)};
-    // It writes what it was given even when it goes early: before what it is given.
-    Renderer renderer(studio, [this](const auto&... what) { report(what...); });
-    for (const Chosen& each : chosen_) render(each, renderer);
-    renderer.finish();
+    const std::vector<std::unique_ptr<FolderClaim>> claims = claim_folders();
+    if (has_waited_) places.expect_no_loss(command_.force ? Others::overwritten : Others::kept, "--out");
+    try {
+      // It writes what it was given even when it goes early: before what it is given.
+      Renderer renderer(studio, [this](const auto&... what) { report(what...); });
+      for (const Chosen& each : chosen_) render(each, renderer);
+      renderer.finish();
+    } catch (...) {
+      for (const Chosen& each : chosen_) discard_stage(folder_ / each.walkthrough.name, files_of(each.walkthrough));
+      throw;
+    }
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
     if (command_.rendered_by) write_rendered_by(studio);
     if (command_.captions) write(*command_.captions, captions_json(frames_), "captions and descriptions of the frames");
@@ -202,7 +210,8 @@ class Rendering {
     return {.folder = command_.out,
             .size = parse_size(command_.size.value_or("1280x720")),
             .look = look,
-            .turns = command_.turns};
+            .turns = command_.turns,
+            .is_staged = has_pages()};
   }
 
   std::vector<Chosen> select() const {
@@ -225,6 +234,30 @@ class Rendering {
     return std::move(selection.chosen);
   }
 
+  /// One after the other, in the order of their names, so that two runs do not wait for each other.
+  std::vector<std::unique_ptr<FolderClaim>> claim_folders() {
+    std::map<std::string, const Walkthrough*> folders;
+    for (const Chosen& each : chosen_) folders.emplace(each.walkthrough.name, &each.walkthrough);
+    std::vector<std::unique_ptr<FolderClaim>> claims;
+    for (const auto& [name, walkthrough] : folders) {
+      render::make_folder(folder_ / name, "choose another with --out");
+      claims.push_back(std::make_unique<FolderClaim>(folder_ / name, [&] {
+        note("another run writes to " + printable((folder_ / name).string()) + "; waiting for it");
+        has_waited_ = true;
+      }));
+      discard_stage(folder_ / name, files_of(*walkthrough));  // of a run that was killed
+    }
+    return claims;
+  }
+
+  /// Returns: the names of all that is written of a walkthrough, as patterns.
+  std::vector<std::string> files_of(const Walkthrough& w) const {
+    std::vector<std::string> files;
+    for (const std::unique_ptr<Sink>& sink : sinks_)
+      for (const std::string& file : sink->files(w)) files.push_back(file);
+    return files;
+  }
+
   Places all_places() const {
     Places places;
     for (const std::string& name : command_.names)
@@ -232,10 +265,7 @@ class Rendering {
     for (const std::string& file : command_.traces) places.read(file, "the trace " + file);
     for (const Chosen& each : chosen_) {
       const Walkthrough& w = each.walkthrough;
-      std::vector<std::string> files;
-      for (const std::unique_ptr<Sink>& sink : sinks_)
-        for (const std::string& file : sink->files(w)) files.push_back(file);
-      places.write_into(folder_ / w.name, files, "the pictures of " + w.name);
+      places.write_into(folder_ / w.name, files_of(w), "the pictures of " + w.name);
       if (command_.movie) places.reserve(folder_ / w.name / ("animation." + *command_.movie), "the film of " + w.name);
     }
     if (command_.rendered_by) places.write(folder_ / render::rendered_by_file, "what --rendered-by notes");
@@ -308,6 +338,8 @@ class Rendering {
     if (command_.captions) stories_.push_back(story);
     const Output output = output_of(chosen);
     for (const std::unique_ptr<Sink>& sink : sinks_) sink->add(story, output, renderer);
+    if (output.is_staged)  // a page and its pictures are replaced at once
+      renderer.then([folder = folder_ / w.name, files = files_of(w)] { publish(folder, files, page_file); });
   }
 
   /// Where a search answers otherwise than the truth, be its last frame among those drawn or not.
@@ -337,7 +369,9 @@ class Rendering {
   }
 
   /// One line for each file, and how far it is.
-  void report(const std::filesystem::path& file, const Story& story, std::optional<std::size_t> frame) {
+  void report(const std::filesystem::path& written, const Story& story, std::optional<std::size_t> frame) {
+    const bool is_staged = written.parent_path().filename() == stage_folder;
+    const std::filesystem::path file = is_staged ? written.parent_path().parent_path() / written.filename() : written;
     const std::string name = printable(file.string());
     if (!frame) {
       std::cout << name << "  " << story.walkthrough.title << std::endl;
@@ -394,6 +428,7 @@ class Rendering {
   const std::filesystem::path& folder_;
   const std::vector<Chosen> chosen_;
   std::vector<std::unique_ptr<Sink>> sinks_;
+  bool has_waited_ = false;  // for another run
   // What the file of captions is about; empty where none is asked for, so that stories go when their frames are drawn.
   std::vector<FrameFile> frames_;
   std::vector<std::shared_ptr<const Story>> stories_;

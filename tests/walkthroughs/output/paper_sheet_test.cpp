@@ -136,7 +136,7 @@ TEST_CASE("The colour of the theme fills the page to the last column and row", "
   const std::string drawn = (folder.path() / "drawn").string();
   shell("pdftoppm -png -r 100 -l 1 " + quoted((folder.path() / "figure-4-right" / "sheet.pdf").string()) + " " +
         quoted(drawn));
-  const render::Image page = render::read_png(drawn + "-1.png");
+  const render::Image page = render::read_png(drawn + "-1.png").image;
   REQUIRE(page.size() == render::Size{850, 1100});
   for (const int x : {0, 849})
     for (const int y : {0, 1099}) CHECK(page.pixel(x, y).r < 128);

@@ -141,7 +141,8 @@ TEST_CASE("An animation of frames that are not there is an error of writing, not
   const Folder folder;
   Studio studio;
   const auto add = [&] {
-    write(animated_png(1, 2), StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio, told_to_nobody);
+    write(animated_png(1, 2), StagedStory(tell(walkthrough("figure-5"))), {folder.path(), small}, studio,
+          told_to_nobody);
   };
   CHECK_THROWS_AS(add(), render::FileError);
   try {

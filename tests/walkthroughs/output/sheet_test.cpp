@@ -22,11 +22,11 @@ TEST_CASE("A sheet shows every frame, drawn at its reduced size, in reading orde
   Studio studio;
   const Size cell{480, 270};
   render_frames(story, {folder.path(), cell}, studio, [](const auto&, std::size_t) {});
-  const Image sheet = render::read_png(render_sheet(story, {folder.path(), usual}, studio));
+  const Image sheet = render::read_png(render_sheet(story, {folder.path(), usual}, studio)).image;
   REQUIRE(sheet.size() == Size{4 * 488 + 8, 2 * 278 + 8});
   for (std::size_t i = 0; i < 6; ++i) {
     INFO("frame " << i);
-    const Image frame = render::read_png(folder / ("figure-4-right/00" + std::to_string(i) + ".png"));
+    const Image frame = render::read_png(folder / ("figure-4-right/00" + std::to_string(i) + ".png")).image;
     const int left = 8 + static_cast<int>(i % 4) * 488, top = 8 + static_cast<int>(i / 4) * 278;
     int different = 0;
     for (int y = 0; y < cell.height; ++y)

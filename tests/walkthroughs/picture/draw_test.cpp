@@ -82,7 +82,7 @@ TEST_CASE("The pictures in the README are those that the program draws, and smal
     CHECK(std::filesystem::file_size(file) < 70 * 1024);
     render::Canvas canvas(size, page, render::palette::white, studio.font);
     draw(canvas);
-    const render::Image committed = render::read_png(file), drawn = studio.rasterizer.draw(canvas);
+    const render::Image committed = render::read_png(file).image, drawn = studio.rasterizer.draw(canvas);
     REQUIRE(committed.size() == drawn.size());
     int different = 0;  // a few pixels may differ by a shade from processor to processor
     for (int y = 0; y < drawn.size().height; ++y)
