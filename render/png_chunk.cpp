@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-
 namespace render {
 
 std::uint32_t get_32(std::span<const std::uint8_t> bytes) {
