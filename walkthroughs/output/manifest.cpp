@@ -103,10 +103,10 @@ int opened(const fs::path& folder) {
   return ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 }
 
-/// Waits for others. Returns: whether it has got the lock.
+/// Waits for others, unless `how` is LOCK_NB. Returns: false where another has the lock. A file system may know none.
 bool lock(int descriptor, int how = 0) {
-  while (descriptor >= 0)
-    if (::flock(descriptor, LOCK_EX | how) == 0 || errno != EINTR) return errno != EWOULDBLOCK;
+  while (::flock(descriptor, LOCK_EX | how) != 0)
+    if (errno != EINTR) return errno != EWOULDBLOCK;
   return true;
 }
 
