@@ -107,7 +107,7 @@ Image noted(PngPicture picture, const std::string& side, std::vector<std::string
 
 /// How samples are to be shown. Viewers may show the same samples in other colours.
 void note_colours(const PngPicture& expected, const PngPicture& actual, std::vector<std::string>& notes) {
-  for (const char* type : {"gAMA", "cHRM", "sRGB", "iCCP"}) {
+  for (const char* type : {"gAMA", "cHRM", "sRGB", "iCCP", "cICP"}) {
     const auto of_expected = expected.colours.find(type), of_actual = actual.colours.find(type);
     const bool has_expected = of_expected != expected.colours.end(), has_actual = of_actual != actual.colours.end();
     if (has_expected != has_actual || (has_expected && of_expected->second != of_actual->second))

@@ -72,7 +72,7 @@ struct PngPicture {
   Image image;                             ///< of an animation the first picture
   std::vector<std::string> warnings = {};  ///< what is wrong with it and does not touch the pixels: clauses
   std::map<std::string, std::string> colours =
-      {};                      ///< its chunks gAMA, cHRM, sRGB and iCCP, which say how to show samples
+      {};                      ///< its chunks gAMA, cHRM, sRGB, iCCP and cICP, which say how to show samples
   std::uint32_t pictures = 1;  ///< of the animation
 };
 

@@ -55,7 +55,7 @@ PngPicture looked_over(std::span<const std::uint8_t> png, const std::string& nam
     if (!chunk->intact && holds_pixels(type)) fail_reading(name, "it is damaged: a checksum is wrong");
     if (!chunk->intact)
       found.warnings.push_back("the checksum of a chunk " + type + " is wrong, which holds no pixels");
-    constexpr std::array of_colours{"gAMA", "cHRM", "sRGB", "iCCP"};
+    constexpr std::array of_colours{"gAMA", "cHRM", "sRGB", "iCCP", "cICP"};
     if (chunk->intact && std::ranges::count(of_colours, type) > 0)
       found.colours[type] = {chunk->data.begin(), chunk->data.end()};
     if (type == "acTL" && chunk->data.size() >= 4) found.pictures = get_32(chunk->data);

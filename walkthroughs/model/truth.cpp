@@ -192,10 +192,11 @@ Truth truth_of(const Scene& scene, Status shown) {
   const Object &a = a_as_read(scene), &b = b_as_read(scene);
   Truth truth{exact_answer(a, b)};
   if (is_near_contact(a, b, Scalar::binary64)) {  // else what rounds by half a unit in the last place changes nothing
+    truth.by_rounded_turn = has_rounded_matrix(a.pose) || has_rounded_matrix(b.pose);
     const Status of_decimals = answer_of_decimals(a, b);
     const Status known = truth.answer.status != Status::undecided ? truth.answer.status : shown;
-    if (of_decimals != Status::undecided && of_decimals != known) truth.of_decimals = of_decimals;
-    truth.by_rounded_turn = has_rounded_matrix(a.pose) || has_rounded_matrix(b.pose);
+    const bool is_told = is_open(truth) || truth.by_rounded_turn;  // that nothing is certain
+    if (of_decimals != known && !(of_decimals == Status::undecided && is_told)) truth.of_decimals = of_decimals;
   }
   if (!scene.mistake && !scene.certified)  // a mistake is about one of them, and a proof comes to the truth
     if (const Status exchanged = answer_exchanged(scene); exchanged != shown) truth.exchanged = exchanged;

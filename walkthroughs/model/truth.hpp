@@ -9,7 +9,8 @@ namespace walkthroughs::model {
 
 struct Truth {
   ExactAnswer answer = {};  ///< about the objects as read: before their numbers were rounded to float
-  /// The exact answer about the objects as their shortest decimals say them, where that is another.
+  /// The exact answer about the objects as their shortest decimals say them, where that is another; undecided where it is not
+  /// known: of round shapes and boxes whose decimals have more digits than doubles hold.
   std::optional<gjk::Status> of_decimals = {};
   /// Whether they are so near to contact that rounding the matrix of a turn may have decided.
   bool by_rounded_turn = false;

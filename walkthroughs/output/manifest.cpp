@@ -230,8 +230,18 @@ void remove_outputs(const fs::path& folder, const std::vector<std::string>& patt
       fs::remove(folder / name, ignored);
 }
 
-void publish(const fs::path& folder, const std::vector<std::string>& patterns, const std::string& last) {
+void publish(const fs::path& folder, const std::vector<std::string>& patterns, const std::string& last, Others others) {
   const fs::path stage = folder / stage_folder;
+  const std::vector<std::string> names = fitting_names(stage, patterns);
+  for (const std::string& name : names)
+    if (std::error_code unknown; fs::exists(folder / name, unknown) && !is_file(folder / name))
+      throw render::FileError("cannot write " + (folder / name).string() +
+                              ": it is a folder or no regular file; check that you mean it, and move it away");
+  if (const auto lost = files_of_others(folder, patterns); others == Others::kept && !lost.empty())
+    throw render::FileError(
+        lost[0].string() +
+        " was changed while the page was drawn, and would be lost. Nothing is replaced; move it away, "
+        "or say --force");
   std::set<std::string> moved;
   const auto move = [&](const std::string& name) {
     const Lock lock(folder);
@@ -244,19 +254,18 @@ void publish(const fs::path& folder, const std::vector<std::string>& patterns, c
     moved.insert(name);
   };
   remove_outputs(folder, {last});
-  for (const std::string& name : fitting_names(stage, patterns))
+  for (const std::string& name : names)
     if (name != last) move(name);
   remove_outputs(folder, patterns, moved);
-  std::error_code is_none;
-  if (fs::exists(stage / last, is_none)) move(last);
-  discard_stage(folder, patterns);
+  if (std::ranges::count(names, last) > 0) move(last);
+  discard_stage(folder);
 }
 
-void discard_stage(const fs::path& folder, const std::vector<std::string>& patterns) {
+void discard_stage(const fs::path& folder) {
   const fs::path stage = folder / stage_folder;
   std::error_code ignored;
-  if (!fs::is_directory(stage, ignored)) return;
-  remove_outputs(stage, patterns);
+  if (!fs::is_directory(fs::symlink_status(stage, ignored))) return;
+  remove_outputs(stage, {"*"});
   tidy_manifest(stage);
   if (Manifest(stage).tidied().empty()) fs::remove(stage / manifest_file, ignored);
   fs::remove(stage, ignored);  // unless there is more in it

@@ -47,13 +47,18 @@ void remove_outputs(const std::filesystem::path& folder, const std::vector<std::
 /// Where a run writes what is to replace an older state of a folder at once: in this folder below it.
 inline constexpr const char* stage_folder = ".unfinished";
 
+/// What happens to files that the program has not written, or that were changed since.
+enum class Others { kept, overwritten };
+
 /// Moves all that was written to the stage of a folder to its place, and removes what is ours there, fits the patterns and has
 /// not come from the stage. `last` is moved when all else is in place, and what was there of that name is removed before. So a
 /// run that is interrupted before leaves the old state. In between it leaves none with that file.
-void publish(const std::filesystem::path& folder, const std::vector<std::string>& patterns, const std::string& last);
+/// Errors: render::FileError, before anything is moved where a folder is in the way, or a file that is to be kept.
+void publish(const std::filesystem::path& folder, const std::vector<std::string>& patterns, const std::string& last,
+             Others others);
 
-/// Removes the stage of a folder, that of a run that was killed, too.
-void discard_stage(const std::filesystem::path& folder, const std::vector<std::string>& patterns);
+/// Removes what is ours from the stage of a folder, and the stage: also that of a run that was killed.
+void discard_stage(const std::filesystem::path& folder);
 
 /// Returns: the files in `folder` whose names fit one of the patterns and that would be lost where one of that name is written or
 /// removed: those that are not ours.

@@ -6,12 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "walkthroughs/rooms.hpp"
+#include "walkthroughs/output/manifest.hpp"
 
 namespace walkthroughs::program {
-
-/// What is done with files that the program has not written, or that were changed since, where it would write or remove some.
-enum class Others { kept, overwritten };
 
 /// Knows all files and folders of a run before the first is written, so that nothing is written over what was read, over
 /// what else was written, or over what is of others. However a path is spelt, and whichever links it goes through, one place is one place. A path that

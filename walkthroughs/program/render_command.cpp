@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -140,19 +140,19 @@ class Rendering {
     make_sinks();
     const Places places = all_places();
     places.expect_apart();
-    places.expect_no_loss(command_.force ? Others::overwritten : Others::kept,
-                          command_.captions ? "--out and --captions" : "--out");
+    places.expect_no_loss(others(), command_.captions ? "--out and --captions" : "--out");
     expect_writable();
     Studio studio{chosen_backend(command_.gl)};
-    const std::vector<std::unique_ptr<FolderClaim>> claims = claim_folders();
-    if (has_waited_) places.expect_no_loss(command_.force ? Others::overwritten : Others::kept, "--out");
     try {
+      // Given up before other files are written, which may lie in folders that others claim.
+      const std::vector<std::unique_ptr<FolderClaim>> claims = claim_folders();
+      if (has_waited_) places.expect_no_loss(others(), "--out");
       // It writes what it was given even when it goes early: before what it is given.
       Renderer renderer(studio, [this](const auto&... what) { report(what...); });
       for (const Chosen& each : chosen_) render(each, renderer);
       renderer.finish();
     } catch (...) {
-      for (const Chosen& each : chosen_) discard_stage(folder_ / each.walkthrough.name, files_of(each.walkthrough));
+      for (const Chosen& each : chosen_) discard_stage(folder_ / each.walkthrough.name);
       throw;
     }
     if (!studio.font.missing().empty()) note(missing_letters(studio.font.missing()));
@@ -179,6 +179,7 @@ class Rendering {
     return Style(theme);
   }
 
+  Others others() const { return command_.force ? Others::overwritten : Others::kept; }
   bool has_svg() const { return command_.format == "svg"; }
   bool has_pages() const { return !command_.page.empty(); }
 
@@ -236,16 +237,16 @@ class Rendering {
 
   /// One after the other, in the order of their names, so that two runs do not wait for each other.
   std::vector<std::unique_ptr<FolderClaim>> claim_folders() {
-    std::map<std::string, const Walkthrough*> folders;
-    for (const Chosen& each : chosen_) folders.emplace(each.walkthrough.name, &each.walkthrough);
+    std::set<std::string> folders;
+    for (const Chosen& each : chosen_) folders.insert(each.walkthrough.name);
     std::vector<std::unique_ptr<FolderClaim>> claims;
-    for (const auto& [name, walkthrough] : folders) {
+    for (const std::string& name : folders) {
       render::make_folder(folder_ / name, "choose another with --out");
       claims.push_back(std::make_unique<FolderClaim>(folder_ / name, [&] {
         note("another run writes to " + printable((folder_ / name).string()) + "; waiting for it");
         has_waited_ = true;
       }));
-      discard_stage(folder_ / name, files_of(*walkthrough));  // of a run that was killed
+      discard_stage(folder_ / name);  // of a run that was killed
     }
     return claims;
   }
@@ -266,6 +267,8 @@ class Rendering {
     for (const Chosen& each : chosen_) {
       const Walkthrough& w = each.walkthrough;
       places.write_into(folder_ / w.name, files_of(w), "the pictures of " + w.name);
+      if (has_pages())
+        places.write_into(folder_ / w.name / stage_folder, files_of(w), "what becomes the page of " + w.name);
       if (command_.movie) places.reserve(folder_ / w.name / ("animation." + *command_.movie), "the film of " + w.name);
     }
     if (command_.rendered_by) places.write(folder_ / render::rendered_by_file, "what --rendered-by notes");
@@ -339,7 +342,9 @@ class Rendering {
     const Output output = output_of(chosen);
     for (const std::unique_ptr<Sink>& sink : sinks_) sink->add(story, output, renderer);
     if (output.is_staged)  // a page and its pictures are replaced at once
-      renderer.then([folder = folder_ / w.name, files = files_of(w)] { publish(folder, files, page_file); });
+      renderer.then([folder = folder_ / w.name, files = files_of(w), others = others()] {
+        publish(folder, files, page_file, others);
+      });
   }
 
   /// Where a search answers otherwise than the truth, be its last frame among those drawn or not.

@@ -128,6 +128,13 @@ TEST_CASE("Decimals are known of quaternions, and of round shapes under a writte
   written.b = {"b", Ball{{0.66, 1.88, 0}, 0.9}};
   const Truth known = truth(written);
   CHECK((known.answer.status == Status::intersecting || known.of_decimals == Status::intersecting));
+  // Of more digits than doubles hold nothing is known, and that is told.
+  Scene of_many_digits;
+  of_many_digits.a = {"a", Ball{{1.0 / 3, 0, 0}, 1.0 / 3}};
+  of_many_digits.b = {"b", Ball{{1, 0, 0}, 0.33333333333333337}};
+  CHECK(truth(of_many_digits).of_decimals == Status::undecided);
+  of_many_digits.b.form = Ball{{2, 0, 0}, 0.33333333333333337};
+  CHECK_FALSE(truth(of_many_digits).of_decimals);
 }
 
 TEST_CASE("The truth of a scene in float is that of the numbers as read") {
