@@ -251,6 +251,7 @@ void publish(const fs::path& folder, const std::vector<std::string>& patterns, c
     if (error)
       throw render::FileError("cannot write " + (folder / name).string() + ": " + error.message() +
                               "; check that the folder may be written to");
+    fs::remove(folder / (name + ".unfinished"), error);  // as render::write_file() does
     moved.insert(name);
   };
   remove_outputs(folder, {last});
