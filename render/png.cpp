@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <csetjmp>
+#include <new>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "render/image.hpp"
 #include "render/png_chunk.hpp"

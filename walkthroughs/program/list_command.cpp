@@ -12,6 +12,7 @@
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::program {

@@ -5,6 +5,7 @@
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/scene_values.hpp"
 
 namespace walkthroughs::text {
