@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <iterator>
+#include <map>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -107,12 +108,15 @@ Image noted(PngPicture picture, const std::string& side, std::vector<std::string
 
 /// How samples are to be shown. Viewers may show the same samples in other colours.
 void note_colours(const PngPicture& expected, const PngPicture& actual, std::vector<std::string>& notes) {
-  for (const char* type : {"gAMA", "cHRM", "sRGB", "iCCP", "cICP"}) {
-    const auto of_expected = expected.colours.find(type), of_actual = actual.colours.find(type);
-    const bool has_expected = of_expected != expected.colours.end(), has_actual = of_actual != actual.colours.end();
-    if (has_expected != has_actual || (has_expected && of_expected->second != of_actual->second))
-      notes.push_back(std::string("the chunk ") + type +
-                      " differs, which tells how to show the samples that are compared");
+  std::map<std::string, std::string> either = expected.colours;
+  either.insert(actual.colours.begin(), actual.colours.end());
+  for (const auto& [type, data] : either) {
+    const auto says_so = [&](const PngPicture& picture) {
+      const auto own = picture.colours.find(type);
+      return own != picture.colours.end() && own->second == data;
+    };
+    if (!says_so(expected) || !says_so(actual))
+      notes.push_back("the chunk " + type + " differs, which tells how to show the samples that are compared");
   }
 }
 

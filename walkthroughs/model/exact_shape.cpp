@@ -1,9 +1,7 @@
 #include "walkthroughs/model/exact_shape.hpp"
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -42,8 +40,7 @@ struct Turn {
 
   /// The matrix of the pose is no better than the floats that it may have been rounded to; a quaternion is what it is.
   explicit Turn(const Pose& pose) : rotation(pose.rotation.cast<S>()) {
-    using Wide = std::conditional_t<std::same_as<S, long double>, long double, double>;
-    if (pose.quaternion) rotation = matrix_of<Wide>(*pose.quaternion).template cast<S>();
+    if (pose.quaternion) rotation = matrix_of<gjk::detail::Wide<S>>(*pose.quaternion).template cast<S>();
   }
   S length(S x) const { return x; }
   gjk::Vec3<S> point(const gjk::Vec3<S>& p) const { return rotation * p; }

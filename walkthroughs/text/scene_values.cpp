@@ -52,23 +52,25 @@ namespace {
 
 const Keys notes{"name", "id", "family", "answer", "expect", "notes", "source"};
 
-}  // namespace
-
-const Keys& keys_of_scene() {
-  static const Keys keys{
-      "a",         "b",      "title",     "dimension", "first_direction", "iteration_limit", "rules", "crossing_test",
-      "zero_test", "scalar", "certified", "truth",     "panels",          "letters",         "size",  "text_scale"};
+const Keys& keys_of_scenes_and_pairs() {
+  static const Keys keys = [] {
+    Keys all{
+        "a",         "b",      "title",     "dimension", "first_direction", "iteration_limit", "rules", "crossing_test",
+        "zero_test", "scalar", "certified", "truth",     "panels",          "letters",         "size",  "text_scale"};
+    all.insert(all.end(), notes.begin(), notes.end());
+    return all;
+  }();
   return keys;
 }
+
+}  // namespace
 
 bool is_note(std::string_view key) {
   return key.starts_with('_') || key == "truth" || std::ranges::count(notes, key) > 0;
 }
 
 bool expect_scene_or_pair(const Value& root, std::string_view expected) {
-  Keys keys = keys_of_scene();
-  keys.insert(keys.end(), notes.begin(), notes.end());
-  return expect_object(root, keys, expected);
+  return expect_object(root, keys_of_scenes_and_pairs(), expected);
 }
 
 Value required(const Value& object, std::string_view key, std::string_view what_to_do) {

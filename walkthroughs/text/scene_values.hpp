@@ -46,12 +46,9 @@ std::string words(const Value& value, std::size_t longest);
 /// Returns: what `declared` says with its key "dimension"; space where there is none.
 Dimension dimension_of(const Value& declared);
 
-/// What the text of a scene or of a pair may say beside its objects. Each may stand for the other: neither looks at what is the
-/// other's, or nobody's.
-const Keys& keys_of_scene();
 /// Whether nobody looks at it, and answers repeat it: "name", "id" and the like, and what begins with _.
 bool is_note(std::string_view key);
-/// Expects such an object.
+/// Expects the text of a scene or of a pair. Each may stand for the other: neither looks at what is the other's, or nobody's.
 bool expect_scene_or_pair(const Value& root, std::string_view expected);
 
 /// What points of two numbers mean in space.
