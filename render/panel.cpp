@@ -23,10 +23,11 @@ constexpr double leader_from = 30;  // a label farther from its anchor than this
 constexpr double leader_width = 1.2, leader_gap = 3;  // between the line and what it ties
 constexpr double anchor_radius = 8;                   // of what usually stands at an anchor
 constexpr double min_grid_spacing = 3;
-constexpr double least_obstacle = 2;     // the width of a line that labels must keep clear of
-constexpr double small_area_name = 0.8;  // the size of a name that would not fit else
-constexpr double next_smaller = 0.93;    // the sizes in which labels are tried
-constexpr double beside_area_gap = 34;   // between the middle of an area and its name outside: far enough for a leader
+constexpr double most_page_units = 1e5, beyond_frame = 100;  // farther out shapes are cut off near the frame
+constexpr double least_obstacle = 2;                         // the width of a line that labels must keep clear of
+constexpr double small_area_name = 0.8;                      // the size of a name that would not fit else
+constexpr double next_smaller = 0.93;                        // the sizes in which labels are tried
+constexpr double beside_area_gap = 34;  // between the middle of an area and its name outside: far enough for a leader
 
 constexpr int directions = 32;
 constexpr int circle_sides = 16;
@@ -83,6 +84,10 @@ bool contains(std::span<const Vec2> corners, const Vec2& point) {
   return left == 0 || right == 0;
 }
 
+bool reaches_far(std::span<const Vec2> page) {
+  return std::ranges::any_of(page, [](const Vec2& p) { return p.cwiseAbs().maxCoeff() > most_page_units; });
+}
+
 bool contains(std::span<const Vec2> corners, const Box& box) {
   return std::ranges::all_of(box.corners(), [&](const Vec2& corner) { return contains(corners, corner); });
 }
@@ -133,11 +138,23 @@ Panel::Panel(Canvas& canvas, const Box& frame, const View& view) : canvas_(canva
 
 Panel::~Panel() { canvas_.unclip(); }
 
-void Panel::polygon(std::span<const Vec2> corners, Color fill) { canvas_.polygon(to_page(corners), fill); }
+void Panel::polygon(std::span<const Vec2> corners, Color fill) {
+  const std::vector<Vec2> page = to_page(corners);
+  const std::vector<Vec2> seen = reaches_far(page) ? clip_polygon(page, frame_.grown(beyond_frame)) : page;
+  if (seen.size() > 2) canvas_.polygon(seen, fill);
+}
 
 void Panel::line(const Vec2& from, const Vec2& to, const Stroke& stroke) {
-  canvas_.line(view_.page(from), view_.page(to), stroke);
-  avoid({view_.page(from), view_.page(to), stroke.width / 2});
+  Vec2 page_from = view_.page(from), page_to = view_.page(to);
+  if (reaches_far(std::array{page_from, page_to})) {
+    const std::optional<Interval> seen = clip_segment(page_from, page_to, frame_.grown(beyond_frame));
+    if (!seen) return;
+    const Vec2 way = page_to - page_from;
+    page_to = page_from + way * seen->to;
+    page_from += way * seen->from;
+  }
+  canvas_.line(page_from, page_to, stroke);
+  avoid({page_from, page_to, stroke.width / 2});
 }
 
 void Panel::outline(std::span<const Vec2> corners, const Stroke& stroke) {

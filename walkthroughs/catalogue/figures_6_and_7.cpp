@@ -32,7 +32,7 @@ struct Sketch {
   Vec2 at(Role role) const { return simplex.point(role).head<2>(); }
   /// Returns: of R1, R2, … what a panel shows.
   Areas areas(const Panel& panel) const {
-    if (simplex.size() == 2) return regions_of_segment(at(Role::A), at(Role::B), panel.corners());
+    if (simplex.size() == 2) return regions_of_segment(at(Role::A), at(Role::B), at(Role::A), panel.corners());
     Areas all;
     for (const char* feature : {"ABC", "A", "AB", "B", "BC", "C", "AC"})
       all.push_back(common_part(panel.corners(), region_beyond(simplex, feature), window.height));

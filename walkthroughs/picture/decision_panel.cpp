@@ -4,6 +4,7 @@
 
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/inset.hpp"
+#include "walkthroughs/picture/near_origin.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
@@ -23,14 +24,15 @@ using render::View;
 
 // Page units.
 constexpr double gap = 8, margin = 42, narrow_margin = 30, low_margin = 34, flat_margin = 46, least_height = 24,
-                 wanted_height = 40;
+                 wanted_height = 60;
 constexpr double most_margin = 0.32;                        // above and below, of the room
 constexpr double right_angle_side = 9, normal_length = 40;  // for which there is little room
 constexpr double narrow = 300, narrow_text = 0.8;           // a view that has no room for words
 constexpr double share_of_true_shape = 0.58;                // of the panel, where it decides
 constexpr double share_of_base = 0.34;                      // of what is left behind, below the faces of a tetrahedron
-constexpr double dropped_arm = 9;                           // of the cross through a vertex that leaves the simplex
-constexpr double deepest = 0.9;                             // of the fourth vertex that is shown, in widths of the face
+constexpr double rounding = 1e-12;  // of a length: below that it is what a projection has rounded
+constexpr double dropped_arm = 9;   // of the cross through a vertex that leaves the simplex
+constexpr double deepest = 0.9;     // of the fourth vertex that is shown, in widths of the face
 
 Point vertex(const Shown& shown, Role role) { return shown.now.processed.point(role); }
 
@@ -72,19 +74,27 @@ class DecisionPicture {
       case Kind::true_shape: flat(pencil); break;
       case Kind::edge_on: edge_on(pencil); break;
     }
-    finish_with_inset(canvas, panel, inset_in(view), style_, [this](render::Panel& magnified) {
-      Pencil fine(magnified, lens_, style_, normal_length);
-      draw_regions_in_plane(fine, shown_, view_.face);
-      edges(magnified);
-      magnified.drop_labels();
-      vertices(fine);
-      mark_origin(magnified);
+    finish_with_inset(canvas, panel, at_origin(), inset_in(view), style_, [this](render::Panel& magnified) {
+      const Style small = style_of_inset(style_);
+      const Shown inside = shown_.in(small);
+      DecisionPicture(frame_, view_, inside, is_alone_).inset(magnified);
     });
   }
 
   Box bounds;  ///< what must be shown, in scene units
 
  private:
+  /// What a small picture around the origin shows.
+  void inset(render::Panel& panel) {
+    lens_.plane.on = Point::Zero();  // coordinates near the origin keep their digits
+    Pencil pencil(panel, lens_, style_, style_.arrow_length);
+    draw_regions_in_plane(pencil, shown_, view_.face);
+    edges(pencil);
+    panel.drop_labels();
+    vertices(pencil);
+    name_origin(panel, -middle_of(corners()));
+  }
+
   /// Chooses how much what decides is stretched: an origin that stands nearer to its plane than its mark is wide is told
   /// from one in the plane.
   void stretch() {
@@ -145,10 +155,17 @@ class DecisionPicture {
   /// Around the foot of the origin, where it stands near an edge.
   std::optional<Inset> inset_in(const View& view) const {
     if (view_.kind != Kind::true_shape && view_.kind != Kind::segment) return std::nullopt;
-    std::vector<Segment> edges;
-    for (int i = 0; i < view_.face.size(); ++i)
-      edges.emplace_back(at(view_.face[i]), at(view_.face[(i + 1) % view_.face.size()]));
-    return inset_of(at_origin(), edges, edges, below_title(frame_, style_), view, shown_.telling.panels.close_up);
+    Surroundings around{at_origin(), {}, {}, {}, {}};
+    for (int i = 0; i < view_.face.size(); ++i) {
+      const Role from = view_.face[i], to = view_.face[(i + 1) % view_.face.size()];
+      around.shape.emplace_back(at(from), at(to));
+      around.vertices.push_back(at(from) - around.origin);
+      const Point foot = foot_on_line(vertex(shown_, from), vertex(shown_, to));
+      const Vec2 seen = lens_(lens_.plane.on + foot);  // from below or above the origin
+      const double distance = seen.norm();
+      if (distance > rounding * foot.norm()) around.nearest.push_back({seen, distance});
+    }
+    return inset_of(around, below_title(frame_, style_), view, shown_.telling.panels.close_up, style_);
   }
 
   void mark_origin(render::Panel& panel) {
@@ -229,11 +246,15 @@ class DecisionPicture {
            shown_.now.reduction->dropped().empty();
   }
 
-  void edges(render::Panel& panel) {
-    const Stroke stroke{style_.simplex.color, style_.simplex.width};
+  void edges(Pencil& pencil) {
+    const Stroke solid{style_.simplex.color, style_.simplex.width};
     for (int i = 0; i < view_.face.size(); ++i) {
       const Role from = view_.face[i], to = view_.face[(i + 1) % view_.face.size()];
-      panel.line(at(from), at(to), is_dropped(from) || is_dropped(to) ? style_.former : stroke);
+      const Stroke& stroke = is_dropped(from) || is_dropped(to) ? style_.former : solid;
+      if (view_.kind == Kind::edge_on)
+        pencil.panel().line(at(from), at(to), stroke);
+      else
+        pencil.line(vertex(shown_, from), vertex(shown_, to), stroke);
     }
   }
 
@@ -249,7 +270,7 @@ class DecisionPicture {
     const bool is_segment = view_.kind == Kind::segment;
     const Vec2 origin = at_origin();
     draw_regions_in_plane(pencil, shown_, view_.face);
-    edges(pencil.panel());
+    edges(pencil);
     if (is_segment && shown_.now.processed.size() > 2)  // one edge of several
       pencil.panel().line(origin, {origin.x(), at(Role::A).y()}, style_.foot);
     vertices(pencil);
@@ -267,7 +288,7 @@ class DecisionPicture {
             at(role), at(fourth(view_.face)),
             shown_.focus == Focus::reduction ? style_.former : Stroke{style_.simplex.color, 1.6 * style_.theme.line});
     }
-    edges(pencil.panel());
+    edges(pencil);
     drop(pencil);
     normal(pencil);
     vertices(pencil);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "walkthroughs/picture/inset.hpp"
+#include "walkthroughs/picture/near_origin.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
@@ -52,6 +53,41 @@ bool shows_gap(const Moment& now) {
   return now.result && now.result->separation;
 }
 
+/// Whether the picture shows how far the set reaches along d.
+bool shows_supporting_line(const Shown& shown) {
+  return shown.now.found && (shown.focus == Focus::support || shown.focus == Focus::crossing || shows_gap(shown.now));
+}
+
+bool shows_dropped(Focus focus) { return focus == Focus::reduction || focus == Focus::kept; }
+
+/// Whether the picture shows d beside what it leads away from.
+bool shows_direction(const Shown& shown) {
+  return shown.now.direction && (shown.focus == Focus::support || shown.focus == Focus::direction ||
+                                 shown.focus == Focus::repetition || shows_gap(shown.now));
+}
+
+Point start_of_direction(const Shown& shown) {
+  const Simplex& from = shown.now.direction->from;
+  return from.size() > 0 ? middle_of(points_of(from)) : middle_of(found_by(shown.telling));
+}
+
+/// Where that, a plane in space, is nearest to the origin: the foot of P on the line through the origin along d.
+Point foot_of_supporting_line(const Moment& now) { return foot_on_plane(now.found->w, now.direction->value); }
+
+/// Returns: the feet of the origin on what of the picture has an area in space.
+std::vector<Point> feet_nearby(const Shown& shown) {
+  std::vector<Point> feet;
+  if (!shown.lens.camera || shown.focus == Focus::region) return feet;  // heights are told by other pictures
+  const std::vector<Point> corners = points_of(shown.now.simplex);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j)
+      for (std::size_t k = j + 1; k < corners.size(); ++k)
+        if (const auto [foot, is_inside] = foot_in_triangle(corners[i], corners[j], corners[k]); is_inside)
+          feet.push_back(foot);
+  if (shows_supporting_line(shown)) feet.push_back(foot_of_supporting_line(shown.now));
+  return feet;
+}
+
 /// Draws a difference set, and what the search does in it.
 class DifferencePicture {
  public:
@@ -69,17 +105,15 @@ class DifferencePicture {
   /// All that the search has found so far. `frame`: of the panel.
   void search(render::Canvas& canvas, const Box& frame) {
     const Focus focus = shown_.focus;
-    const bool separated = shows_gap(now_);
-    const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
     set();
     pencil_.triad(canvas, frame);  // behind the search, which it must not hide
     if (focus == Focus::region) draw_regions(pencil_, shown_);
-    if (now_.found && searching) beyond_found();
+    if (shows_supporting_line(shown_)) beyond_found();
     segments();
-    if (focus == Focus::support || focus == Focus::direction || focus == Focus::repetition || separated) direction();
+    if (shows_direction(shown_)) direction();
     if (focus == Focus::crossing) crossing();
     vertices();
-    if (focus == Focus::reduction || focus == Focus::kept) dropped();
+    if (shows_dropped(focus)) dropped();
     if (focus == Focus::repetition) repetition();
     origin();
     names();
@@ -104,18 +138,17 @@ class DifferencePicture {
 
   /// What a small picture around the origin shows.
   void inset() {
-    hull();
-    if (shown_.focus == Focus::region) draw_regions(pencil_, shown_);
-    if (shown_.focus == Focus::crossing) {
-      beyond_found();
-      crossing();
-    }
-    segments();
-    vertices();
-    panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+    hull_nearby();
+    if (shown_.focus == Focus::region && !pencil_.in_space()) draw_regions(pencil_, shown_);
     panel_.drop_labels();
-    for (const Point& corner : points_of(now_.simplex))
-      if (panel_.holds(pencil_.at(corner), style_.point_radius)) name(corner);
+    feet_of_origin();
+    if (shows_supporting_line(shown_)) pencil_.out_of_reach(foot_of_supporting_line(now_), now_.direction->value);
+    segments();
+    if (shown_.focus == Focus::crossing) crossing();
+    vertices();
+    if (shows_dropped(shown_.focus)) dropped();
+    origin();
+    names();
   }
 
  private:
@@ -139,6 +172,7 @@ class DifferencePicture {
   }
 
   void name(const Point& w) {
+    if (!pencil_.holds(w)) return;  // which a magnified picture leaves out
     const std::string before = shown_.focus == Focus::added ? shown_.names.before(w) : "";
     panel_.label(pencil_.at(w), pencil_.at(w) - center_,
                  before.empty() ? shown_.names.label(w) : before + "→" + shown_.names.label(w),
@@ -169,6 +203,7 @@ class DifferencePicture {
     pencil_.line(Point::Zero(), projection(), style_.projection);
     if (!w.isZero(0)) {
       const Vec2 tip = pencil_.at(w);
+      if (!pencil_.holds(w)) return pencil_.line(Point::Zero(), w, style_.normal);
       panel_.arrow(pencil_.at(Point::Zero()), tip - tip.stableNormalized() * pencil_.length(style_.point_radius + 6),
                    style_.normal);
       panel_.label(tip / 2, {-tip.y(), tip.x()}, "O" + shown_.names.of(w),
@@ -192,12 +227,16 @@ class DifferencePicture {
   }
 
   void vertices() {
-    for (const Point& corner : points_of(now_.simplex)) pencil_.point(corner, style_.theme.green);
-    if (now_.found && !in_simplex(now_.found->w)) pencil_.point(now_.found->w, style_.theme.vermillion);
+    for (const Point& corner : points_of(now_.simplex)) point(corner, style_.theme.green);
+    if (now_.found && !in_simplex(now_.found->w)) point(now_.found->w, style_.theme.vermillion);
     if (now_.found)
       ring(now_.found->w, style_.theme.ink);
     else if (now_.simplex.size() > 0)
       ring(now_.processed.point(gjk::Role::A), style_.theme.ink);  // also where the order has changed since
+  }
+
+  void point(const Point& p, render::Color color) {
+    if (pencil_.holds(p)) pencil_.point(p, color);
   }
 
   void dropped() {
@@ -208,6 +247,7 @@ class DifferencePicture {
   /// `roles`: in `before`.
   void dropped(const gjk::Roles& roles, const Simplex& before) {
     for (const gjk::Role role : roles) {
+      if (!pencil_.holds(before.point(role))) continue;
       const Vec2 at = pencil_.at(before.point(role));
       pencil_.cross(at, 11);
       if (shown_.telling.hull.corners.empty())
@@ -217,9 +257,7 @@ class DifferencePicture {
 
   void direction() {
     if (!now_.direction) return;
-    const Simplex& from = now_.direction->from;
-    const Point start = from.size() > 0 ? middle_of(points_of(from)) : middle_of(found_by(shown_.telling));
-    pencil_.direction(start, now_.direction->value, style_.direction, "d");
+    pencil_.direction(start_of_direction(shown_), now_.direction->value, style_.direction, "d");
   }
 
   /// Marks the simplex that was here before.
@@ -231,6 +269,14 @@ class DifferencePicture {
     if (now_.simplex.size() > 1)
       panel_.label(pencil_.at(middle_of(points_of(now_.simplex))), Vec2::Zero(), "again",
                    style_.label(style_.theme.vermillion, render::Weight::bold), line_label_gap);
+  }
+
+  /// In space, where depth is not seen: the ways from the origin to the faces of the simplex and to the supporting plane.
+  void feet_of_origin() {
+    for (const Point& foot : feet_nearby(shown_)) {
+      pencil_.line(Point::Zero(), foot, style_.foot);
+      if (pencil_.holds(foot)) panel_.disc(pencil_.at(foot), 2.5, style_.foot.color);
+    }
   }
 
   /// The origin above or below the plane of a triangle: its way there, hidden where the plane is in front of it.
@@ -250,6 +296,21 @@ class DifferencePicture {
     }
     panel_.disc(pencil_.at(foot), 2.5, style_.foot.color);
     draw_origin_beside(panel_, pencil_.at(Point::Zero()), height, style_);
+  }
+
+  /// Of a polytope, whose sides are straight however much they are magnified.
+  void hull_nearby() {
+    const Body& body = shown_.stage.difference;
+    if (pencil_.in_space()) {
+      if (shown_.focus != Focus::region) pencil_.body(outline_, body.faces, style_.hull_fill, hull_stroke());
+      return;
+    }
+    if (body.vertices.empty()) return;
+    std::vector<Point> corners;
+    for (const Vec2& corner : outline_) corners.emplace_back(corner.x(), corner.y(), 0);
+    pencil_.polygon(corners, style_.hull_fill);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      pencil_.line(corners[i], corners[(i + 1) % corners.size()], style_.hull);
   }
 
   void hull() {
@@ -281,16 +342,13 @@ class DifferencePicture {
         pencil_.line(corners[i], corners[j], pencil_.in_space() ? solid(style_.simplex) : style_.simplex);
   }
 
-  /// Returns: the foot of w on the line through the origin along d. The sign of w·d tells on which side of the origin.
-  Point projection() const {
-    const Point unit = now_.direction->value.stableNormalized();
-    return unit * unit.dot(now_.found->w);
-  }
+  /// The sign of w·d tells on which side of the origin.
+  Point projection() const { return foot_of_supporting_line(now_); }
 
   bool in_simplex(const Point& w) const { return std::ranges::count(points_of(now_.simplex), w) > 0; }
 
   void ring(const Point& p, render::Color color) {
-    panel_.circle(pencil_.at(p), style_.point_radius + 5, {color, 2.5});
+    if (pencil_.holds(p)) panel_.circle(pencil_.at(p), style_.point_radius + 5, {color, 2.5});
   }
 
   render::Panel& panel_;
@@ -302,23 +360,45 @@ class DifferencePicture {
   const Vec2 center_;
 };
 
-/// Of a flat picture: around the origin, where it stands near an edge of the simplex or near what bounds the set along d.
-std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, const render::View& view) {
+/// Returns: where else something is marked: what was found or dropped, and d.
+std::vector<Point> marks_beside(const Shown& shown, const render::View& view) {
   const Moment& now = shown.now;
-  if (shown.lens.camera) return std::nullopt;
-  const Vec2 O = shown.lens(Point::Zero());
-  std::vector<Segment> asked, shape;
-  const std::vector<Point> corners = points_of(now.simplex);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    for (std::size_t j = i + 1; j < corners.size(); ++j)
-      shape.emplace_back(shown.lens(corners[i]), shown.lens(corners[j]));
-  if (shown.focus == Focus::added || shown.focus == Focus::region) asked = shape;
-  if (shown.focus == Focus::crossing) {
-    const Vec2 P = shown.lens(now.found->w), d = shown.lens(now.direction->value) - O;
-    asked = {{P, P + Vec2(-d.y(), d.x())}};
-    shape.emplace_back(P, O);
+  std::vector<Point> marks;
+  if (now.found) marks.push_back(now.found->w);
+  if (shows_dropped(shown.focus))
+    for (const Point& p : points_of(now.processed)) marks.push_back(p);
+  if (shows_direction(shown)) {
+    const Point start = start_of_direction(shown), d = now.direction->value;
+    marks.push_back(start);
+    marks.push_back(start + d.stableNormalized() * (shown.style.arrow_length / view.scale()));
   }
-  return inset_of(O, asked, shape, below_title(frame, shown.style), view, shown.telling.panels.close_up);
+  return marks;
+}
+
+/// What the picture tells from the origin: the vertices and edges of the simplex, in space its faces, and what bounds the
+/// set along d. Regions reach beyond the ends of an edge.
+Surroundings around_origin(const Shown& shown, const render::View& view) {
+  const Moment& now = shown.now;
+  Surroundings around{Vec2::Zero(), {}, {}, {}, {}};
+  const auto near = [&](const Point& p) { around.nearest.push_back({shown.lens(p), p.stableNorm()}); };
+  if (shown.regions_beside) return around;  // which magnify what they are about
+  std::vector<Point> corners = points_of(now.simplex);
+  const bool asks_regions = shown.focus == Focus::added || shown.focus == Focus::region;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      near(asks_regions ? foot_on_line(corners[i], corners[j]) : nearest_of_segment(corners[i], corners[j]));
+      around.shape.emplace_back(shown.lens(corners[i]), shown.lens(corners[j]));
+    }
+  for (const Point& foot : feet_nearby(shown)) near(foot);
+  if (shows_supporting_line(shown)) {
+    if (!shown.lens.camera) near(foot_of_supporting_line(now));
+    corners.push_back(now.found->w);
+    around.shape.emplace_back(shown.lens(now.found->w), Vec2::Zero());
+  }
+  for (const Point& corner : corners) near(corner);
+  around.vertices = shown.lens(corners);
+  around.others = shown.lens(marks_beside(shown, view));
+  return around;
 }
 
 }  // namespace
@@ -339,8 +419,13 @@ void draw_difference(render::Canvas& canvas, const Place& place, const Shown& sh
   {
     render::Panel panel(canvas, below_title(place.frame, style), place.view);
     DifferencePicture(panel, shown).search(canvas, place.frame);
-    finish_with_inset(canvas, panel, inset_in(shown, place.frame, place.view), style,
-                      [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
+    const std::optional<Inset> inset = inset_of(around_origin(shown, place.view), below_title(place.frame, style),
+                                                place.view, shown.telling.panels.close_up, style);
+    finish_with_inset(canvas, panel, Vec2::Zero(), inset, style, [&shown](render::Panel& magnified) {
+      const Style small = style_of_inset(shown.style);
+      const Shown inside = shown.in(small);
+      DifferencePicture(magnified, inside).inset();
+    });
   }
   if (shown.is_parting) canvas.outline(place.frame.grown(-3).corners(), style.parting);
 }

@@ -1,8 +1,9 @@
-/// A small picture in a corner of a panel: the part around a point that stands very near to a line.
+/// A small picture in a corner of a panel: what stands so near to the origin that their marks cover each other.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,28 +14,44 @@ namespace walkthroughs::picture {
 
 using Segment = std::pair<render::Vec2, render::Vec2>;
 
-struct Inset {
-  render::Vec2 at;    ///< its middle, scene units
-  render::Box frame;  ///< where it stands on the page
-  double factor;      ///< by which it is larger than the picture
-  render::Box label;  ///< where on the page that is written, away from the lines
+/// Where something is nearest to the origin.
+struct Nearest {
+  render::Vec2 at;  ///< in the picture, from the origin
+  double distance;  ///< in the scene: it may lie in front of the origin, or behind
 };
 
-/// Returns: a power of two, of ten where that would be long, at least `factor`; and in words, "×8", "×1e12".
+/// What may have to be magnified.
+struct Surroundings {
+  render::Vec2 origin;                 ///< in the picture
+  std::vector<Nearest> nearest;        ///< of all that must be told from the origin
+  std::vector<render::Vec2> vertices;  ///< from the origin
+  std::vector<render::Vec2> others;    ///< from the origin: what else an inset must not cover
+  std::vector<Segment> shape;          ///< in the picture: what an inset should not cover
+};
+
+struct Inset {
+  render::Vec2 at;    ///< its middle, from the origin
+  render::Box frame;  ///< where it stands on the page, with a strip on top for words
+  double factor;      ///< by which it is larger than the picture
+};
+
+/// Returns: 1, 2 or 5 times a power of ten, at most `factor`; and in words, "×5", "×1e12".
 double round_factor(double factor);
 std::string words_of_factor(double factor);
 
-/// Returns: an inset that shows `at` where its mark covers which side of one of `lines` (longer both ways) it is on; else
-/// two ends of `lines` whose marks cover each other; else, where it `is_wanted`, `at` as large as the nearest line allows.
-/// Nothing where all stand plainly apart, or in one place. It stands in the corner of `room` that is farthest from what it
-/// shows and from `shape`.
-std::optional<Inset> inset_of(const render::Vec2& at, const std::vector<Segment>& lines,
-                              const std::vector<Segment>& shape, const render::Box& room, const render::View& view,
-                              bool is_wanted);
+/// Returns: what the inside is drawn with, where there is little room.
+Style style_of_inset(const Style& style);
 
-/// Places the labels of `panel`, and draws the inset, where there is one, over what is there, a thin circle around what it shows.
-/// `draw`: what that is.
-void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const std::optional<Inset>& inset,
-                       const Style& style, const std::function<void(render::Panel&)>& draw);
+/// Returns: an inset that shows the origin and what its mark covers, however near, and vertices that are about as near; else
+/// two vertices whose marks cover each other; else, where it `is_wanted`, what is around the origin. Nothing where all stand
+/// plainly apart, or in one place. It stands in the corner of `room` that is farthest from what it shows and from the shape.
+std::optional<Inset> inset_of(const Surroundings& what, const render::Box& room, const render::View& view,
+                              bool is_wanted, const Style& style);
+
+/// Places the labels of `panel`, and draws the inset, where there is one, over what is there, a thin circle around what it
+/// shows. `draw`: what that is; its zero is the origin.
+void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const render::Vec2& origin,
+                       const std::optional<Inset>& inset, const Style& style,
+                       const std::function<void(render::Panel&)>& draw);
 
 }  // namespace walkthroughs::picture

@@ -7,6 +7,8 @@ namespace {
 
 using render::Vec2;
 
+constexpr double least_object = 10, ring_radius = 16;  // page units
+
 KeyEntry swatch(const std::string& text, render::Color fill, const render::Stroke& outline) {
   return {text,
           [=](render::Canvas& canvas, const Vec2& at) {
@@ -27,10 +29,16 @@ void draw_flats(Pencil& pencil, const Body& body, const render::Stroke& stroke) 
   }
 }
 
+/// One that is too small to be found beside the other has a ring around it, and its name.
 void draw_object(Pencil& pencil, const Object& object, const Body& body, render::Color fill,
                  const render::Stroke& stroke) {
-  pencil.body(outline(object, body, pencil.lens()), body.faces, fill, stroke);
+  const std::vector<Vec2> corners = outline(object, body, pencil.lens());
+  pencil.body(corners, body.faces, fill, stroke);
   draw_flats(pencil, body, stroke);
+  const render::Box box = render::Box::around(corners);
+  if (box.longer_side() >= pencil.length(least_object)) return;
+  pencil.panel().circle(box.center(), ring_radius, {stroke.color, 2});
+  pencil.panel().label(box.center(), {0, 1}, literal(object.name), pencil.style().small_label());
 }
 
 Point middle_of_object(const Object& object, const Body& body) {

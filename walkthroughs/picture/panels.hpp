@@ -30,6 +30,11 @@ struct Shown {
   bool values = true;           ///< whether numbers that decide are written into the picture
   bool regions_beside = false;  ///< whether pictures of planes beside this one show the regions
   bool is_parting = false;      ///< whether another search goes another way here
+
+  /// Returns: the same, drawn with another style, which must outlive it.
+  Shown in(const Style& other) const {
+    return {telling, stage, now, names, focus, lens, other, values, regions_beside, is_parting};
+  }
 };
 
 render::Box bounds_of_objects(const Stage& stage, const Lens& lens);

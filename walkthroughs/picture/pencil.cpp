@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/picture/near_origin.hpp"
 
 namespace walkthroughs::picture {
 namespace {
@@ -11,8 +12,9 @@ namespace {
 using render::Stroke;
 using render::Vec2;
 
-constexpr double page_diagonal = 1500;   // page units: longer than any panel
-constexpr double patch_half_side = 110;  // page units
+constexpr double page_diagonal = 1500;             // page units: longer than any panel
+constexpr double farthest_end = 1e5, reach = 1e4;  // beyond the first a line is drawn as far as the second
+constexpr double patch_half_side = 110;            // page units
 constexpr double triad_length = 30, triad_margin = 48, least_between_names = 14, least_named_axis = 0.3;
 constexpr double name_beyond_tip = 9, name_beside_tip = 13, name_rise = 5, least_from_axis = 7;
 
@@ -49,6 +51,26 @@ std::pair<Point, Point> span_across(const Point& d) {
 }
 
 }  // namespace
+
+bool Pencil::is_far(const Point& p) const { return panel_.view().page(at(p)).cwiseAbs().maxCoeff() > farthest_end; }
+
+void Pencil::line(const Point& from, const Point& to, const Stroke& stroke) {
+  if (!is_far(from) && !is_far(to)) return panel_.line(at(from), at(to), stroke);
+  const auto [near_from, near_to] = part_near_origin(from, to, length(reach));
+  panel_.line(at(near_from), at(near_to), stroke);
+}
+
+void Pencil::polygon(const std::vector<Point>& corners, render::Color fill) {
+  if (std::ranges::none_of(corners, [this](const Point& p) { return is_far(p); }))
+    return panel_.polygon(at(corners), fill);
+  std::vector<Point> more;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point &from = corners[i], &to = corners[(i + 1) % corners.size()];
+    const auto [near_from, near_to] = part_near_origin(from, to, length(reach));
+    more.insert(more.end(), {from, near_from, near_to});
+  }
+  panel_.polygon(at(more), fill);
+}
 
 void Pencil::point(const Point& p, render::Color color) { draw_point(panel_, at(p), color, style_); }
 

@@ -31,8 +31,11 @@ class Pencil {
   /// Returns: so many page units as a length in the scene.
   double length(double page_units) const { return page_units / panel_.view().scale(); }
 
-  void line(const Point& from, const Point& to, const render::Stroke& stroke) { panel_.line(at(from), at(to), stroke); }
-  void polygon(const std::vector<Point>& corners, render::Color fill) { panel_.polygon(at(corners), fill); }
+  /// Where they reach far beyond the panel, which is magnified then: with all digits near the origin.
+  void line(const Point& from, const Point& to, const render::Stroke& stroke);
+  void polygon(const std::vector<Point>& corners, render::Color fill);
+  /// Returns: whether a point is in the panel, its mark whole.
+  bool holds(const Point& p) const { return panel_.holds(at(p), style_.point_radius); }
   void point(const Point& p, render::Color color);
   /// An arrow along `d`, named. In space its picture is shorter the more it points at the viewer.
   void direction(const Point& from, const Point& d, const render::Stroke& stroke, const std::string& name);
@@ -54,6 +57,7 @@ class Pencil {
   void triad(render::Canvas& canvas, const render::Box& frame);
 
  private:
+  bool is_far(const Point& p) const;
   /// Returns: a square in the plane through `on` across `d`.
   std::vector<Point> patch(const Point& on, const Point& d) const;
 

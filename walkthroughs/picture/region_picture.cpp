@@ -1,7 +1,9 @@
 #include "walkthroughs/picture/region_picture.hpp"
 
 #include <algorithm>
+#include <array>
 
+#include "walkthroughs/picture/near_origin.hpp"
 #include "walkthroughs/story/decision.hpp"
 
 namespace walkthroughs::picture {
@@ -28,7 +30,7 @@ class RegionPicture {
     const Point A = vertex(Role::A), B = vertex(Role::B);
     if (A == B) return;
     const std::vector<Vec2> clip = drawn_part_beside(A, B);
-    const auto areas = regions_of_segment(plane_(A), plane_(B), clip);
+    const auto areas = regions_of_segment(plane_(A), plane_(B), plane_(foot_on_line(A, B)), clip);
     const Region* sides = find(Label::R3_or_R4);
     const bool scene_in_space = shown_.telling.scene.dimension == Dimension::space;
     const Vec2 origin = plane_(Point::Zero());
@@ -131,7 +133,8 @@ class RegionPicture {
   std::vector<std::vector<Vec2>> areas_beside(const Point& A, const Point& B, const Point& C) {
     if ((B - A).cross(C - A).isZero(0)) return {};
     if (pencil_.in_space()) plane_ = Plane::spanned(A, B - A, C - A);
-    return regions_of_triangle(plane_(A), plane_(B), plane_(C), drawn_part({A, B, C, Point::Zero()}));
+    const Feet feet = {plane_(foot_on_line(A, B)), plane_(foot_on_line(B, C)), plane_(foot_on_line(C, A))};
+    return regions_of_triangle(plane_(A), plane_(B), plane_(C), feet, drawn_part({A, B, C, Point::Zero()}));
   }
 
   std::vector<Vec2> drawn_part(const std::vector<Point>& points) const {
@@ -325,31 +328,39 @@ std::string inequality_of(const Region& region, const Names& names) {
   return names.translate(region.expression) + " = " + number(*value) + compared_with_zero(region, *value);
 }
 
-std::vector<std::vector<Vec2>> regions_of_segment(const Vec2& A, const Vec2& B, const std::vector<Vec2>& clip) {
+std::vector<std::vector<Vec2>> regions_of_segment(const Vec2& A, const Vec2& B, const Vec2& foot,
+                                                  const std::vector<Vec2>& clip) {
   const Vec2 along = A - B, left(-along.y(), along.x());
   const std::vector<Vec2> between = half(half(clip, A, -along), B, along);
-  return {half(clip, B, -along), half(clip, A, along), half(between, A, left), half(between, A, -left)};
+  return {half(clip, B, -along), half(clip, A, along), half(between, foot, left), half(between, foot, -left)};
 }
 
-std::vector<std::vector<Vec2>> regions_of_triangle(const Vec2& A, const Vec2& B, const Vec2& C,
+std::vector<std::vector<Vec2>> regions_of_triangle(const Vec2& A, const Vec2& B, const Vec2& C, const Feet& feet,
                                                    const std::vector<Vec2>& clip) {
+  /// Away from the third corner R.
+  const auto outward = [](const Vec2& P, const Vec2& Q, const Vec2& R) {
+    const Vec2 across(Q.y() - P.y(), P.x() - Q.x());
+    return across.dot(R - P) > 0 ? Vec2(-across) : across;
+  };
   /// The part beyond the edge PQ, between the lines across its ends; R is the third corner.
-  const auto beyond_edge = [&](const Vec2& P, const Vec2& Q, const Vec2& R) {
-    const Vec2 along = Q - P;
-    Vec2 outward(along.y(), -along.x());
-    if (outward.dot(R - P) > 0) outward = -outward;
-    return half(half(half(clip, P, outward), P, along), Q, -along);
+  const auto beyond_edge = [&](const Vec2& P, const Vec2& Q, const Vec2& R, const Vec2& foot) {
+    return half(half(half(clip, foot, outward(P, Q, R)), P, Q - P), Q, P - Q);
   };
   const auto beyond_corner = [&](const Vec2& P, const Vec2& Q, const Vec2& R) {
     return half(half(clip, P, P - Q), P, P - R);
   };
-  return {{A, B, C},
+  const auto inside = [&] {
+    return half(half(half(clip, feet[0], -outward(A, B, C)), feet[1], -outward(B, C, A)), feet[2], -outward(C, A, B));
+  };
+  const render::Box drawn = render::Box::around(clip), corners = render::Box::around(std::array{A, B, C});
+  const bool is_whole = (corners.min.array() >= drawn.min.array() && corners.max.array() <= drawn.max.array()).all();
+  return {is_whole ? std::vector{A, B, C} : inside(),
           beyond_corner(A, B, C),
-          beyond_edge(A, B, C),
+          beyond_edge(A, B, C, feet[0]),
           beyond_corner(B, C, A),
-          beyond_edge(B, C, A),
+          beyond_edge(B, C, A, feet[1]),
           beyond_corner(C, A, B),
-          beyond_edge(A, C, B)};
+          beyond_edge(A, C, B, feet[2])};
 }
 
 void draw_regions(Pencil& pencil, const Shown& shown) {

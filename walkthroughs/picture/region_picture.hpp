@@ -1,6 +1,8 @@
 /// All regions of a simplex at once, each drawn as what the algorithm has made of it so far.
 #pragma once
 
+#include <array>
+
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
 
@@ -32,16 +34,20 @@ void draw_regions_in_plane(Pencil& pencil, const Shown& shown, const gjk::Roles&
 /// shown. To be asked for after the vertices have their names, which are more important.
 void name_rejected_faces(Pencil& pencil, const Shown& shown);
 
+/// A point of each line, best that which is nearest to the origin: its digits tell best on which side of it the line runs.
+using Feet = std::array<render::Vec2, 3>;
+
 /// The regions of a triangle ABC as Fig. 7 numbers them: R1 inside, R2 beyond A, R3 beyond AB, R4 beyond B, R5 beyond
 /// BC, R6 beyond C, R7 beyond AC; each the part of the convex polygon `clip` that lies in it.
-/// Requires: A, B, C not on one line.
+/// `feet`: those of AB, BC and CA. Requires: A, B, C not on one line.
 std::vector<std::vector<render::Vec2>> regions_of_triangle(const render::Vec2& A, const render::Vec2& B,
-                                                           const render::Vec2& C,
+                                                           const render::Vec2& C, const Feet& feet,
                                                            const std::vector<render::Vec2>& clip);
 
 /// The regions of a segment AB as Fig. 6 numbers them: R1 beyond B, R2 beyond A, R3 to the left and R4 to the right of
-/// the way from B to A.
+/// the way from B to A. `foot`: of AB.
 std::vector<std::vector<render::Vec2>> regions_of_segment(const render::Vec2& A, const render::Vec2& B,
+                                                          const render::Vec2& foot,
                                                           const std::vector<render::Vec2>& clip);
 
 }  // namespace walkthroughs::picture

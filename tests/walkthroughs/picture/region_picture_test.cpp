@@ -58,7 +58,7 @@ TEST_CASE("The regions of a triangle tile the picture and a point lies in that o
   for (int round = 0; round < 200; ++round) {
     const Vec2 A = point_at_random(dice, 5), B = point_at_random(dice, 5), C = point_at_random(dice, 5);
     if (std::abs(cross(B - A, C - A)) < 0.5) continue;
-    const std::vector<Polygon> regions = regions_of_triangle(A, B, C, clip);
+    const std::vector<Polygon> regions = regions_of_triangle(A, B, C, {A, B, C}, clip);
     REQUIRE(regions.size() == 7);
     check_regions(dice, regions, {A, B, C},
                   [&](const std::string& nearest, const Vec2&) { return numbers.at(nearest); });
@@ -70,7 +70,7 @@ TEST_CASE("The regions of a segment tile the picture and are numbered as in Fig.
   for (int round = 0; round < 200; ++round) {
     const Vec2 A = point_at_random(dice, 5), B = point_at_random(dice, 5);
     if ((B - A).norm() < 0.1) continue;
-    const std::vector<Polygon> regions = regions_of_segment(A, B, clip);
+    const std::vector<Polygon> regions = regions_of_segment(A, B, A, clip);
     REQUIRE(regions.size() == 4);
     check_regions(dice, regions, {A, B}, [&](const std::string& nearest, const Vec2& p) {  // B was there first
       return nearest == "B" ? 1 : nearest == "A" ? 2 : cross(A - B, p - B) > 0 ? 3 : 4;
