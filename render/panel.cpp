@@ -138,11 +138,7 @@ Panel::Panel(Canvas& canvas, const Box& frame, const View& view) : canvas_(canva
 
 Panel::~Panel() { canvas_.unclip(); }
 
-void Panel::polygon(std::span<const Vec2> corners, Color fill) {
-  const std::vector<Vec2> page = to_page(corners);
-  const std::vector<Vec2> seen = reaches_far(page) ? clip_polygon(page, frame_.grown(beyond_frame)) : page;
-  if (seen.size() > 2) canvas_.polygon(seen, fill);
-}
+void Panel::polygon(std::span<const Vec2> corners, Color fill) { canvas_.polygon(to_page(corners), fill); }
 
 void Panel::line(const Vec2& from, const Vec2& to, const Stroke& stroke) {
   Vec2 page_from = view_.page(from), page_to = view_.page(to);

@@ -302,7 +302,8 @@ class DifferencePicture {
   void hull_nearby() {
     const Body& body = shown_.stage.difference;
     if (pencil_.in_space()) {
-      if (shown_.focus != Focus::region) pencil_.body(outline_, body.faces, style_.hull_fill, hull_stroke());
+      if (shown_.focus != Focus::region && !body.faces.empty())
+        pencil_.body(outline_, body.faces, style_.hull_fill, hull_stroke());
       return;
     }
     if (body.vertices.empty()) return;

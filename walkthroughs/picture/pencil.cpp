@@ -61,15 +61,16 @@ void Pencil::line(const Point& from, const Point& to, const Stroke& stroke) {
 }
 
 void Pencil::polygon(const std::vector<Point>& corners, render::Color fill) {
-  if (std::ranges::none_of(corners, [this](const Point& p) { return is_far(p); }))
-    return panel_.polygon(at(corners), fill);
-  std::vector<Point> more;
+  const std::vector<Vec2> picture = at(corners);
+  if (std::ranges::none_of(corners, [this](const Point& p) { return is_far(p); })) return panel_.polygon(picture, fill);
+  std::vector<Vec2> seen = panel_.corners();
+  const double sense = render::signed_area(picture) < 0 ? -1 : 1;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point &from = corners[i], &to = corners[(i + 1) % corners.size()];
-    const auto [near_from, near_to] = part_near_origin(from, to, length(reach));
-    more.insert(more.end(), {from, near_from, near_to});
+    const std::size_t next = (i + 1) % corners.size();
+    const Vec2 along = (picture[next] - picture[i]) * sense;
+    seen = half(seen, at(foot_on_line(corners[i], corners[next])), {-along.y(), along.x()});
   }
-  panel_.polygon(at(more), fill);
+  if (seen.size() > 2) panel_.polygon(seen, fill);
 }
 
 void Pencil::point(const Point& p, render::Color color) { draw_point(panel_, at(p), color, style_); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
@@ -44,11 +45,11 @@ struct Page {
 
   /// Returns: what is drawn inside of close-ups, but for fine lines, which one rounding more or less adds.
   std::vector<render::Shape> magnified() const {
-    std::vector<render::Shape> found, inside;
+    std::vector<render::Shape> found, inside, since;
     for (const render::Shape& each : canvas.shapes()) {
-      if (std::holds_alternative<shape::Clip>(each)) inside.clear();
+      if (std::holds_alternative<shape::Clip>(each)) inside = std::exchange(since, {});
       const auto* line = std::get_if<shape::Polyline>(&each);
-      if (!line || line->stroke.width > 1) inside.push_back(each);
+      if (!line || line->stroke.width > 1) since.push_back(each);
       const auto* text = std::get_if<shape::Text>(&each);
       if (text && text->text.starts_with("magnified")) std::ranges::copy(inside, std::back_inserter(found));
     }
@@ -113,4 +114,25 @@ TEST_CASE("An object that is a dot beside the other has a ring around it, and it
     };
     CHECK(std::ranges::count_if(page.canvas.shapes(), is_name) == (size < 1 ? 2 : 1));  // the key has it, too
   }
+}
+
+TEST_CASE("A slanted edge whose ends are far away passes the origin in a close-up where it does") {
+  const double ulp = 0x1p-52;  // the cross product of its ends is ulp², of which no rounded product leaves anything
+  const Walkthrough w = scene_of(Dimension::plane, {{1 + ulp, 1, 0}, {-1, ulp - 1, 0}, {-1, -3, 0}}, {{0, 0, 0}});
+  render::Font font{render::Font::default_directory()};
+  const StagedStory story(tell(w));
+  int edges = 0;
+  for (std::size_t i = 0; i < story.frames.size(); ++i) {
+    const std::vector<render::Shape> shown = Page(story, i, font).magnified();
+    if (shown.empty()) continue;
+    const Vec2 middle = std::get<shape::Clip>(shown.front()).box.center();  // between the edge and the origin
+    for (const render::Shape& each : shown) {
+      const auto* line = std::get_if<shape::Polyline>(&each);
+      if (!line || line->corners.size() != 2 || line->stroke.color != render::themes::report.green) continue;
+      ++edges;
+      const double distance = render::distance_to_segment(middle, line->corners.front(), line->corners.back());
+      CHECK((distance > 12 && distance < 38));
+    }
+  }
+  CHECK(edges > 0);
 }
