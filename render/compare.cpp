@@ -129,12 +129,12 @@ std::string in_words(const Comparison& c) {
   if (c.verdict == Verdict::other_size)
     return "expected " + in_words(c.expected) + " pixels, actual " + in_words(c.actual);
   if (c.verdict == Verdict::same) return "all pixels are equal";
-  const auto limit = [](std::int64_t most) { return " (" + std::to_string(most) + " may be)"; };
+  const auto limit = [](std::int64_t most) { return " (allowed: " + std::to_string(most) + ")"; };
   if (c.off == 0)
     return "no pixel is off; channels differ by up to " + std::to_string(c.largest_difference()) +
            limit(tolerance::channel);
-  return pixels(c.off) + (c.off == 1 ? " is off" : " are off") + limit(c.allowed) + "; the largest group is " +
-         pixels(c.largest_group) + limit(tolerance::group) + "; all within " +
+  return pixels(c.off) + (c.off == 1 ? " is off" : " are off") + limit(c.allowed) +
+         "; the largest connected group is " + pixels(c.largest_group) + limit(tolerance::group) + "; all within " +
          in_words(Size{c.box.width(), c.box.height()}) + " at (" + std::to_string(c.box.min_x) + ", " +
          std::to_string(c.box.min_y) + ")";
 }

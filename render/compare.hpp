@@ -69,7 +69,7 @@ struct Comparison {
 /// tolerance::group. Memory: besides the pictures, a few words for each pixel of a row and for each group.
 Comparison compare(const Image& expected, const Image& actual);
 
-/// Returns: one line of plain text, such as "15 pixels are off (8 may be); the largest group is 3 pixels (4 may be); …".
+/// Returns: one line of plain text, such as "15 pixels are off (allowed: 8); the largest connected group is 3 pixels (allowed: 4); …".
 std::string in_words(const Comparison& comparison);
 
 inline constexpr int difference_gain = 16;

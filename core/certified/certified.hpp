@@ -9,36 +9,41 @@
 ///  - Hulls of points: certified_collision(). Never wrong, never undecided; with a certificate.
 ///  - Points that a pose moves, sums of these, balls, capsules, rounded boxes: certified_collision() of grown.hpp.
 ///    Never wrong, never undecided; with a certificate.
+///  - Cylinders along the same coordinate axis, also with balls and capsules along it: certified_status() of
+///    cylinders.hpp. Never wrong, never undecided; without a certificate.
 ///  - All else: certified_shapes() of shapes.hpp. Never wrong; undecided near contact, with a bound on it.
 ///
 /// How it works:
-///  1. collision() runs in S. It finds a separating axis or a tetrahedron around the origin.
+///  1. collision() runs in S. It may find a separating axis or a tetrahedron around the origin.
 ///  2. The filter (filter.hpp) tries that against a static error bound.
 ///  3. Where that does not suffice the exact fallback (exact_fallback.hpp) searches for the min-norm point, like
 ///     Wolfe's algorithm. It goes by signs that are exact. Dynamic error bounds come first, whole numbers of any length
 ///     where these leave a doubt.
 ///
 /// The filter costs a few products. Of random pairs some ten in a million need the fallback. Of touching ones all do,
-/// and then take five times as long (measured: tests/study/results/certified.md).
+/// and then take some microseconds (measured: tests/study/results/timings.md).
 ///
 /// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers of another project). Nothing
-/// outside of core/certified needs Boost.
+/// else in core needs Boost.
 ///
 /// What is proven, under which assumptions, as numbered properties. The tests quote them. The assumptions: IEEE
 /// arithmetic, rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no
 /// harm.)
+///  In these, u is the unit roundoff of S. A set of n points has r: on each axis the largest |coordinate|. s and M lie
+///  within Range<S>, so that no product overflows or vanishes; else the filter proves nothing.
 ///  C1. A direction d is a proof where −w·d > 16u·s. Here w is the support point found along d, and s = Σ (r_A +
 ///      r_B)|d|. See SeparationFilter.
-///  C2. Four points are a proof where four determinants are larger than 64uM³, M being the largest coordinate of the
-///      points. See ContainmentFilter. One of the points may be the difference of the means of the sets, which is known
-///      less well. Then the determinants have to be larger than 64uM³ + 8(n_A r_A + n_B r_B)uM², see error_of_mean().
+///  C2. Four points are a proof where four determinants are larger than 64uM³, M being their largest |coordinate|. Each
+///      is that of the origin and three of the points, positive where the origin lies inside. See ContainmentFilter. One
+///      of the points may be the difference of the means of the sets, which is known less well. Then the determinants
+///      have to be larger than 64uM³ + 8(n_A r_A + n_B r_B)uM², see error_of_mean().
 ///  C3. Each sign that the exact fallback goes by is that of the exact number. See exact_fallback.hpp.
 ///  C4. The exact fallback ends. |v|, the distance of the simplex from the origin, falls strictly. v depends only on
 ///      the feature that is kept, and there are finitely many features.
 ///  C5. Whatever the first search does, wrong rules included, costs time and never truth. Of it only points of the
 ///      difference and one direction with the support point found along it are taken. What they prove is looked at
-///      anew. Of a search that starts inside, the first vertex is no such point. It is one where the caller has given
-///      the means of the sets, which the sets know themselves.
+///      anew. Of a search that starts inside, the first vertex is not taken: nobody knows whether the caller's points lie
+///      inside. It is taken where they are the means of the sets.
 #pragma once
 
 #include <concepts>
@@ -65,8 +70,8 @@ concept AsksTheDifference = std::same_as<decltype(Rules::template difference<S>(
                                          MinkowskiDifference<S, PointSet<S>, PointSet<S>>>;
 
 /// Of a search that started inside. Returns: how far the components of the vertex that it started from may be off. It
-/// is 0 where that vertex is dropped. It is infinite where that vertex is not the difference of the means, and so has
-/// no name.
+/// is 0 where that vertex is dropped. It is infinite where that vertex is not the difference of the means, for
+/// which there is no IndexPair.
 template <class S>
 double error_of_start(const Simplex<S>& simplex, const PointSet<S>& a, const PointSet<S>& b) {
   for (const Vertex<S>& vertex : simplex) {

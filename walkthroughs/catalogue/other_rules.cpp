@@ -65,7 +65,7 @@ Walkthrough complete_beside_the_report() {
 /// Algorithm 1 goes on to process the simplex after it has found P·dir < 0, and what it finds there may overwrite the
 /// answer. Two unit balls ten apart are enough: the search finds the same point twice.
 Walkthrough as_printed_spheres() {
-  const Scene scene{.name = "the report", .a = {"disk a", Ball{{0, 0, 0}, 1}}, .b = {"disk b", Ball{{10, 0, 0}, 1}}};
+  const Scene scene{.name = "as meant", .a = {"disk a", Ball{{0, 0, 0}, 1}}, .b = {"disk b", Ball{{10, 0, 0}, 1}}};
   return until_they_part(
       by_rules(RuleSet::as_printed, "as printed", scene),
       search_of(
@@ -102,7 +102,7 @@ std::vector<Walkthrough> other_rules() {
           endless(cycling_together("cycle-intersecting"), "Together, and the search goes round in a circle",
                   "a pair that does intersect, which the report's limit would answer with \"no collision\"",
                   "at its limit Algorithm 1 answers \"no collision\""),
-          by_complete_rules(cycling_apart("complete/cycle-separated"), "Every region of A asked: the circle is broken",
+          by_complete_rules(cycling_apart("complete/cycle-separated"), "Every region of A asked: the cycle is broken",
                             "the pair of cycle-separated, by rules that keep the feature nearest to the origin"),
           by_complete_rules(cycling_together("complete/cycle-intersecting"),
                             "Together, found where the report's rules go round",

@@ -102,7 +102,7 @@ class Tally {
       std::cout << message_line(compared.files.name + ": note: " + note) << std::endl;
   }
 
-  /// Returns: "2 of 5 pictures differ (1 different, 1 missing)" or "5 pictures are the same, 1 of them within the tolerance".
+  /// Returns: "2 of 5 pictures fail: 1 different, 1 missing" or "5 pictures are the same, 1 of them within the tolerance".
   std::string summary() const {
     int all = 0, failed = 0;
     std::string kinds;
@@ -113,8 +113,7 @@ class Tally {
       kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + render::name(verdict);
     }
     const std::string pictures = std::to_string(all) + (all == 1 ? " picture" : " pictures");
-    if (failed > 0)
-      return std::to_string(failed) + " of " + pictures + (failed == 1 ? " differs (" : " differ (") + kinds + ")";
+    if (failed > 0) return std::to_string(failed) + " of " + pictures + (failed == 1 ? " fails: " : " fail: ") + kinds;
     const auto within = count_.find(render::Verdict::within_tolerance);
     return pictures + (all == 1 ? " is the same" : " are the same") +
            (within == count_.end() ? "" : ", " + std::to_string(within->second) + " of them within the tolerance");

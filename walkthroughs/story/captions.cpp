@@ -110,8 +110,10 @@ class Captions {
   void add_truth(Frame& frame, const gjk::Event<double>& event) const {
     if (scene_.mistake || &event != &telling_.trace.events.back()) return;
     const TruthTold told = truth_told(telling_.truth, scene_, answer_of(telling_.trace));
-    append_to(frame, told.sentence);
-    if (!told.sentence.empty()) frame.headline = frame.caption;
+    if (!told.predicate.empty()) {
+      append_to(frame, "in truth they " + told.predicate);
+      frame.headline = frame.caption;
+    }
     frame.facts.insert(frame.facts.begin() + 1, told.facts.begin(), told.facts.end());
   }
 
@@ -350,7 +352,7 @@ class Captions {
     const auto text = [&](const Point& w) { return names_.of(w) + "·d = " + number(event.direction.dot(w)); };
     if (telling_.hull.corners.empty())
       return text(event.vertex.w) +
-             (event.vertex.w.allFinite() && event.direction.allFinite() ? ", the largest of the difference" : "");
+             (event.vertex.w.allFinite() && event.direction.allFinite() ? ", the largest w·d of the difference" : "");
     std::vector<Point> others;
     for (const render::Vec2& corner : telling_.hull.corners)
       if (corner != event.vertex.w.head<2>()) others.emplace_back(corner.x(), corner.y(), 0);

@@ -111,16 +111,11 @@ const gjk::SignTaken<double>* of_the_farthest(const Moment& now) {
   return is_told ? &now.signs.back() : nullptr;
 }
 
-/// "a₀ − b₂, a₁ − b₂", by the places of the points in their sets.
-std::string pairs_in_words(const gjk::Certificate& certificate) {
-  const gjk::IndexPairs* pairs = nullptr;
-  if (const auto* feature = std::get_if<gjk::SeparatingFeature>(&certificate)) pairs = &feature->of;
-  if (const auto* simplex = std::get_if<gjk::CommonSimplex>(&certificate)) pairs = &simplex->of;
-  std::string text;
-  if (pairs)
-    for (const gjk::IndexPair pair : *pairs)
-      text += (text.empty() ? "a[" : ", a[") + std::to_string(pair.a) + "] − b[" + std::to_string(pair.b) + "]";
-  return text;
+/// Returns: the points of the difference that it names.
+gjk::IndexPairs pairs_of(const gjk::Certificate& certificate) {
+  if (const auto* feature = std::get_if<gjk::SeparatingFeature>(&certificate)) return feature->of;
+  if (const auto* simplex = std::get_if<gjk::CommonSimplex>(&certificate)) return simplex->of;
+  return {};
 }
 
 }  // namespace
@@ -195,7 +190,7 @@ std::optional<Frame> caption_of(const gjk::Certified<double>& event, const Names
                                            ": p·d < q·d for each point p of a and q of b"});
   else
     frame.facts.push_back({Mark::none, "the certificate is " + names.simplex(now.simplex) + ", of " +
-                                           pairs_in_words(result.certificate)});
+                                           joined(differences_told(pairs_of(result.certificate)), ", ")});
   if (!std::holds_alternative<gjk::SeparatingDirection>(result.certificate))
     frame.facts.push_back(
         {Mark::none,

@@ -32,8 +32,8 @@ std::string how_search_ended(const gjk::Result<double>& mistaken, const gjk::Res
   if (mistaken.status == gjk::Status::undecided)
     return (mistaken.cycle_start ? "It goes round for ever" : "It ends without an answer") +
            std::string(meet ? ", and Algorithm 1 then says no. " : ", which happens to do no harm. ") +
-           as_sentence("in truth " + in_truth(truth));
-  if (mistaken.status != truth) return "A wrong answer: in truth " + in_truth(truth);
+           as_sentence("in truth they " + in_truth(truth));
+  if (mistaken.status != truth) return "A wrong answer: in truth they " + in_truth(truth);
   return "The same answer, found " + std::string(mistaken.iterations > right.iterations ? "later" : "sooner") +
          ": that is why such a mistake passes tests";
 }

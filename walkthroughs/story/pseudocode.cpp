@@ -104,7 +104,7 @@ std::vector<CodeLine> algorithm_5() {
 std::vector<CodeLine> nearest_feature() {
   return {{0, "for each edge AX"},
           test(1, "if AX·AO > 0", {.relation = Relation::positive, .any_of_size = 2}),
-          test(2, "and AX_n·AO ≥ 0 in each face",
+          test(2, "and AX_n·AO ≥ 0, each face at AX",
                {.relation = Relation::not_negative, .any_of_size = 2, .in_any_face = true}),
           test(3, "if (AX×AO)×AX = 0", {.relation = Relation::zero, .any_of_size = 2}),
           {4, "the origin is on AX", Kind::action},
@@ -115,7 +115,7 @@ std::vector<CodeLine> nearest_feature() {
           {2, "the origin is A", Kind::action},
           test(1, "else", {.feature = "A", .relation = Relation::not_zero}),
           keep(2, "A", "AO"),
-          {0, "of a triangle"},
+          {0, "if it is a triangle"},
           test(1, "if ABCn·AO = 0", {.feature = "ABC", .relation = Relation::zero, .simplex_size = 3}),
           {2, "the origin is in ABC", Kind::action},
           test(1, "if ABCn·AO > 0", {.feature = "ABC", .relation = Relation::positive, .simplex_size = 3}),

@@ -156,10 +156,10 @@ struct Sentence {
   enum class Says { what_happens, both_go_on, one_goes_on } says = Says::what_happens;
 };
 
-/// Returns: " In truth they are apart."; empty where that is what the search answers.
+/// Returns: ", wrongly. In truth the objects are apart"; empty where that is what the search answers.
 std::string truth_beside(const Telling& telling) {
-  const std::string truth = truth_told(telling.truth, telling.scene, answer_of(telling.trace)).sentence;
-  return truth.empty() ? "" : " " + as_sentence(truth) + ".";
+  const std::string truth = truth_told(telling.truth, telling.scene, answer_of(telling.trace)).predicate;
+  return truth.empty() ? "" : ", wrongly. In truth the objects " + truth;
 }
 
 Sentence sentence_for(const Story& story, std::size_t i, std::size_t common, const std::optional<ToldMistake>& told) {
@@ -173,7 +173,7 @@ Sentence sentence_for(const Story& story, std::size_t i, std::size_t common, con
   for (const Telling& telling : story.tellings)
     if (ends_here(telling))
       return {"Here one run ends, in iteration " + std::to_string(iterations_of(telling)) + ": " + telling.scene.name +
-              "." + (told ? "" : truth_beside(telling))};
+              (told ? "" : truth_beside(telling)) + "."};
   const auto has_ended = [i](const Telling& telling) { return i >= telling.trace.events.size(); };
   if (std::ranges::none_of(story.tellings, has_ended)) return {"Both runs go on.", both_go_on};
   const Telling& going_on = story.tellings[has_ended(story.tellings[0]) ? 1 : 0];

@@ -65,18 +65,21 @@ std::string why_told(const Decided& decided, gjk::Status answer, Dimension dimen
   return "in truth a − b is nearest to the origin at v = " + vector(v, dimension) + ", " + length(v) + " away";
 }
 
-/// "a[0] − b[2], a[1] − b[2]", by the places of the points in their sets.
-std::string differences_told(const gjk::IndexPairs& pairs) {
-  return joined(pairs, ", ", [](const gjk::IndexPair& pair) {
-    return "a[" + std::to_string(pair.a) + "] − b[" + std::to_string(pair.b) + "]";
-  });
+/// "v lies between a[0] − b[2] and a[1] − b[2]": the certificate.
+std::string place_told(const Decided& decided, gjk::Status answer) {
+  const ExactVector v = vector_of(decided.point.v);
+  const std::string what = v.isZero() ? "the origin" : answer == gjk::Status::separated ? "v" : "the nearest point";
+  std::vector<std::string> differences = differences_told(decided.nearest);
+  const std::string last = std::move(differences.back());
+  differences.pop_back();
+  if (differences.empty()) return what + " is " + last;
+  const char* const where[] = {" lies between ", " lies in the triangle of ", " lies in the tetrahedron of "};
+  return what + where[differences.size() - 1] + joined(differences, ", ") + " and " + last;
 }
 
 }  // namespace
 
-std::string in_truth(gjk::Status answer) {
-  return answer == gjk::Status::intersecting ? "they intersect" : "they are apart";
-}
+std::string in_truth(gjk::Status answer) { return answer == gjk::Status::intersecting ? "intersect" : "are apart"; }
 
 TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) {
   TruthTold told;
@@ -87,15 +90,14 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
     note(as_sentence(clause) + ".");
   };
   if (is_otherwise(truth, shown)) {
-    const std::string in_truth_they =
-        in_truth(truth.answer.status) + (truth.by_rounded_turn ? ", by the matrix to which a turn was rounded" : "");
-    told.sentence = "in truth " + in_truth_they;
+    const std::string by_matrix = truth.by_rounded_turn ? ", by the matrix to which a turn was rounded" : "";
+    told.predicate = in_truth(truth.answer.status) + by_matrix;
     note((shown == gjk::Status::undecided ? "No answer"
                                           : as_sentence(searched(scene)) + ": " + words_for_answer(shown)) +
-         ". In truth: " + in_truth_they + ".");
+         ". In truth: " + words_for_answer(truth.answer.status) + by_matrix + ".");
     if (const std::optional<Decided> certificate = decided(truth.answer, scene)) {
-      tell(why_told(*certificate, truth.answer.status, scene.dimension) + ", by " +
-           differences_told(truth.answer.nearest));
+      tell(why_told(*certificate, truth.answer.status, scene.dimension));
+      tell(place_told(*certificate, truth.answer.status));
     }
     if ((scene.a_as_read || scene.b_as_read) && exact_answer(scene.a, scene.b).status != truth.answer.status)
       tell("this is the truth about the numbers as read: rounding them to floats has moved the objects");
@@ -107,7 +109,7 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
   if (truth.of_decimals == gjk::Status::undecided)
     tell_and_note("whether that is so of the decimals, too, is not known: they have too many digits");
   else if (truth.of_decimals)
-    tell_and_note("in decimals, the shortest that read the same, " + in_truth(*truth.of_decimals));
+    tell_and_note("in decimals, the shortest that read the same, they " + in_truth(*truth.of_decimals));
   if (truth.by_rounded_turn)
     tell_and_note("they are so near to contact that rounding the matrix of a turn may have decided");
   if (truth.exchanged)

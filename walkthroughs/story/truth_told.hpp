@@ -8,14 +8,14 @@
 
 namespace walkthroughs::story {
 
-/// Returns: "they intersect" or "they are apart". Requires: an answer.
+/// Returns: what they do: "intersect" or "are apart". Requires: an answer.
 std::string in_truth(gjk::Status answer);
 
 /// What there is to tell of a scene beside what its search answers. All of it is empty where there is nothing.
 struct TruthTold {
-  std::string sentence;     ///< "in truth they intersect"; empty where that is what the search answers
+  std::string predicate;    ///< what the objects do in truth: "intersect"; empty where the search answers that
   std::vector<Fact> facts;  ///< why, and what else is to tell
-  std::string note;         ///< without a picture: "In doubles: apart. In truth: they intersect."
+  std::string note;         ///< without a picture: "In doubles: apart. In truth: together."
 };
 
 /// Requires: that the search of `scene` has answered `shown`.

@@ -85,6 +85,13 @@ std::vector<std::pair<std::string, std::string>> reasons_for_skipping(
   return reasons;
 }
 
+std::vector<std::string> differences_told(const gjk::IndexPairs& pairs) {
+  std::vector<std::string> told;
+  for (const gjk::IndexPair pair : pairs)
+    told.push_back("a[" + std::to_string(pair.a) + "] − b[" + std::to_string(pair.b) + "]");
+  return told;
+}
+
 std::string with_brackets(const gjk::Expression& expression) {
   using Form = gjk::Expression::Form;
   if (expression.form != Form::triple) return to_string(expression);

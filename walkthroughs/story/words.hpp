@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/certificate.hpp"
 #include "core/event_words.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 #include "walkthroughs/model/moment.hpp"
@@ -51,6 +52,9 @@ std::string joined(const All& all, std::string_view between, const Say& say = {}
   for (const auto& each : all) text.append(text.empty() ? "" : between).append(std::invoke(say, each));
   return text;
 }
+
+/// Returns: "a[0] − b[2]" and the like, by the places of the points in their sets.
+std::vector<std::string> differences_told(const gjk::IndexPairs& pairs);
 
 /// What the vertices are called at one moment.
 class Names {
