@@ -306,36 +306,41 @@ struct Surrounded {
 };
 
 /// Expands a surface of points of the difference grown by `radius` toward the origin. It ends where
-///  - the surface goes around the origin farther than ε (C8),
+///  - the surface goes around the origin farther than ε (C8), and the difference itself is known to reach no farther than
+///    `shallow` along some direction,
 ///  - a direction separates (C7),
 ///  - nothing more is found.
 template <class Difference>
-auto surrounded(Difference& difference, typename Difference::N radius) -> Surrounded<typename Difference::N> {
+auto surrounded(Difference& difference, typename Difference::N radius,
+                typename Difference::N shallow = std::numeric_limits<typename Difference::N>::infinity())
+    -> Surrounded<typename Difference::N> {
   const auto corners = first_corners(difference, radius);
   if (!corners) return {};
   Surface surface(*corners);
+  bool is_origin = false;
   for (int i = 4; i < most_points && !difference.separation(); ++i) {
     const auto lowest = surface.lowest();
-    if (lowest.height > difference.error(radius) * (1 + 0x1p-20) && surface.goes_around_origin()) return {true, 0};
+    is_origin = is_origin || (lowest.height > difference.error(radius) * (1 + 0x1p-20) && surface.goes_around_origin());
+    if (is_origin && difference.least_reach() <= shallow) break;
     if (!lowest.normal.allFinite()) break;
     const auto w = difference.far_along(lowest.normal, radius);
     if (surface.side(lowest, w) <= 0) break;
     surface.add(w);
   }
-  return {false, surface.nearness()};
+  return {is_origin, is_origin ? 0 : surface.nearness()};
 }
 
-/// C9. Requires: neither apart nor together by what was found. Returns: a bound on the distance. On the way there they
-/// may be found apart, which ends it.
+/// C9. Requires: neither apart nor together by what was found. Returns: a bound on the distance and on the depth. On the
+/// way there they may be found apart, which ends it.
 ///
 /// Beside ε the bound has what the nearness itself is rounded by. That is the way to a point of a triangle, rounded by
-/// 9u|w| at most. It is no more than another ε.
+/// 9u|w| at most. It is no more than another ε. A flat difference is found to be shallow only while it is grown.
 template <class Difference>
-auto distance_at_most(Difference& difference, typename Difference::N nearness) {
+auto bound(Difference& difference, typename Difference::N nearness) {
   auto distance = std::min(nearness, difference.size()) + 2 * difference.error();
   for (auto radius = 4 * difference.error(); radius < distance && !difference.separation(); radius *= 4)
-    if (surrounded(difference, radius).is_origin) distance = radius;
-  return distance;
+    if (surrounded(difference, radius, 2 * radius).is_origin) distance = radius;
+  return std::max(distance, difference.least_reach());
 }
 
 }  // namespace detail
@@ -358,8 +363,7 @@ requires BoundedShape<A, S> && BoundedShape<B, S> ShapesResult certified_shapes(
   if (is_together)
     result.status = Status::intersecting;
   else if (!difference.separation())
-    result.gap =
-        difference.unscaled(std::max(detail::distance_at_most(difference, nearness), difference.least_reach()));
+    result.gap = difference.unscaled(detail::bound(difference, nearness));
   if (difference.separation()) result = {Status::separated, 0, 0, *difference.separation()};
   result.iterations = difference.times_asked();
   return result;

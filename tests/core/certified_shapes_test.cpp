@@ -230,6 +230,21 @@ TEST_CASE("C9: a flat difference has a bound, too, and the same point twice has 
   REQUIRE(same.gap < 1e-12);
 }
 
+TEST_CASE("C9: the bound of a flat difference is some ε, however thin that is", "[certified]") {
+  Dice dice(37);
+  const auto any = [&] { return V(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)); };
+  for (int i = 0; i < 500; ++i) {
+    const V p = any(), q = dice.between(-1.0, 1.0) * p + std::ldexp(1.0, -dice.between(0, 60)) * any();
+    const PointSet<double> a({p, -p}), b({q, -q});  // they cross at the origin
+    const Any any_a(a), any_b(b);
+    const detail::BoundedDifference<double, Any, Any> difference(any_a, any_b);
+    const ShapesResult result = said_of(a, b);
+    CAPTURE(i);
+    REQUIRE(result.status == undecided);
+    REQUIRE(result.gap <= 16 * difference.unscaled(difference.error()));
+  }
+}
+
 TEST_CASE(
     "C7: flat shapes in one plane are soon found apart, and no support function is asked along what is no direction",
     "[certified]") {

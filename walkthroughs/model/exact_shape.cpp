@@ -1,5 +1,6 @@
 #include "walkthroughs/model/exact_shape.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -58,14 +59,24 @@ AnyShapeOf<S> turned(const AnyShapeOf<S>& shape, const Turn<S>& turn) {
   return visit_shape(turn_one, shape);
 }
 
+/// Numbers of S, all lengths times `unit`.
+template <class S>
+struct Scaled {
+  S unit;
+
+  S length(double x) const { return static_cast<S>(x) * unit; }
+  gjk::Vec3<S> point(const Point& p) const { return p.cast<S>() * unit; }
+  gjk::Vec3<S> direction(const Point& d) const { return d.cast<S>(); }
+};
+
 /// An object where its pose puts it.
 template <class S>
 struct Placed {
   gjk::MinkowskiSum<S, Asked<S>, gjk::PointSet<S>> sum;
 
-  explicit Placed(const Object& object)
-      : sum(Asked<S>(turned(converted<S>(object.form, Cast<S>{}), Turn<S>(object.pose))),
-            gjk::PointSet<S>({object.pose.translation.cast<S>()})) {}
+  Placed(const Object& object, const Scaled<S>& scaled)
+      : sum(Asked<S>(turned(converted<S>(object.form, scaled), Turn<S>(object.pose))),
+            gjk::PointSet<S>({scaled.point(object.pose.translation)})) {}
 
   /// Beside that of the sum:
   ///  - Each number of the matrix of a quaternion is off by 10u, which moves a point x by 30u|x| at most.
@@ -81,15 +92,20 @@ struct Placed {
 };
 
 template <class S>
-gjk::ShapesResult answer_in(const Object& a, const Object& b) {
-  return gjk::certified_shapes<S>(Placed<S>(a), Placed<S>(b));
+gjk::ShapesResult answer_in(const Object& a, const Object& b, S unit = 1) {
+  return gjk::certified_shapes<S>(Placed<S>(a, {unit}), Placed<S>(b, {unit}));
 }
 
 }  // namespace
 
 gjk::ShapesResult bounded_answer(const Object& a, const Object& b) {
-  const gjk::ShapesResult quick = answer_in<double>(a, b);
-  return quick.status != gjk::Status::undecided ? quick : answer_in<long double>(a, b);
+  gjk::ShapesResult result = answer_in<double>(a, b);
+  if (result.status != gjk::Status::undecided) return result;
+  // Sums of the largest doubles are none. What a smaller unit loses of the least ones is nothing beside these.
+  const int exponent = std::isinf(result.gap) ? 32 : 0;
+  result = answer_in<long double>(a, b, std::scalbn(1.0L, -exponent));
+  result.gap = std::scalbn(result.gap, exponent);
+  return result;
 }
 
 namespace {

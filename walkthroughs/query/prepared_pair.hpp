@@ -17,6 +17,7 @@ template <class S>
 PreparedPair<S> prepared(PairAsWritten&& pair, const QueryOptions& query) {
   return {search_options<S>(pair, query), query_object<S>(std::move(pair.a)), query_object<S>(std::move(pair.b))};
 }
+extern template PreparedPair<gjk::Fraction> prepared(PairAsWritten&&, const QueryOptions&);  // much to compile
 
 /// Returns: what collision() does, by the rules and the zero test of the query. Made for float, double, long double and
 /// gjk::Fraction.

@@ -23,6 +23,8 @@ gjk::Result<S> searched(const PreparedPair<S>& pair, const QueryOptions& query) 
 template gjk::Result<float> searched(const PreparedPair<float>&, const QueryOptions&);
 template gjk::Result<double> searched(const PreparedPair<double>&, const QueryOptions&);
 template gjk::Result<long double> searched(const PreparedPair<long double>&, const QueryOptions&);
+template gjk::Result<gjk::Fraction> searched(const PreparedPair<gjk::Fraction>&, const QueryOptions&);
+template PreparedPair<gjk::Fraction> prepared(PairAsWritten&&, const QueryOptions&);
 
 namespace {
 

@@ -91,6 +91,25 @@ TEST_CASE("Numbers that only long doubles can be asked about are answered, too")
   CHECK(bounded_answer(huge, point_at({0, 0, 1})).status == Status::intersecting);
 }
 
+TEST_CASE("Cylinders whose sizes no double can add up are answered as small ones") {
+  const auto status = [](double unit, double away) {
+    const Object can{"can", Cylinder{{unit, unit, unit}, {1, 1, 0}, unit, 1.5 * unit}};
+    Object other{"other", Sum{{Cylinder{{-unit, unit, 0}, {0, 1, 1}, unit, unit}, Points{{0, 0, away * unit}}}}};
+    other.pose.translation = {unit, -unit, 0};
+    return bounded_answer(can, other).status;
+  };
+  for (const double unit : {1.0, 0x1p1022, 0x1p1023}) {
+    CAPTURE(unit);
+    CHECK(status(unit, 1) == Status::intersecting);
+    CHECK(status(unit, -1.9) == Status::separated);
+  }
+  const auto touching = [](double unit) {
+    return bounded_answer({"can", Cylinder{{unit, 0, 0}, {1, 1, 0}, 0, unit}}, point_at({unit, 0, 0}));
+  };
+  REQUIRE(touching(0x1p1023).status == Status::undecided);
+  CHECK(touching(0x1p1023).gap == std::ldexp(touching(1).gap, 1023));
+}
+
 TEST_CASE("Thin cylinders side by side are undecided only where rounding leaves it open") {
   // Three points of their difference lie so nearly in one line that doubles do not know the plane.
   const auto can = [](const Point& center, double radius, double height, const Point& translation) {
