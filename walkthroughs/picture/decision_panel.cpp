@@ -324,11 +324,12 @@ class DecisionPicture {
     arrow(up, normal, is_turned_over() ? Stroke{style_.theme.grey, style_.normal.width} : style_.normal);
   }
 
-  /// "P·d = 148 > 0, past O".
+  /// "P·d = 148 > 0, past O"; without the last words, which the caption has, where the letters are large.
   std::string product_with_d() const {
     const double value = shown_.now.crossing->value.value_or(0);
-    const char* const where = value > 0 ? " > 0, past O" : value < 0 ? " < 0, short of O" : ", at O";
-    return shown_.names.of(shown_.now.found->w) + "·d = " + number(value) + where;
+    const std::string sign = value > 0 ? " > 0" : value < 0 ? " < 0" : "";
+    const std::string where = value > 0 ? ", past O" : value < 0 ? ", short of O" : ", at O";
+    return shown_.names.of(shown_.now.found->w) + "·d = " + number(value) + sign + (style_.theme.text > 1 ? "" : where);
   }
 
   /// Eq. 9: whether the foot of P on the line of d lies past the origin.

@@ -342,7 +342,7 @@ void draw_difference(render::Canvas& canvas, const Place& place, const Shown& sh
     finish_with_inset(canvas, panel, inset_in(shown, place.frame, place.view), style,
                       [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
   }
-  if (shown.is_parting) canvas.outline(place.frame.grown(-3).corners(), style.parting);
+  if (shown.is_parting) canvas.outline(place.frame.grown(3).corners(), style.parting);
 }
 
 Box bounds_of_difference(const Stage& stage, const Lens& lens) {

@@ -141,6 +141,7 @@ void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
         at = other + Vec2(0, at.y() < other.y() ? -1 : 1) * least_between_names;
     named.push_back(at);
     canvas.text(at, names[axis], text);
+    panel_.keep_clear(canvas.ink_box(at, names[axis], text));
   }
 }
 

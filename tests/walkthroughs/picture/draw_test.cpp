@@ -15,6 +15,26 @@ using namespace walkthroughs::test;
 
 namespace {
 
+/// Returns: what of the text on a page is cut by its panel or the page, or stands over other text.
+std::vector<std::string> unreadable(const render::Canvas& canvas, const render::Size& page) {
+  constexpr double seen = 1;  // page units: so much of a letter is missed
+  std::vector<std::string> found;
+  render::Box clip{{0, 0}, {page.width, page.height}};
+  std::vector<std::pair<render::Box, std::string>> before;
+  for (const render::Shape& shape : canvas.shapes()) {
+    if (const auto* to = std::get_if<render::shape::Clip>(&shape)) clip = to->box;
+    const auto* const text = std::get_if<render::shape::Text>(&shape);
+    if (!text || text->text.empty()) continue;
+    const render::Box ink = canvas.ink_box(text->position, text->text, text->style), room = clip.grown(seen);
+    if ((ink.min.array() < room.min.array()).any() || (ink.max.array() > room.max.array()).any())
+      found.push_back("cut: " + text->text);
+    for (const auto& [box, other] : before)
+      if (box.grown(-seen).overlaps(ink.grown(-seen))) found.push_back(other + " under " + text->text);
+    before.emplace_back(ink, text->text);
+  }
+  return found;
+}
+
 bool is_in_space(const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0].dimension == Dimension::space; }
 
 }  // namespace
@@ -36,6 +56,7 @@ TEST_CASE(
       const int crowded = page.crowded();
       const bool is_exception = w.name == "regions/2-simplex-on-vertex" && i == 11;
       CHECK(crowded <= (is_in_space(w) ? 2 : is_exception ? 1 : 0));
+      CHECK(unreadable(page, frame_page) == std::vector<std::string>{});
       frames += is_in_space(w);
       with_a_crowded_label += is_in_space(w) && crowded > 0;
     }
@@ -66,6 +87,7 @@ TEST_CASE("At every scale of text all lines below the panels fit, and hardly a l
         draw_frame(page, story, i, look);
         const int crowded = page.crowded();
         CHECK(crowded <= (is_in_space(w) ? 3 : 1));
+        CHECK(unreadable(page, frame_page) == std::vector<std::string>{});
         with_crowded += crowded > 0 ? 1 : 0;
         ++frames;
       }
