@@ -23,14 +23,6 @@ KeyEntry key_beyond(const Shown& shown) {
   return key_of_out_of_reach(shown.lens.camera ? "supporting plane" : "out of reach", shown.style);
 }
 
-/// Of the view in space beside the plane pictures of a decision.
-std::vector<KeyEntry> key_beside(const Shown& shown) {
-  const std::vector<DecisionView> views = decision_views(shown.now, shown.focus);
-  if (shown.focus == Focus::crossing || views.empty() || shown.now.processed.size() < 3)
-    return {key_of_newest(shown.style)};
-  return key_of_origin(views, shown.style);
-}
-
 /// Returns: the origin, and everything that the search ever finds.
 std::vector<Point> found_by(const Telling& telling) {
   std::vector<Point> found = {Point::Zero()};
@@ -52,6 +44,46 @@ bool shows_gap(const Moment& now) {
   return now.result && now.result->separation;
 }
 
+bool is_in_simplex(const Moment& now, const Point& w) { return std::ranges::count(points_of(now.simplex), w) > 0; }
+
+/// Returns: the edges that GJK added and that are none of the simplex. They would hide the regions of a scene in space.
+std::vector<std::pair<Point, Point>> earlier_edges(const Shown& shown) {
+  std::vector<std::pair<Point, Point>> edges;
+  if (shown.lens.camera && shown.focus == Focus::region) return edges;
+  for (const auto& [from, to] : shown.now.segments)
+    if (!is_in_simplex(shown.now, from) || !is_in_simplex(shown.now, to)) edges.emplace_back(from, to);
+  return edges;
+}
+
+/// Whether it is shown where no point of the set can lie, because the support function has looked there.
+bool shows_beyond(const Shown& shown) {
+  const bool is_searching = shown.focus == Focus::support || shown.focus == Focus::crossing;
+  return shown.now.found && (is_searching || shows_gap(shown.now));
+}
+
+/// Returns: the triangle in space above or below which the origin is drawn; empty where it is a plus.
+gjk::Roles face_below_origin(const Shown& shown) {
+  return shown.lens.camera ? face_in_question(shown.now, shown.focus) : gjk::Roles();
+}
+
+/// Returns: what is seen. Beside plane pictures there is little room: what these have words for is left out.
+std::vector<KeyEntry> key(const Shown& shown) {
+  const Style& style = shown.style;
+  const Moment& now = shown.now;
+  std::vector<KeyEntry> key;
+  const gjk::Roles face = face_below_origin(shown);
+  if (!face.empty()) key = key_of_origin(height_of_origin(now, face), style);
+  const bool has_newest = now.found || now.simplex.size() > 0;
+  if (has_newest && (face.empty() || !shown.regions_beside)) key.push_back(key_of_newest(style));
+  if (!shown.regions_beside && now.simplex.size() > 1)
+    key.push_back(key_of_line("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex));
+  if (!shown.regions_beside && shows_beyond(shown)) key.push_back(key_beyond(shown));
+  if (!shown.regions_beside && shown.focus == Focus::region && now.processed.size() > 1)
+    key.push_back(key_of_skipped(style));
+  if (!earlier_edges(shown).empty()) key.push_back(key_of_line("earlier", style.former));
+  return key;
+}
+
 /// Draws a difference set, and what the search does in it.
 class DifferencePicture {
  public:
@@ -70,11 +102,10 @@ class DifferencePicture {
   void search(render::Canvas& canvas, const Box& frame) {
     const Focus focus = shown_.focus;
     const bool separated = shows_gap(now_);
-    const bool searching = focus == Focus::support || focus == Focus::crossing || separated;
     set();
     pencil_.triad(canvas, frame);  // behind the search, which it must not hide
     if (focus == Focus::region) draw_regions(pencil_, shown_);
-    if (now_.found && searching) beyond_found();
+    if (shows_beyond(shown_)) beyond_found();
     segments();
     if (focus == Focus::support || focus == Focus::direction || focus == Focus::repetition || separated) direction();
     if (focus == Focus::crossing) crossing();
@@ -146,7 +177,7 @@ class DifferencePicture {
   }
 
   void origin() {
-    const gjk::Roles face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : gjk::Roles();
+    const gjk::Roles face = face_below_origin(shown_);
     if (face.empty())
       panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
     else
@@ -183,9 +214,7 @@ class DifferencePicture {
   }
 
   void segments() {
-    const bool covers_regions = pencil_.in_space() && shown_.focus == Focus::region;
-    for (const auto& [from, to] : now_.segments)
-      if (!covers_regions && (!in_simplex(from) || !in_simplex(to))) pencil_.line(from, to, style_.former);
+    for (const auto& [from, to] : earlier_edges(shown_)) pencil_.line(from, to, style_.former);
     simplex();
     if (now_.found && !in_simplex(now_.found->w))
       for (const Point& corner : points_of(now_.simplex)) pencil_.line(corner, now_.found->w, style_.move);
@@ -287,7 +316,7 @@ class DifferencePicture {
     return unit * unit.dot(now_.found->w);
   }
 
-  bool in_simplex(const Point& w) const { return std::ranges::count(points_of(now_.simplex), w) > 0; }
+  bool in_simplex(const Point& w) const { return is_in_simplex(now_, w); }
 
   void ring(const Point& p, render::Color color) {
     panel_.circle(pencil_.at(p), style_.point_radius + 5, {color, 2.5});
@@ -303,7 +332,7 @@ class DifferencePicture {
 };
 
 /// Of a flat picture: around the origin, where it stands near an edge of the simplex or near what bounds the set along d.
-std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, const render::View& view) {
+std::optional<Inset> inset_in(const Shown& shown, const render::Box& room, const render::View& view) {
   const Moment& now = shown.now;
   if (shown.lens.camera) return std::nullopt;
   const Vec2 O = shown.lens(Point::Zero());
@@ -318,28 +347,18 @@ std::optional<Inset> inset_in(const Shown& shown, const render::Box& frame, cons
     asked = {{P, P + Vec2(-d.y(), d.x())}};
     shape.emplace_back(P, O);
   }
-  return inset_of(O, asked, shape, below_title(frame, shown.style), view, shown.telling.panels.close_up);
+  return inset_of(O, asked, shape, room, view, shown.telling.panels.close_up);
 }
 
 }  // namespace
 
 void draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
-  const Focus focus = shown.focus;
-  const bool looking = focus == Focus::support || focus == Focus::crossing;
-  const bool is_skipping = focus == Focus::region && shown.now.processed.size() > 1;
-  draw_panel_title(canvas, place.frame, place.title, style,
-                   shown.regions_beside
-                       ? key_beside(shown)
-                       : std::vector{key_of_newest(style),
-                                     key_of_line("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
-                                     looking       ? key_beyond(shown)
-                                     : is_skipping ? key_of_skipped(style)
-                                                   : key_of_line("earlier", style.former)});
+  const Box room = draw_panel_title(canvas, place.frame, place.title, style, key(shown));
   {
-    render::Panel panel(canvas, below_title(place.frame, style), place.view);
+    render::Panel panel(canvas, room, place.view);
     DifferencePicture(panel, shown).search(canvas, place.frame);
-    finish_with_inset(canvas, panel, inset_in(shown, place.frame, place.view), style,
+    finish_with_inset(canvas, panel, inset_in(shown, room, place.view), style,
                       [&shown](render::Panel& magnified) { DifferencePicture(magnified, shown).inset(); });
   }
   if (shown.is_parting) canvas.outline(place.frame.grown(3).corners(), style.parting);
@@ -366,8 +385,8 @@ Box bounds_of_move(const Moment& now, const Lens& lens) {
 }
 
 void draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
-  draw_panel_title(canvas, place.frame, place.title, shown.style, {key_of_newest(shown.style), key_beyond(shown)});
-  render::Panel panel(canvas, below_title(place.frame, shown.style), place.view);
+  const Box room = draw_panel_title(canvas, place.frame, place.title, shown.style, key(shown));
+  render::Panel panel(canvas, room, place.view);
   DifferencePicture(panel, shown).move();
   canvas.add_crowded(panel.place_labels(shown.style.smallest_label()));
 }

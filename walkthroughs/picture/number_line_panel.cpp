@@ -134,9 +134,9 @@ class NumberLinePicture {
 }  // namespace
 
 void draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
-  draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?", shown.style,
-                   key_of(line, shown.style));
-  NumberLinePicture(canvas, below_title(frame, shown.style), line, shown).draw();
+  const Box room = draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?",
+                                    shown.style, key_of(line, shown.style));
+  NumberLinePicture(canvas, room, line, shown).draw();
 }
 
 }  // namespace walkthroughs::picture

@@ -96,6 +96,46 @@ TEST_CASE("At every scale of text all lines below the panels fit, and hardly a l
   }
 }
 
+TEST_CASE("A key tells of earlier edges where some are drawn, and of the origin's side where it is drawn with one") {
+  render::Font font{render::Font::default_directory()};
+  const Style style(render::themes::report);
+  constexpr double columns = 347;  // the view in space stands at the left of it, plane pictures at the right
+  int with_earlier = 0, with_side = 0, frames = 0;
+  for (const char* name :
+       {"regions/3-simplex-face-acd-edge-ad", "regions/3-simplex-on-face", "complete/cycle-separated"}) {
+    const StagedStory story(tell(walkthrough(name)));
+    for (std::size_t i = 0; i < story.frames.size(); ++i, ++frames) {
+      INFO(name << ", frame " << i);
+      render::Canvas page(frame_page, frame_page, style.theme.paper, font);
+      draw_frame(page, story, i);
+      bool tells_earlier = false, shows_earlier = false;
+      std::vector<Vec2> rings, keys;  // of the origin
+      for (const render::Shape& shape : page.shapes()) {
+        if (const auto* text = std::get_if<render::shape::Text>(&shape)) {
+          tells_earlier = tells_earlier || text->text == "earlier";
+          if (text->text == "O above") keys.push_back(text->position);
+        }
+        if (const auto* ring = std::get_if<render::shape::Ring>(&shape); ring && ring->radius == 6)
+          rings.push_back(ring->center);
+        if (const auto* line = std::get_if<render::shape::Polyline>(&shape); line && line->corners.size() == 2) {
+          const bool is_dotted = line->stroke.dash.length == 3 && line->stroke.dash.gap == 7;
+          const bool is_in_key = line->corners[1] - line->corners[0] == Vec2(30, 0);
+          shows_earlier = shows_earlier || (is_dotted && !is_in_key);
+        }
+      }
+      CHECK(tells_earlier == shows_earlier);
+      for (const Vec2& key : keys)
+        CHECK(std::ranges::any_of(rings, [&](const Vec2& ring) {
+          return ring.y() > key.y() + 10 && (ring.x() < columns) == (key.x() < columns);
+        }));
+      with_earlier += tells_earlier ? 1 : 0;
+      with_side += keys.empty() ? 0 : 1;
+    }
+  }
+  CHECK((with_earlier > 10 && with_earlier < frames));
+  CHECK((with_side > 10 && with_side < frames));
+}
+
 TEST_CASE("The pictures in the README are those that the program draws, and small") {
   Studio studio;
   const auto check = [&](const char* name, render::Size size, render::Size page, const auto& draw) {
