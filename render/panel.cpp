@@ -254,7 +254,8 @@ bool Panel::holds(const Vec2& point, double margin) const {
 void Panel::label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap) {
   const Vec2 up_right = Vec2(1, -1).normalized();
   const Vec2 wanted = Vec2(toward.x(), -toward.y()).stableNormalized();
-  labels_.push_back({view_.page(anchor), wanted.isZero() ? up_right : wanted, std::move(text), centered(style), gap});
+  const TextStyle fitted = canvas_.fitted(text, centered(style), frame_.grown(-frame_margin).width());
+  labels_.push_back({view_.page(anchor), wanted.isZero() ? up_right : wanted, std::move(text), fitted, gap});
 }
 
 void Panel::label_on_its_side(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style) {
@@ -282,7 +283,8 @@ class Panel::Arrangement {
       label.style.size *= size;
       return label;
     };
-    for (const Label& label : panel.labels_) place(sized(label));
+    for (const Label& label : panel.labels_)
+      if (const Label now = sized(label); is_in_sight(now)) place(now);
     for (const AreaName& usual : panel.area_names_) {
       AreaName area = sized(usual);
       const bool fits = shorten(area, smallest / size);
@@ -379,6 +381,21 @@ class Panel::Arrangement {
 
   // A label is placed by the middle of its capitals: that keeps "p" and "p_1" on one line beside points of one height.
   Place best_place(const Label& label) const {
+    const Place best = best_place(label, Leave::allowed);
+    return is_whole(best) ? best : best_place(label, Leave::forbidden);
+  }
+
+  bool is_whole(const Place& place) const { return contains(panel_->frame_, place.box); }
+
+  /// Whether the anchor, or else the label beside it, is in the frame.
+  bool is_in_sight(const Label& label) const {
+    return contains(panel_->frame_, Box{label.anchor, label.anchor}) || is_whole(best_place(label, Leave::allowed));
+  }
+
+  /// Whether the places that are tried may leave the frame, or are moved into it.
+  enum class Leave { allowed, forbidden };
+
+  Place best_place(const Label& label, Leave leave) const {
     const double rise = panel_->canvas_.cap_height(label.style) / 2;  // of the middle above the baseline
     const Box ink = panel_->canvas_.ink_box(Vec2::Zero(), label.text, label.style);
     const Vec2 half(std::max(-ink.min.x(), ink.max.x()), std::max(rise, ink.max.y() + rise));
@@ -392,7 +409,8 @@ class Panel::Arrangement {
         if (astray >= least) continue;
         const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
         const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
-        const Vec2 baseline = middle + Vec2(0, rise);
+        const Vec2 beside = middle + Vec2(0, rise);
+        const Vec2 baseline = leave == Leave::allowed ? beside : beside + way_into_frame(moved(ink, beside));
         Place place{baseline, moved(ink, baseline)};
         place.leader = leader_of(label, place.box);
         const double cost = cost_of(place.box) + cost_of_leader(place.leader) + astray +
@@ -405,6 +423,13 @@ class Panel::Arrangement {
       }
     }
     return best;
+  }
+
+  /// Returns: by how much a box must be moved to be clear of the frame's border; its left end comes first.
+  Vec2 way_into_frame(const Box& box) const {
+    const Box within = panel_->frame_.grown(-frame_margin);
+    const Vec2 from_right = (within.max - box.max).cwiseMin(0);
+    return from_right + (within.min - box.min - from_right).cwiseMax(0);
   }
 
   bool is_nearer_elsewhere(const Label& label, const Box& box) const {

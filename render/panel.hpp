@@ -65,7 +65,8 @@ class Panel {
   /// Names the point `anchor`. The label stands near it, if possible on the side of `toward` (scene units, any length;
   /// of length 0: above and to the right). `style.align` is not used.
   /// `gap`: page units between label and anchor, if that place is free; the usual one clears a ring around a point. Where
-  /// only a place farther away is free, a thin line leads from there to the anchor.
+  /// only a place farther away is free, a thin line leads from there to the anchor. No label leaves the frame: one that is wider
+  /// is smaller than `style` says, and what lies outside has none where it would not be whole.
   void label(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style, double gap = 18);
   /// As label(), and rather on that side of each line on which the anchor is, where the line does not lead to it.
   void label_on_its_side(const Vec2& anchor, const Vec2& toward, std::string text, const TextStyle& style);

@@ -103,6 +103,22 @@ TEST_CASE_METHOD(Desk, "labels stay inside the frame") {
   }
 }
 
+TEST_CASE_METHOD(Desk, "labels stay inside the frame also where all places beside their points would leave it") {
+  for (const std::string& text : {std::string(15, 'H'), std::string(18, 'H'), std::string(80, 'H')})
+    for (const double x : {-14.0, -5.0, 0.0, 9.0})
+      for (const double y : {-12.0, 0.0, 12.0}) {
+        INFO(text << " at " << x << ", " << y);
+        CHECK(inside(frame.grown(-3), place({x, y}, {1, 1}, text)));
+      }
+}
+
+TEST_CASE_METHOD(Desk, "what lies outside of the frame has a name only where that is whole") {
+  const std::size_t before = vertices_of(canvas).size();
+  panel.label({100, 0}, {1, 0}, "far", style);
+  CHECK(panel.place_labels() == 0);
+  CHECK(vertices_of(canvas).size() == before);
+}
+
 TEST_CASE_METHOD(Desk, "labels without a free place are drawn all the same and counted, others are not") {
   panel.label({0, 0}, {1, 1}, "free", style);
   panel.label({-5, -5}, {1, 1}, "as well", style);

@@ -15,7 +15,7 @@ using gjk::Role;
 using render::Panel;
 using render::Vec2;
 
-constexpr double cell = 0.02;           // of the grid of origins, in scene units
+constexpr double cell = 0.02;           // of the grid of origins that are counted, in scene units
 constexpr double normal_length = 1.05;  // scene units; one that points to the viewer looks shorter
 constexpr double axis_length = 52;      // page units
 constexpr double margin = 20;           // page units around the tetrahedron
@@ -37,9 +37,6 @@ struct Sketch {
   render::Camera camera{
       -77, 13};  // in front of the face ACD and a little to the right, so that normals at its sides are seen
   Window window = figure_8_slice();
-  RegionGrid grid = ask_everywhere(simplex, window.with_margin(), cell);
-  std::vector<RegionGrid::Block> blocks = grid.blocks();
-  std::vector<AnsweredArea> areas = answered_areas(simplex, grid);
   std::vector<render::Face> faces = {face({Role::A, Role::B, Role::C}), face({Role::A, Role::C, Role::D}),
                                      face({Role::A, Role::D, Role::B}), face({Role::B, Role::D, Role::C})};
 
@@ -207,11 +204,12 @@ render::TextStyle edge_label(const Style& style) {
 int draw_slice(render::Canvas& canvas, const render::Box& box, const Style& style, const Sketch& sketch) {
   const render::Box room = draw_panel_title(canvas, box, "the slice at a third of the height, seen from above", style);
   Panel panel(canvas, room, render::View::fit(sketch.window.low, sketch.window.high, room, any_scale));
+  const RegionGrid grid = ask_all_over(panel, sketch.simplex, sketch.window.height);
   draw_blocks(
-      panel, sketch.blocks, [&](const std::string& answer) { return fill_of(answer, style); }, style.theme.paper);
+      panel, grid.blocks(), [&](const std::string& answer) { return fill_of(answer, style); }, style.theme.paper);
   for (const std::vector<HalfSpace>& region : sketch.ruled_out())
     draw_ruled_out(panel, common_part(panel.corners(), region, sketch.window.height), style);
-  for (const AnsweredArea& area : sketch.areas) {
+  for (const AnsweredArea& area : answered_areas(sketch.simplex, grid)) {
     const std::vector<Vec2> corners = common_part(panel.corners(), area.spaces, sketch.window.height);
     panel.outline(corners, {style.theme.grey, 1.5 * style.theme.line});
     const std::string name = short_name(area.name);
@@ -235,7 +233,8 @@ std::string share_of_nearest(const Sketch& sketch) {
     regions[feature] = region_beyond(sketch.simplex, feature);
   const std::vector<std::vector<HalfSpace>> ruled = sketch.ruled_out();
   std::size_t all = 0, nearest = 0;
-  for (const auto& [origin, answer] : sketch.grid.cells()) {
+  const RegionGrid grid = ask_everywhere(sketch.simplex, sketch.window, cell);
+  for (const auto& [origin, answer] : grid.cells()) {
     if (std::ranges::any_of(ruled, [&](const auto& region) { return lies_in(origin, region); })) continue;
     ++all;
     nearest += answer == "inside" || lies_in(origin, regions.at(answer.substr(0, answer.find(' '))));

@@ -14,7 +14,6 @@ using gjk::Role;
 using render::Panel;
 using render::Vec2;
 
-constexpr double cell = 0.022;           // of the grid of origins, in scene units
 constexpr double beyond_the_page = 100;  // scene units
 constexpr double any_scale = 1e9;
 
@@ -27,7 +26,6 @@ struct Sketch {
   Simplex simplex;
   Window window;
   std::string_view ruled_out;  ///< of the report's regions, before any is asked: their numbers
-  std::vector<RegionGrid::Block> blocks = ask_everywhere(simplex, window.with_margin(), cell).blocks();
 
   Vec2 at(Role role) const { return simplex.point(role).head<2>(); }
   /// Returns: of R1, R2, … what a panel shows.
@@ -50,7 +48,7 @@ void draw_answers(Panel& panel, const Sketch& sketch, const Areas& areas, const 
   const auto fill = [&](const std::string& answer) {
     return answer == "R1" ? style.chosen_fill : answer == "R3" ? style.object_a_fill : style.object_b_fill;
   };
-  draw_blocks(panel, sketch.blocks, fill, style.theme.paper);
+  draw_blocks(panel, ask_all_over(panel, sketch.simplex, sketch.window.height).blocks(), fill, style.theme.paper);
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (sketch.is_ruled_out(i)) draw_ruled_out(panel, areas[i], style);
 }

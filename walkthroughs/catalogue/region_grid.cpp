@@ -132,6 +132,11 @@ std::vector<HalfSpace> tested_half_spaces(const Answer& answer, const Simplex& s
 
 // -- The grid ---------------------------------------------------------------------------------------------------------
 
+Window window_of(const render::Panel& panel, double height) {
+  const render::Box shown = render::Box::around(panel.corners());
+  return {shown.min, shown.max, height};
+}
+
 RegionGrid::RegionGrid(const Window& window, int columns, int rows, const std::function<std::string(const Point&)>& ask)
     : window_(window), columns_(columns), rows_(rows) {
   const Vec2 size = window.high - window.low;
@@ -185,6 +190,11 @@ std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGri
 }
 
 // -- Drawing ----------------------------------------------------------------------------------------------------------
+
+RegionGrid ask_all_over(const render::Panel& panel, const Simplex& simplex, double height) {
+  constexpr double cell = 1.75;  // page units
+  return ask_everywhere(simplex, window_of(panel, height), cell / panel.view().scale());
+}
 
 void draw_blocks(render::Panel& panel, const std::vector<RegionGrid::Block>& blocks,
                  const std::function<render::Color(const std::string&)>& fill, render::Color paper) {

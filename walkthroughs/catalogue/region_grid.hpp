@@ -66,12 +66,10 @@ struct Window {
   double height = 0;
 
   std::vector<render::Vec2> corners() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
-  /// Returns: a larger one with the same middle, for pictures that are wider or higher than this one.
-  Window with_margin() const {
-    const render::Vec2 margin = (high - low) * 0.1;  // on each side
-    return {low - margin, high + margin, height};
-  }
 };
+
+/// Returns: what a panel shows of the plane z = `height`.
+Window window_of(const render::Panel& panel, double height);
 
 /// A text for each cell of a window: what holds at its middle.
 class RegionGrid {
@@ -118,6 +116,9 @@ struct AnsweredArea {
 std::vector<AnsweredArea> answered_areas(const Simplex& simplex, const RegionGrid& grid);
 
 // -- Drawing ----------------------------------------------------------------------------------------------------------
+
+/// Returns: the grid of the algorithm's answers all over a panel, in cells as small as can be seen.
+RegionGrid ask_all_over(const render::Panel& panel, const Simplex& simplex, double height);
 
 /// Fills the blocks with opaque colours: what `fill` looks like on `paper`.
 void draw_blocks(render::Panel& panel, const std::vector<RegionGrid::Block>& blocks,

@@ -11,6 +11,7 @@ namespace {
 using render::Vec2;
 
 constexpr double text_size = 17, least_text_size = 12, indent_width = 20, margin = 14, most_pitch = 26;
+constexpr double least_value_size = 11, gap_to_value = 8;
 constexpr double size_in_pitches = 0.8, space_below = 0.7;  // the last in lines
 
 /// The lines that are shown: all of them, or, where the letters are large, as many as there is room for around `middle`. The
@@ -52,9 +53,12 @@ class Listing {
     if (is_current) text.weight = render::Weight::bold;
     const std::string words = line_in_letters(number_, line, shown_.names);
     const double left = left_of(line.indent);
-    text = canvas_.fitted(words, text, room_.max.x() - 6 - left);
+    const auto* const test = test_of(line, shown_.now);
+    const double right =
+        room_.max.x() - (test ? margin + gap_to_value + canvas_.width(outcome(*test, false), text_) : 6);
+    text = canvas_.fitted(words, text, right - left);
     canvas_.text({left, baseline}, words, text);
-    if (const auto* test = test_of(line, shown_.now)) value(baseline, *test, left + canvas_.width(words, text));
+    if (test) value(baseline, *test, left + canvas_.width(words, text));
   }
 
   void left_out(std::size_t row, int indent) { canvas_.text({left_of(indent), baseline_of(row)}, "⋮", text_); }
@@ -72,15 +76,16 @@ class Listing {
     canvas_.polygon(arrow, style_.tested.color);
   }
 
-  /// At the right, smaller where there is less room.
+  /// At the right, smaller where there is less room. Where it could not be read then only the mark stands: the caption has it.
   void value(double baseline, const gjk::RegionTested<double>& test, double from) {
     render::TextStyle text = text_;
     text.weight = render::Weight::bold;
     text.align = render::Align::right;
     text.color = test.verdict == gjk::Verdict::rejected ? style_.theme.vermillion : style_.theme.green;
-    const std::string words = outcome(test, shown_.values);
-    const double right = room_.max.x() - margin;
-    canvas_.text({right, baseline}, words, canvas_.fitted(words, text, right - from - 8));
+    const double right = room_.max.x() - margin, room = right - from - gap_to_value;
+    std::string words = outcome(test, shown_.values);
+    if (canvas_.fitted(words, text, room).size < least_value_size) words = outcome(test, false);
+    canvas_.text({right, baseline}, words, canvas_.fitted(words, text, room));
   }
 
   render::Canvas& canvas_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "walkthroughs/picture/diagram_parts.hpp"
@@ -29,7 +30,7 @@ constexpr double most_margin = 0.32;                        // above and below, 
 constexpr double right_angle_side = 9, normal_length = 40;  // for which there is little room
 constexpr double narrow = 300, narrow_text = 0.8;           // a view that has no room for words
 constexpr double share_of_true_shape = 0.58;                // of the panel, where it decides
-constexpr double share_of_base = 0.34;                      // of what is left behind, below the faces of a tetrahedron
+constexpr double share_of_base = 0.31;                      // of what is left behind, below the faces of a tetrahedron
 constexpr double rounding = 1e-12;  // of a length: below that it is what a projection has rounded
 constexpr double dropped_arm = 9;   // of the cross through a vertex that leaves the simplex
 constexpr double deepest = 0.9;     // of the fourth vertex that is shown, in widths of the face
@@ -52,21 +53,24 @@ class DecisionPicture {
         shown_(shown),
         style_(shown.style),
         is_alone_(is_alone),
+        room_(below_title(frame, shown.style)),
         lens_{std::nullopt, view.plane} {
     bounds = bounds_now();
     stretch();
   }
 
   View fit() const {
-    const Box room = below_title(frame_, style_);
     const double across = frame_.width() < narrow ? narrow_margin : margin;
-    const double upright = std::min(margin_below(), most_margin * room.height());
-    return View::fit(bounds.min, bounds.max, room.grown(-Vec2(across, upright)));
+    const double upright = std::min(margin_below(), most_margin * room_.height());
+    return View::fit(bounds.min, bounds.max, room_.grown(-Vec2(across, upright)));
   }
 
+  /// Draws the title and the key, which leave less room where they take several lines.
+  void draw_head(render::Canvas& canvas) { room_ = draw_panel_title(canvas, frame_, title(), style_, key()); }
+
+  /// After the head.
   void draw(render::Canvas& canvas, const View& view) {
-    draw_panel_title(canvas, frame_, title(), style_, key());
-    render::Panel panel(canvas, below_title(frame_, style_), view);
+    render::Panel panel(canvas, room_, view);
     Pencil pencil(panel, lens_, style_, normal_length);
     switch (view_.kind) {
       case Kind::crossing: crossing(pencil); break;
@@ -165,7 +169,7 @@ class DecisionPicture {
       const double distance = seen.norm();
       if (distance > rounding * foot.norm()) around.nearest.push_back({seen, distance});
     }
-    return inset_of(around, below_title(frame_, style_), view, shown_.telling.panels.close_up, style_);
+    return inset_of(around, room_, view, shown_.telling.panels.close_up, style_);
   }
 
   void mark_origin(render::Panel& panel) {
@@ -176,12 +180,21 @@ class DecisionPicture {
   }
 
   std::vector<KeyEntry> key() const {
-    if (view_.is_left_behind()) return {key_of_skipped(style_)};
-    if (view_.kind == Kind::crossing)
-      return {key_of_line(shown_.names.of(shown_.now.found->w) + "·d / |d|", style_.projection),
-              key_of_out_of_reach("out of reach", style_)};
+    std::vector<KeyEntry> key;
+    if (view_.kind == Kind::crossing) {
+      if (lens_.plane.stretch.x() != 1)
+        key.push_back(key_of_stretch("along d", {1, 0}, lens_.plane.stretch.x(), style_));
+      key.push_back(key_of_line(shown_.names.of(shown_.now.found->w) + "·d / |d|", style_.projection));
+      key.push_back(key_of_out_of_reach("out of reach", style_));
+    }
+    if (view_.kind == Kind::edge_on && lens_.plane.stretch.y() != 1)
+      key.push_back(key_of_stretch("heights", {0, 1}, lens_.plane.stretch.y(), style_));
     const bool hatches = view_.kind == Kind::true_shape && !shown_.now.regions.empty();
-    return hatches ? std::vector{key_of_skipped(style_)} : std::vector<KeyEntry>{};
+    if (hatches) key.push_back(key_of_skipped(style_));
+    const bool has_no_key_in_space = face_in_question(shown_.now, shown_.focus).empty();  // there the origin is a plus
+    if (view_.kind == Kind::edge_on && has_no_key_in_space && frame_.width() >= narrow)
+      std::ranges::move(key_of_origin(view_.height, style_), std::back_inserter(key));
+    return key;
   }
 
   bool has_fourth() const { return view_.kind == Kind::edge_on && shown_.now.processed.size() == 4; }
@@ -189,18 +202,12 @@ class DecisionPicture {
   std::string title() const {
     const std::string face = shown_.names.sorted(view_.face);
     switch (view_.kind) {
-      case Kind::crossing:
-        return "plane of d and O" + shown_.names.of(shown_.now.found->w) + stretched(", ↔", lens_.plane.stretch.x());
+      case Kind::crossing: return "plane of d and O" + shown_.names.of(shown_.now.found->w);
       case Kind::segment: return "plane of " + face + " and O";
-      case Kind::true_shape: return face + " from above, in true shape";
-      case Kind::edge_on: {
-        const bool is_narrow = frame_.width() < narrow && !view_.is_left_behind();
-        return face +
-               (view_.is_left_behind() ? " edge-on: left behind"
-                : is_narrow            ? ""
-                                       : " edge-on") +
-               stretched(is_narrow ? ", ↕" : ", heights ↕", lens_.plane.stretch.y());
-      }
+      case Kind::true_shape: return face + (style_.theme.text > 1 ? " in true shape" : " from above, in true shape");
+      case Kind::edge_on:
+        if (view_.is_left_behind()) return face + " edge-on, hatched: left behind";
+        return frame_.width() < narrow ? face : face + " edge-on";
     }
     return "";
   }
@@ -211,10 +218,6 @@ class DecisionPicture {
     render::TextStyle text = style_.label(color, weight);
     if (frame_.width() < narrow) text.size *= narrow_text;
     return text;
-  }
-
-  static std::string stretched(const char* what, double factor) {
-    return factor == 1 ? "" : what + words_of_factor(factor);
   }
 
   void vertices(Pencil& pencil) {
@@ -345,11 +348,12 @@ class DecisionPicture {
     arrow(up, normal, is_turned_over() ? Stroke{style_.theme.grey, style_.normal.width} : style_.normal);
   }
 
-  /// "P·d = 148 > 0, past O".
+  /// "P·d = 148 > 0, past O"; without the last words, which the caption has, where the letters are large.
   std::string product_with_d() const {
     const double value = shown_.now.crossing->value.value_or(0);
-    const char* const where = value > 0 ? " > 0, past O" : value < 0 ? " < 0, short of O" : ", at O";
-    return shown_.names.of(shown_.now.found->w) + "·d = " + number(value) + where;
+    const std::string sign = value > 0 ? " > 0" : value < 0 ? " < 0" : "";
+    const std::string where = value > 0 ? ", past O" : value < 0 ? ", short of O" : ", at O";
+    return shown_.names.of(shown_.now.found->w) + "·d = " + number(value) + sign + (style_.theme.text > 1 ? "" : where);
   }
 
   /// Eq. 9: whether the foot of P on the line of d lies past the origin.
@@ -389,6 +393,7 @@ class DecisionPicture {
   const Shown& shown_;
   const Style& style_;
   const bool is_alone_;  ///< no other view stands above or below
+  Box room_;             ///< of the picture
   Lens lens_;
 };
 
@@ -406,7 +411,7 @@ void share_width(Box& one, Box& other) {
 }
 
 /// Returns: a place for each view.
-std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& views) {
+std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& views, const Style& style) {
   std::vector<Box> places;
   const bool below_each_other = are_below_each_other(views);
   const auto weight = [&](const DecisionView& view) {
@@ -414,8 +419,10 @@ std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& vi
     return &view == &views[1] ? share_of_true_shape : 1 - share_of_true_shape;
   };
   if (has_base(views)) {
-    const double top = frame.min.y() + (1 - share_of_base) * (frame.height() - gap);
-    places = places_of({frame.min, {frame.max.x(), top}}, {views.begin(), views.end() - 1});
+    const double title = below_title(frame, style).min.y() - frame.min.y();
+    const double share = share_of_base * std::max(1.0, style.theme.text);  // which larger names take
+    const double top = frame.max.y() - gap - title - share * (frame.height() - gap - 2 * title);
+    places = places_of({frame.min, {frame.max.x(), top}}, {views.begin(), views.end() - 1}, style);
     places.push_back({{frame.min.x(), top + gap}, frame.max});
     return places;
   }
@@ -434,11 +441,12 @@ std::vector<Box> places_of(const Box& frame, const std::vector<DecisionView>& vi
 
 void draw_decision(render::Canvas& canvas, const Box& frame, const std::vector<DecisionView>& views,
                    const Shown& shown) {
-  const std::vector<Box> places = places_of(frame, views);
+  const std::vector<Box> places = places_of(frame, views, shown.style);
   const bool below_each_other = are_below_each_other(views);
   std::vector<DecisionPicture> pictures;
   for (std::size_t i = 0; i < views.size(); ++i)
     pictures.emplace_back(places[i], views[i], shown, !below_each_other && !views[i].is_left_behind());
+  for (DecisionPicture& picture : pictures) picture.draw_head(canvas);
   if (below_each_other) share_width(pictures[0].bounds, pictures[1].bounds);
   double scale = std::numeric_limits<double>::infinity();
   for (const DecisionPicture& picture : pictures) scale = std::min(scale, picture.fit().scale());

@@ -24,14 +24,6 @@ KeyEntry key_beyond(const Shown& shown) {
   return key_of_out_of_reach(shown.lens.camera ? "supporting plane" : "out of reach", shown.style);
 }
 
-/// Of the view in space beside the plane pictures of a decision.
-std::vector<KeyEntry> key_beside(const Shown& shown) {
-  const std::vector<DecisionView> views = decision_views(shown.now, shown.focus);
-  if (shown.focus == Focus::crossing || views.empty() || shown.now.processed.size() < 3)
-    return {key_of_newest(shown.style)};
-  return key_of_origin(views, shown.style);
-}
-
 /// Returns: the origin, and everything that the search ever finds.
 std::vector<Point> found_by(const Telling& telling) {
   std::vector<Point> found = {Point::Zero()};
@@ -86,6 +78,40 @@ std::vector<Point> feet_nearby(const Shown& shown) {
           feet.push_back(foot);
   if (shows_supporting_line(shown)) feet.push_back(foot_of_supporting_line(shown.now));
   return feet;
+}
+
+bool is_in_simplex(const Moment& now, const Point& w) { return std::ranges::count(points_of(now.simplex), w) > 0; }
+
+/// Returns: the edges that GJK added and that are none of the simplex. They would hide the regions of a scene in space.
+std::vector<std::pair<Point, Point>> earlier_edges(const Shown& shown) {
+  std::vector<std::pair<Point, Point>> edges;
+  if (shown.lens.camera && shown.focus == Focus::region) return edges;
+  for (const auto& [from, to] : shown.now.segments)
+    if (!is_in_simplex(shown.now, from) || !is_in_simplex(shown.now, to)) edges.emplace_back(from, to);
+  return edges;
+}
+
+/// Returns: the triangle in space above or below which the origin is drawn; empty where it is a plus.
+gjk::Roles face_below_origin(const Shown& shown) {
+  return shown.lens.camera ? face_in_question(shown.now, shown.focus) : gjk::Roles();
+}
+
+/// Returns: what is seen. Beside plane pictures there is little room: what these have words for is left out.
+std::vector<KeyEntry> key(const Shown& shown) {
+  const Style& style = shown.style;
+  const Moment& now = shown.now;
+  std::vector<KeyEntry> key;
+  const gjk::Roles face = face_below_origin(shown);
+  if (!face.empty()) key = key_of_origin(height_of_origin(now, face), style);
+  const bool has_newest = now.found || now.simplex.size() > 0;
+  if (has_newest && (face.empty() || !shown.regions_beside)) key.push_back(key_of_newest(style));
+  if (!shown.regions_beside && now.simplex.size() > 1)
+    key.push_back(key_of_line("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex));
+  if (!shown.regions_beside && shows_supporting_line(shown)) key.push_back(key_beyond(shown));
+  if (!shown.regions_beside && shown.focus == Focus::region && now.processed.size() > 1)
+    key.push_back(key_of_skipped(style));
+  if (!earlier_edges(shown).empty()) key.push_back(key_of_line("earlier", style.former));
+  return key;
 }
 
 /// Draws a difference set, and what the search does in it.
@@ -180,7 +206,7 @@ class DifferencePicture {
   }
 
   void origin() {
-    const gjk::Roles face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : gjk::Roles();
+    const gjk::Roles face = face_below_origin(shown_);
     if (face.empty())
       panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
     else
@@ -218,9 +244,7 @@ class DifferencePicture {
   }
 
   void segments() {
-    const bool covers_regions = pencil_.in_space() && shown_.focus == Focus::region;
-    for (const auto& [from, to] : now_.segments)
-      if (!covers_regions && (!in_simplex(from) || !in_simplex(to))) pencil_.line(from, to, style_.former);
+    for (const auto& [from, to] : earlier_edges(shown_)) pencil_.line(from, to, style_.former);
     simplex();
     if (now_.found && !in_simplex(now_.found->w))
       for (const Point& corner : points_of(now_.simplex)) pencil_.line(corner, now_.found->w, style_.move);
@@ -346,7 +370,7 @@ class DifferencePicture {
   /// The sign of w·d tells on which side of the origin.
   Point projection() const { return foot_of_supporting_line(now_); }
 
-  bool in_simplex(const Point& w) const { return std::ranges::count(points_of(now_.simplex), w) > 0; }
+  bool in_simplex(const Point& w) const { return is_in_simplex(now_, w); }
 
   void ring(const Point& p, render::Color color) {
     if (pencil_.holds(p)) panel_.circle(pencil_.at(p), style_.point_radius + 5, {color, 2.5});
@@ -406,29 +430,19 @@ Surroundings around_origin(const Shown& shown, const render::View& view) {
 
 void draw_difference(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
-  const Focus focus = shown.focus;
-  const bool looking = focus == Focus::support || focus == Focus::crossing;
-  const bool is_skipping = focus == Focus::region && shown.now.processed.size() > 1;
-  draw_panel_title(canvas, place.frame, place.title, style,
-                   shown.regions_beside
-                       ? key_beside(shown)
-                       : std::vector{key_of_newest(style),
-                                     key_of_line("simplex", shown.lens.camera ? solid(style.simplex) : style.simplex),
-                                     looking       ? key_beyond(shown)
-                                     : is_skipping ? key_of_skipped(style)
-                                                   : key_of_line("earlier", style.former)});
+  const Box room = draw_panel_title(canvas, place.frame, place.title, style, key(shown));
   {
-    render::Panel panel(canvas, below_title(place.frame, style), place.view);
+    render::Panel panel(canvas, room, place.view);
     DifferencePicture(panel, shown).search(canvas, place.frame);
-    const std::optional<Inset> inset = inset_of(around_origin(shown, place.view), below_title(place.frame, style),
-                                                place.view, shown.telling.panels.close_up, style);
+    const std::optional<Inset> inset =
+        inset_of(around_origin(shown, place.view), room, place.view, shown.telling.panels.close_up, style);
     finish_with_inset(canvas, panel, Vec2::Zero(), inset, style, [&shown](render::Panel& magnified) {
       const Style small = style_of_inset(shown.style);
       const Shown inside = shown.in(small);
       DifferencePicture(magnified, inside).inset();
     });
   }
-  if (shown.is_parting) canvas.outline(place.frame.grown(-3).corners(), style.parting);
+  if (shown.is_parting) canvas.outline(place.frame.grown(3).corners(), style.parting);
 }
 
 Box bounds_of_difference(const Stage& stage, const Lens& lens) {
@@ -452,8 +466,8 @@ Box bounds_of_move(const Moment& now, const Lens& lens) {
 }
 
 void draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
-  draw_panel_title(canvas, place.frame, place.title, shown.style, {key_of_newest(shown.style), key_beyond(shown)});
-  render::Panel panel(canvas, below_title(place.frame, shown.style), place.view);
+  const Box room = draw_panel_title(canvas, place.frame, place.title, shown.style, key(shown));
+  render::Panel panel(canvas, room, place.view);
   DifferencePicture(panel, shown).move();
   canvas.add_crowded(panel.place_labels(shown.style.smallest_label()));
 }

@@ -143,12 +143,6 @@ void draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vec
   draw_decision(canvas, boxes.difference, views, what);
 }
 
-/// Short where the letters are large: the key stands beside it.
-std::string title_of_difference(bool is_close_up, const Style& style) {
-  if (style.theme.text > 1) return is_close_up ? "close up" : "a − b";
-  return is_close_up ? "a − b, close up" : "difference a − b";
-}
-
 /// The difference, and where asked for the objects.
 void draw_whole_set(Canvas& canvas, const Columns& boxes, const Shown& what) {
   const Box room = below_title(boxes.difference, what.style).grown(-difference_margin);
@@ -163,8 +157,8 @@ void draw_whole_set(Canvas& canvas, const Columns& boxes, const Shown& what) {
     }
     draw_objects(canvas, {*boxes.objects, "", left}, what);
   }
-  const std::string title = title_of_difference(near.has_value(), what.style);
-  draw_difference(canvas, {boxes.difference, title, near.value_or(whole)}, what);
+  draw_difference(canvas, {boxes.difference, near ? "a − b, close up" : "difference a − b", near.value_or(whole)},
+                  what);
 }
 
 void draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {

@@ -12,7 +12,8 @@ using render::Vec2;
 
 // Page units.
 constexpr double margin = 26, top_margin = 12, below_zero = 44, zero_below = 24, row_of_words = 34, most_row = 130;
-constexpr double note_pitch = 1.3;  // in sizes of the note
+constexpr double note_pitch = 1.3;    // in sizes of the note
+constexpr double size_in_rows = 0.7;  // of a number's name, at most
 constexpr double radius = 8, half_diamond = 10, tick = 16;
 constexpr double room_at_ends = 0.1;  // of the line, beyond its outermost number
 constexpr double least_band = 2;      // a narrower one is drawn so wide
@@ -58,12 +59,13 @@ class NumberLinePicture {
   NumberLinePicture(render::Canvas& canvas, const Box& inner, const NumberLine& line, const Shown& shown)
       : canvas_(canvas), line_(line), shown_(shown), style_(shown.style), note_(style_.fact) {
     note_.color = style_.support_line.color;
-    const double width = inner.width() - 2 * margin;
-    if (shown.values) note_lines_ = render::wrap(canvas, line.meaning, note_, width);
-    const double below = below_zero + note_pitch * note_.size * static_cast<double>(note_lines_.size());
-    room_ = {inner.min + Vec2(margin, top_margin), inner.max - Vec2(margin, below)};
     const double rows = static_cast<double>(line.numbers.size());
-    pitch_ = std::min(most_row, room_.height() / rows);
+    do {  // larger text than usual leaves room for the numbers
+      if (shown.values) note_lines_ = render::wrap(canvas, line.meaning, note_, inner.width() - 2 * margin);
+      const double below = below_zero + note_pitch * note_.size * static_cast<double>(note_lines_.size());
+      room_ = {inner.min + Vec2(margin, top_margin), inner.max - Vec2(margin, below)};
+      pitch_ = std::min(most_row, room_.height() / rows);
+    } while (bold().size < style_.label(style_.theme.ink).size && --note_.size > style_.fact.size / style_.theme.text);
     top_ = room_.center().y() - pitch_ * rows / 2;
     bottom_ = top_ + pitch_ * rows;
   }
@@ -85,7 +87,11 @@ class NumberLinePicture {
   }
 
  private:
-  render::TextStyle bold() const { return style_.label(style_.theme.ink, render::Weight::bold); }
+  render::TextStyle bold() const {
+    render::TextStyle text = style_.label(style_.theme.ink, render::Weight::bold);
+    text.size = std::min(text.size, size_in_rows * pitch_);
+    return text;
+  }
 
   /// What rounding may have made. A narrower one than can be seen is a line.
   void band(double low, double high) const {
@@ -128,9 +134,9 @@ class NumberLinePicture {
 }  // namespace
 
 void draw_number_line(render::Canvas& canvas, const Box& frame, const NumberLine& line, const Shown& shown) {
-  draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?", shown.style,
-                   key_of(line, shown.style));
-  NumberLinePicture(canvas, below_title(frame, shown.style), line, shown).draw();
+  const Box room = draw_panel_title(canvas, frame, shown.focus == Focus::proof ? "is it a proof?" : "which sign?",
+                                    shown.style, key_of(line, shown.style));
+  NumberLinePicture(canvas, room, line, shown).draw();
 }
 
 }  // namespace walkthroughs::picture

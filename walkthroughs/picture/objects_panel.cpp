@@ -58,10 +58,10 @@ render::Box bounds_of_objects(const Stage& stage, const Lens& lens) {
 void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Style& style = shown.style;
   const Scene& scene = shown.telling.scene;
-  draw_panel_title(canvas, place.frame, place.title, style,
-                   {swatch(literal(scene.a.name), style.object_a_fill, style.object_a),
-                    swatch(literal(scene.b.name), style.object_b_fill, style.object_b)});
-  render::Panel panel(canvas, below_title(place.frame, style), place.view);
+  const render::Box room = draw_panel_title(canvas, place.frame, place.title, style,
+                                            {swatch(literal(scene.a.name), style.object_a_fill, style.object_a),
+                                             swatch(literal(scene.b.name), style.object_b_fill, style.object_b)});
+  render::Panel panel(canvas, room, place.view);
   Pencil pencil(panel, shown.lens, style);
   const Placing& placing = shown.stage.placing;
   if (!pencil.in_space()) panel.grid(placing.scale, style.grid, pencil.at(Point(-placing.center * placing.scale)));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "walkthroughs/picture/inset.hpp"
+
 namespace walkthroughs::picture {
 namespace {
 
@@ -11,12 +13,10 @@ using render::Vec2;
 constexpr double origin_radius = 7, in_plane_radius = 3;  // page units
 
 constexpr double above_title = 8, below_title_line = 10, margin = 14;
-constexpr double usual_size = 18;
-constexpr double least_key_size = 11, shortened_key_size = 15;
+constexpr double least_size = 15, least_share = 2.0 / 3;  // of letters that get smaller for want of room: of the usual
+constexpr double line_pitch = 1.35;                       // of a key below its title, in sizes of the letters
+constexpr double before_sign = 10, behind_sign = 7, middle_of_sign = 6;  // the last above the baseline
 constexpr const char* ellipsis = "…";
-constexpr double key_pitch = 48,
-                 sign_to_words = 21;  // a sign with the space around it, and how far from its middle words begin
-constexpr double beside_sign = 7;     // the space around it where text is larger, which takes the rest
 
 /// Returns: `text` without its last character, "…" in its place: "cube" becomes "cub…", and that "cu…".
 std::string shorter(std::string text) {
@@ -30,63 +30,81 @@ std::string shorter(std::string text) {
   return text + ellipsis;
 }
 
-bool is_larger(const Style& style) { return style.theme.text > 1; }
-
-double pitch_of(const KeyEntry& entry, const Style& style) {
-  return is_larger(style) ? 2 * (entry.half_width + beside_sign) : key_pitch;
+std::string shortened(render::Canvas& canvas, std::string text, const render::TextStyle& how, double room) {
+  while (canvas.width(text, how) > room && text != ellipsis) text = shorter(text);
+  return text;
 }
 
-double width_of(render::Canvas& canvas, const std::vector<KeyEntry>& key, const render::TextStyle& text,
-                const Style& style) {
-  return std::accumulate(key.begin(), key.end(), 0.0, [&](double sum, const KeyEntry& entry) {
-    return sum + pitch_of(entry, style) + canvas.width(entry.text, text);
-  });
-}
+/// The letters of a title and its key, and the lines of the key, from the top.
+struct Head {
+  Head(render::Canvas& on, double room, const std::string& title, const std::vector<KeyEntry>& key, const Style& style)
+      : canvas(on), title_text(style.panel_title), key_text(style.panel_title) {
+    const double usual = style.panel_title.size, least = std::min(usual, std::max(least_size, least_share * usual));
+    const auto is_beside = [&](double size) {
+      key_text.size = size;
+      return canvas.width(title, key_text) + width_of(key) <= room;
+    };
+    const auto larger_that_fits = [&](const auto& fits) {
+      double size = usual;
+      while (size > least && !fits(size)) size = std::max(least, size - 1);
+      return size;
+    };
+    begins_below = !is_beside(larger_that_fits(is_beside)) && !title.empty();
+    if (!begins_below) title_text.size = key_text.size;
+    title_text.size = std::max(least, canvas.fitted(title, title_text, room).size);
+    words = shortened(canvas, title, title_text, room);
+    if (is_beside(key_text.size)) {
+      if (!key.empty()) lines = {key};
+      return;
+    }
+    larger_that_fits([&](double size) {
+      key_text.size = size;
+      return width_of(key) - before_sign <= room;
+    });
+    wrap(key, room);
+  }
 
-/// Returns: how title and key are lettered: where they do not fit beside each other smaller than the style says, but not
-/// smaller than usual, unless the title alone would not fit.
-render::TextStyle lettering(render::Canvas& canvas, double room, const std::string& title,
-                            const std::vector<KeyEntry>& key, const Style& style) {
-  render::TextStyle text = style.panel_title;
-  while (text.size > usual_size && canvas.width(title, text) + width_of(canvas, key, text, style) > room)
-    text.size = std::max(usual_size, text.size - 1);
-  return canvas.fitted(title, text, room);
-}
+  double width_of(const KeyEntry& entry) const {
+    return before_sign + 2 * entry.half_width + behind_sign + canvas.width(entry.text, key_text);
+  }
+  double width_of(const std::vector<KeyEntry>& line) const {
+    return std::accumulate(line.begin(), line.end(), 0.0,
+                           [&](double sum, const KeyEntry& entry) { return sum + width_of(entry); });
+  }
+  double pitch() const { return line_pitch * key_text.size; }
+  /// Returns: how much higher all this is than one line.
+  double added_height() const {
+    const double below = static_cast<double>(lines.size()) - (begins_below ? 0 : 1);
+    return std::max(0.0, below) * pitch();
+  }
 
-/// Returns: whether the key would be too small beside the title.
-bool gives_way(render::Canvas& canvas, double room, const std::string& title, const std::vector<KeyEntry>& key,
-               const Style& style) {
-  render::TextStyle text = style.panel_title;
-  text.size = shortened_key_size;
-  return is_larger(style) && !key.empty() && canvas.width(title, text) + width_of(canvas, key, text, style) > room;
-}
+  render::Canvas& canvas;
+  render::TextStyle title_text, key_text;
+  std::string words;          ///< of the title
+  bool begins_below = false;  ///< whether the key begins below the title
+  std::vector<std::vector<KeyEntry>> lines;
 
-/// Draws the entries at the right end of `room`, in smaller letters where they would not fit; where they do not fit then,
-/// those of a user's words shortened, of others as many as fit.
-void draw_key(render::Canvas& canvas, render::Interval room, double baseline, std::vector<KeyEntry> key,
-              render::TextStyle text, const Style& style) {
-  const auto width = [&](const KeyEntry& entry) { return pitch_of(entry, style) + canvas.width(entry.text, text); };
-  const auto needed = [&] { return width_of(canvas, key, text, style); };
-  while (text.size > least_key_size && needed() > room.to - room.from) text.size -= 1;
-  const bool may_be_shortened = !key.empty() && std::ranges::all_of(key, &KeyEntry::may_be_shortened);
-  if (may_be_shortened && needed() > room.to - room.from) {
-    text.size = shortened_key_size;
-    while (needed() > room.to - room.from) {
-      KeyEntry& widest = *std::ranges::max_element(key, {}, width);
-      if (widest.text == ellipsis) break;
-      widest.text = shorter(widest.text);
+ private:
+  /// As many entries in a line as fit. One that alone is too wide is shortened where it is a name, else all get smaller.
+  void wrap(const std::vector<KeyEntry>& key, double room) {
+    const auto room_of_words = [&](const KeyEntry& entry) { return room - 2 * entry.half_width - behind_sign; };
+    for (const KeyEntry& entry : key)
+      if (!entry.may_be_shortened) key_text = canvas.fitted(entry.text, key_text, room_of_words(entry));
+    for (KeyEntry entry : key) {
+      if (entry.may_be_shortened) entry.text = shortened(canvas, entry.text, key_text, room_of_words(entry));
+      if (lines.empty() || width_of(lines.back()) + width_of(entry) - before_sign > room) lines.emplace_back();
+      lines.back().push_back(entry);
     }
   }
-  std::size_t fitting = 0;
-  for (double end = room.from; fitting < key.size(); ++fitting)
-    if ((end += width(key[fitting])) > room.to) break;
-  double right = room.to;
-  for (std::size_t i = fitting; i-- > 0;) {
-    const double left = right - width(key[i]), words = left + pitch_of(key[i], style);
-    canvas.text({words, baseline}, key[i].text, text);
-    key[i].draw(canvas, {words - (is_larger(style) ? key[i].half_width + beside_sign : sign_to_words),
-                         baseline - std::max(usual_size, text.size) / 3});
-    right = left;
+};
+
+/// Draws one line of the key from `left`, where the space before its first sign begins.
+void draw_line_of_key(const Head& head, const std::vector<KeyEntry>& line, Vec2 at) {
+  for (const KeyEntry& entry : line) {
+    const double middle = at.x() + before_sign + entry.half_width;
+    entry.draw(head.canvas, {middle, at.y() - std::max(middle_of_sign, head.key_text.size / 3)});
+    head.canvas.text({middle + entry.half_width + behind_sign, at.y()}, entry.text, head.key_text);
+    at.x() += head.width_of(entry);
   }
 }
 
@@ -98,15 +116,19 @@ render::Box below_title(const render::Box& frame, const Style& style) {
 
 render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                              const Style& style, const std::vector<KeyEntry>& key) {
-  canvas.outline(frame.corners(), style.frame);
-  const render::Box room = below_title(frame, style);
-  canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
-  const double baseline = frame.min.y() + above_title + style.panel_title.size;
   const double left = frame.min.x() + margin, right = frame.max.x() - margin;
-  const std::string beside = gives_way(canvas, right - left, title, key, style) ? "" : title;
-  const render::TextStyle text = lettering(canvas, right - left, beside, key, style);
-  if (!beside.empty()) canvas.text({left, baseline}, beside, text);
-  draw_key(canvas, {left + canvas.width(beside, text), right}, baseline, key, text, style);
+  const Head head(canvas, right - left, title, key, style);
+  canvas.outline(frame.corners(), style.frame);
+  const render::Box room{below_title(frame, style).min + Vec2(0, head.added_height()), frame.max};
+  canvas.line(room.min, {room.max.x(), room.min.y()}, style.frame);
+  Vec2 at(left, frame.min.y() + above_title + style.panel_title.size);
+  canvas.text(at, head.words, head.title_text);
+  if (head.begins_below) at.y() += head.pitch();
+  for (const std::vector<KeyEntry>& line : head.lines) {
+    const bool is_at_the_right = head.lines.size() == 1 && !head.begins_below;
+    draw_line_of_key(head, line, {is_at_the_right ? right - head.width_of(line) : left - before_sign, at.y()});
+    at.y() += head.pitch();
+  }
   return room;
 }
 
@@ -142,7 +164,17 @@ KeyEntry key_of_skipped(const Style& style) {
           19};
 }
 
-std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, const Style& style) {
+KeyEntry key_of_stretch(const std::string& what, const Vec2& way, double factor, const Style& style) {
+  const double half_length = 8, half_width = 4;
+  return {what + " " + words_of_factor(factor),
+          [=, &style](render::Canvas& canvas, const Vec2& at) {
+            for (const double side : {-half_length, half_length})
+              canvas.arrow(at, at + side * way, {style.theme.grey, 1.3 * style.theme.line});
+          },
+          way.x() != 0 ? half_length : half_width};
+}
+
+std::vector<KeyEntry> key_of_origin(double height, const Style& style) {
   const auto entry = [&style](const char* words, double inner) {
     return KeyEntry{words,
                     [&style, inner](render::Canvas& canvas, const Vec2& at) {
@@ -151,11 +183,8 @@ std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, cons
                     },
                     origin_radius};
   };
-  if (std::ranges::any_of(views, [](const DecisionView& view) { return view.height == 0; }))
-    return {entry("above", origin_radius), entry("in it", in_plane_radius), entry("below", 0)};
-  if (style.theme.text > 1)
-    return {entry("above", origin_radius), entry("below", 0)};  // what its letters have room for
-  return {entry("O above", origin_radius), entry("O below", 0)};
+  if (height == 0) return {entry("O above", origin_radius), entry("in it", in_plane_radius), entry("below", 0)};
+  return {entry("O above", origin_radius), entry("below", 0)};
 }
 
 void draw_origin_beside(render::Panel& panel, const Vec2& at, double height, const Style& style) {

@@ -7,11 +7,10 @@
 
 #include "render/panel.hpp"
 #include "walkthroughs/picture/style.hpp"
-#include "walkthroughs/story/decision.hpp"
 
 namespace walkthroughs::picture {
 
-/// Returns: the part of `frame` below the title.
+/// Returns: the part of `frame` below a title of one line, which no key makes smaller: pictures are fitted to it.
 render::Box below_title(const render::Box& frame, const Style& style);
 
 /// A sign of a key and what it stands for; `draw` gets the middle of the sign.
@@ -19,12 +18,13 @@ struct KeyEntry {
   std::string text;
   std::function<void(render::Canvas&, const render::Vec2&)> draw;
   double half_width = 15;         ///< of the sign, in page units
-  bool may_be_shortened = false;  ///< a name that may be of any length: its sign is shown always
+  bool may_be_shortened = false;  ///< a name that may be of any length
 };
 
-/// Draws the frame of a panel, its title at the left and at the right as much of its key as there is room for. Where text is
-/// larger than usual the title gives way to a key that could hardly be read beside it.
-/// Returns: the room below the title.
+/// Draws the frame of a panel, its title, and its key: at the right of the title or, where that is too long, on lines below it,
+/// over the margin of the picture. Letters get somewhat smaller before a line is broken, and names end in "…" where a whole line
+/// is too short for them.
+/// Returns: the room that is left below.
 render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                              const Style& style, const std::vector<KeyEntry>& key = {});
 
@@ -35,8 +35,10 @@ KeyEntry key_of_newest(const Style& style);
 /// An area with the supporting line, or plane, as its border.
 KeyEntry key_of_out_of_reach(const std::string& text, const Style& style);
 KeyEntry key_of_skipped(const Style& style);
-/// The origin above a face and below it; in its plane only where one of the views shows that.
-std::vector<KeyEntry> key_of_origin(const std::vector<DecisionView>& views, const Style& style);
+/// What is drawn so many times as long as the rest, and which way: "heights ×8".
+KeyEntry key_of_stretch(const std::string& what, const render::Vec2& way, double factor, const Style& style);
+/// The origin above a face and below it, both, because one alone would be an answer; in its plane only where `height` is zero.
+std::vector<KeyEntry> key_of_origin(double height, const Style& style);
 
 /// Draws the origin as the key has it: filled above the plane, a dot in it, a ring below.
 void draw_origin_beside(render::Panel& panel, const render::Vec2& at, double height, const Style& style);

@@ -160,10 +160,11 @@ void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
     if ((axes.tips[axis] - start).norm() <= least_named_axis * triad_length) continue;
     Vec2 at = axes.place_of_name(axis) + Vec2(0, style_.scaled(name_rise));
     for (const Vec2& other : named)
-      if ((at - other).norm() < least_between_names)
-        at = other + Vec2(0, at.y() < other.y() ? -1 : 1) * least_between_names;
+      if ((at - other).norm() < style_.scaled(least_between_names))
+        at = other + Vec2(0, at.y() < other.y() ? -1 : 1) * style_.scaled(least_between_names);
     named.push_back(at);
     canvas.text(at, names[axis], text);
+    panel_.keep_clear(canvas.ink_box(at, names[axis], text));
   }
 }
 

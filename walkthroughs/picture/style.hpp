@@ -45,7 +45,7 @@ struct Style {
   render::Stroke hidden_hatching{theme.grey.with_alpha(70), 1, {4, 5}};  ///< and of what lies behind of that
   render::Stroke cross{theme.ink, 3.5 * theme.line};                     ///< through what it has rejected or dropped
   render::Stroke origin{theme.ink, 3.5 * theme.line};
-  render::Stroke parting{theme.vermillion, 5 * theme.line};  ///< around what differs first
+  render::Stroke parting{theme.vermillion, 5 * theme.line};  ///< around the panel of what differs first, outside of it
 
   // Fills, translucent.
   render::Color object_a_fill = theme.sky.with_alpha(110), object_b_fill = theme.orange.with_alpha(110);

@@ -3,8 +3,11 @@
 #include <set>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/pictures.hpp"
 #include "tests/walkthroughs/catalogue/nearest_feature.hpp"
+#include "tests/walkthroughs/support.hpp"
 #include "walkthroughs/catalogue/figure_objects.hpp"
+#include "walkthroughs/picture/draw.hpp"
 
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -50,4 +53,23 @@ TEST_CASE("Blocks cover each cell once, with its text") {
       if ((p.array() > block.low.array()).all() && (p.array() < block.high.array()).all()) found.push_back(block.text);
     REQUIRE(found == std::vector<std::string>{p.x() + p.y() > 4 ? "far" : "near"});
   }
+}
+
+TEST_CASE("The answers are painted from border to border, also where larger text makes a panel wider than it was") {
+  render::Font font(render::Font::default_directory());
+  for (const std::string name : {"figure-6", "figure-7", "figure-8"})
+    for (const double text : {0.75, 1.0, 1.5}) {
+      INFO(name << ", text " << text);
+      render::Theme theme = render::themes::report;
+      theme.text = text;
+      render::Canvas page(frame_page, frame_page, theme.paper, font);
+      draw_frame(page, StagedStory(tell(walkthrough(name))), 1, {.style = Style(theme)});
+      std::vector<render::CanvasVertex> painted = kit::vertices_of(page);
+      std::erase_if(painted, [](const auto& v) {
+        return v.kind != render::CanvasVertex::Kind::fill || v.color.a != 255 || v.color.r == v.color.b;
+      });
+      const render::Box box = kit::box_around(painted);
+      CHECK(box.max.x() >= 1240);  // of the page's panels
+      if (name != "figure-8") CHECK(box.min.x() <= 40);
+    }
 }

@@ -15,6 +15,26 @@ using namespace walkthroughs::test;
 
 namespace {
 
+/// Returns: what of the text on a page is cut by its panel or the page, or stands over other text.
+std::vector<std::string> unreadable(const render::Canvas& canvas, const render::Size& page) {
+  constexpr double seen = 1;  // page units: so much of a letter is missed
+  std::vector<std::string> found;
+  render::Box clip{{0, 0}, {page.width, page.height}};
+  std::vector<std::pair<render::Box, std::string>> before;
+  for (const render::Shape& shape : canvas.shapes()) {
+    if (const auto* to = std::get_if<render::shape::Clip>(&shape)) clip = to->box;
+    const auto* const text = std::get_if<render::shape::Text>(&shape);
+    if (!text || text->text.empty()) continue;
+    const render::Box ink = canvas.ink_box(text->position, text->text, text->style), room = clip.grown(seen);
+    if ((ink.min.array() < room.min.array()).any() || (ink.max.array() > room.max.array()).any())
+      found.push_back("cut: " + text->text);
+    for (const auto& [box, other] : before)
+      if (box.grown(-seen).overlaps(ink.grown(-seen))) found.push_back(other + " under " + text->text);
+    before.emplace_back(ink, text->text);
+  }
+  return found;
+}
+
 bool is_in_space(const Walkthrough& w) { return !w.scenes.empty() && w.scenes[0].dimension == Dimension::space; }
 
 }  // namespace
@@ -36,6 +56,7 @@ TEST_CASE(
       const int crowded = page.crowded();
       const bool is_exception = w.name == "regions/2-simplex-on-vertex" && i == 11;
       CHECK(crowded <= (is_in_space(w) ? 2 : is_exception ? 1 : 0));
+      CHECK(unreadable(page, frame_page) == std::vector<std::string>{});
       frames += is_in_space(w);
       with_a_crowded_label += is_in_space(w) && crowded > 0;
     }
@@ -66,12 +87,53 @@ TEST_CASE("At every scale of text all lines below the panels fit, and hardly a l
         draw_frame(page, story, i, look);
         const int crowded = page.crowded();
         CHECK(crowded <= (is_in_space(w) ? 3 : 1));
+        CHECK(unreadable(page, frame_page) == std::vector<std::string>{});
         with_crowded += crowded > 0 ? 1 : 0;
         ++frames;
       }
     }
     CHECK(with_crowded * 10 <= frames);
   }
+}
+
+TEST_CASE("A key tells of earlier edges where some are drawn, and of the origin's side where it is drawn with one") {
+  render::Font font{render::Font::default_directory()};
+  const Style style(render::themes::report);
+  constexpr double columns = 347;  // the view in space stands at the left of it, plane pictures at the right
+  int with_earlier = 0, with_side = 0, frames = 0;
+  for (const char* name :
+       {"regions/3-simplex-face-acd-edge-ad", "regions/3-simplex-on-face", "complete/cycle-separated"}) {
+    const StagedStory story(tell(walkthrough(name)));
+    for (std::size_t i = 0; i < story.frames.size(); ++i, ++frames) {
+      INFO(name << ", frame " << i);
+      render::Canvas page(frame_page, frame_page, style.theme.paper, font);
+      draw_frame(page, story, i);
+      bool tells_earlier = false, shows_earlier = false;
+      std::vector<Vec2> rings, keys;  // of the origin
+      for (const render::Shape& shape : page.shapes()) {
+        if (const auto* text = std::get_if<render::shape::Text>(&shape)) {
+          tells_earlier = tells_earlier || text->text == "earlier";
+          if (text->text == "O above") keys.push_back(text->position);
+        }
+        if (const auto* ring = std::get_if<render::shape::Ring>(&shape); ring && ring->radius == 6)
+          rings.push_back(ring->center);
+        if (const auto* line = std::get_if<render::shape::Polyline>(&shape); line && line->corners.size() == 2) {
+          const bool is_dotted = line->stroke.dash.length == 3 && line->stroke.dash.gap == 7;
+          const bool is_in_key = line->corners[1] - line->corners[0] == Vec2(30, 0);
+          shows_earlier = shows_earlier || (is_dotted && !is_in_key);
+        }
+      }
+      CHECK(tells_earlier == shows_earlier);
+      for (const Vec2& key : keys)
+        CHECK(std::ranges::any_of(rings, [&](const Vec2& ring) {
+          return ring.y() > key.y() + 10 && (ring.x() < columns) == (key.x() < columns);
+        }));
+      with_earlier += tells_earlier ? 1 : 0;
+      with_side += keys.empty() ? 0 : 1;
+    }
+  }
+  CHECK((with_earlier > 10 && with_earlier < frames));
+  CHECK((with_side > 10 && with_side < frames));
 }
 
 TEST_CASE("The pictures in the README are those that the program draws, and small") {

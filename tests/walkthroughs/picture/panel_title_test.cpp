@@ -16,20 +16,21 @@ const render::Box frame{{40, 10}, {340, 200}};
 
 /// What was drawn of a key: the places of its signs, and its letters.
 struct Drawn {
-  std::vector<double> signs;
+  std::vector<Vec2> signs;
   double left = 1e9, right = 0;  // of all letters
+  double below = 0;              // where the room for the picture begins
   std::vector<double> heights;   // of each letter
 };
 
-Drawn drawn(const std::vector<std::string>& texts, bool may_be_shortened) {
+Drawn drawn(const std::vector<std::string>& texts, bool may_be_shortened, const std::string& title = "",
+            const render::Theme& theme = render::themes::report) {
   render::Font font(render::Font::default_directory());
   render::Canvas canvas({400, 220}, {400, 220}, render::palette::white, font);
   Drawn result;
   std::vector<KeyEntry> key;
   for (const std::string& text : texts)
-    key.push_back(
-        {text, [&](render::Canvas&, const Vec2& at) { result.signs.push_back(at.x()); }, 15, may_be_shortened});
-  draw_panel_title(canvas, frame, "", Style(render::themes::report), key);
+    key.push_back({text, [&](render::Canvas&, const Vec2& at) { result.signs.push_back(at); }, 15, may_be_shortened});
+  result.below = draw_panel_title(canvas, frame, title, Style(theme), key).min.y();
   double top = 0;
   int corner = 0;
   for (const render::CanvasVertex& vertex : kit::vertices_of(canvas)) {
@@ -58,10 +59,40 @@ TEST_CASE("Both signs stand in the key however long the names are, with letters 
   }
 }
 
-TEST_CASE("Names that fit are not shortened, and other words are left out from the end") {
-  CHECK(drawn({"cube", "ball"}, true).heights.size() == 8);
-  CHECK(drawn({std::string(40, 'H'), "B"}, false).signs.empty());
-  CHECK(drawn({"B", std::string(40, 'H')}, false).signs.size() == 1);
+TEST_CASE("Names that fit are not shortened, and a key that does not fit into one line takes more") {
+  const Drawn names = drawn({"cube", "ball"}, true);
+  CHECK(names.heights.size() == 8);
+  const Drawn words = drawn({std::string(12, 'H'), "B", std::string(11, 'H')}, false);
+  CHECK(words.heights.size() == 24);
+  REQUIRE(words.signs.size() == 3);
+  CHECK(words.signs[0].y() == words.signs[1].y());
+  CHECK(words.signs[1].y() + 15 < words.signs[2].y());
+  CHECK(words.below >= names.below + 15);
+  CHECK(words.right <= frame.max.x());
+}
+
+TEST_CASE("A key stands beside its title or below it, whole, at every scale of text") {
+  for (const double text : {0.75, 1.0, 1.25, 1.5}) {
+    INFO(text);
+    render::Theme theme = render::themes::report;
+    theme.text = text;
+    const Drawn alone = drawn({}, false, "a - b", theme), few = drawn({"newest"}, false, "a - b", theme);
+    const Drawn many = drawn({"newest", "simplex", "earlier"}, false, "a - b, close up", theme);
+    CHECK(few.below == alone.below);
+    CHECK(many.below > alone.below);
+    CHECK(many.heights.size() == 11 + 20);
+    REQUIRE(many.signs.size() == 3);
+    CHECK(many.signs.back().y() < many.below);
+    CHECK(many.right <= frame.max.x());
+    CHECK(*std::ranges::max_element(many.heights) >= 10);
+  }
+}
+
+TEST_CASE("A title too long for its panel ends in an ellipsis, in letters that can be read") {
+  const Drawn title = drawn({}, false, std::string(90, 'H'));
+  CHECK(title.right <= frame.max.x());
+  CHECK(title.heights.size() > 15);
+  CHECK(*std::ranges::max_element(title.heights) >= 10);
 }
 
 TEST_CASE("A name is shortened by whole letters, also of several bytes and of those that markup escapes") {
