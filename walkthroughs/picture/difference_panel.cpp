@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/inset.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
@@ -14,7 +15,6 @@ using render::Stroke;
 using render::Vec2;
 
 constexpr double line_label_gap = 9;
-constexpr double origin_arm = 8;  // page units: so small that it does not hide the edge on which it stands
 
 // -- The key ----------------------------------------------------------------------------------------------------------
 
@@ -112,7 +112,7 @@ class DifferencePicture {
     }
     segments();
     vertices();
-    panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+    mark_origin();
     panel_.drop_labels();
     for (const Point& corner : points_of(now_.simplex))
       if (panel_.holds(pencil_.at(corner), style_.point_radius)) name(corner);
@@ -145,10 +145,16 @@ class DifferencePicture {
                  style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
   }
 
+  void mark_origin() {
+    std::vector<Point> marked = points_of(now_.simplex);
+    if (now_.found) marked.push_back(now_.found->w);
+    draw_origin_among(panel_, pencil_.at(Point::Zero()), pencil_.at(marked), style_);
+  }
+
   void origin() {
     const gjk::Roles face = pencil_.in_space() ? face_in_question(now_, shown_.focus) : gjk::Roles();
     if (face.empty())
-      panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+      mark_origin();
     else
       drop(face);
     const Vec2 at = pencil_.at(Point::Zero()), toward = center_ - at;
