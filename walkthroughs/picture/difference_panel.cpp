@@ -2,6 +2,7 @@
 
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/inset.hpp"
+#include "walkthroughs/picture/light.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
@@ -263,7 +264,13 @@ class DifferencePicture {
     if (pencil_.in_space() && shown_.focus == Focus::region)  // its edges would hide the regions
       panel_.polygon(outline_, style_.hull_fill.with_alpha(60));
     else
-      pencil_.body(outline_, shown_.stage.difference.faces, style_.hull_fill, hull_stroke());
+      pencil_.body(outline_, shown_.stage.difference.faces,
+                   pencil_.in_space() ? style_.hull_in_space : style_.hull_fill, hull_stroke(), lit_parts());
+  }
+
+  std::vector<std::vector<Vec2>> lit_parts() const {
+    if (!pencil_.in_space() || !shown_.stage.difference.faces.empty()) return {};
+    return lit_parts_of_difference(shown_.telling.scene, shown_.lens);
   }
 
   Stroke hull_stroke() const {

@@ -3,6 +3,7 @@
 #include "walkthroughs/picture/draw.hpp"
 
 #include <array>
+#include <set>
 
 #include "render/image.hpp"
 #include "tests/kit/catch.hpp"
@@ -65,6 +66,34 @@ TEST_CASE("Where the origin is a vertex, its mark reaches out beyond those of th
     }
     CHECK(ring > 0);
     CHECK((arm > ring + 3) == (story.frames.back().moments[0].simplex.point(gjk::Role::A).isZero(0)));
+  }
+}
+
+TEST_CASE("The faces of a body in space are shaded, and the line in which two cross is drawn where it is in sight") {
+  render::Font font{render::Font::default_directory()};
+  const StagedStory story(tell(walkthrough("regions/3-simplex-on-face")));
+  const auto& crossing = story.stages[0].crossing;
+  CHECK(crossing.size() > 3);
+  const auto seen = std::ranges::count_if(crossing, [&](const CrossingPiece& piece) {
+    return story.stages[0].lens.sees(piece.outward_a) && story.stages[0].lens.sees(piece.outward_b);
+  });
+  for (const render::Theme& theme : {render::themes::report, render::themes::dark}) {
+    const Look look{.style = Style(theme)};
+    render::Canvas page(frame_page, frame_page, theme.paper, font);
+    draw_frame(page, story, story.frames.size() - 1, look);
+    std::set<int> of_a, of_difference;
+    std::ptrdiff_t drawn = 0;
+    for (const render::Shape& shape : page.shapes()) {
+      if (const auto* face = std::get_if<render::shape::Polygon>(&shape)) {
+        if (face->fill.with_alpha(0) == theme.sky.with_alpha(0)) of_a.insert(face->fill.a);
+        if (face->fill.with_alpha(0) == theme.faint.with_alpha(0)) of_difference.insert(face->fill.a);
+      }
+      const auto* line = std::get_if<render::shape::Polyline>(&shape);
+      drawn += line && line->stroke.width == look.style.crossing.width && line->stroke.color == theme.ink;
+    }
+    CHECK(of_a.size() >= 4);
+    CHECK(of_difference.size() >= 4);
+    CHECK((drawn == seen && seen > 0));
   }
 }
 
