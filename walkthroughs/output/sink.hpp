@@ -44,7 +44,7 @@ class OneFile : public Sink {
 /// Returns: what pictures of the whole walkthrough say of themselves.
 inline render::PngText text_of(const Walkthrough& walkthrough) { return {walkthrough.title, walkthrough.summary}; }
 
-/// strip.png: the whole walkthrough in one wide picture, as draw_strip() draws it.
+/// strip.png: the whole walkthrough in one picture, as draw_strip() draws it.
 OneFile strip();
 
 /// animation.png: all frames as an animated PNG, which shows each for so many seconds, the last one for `of_last`. Joins the

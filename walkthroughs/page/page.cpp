@@ -28,16 +28,6 @@ std::size_t place_in(PageJson& list, const PageJson& value) {
 
 // -- What runs beside a frame -----------------------------------------------------------------------------------------
 
-/// What one of two searches has done last, whatever the frame tells of the other.
-Focus focus_of_search(const Story& story, std::size_t index, std::size_t scene) {
-  const Frame& frame = story.frames[index];
-  if (story.tellings.size() == 1) return frame.focus;
-  const Telling& telling = story.tellings[scene];
-  for (std::size_t e = frame.events[scene].last + 1; e-- > 0;)
-    if (telling.said[e]) return telling.said[e]->focus;
-  return frame.focus;
-}
-
 /// Whether two searches have done the same so far.
 bool are_together(const Story& story, std::size_t index) {
   const std::vector<EventRange>& events = story.frames[index].events;
@@ -83,7 +73,7 @@ constexpr const char* names_of_kinds[] = {"crossing", "region", "vertices", "dir
 PageJson code(const Story& story, std::size_t index, std::size_t scene, PageJson& listings) {
   const Telling& telling = story.tellings[scene];
   const Moment& now = story.frames[index].moments[scene];
-  const Focus focus = focus_of_search(story, index, scene);
+  const Focus focus = story.frames[index].focus_of(scene);
   const Names names = story.names(index, scene);
   const int number = running_algorithm(now, focus);
   const std::vector<CodeLine>& code = algorithm(number, telling.scene.rules);
@@ -108,7 +98,7 @@ PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_
   const Frame& frame = story.frames[index];
   PageJson data = {{"caption", frame.caption}};
   if (frame.mark() != Fact::Mark::none) data["mark"] = names_of_marks[static_cast<int>(frame.mark())];
-  if (!frame.moments.empty()) data["iteration"] = frame.moments[0].iteration;
+  if (!frame.moments.empty()) data["iterations"] = frame.iterations();
   if (frame.moments.size() == 1 && frame.moments[0].simplex.size() > 0)
     data["simplex"] = story.names(index, 0).list(frame.moments[0].simplex);
   if (const std::string kind = kind_of(frame.focus); !kind.empty()) data["kind"] = kind;

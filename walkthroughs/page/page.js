@@ -9,9 +9,9 @@
 
   // -- One step -------------------------------------------------------------------------------------------------------
 
-  const where = ({iteration, simplex}, i) => [
+  const where = ({iterations, simplex}, i) => [
     `Step ${i + 1} of ${frames.length}`,
-    ...iteration === undefined ? [] : [`iteration ${iteration}${story.is_float ? ', in float' : ''}`],
+    ...iterations ? [`iteration${iterations[1] ? 's' : ''} ${iterations.join(' and ')}${story.is_float ? ', in float' : ''}`] : [],
     ...simplex ? [`simplex ${simplex}`] : [],
   ].join(' · ');
 
@@ -188,11 +188,12 @@
 
   // -- Marks of iterations, decisions and the end ---------------------------------------------------------------------
 
-  if (frames.length <= 400) frames.forEach(({iteration, kind}, i) => {
-    const isFirst = iteration && iteration !== frames[i - 1]?.iteration;
+  if (frames.length <= 400) frames.forEach(({iterations, kind}, i) => {
+    const latest = i => Math.max(...frames[i]?.iterations ?? [0]);
+    const isFirst = iterations && latest(i) !== latest(i - 1);
     for (const className of [isFirst && 'iteration', kind]) {
       if (!className) continue;
-      const textContent = className === 'iteration' && frames.length <= 80 ? iteration : '';
+      const textContent = className === 'iteration' && frames.length <= 80 ? latest(i) : '';
       const mark = make('span', {className, textContent});
       mark.style.left = `${100 * i / Math.max(1, frames.length - 1)}%`;
       $('marks').append(mark);

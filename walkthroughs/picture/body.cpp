@@ -38,11 +38,9 @@ std::vector<Point> corners_of(const std::vector<render::Face>& faces) {
 std::vector<Point> farthest_all_around(const std::vector<Point>& points) {
   const gjk::PointSet<double> set(points);
   std::set<int> farthest;
-  constexpr int directions = 4 * most_corners;
-  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  for (int i = 0; i < directions && farthest.size() <= most_corners; ++i) {
-    const double z = 1 - (2 * i + 1.0) / directions, level = std::sqrt(1 - z * z), angle = golden_angle * i;
-    farthest.insert(set.support({level * std::cos(angle), level * std::sin(angle), z}).index.value());
+  for (const Point& direction : directions_all_around(4 * most_corners)) {
+    if (farthest.size() > most_corners) break;
+    farthest.insert(set.support(direction).index.value());
   }
   std::vector<Point> found;
   for (const int index : farthest) found.push_back(points[static_cast<std::size_t>(index)]);
@@ -80,6 +78,41 @@ std::optional<std::vector<Point>> without_inner_points(const std::vector<Point>&
   return corners;
 }
 
+/// Of points in one plane: the way from the first to the one farthest from it, and the normal, zero where they are on one line.
+struct SpanOfFlat {
+  Point along, normal;
+};
+
+SpanOfFlat span_of_flat(const std::vector<Point>& points) {
+  const auto distance_to_first = [&](const Point& p) { return (p - points[0]).norm(); };
+  const Point along = *std::ranges::max_element(points, {}, distance_to_first) - points[0];
+  const auto area = [&](const Point& p) { return along.cross(p - points[0]).norm(); };
+  const Point normal = along.cross(*std::ranges::max_element(points, {}, area) - points[0]);
+  const bool is_line = !(normal.norm() > alike * along.squaredNorm());
+  return {along, is_line ? Point(Point::Zero()) : normal};
+}
+
+std::vector<Vec2> across(const std::vector<Point>& points, const DirectionFrame& frame) {
+  std::vector<Vec2> list;
+  for (const Point& p : points) list.push_back(frame.across(p));
+  return list;
+}
+
+/// Returns: both sides of points in one plane; none of what has no area.
+std::vector<render::Face> sides_of_flat(const std::vector<Point>& points) {
+  const Point normal = span_of_flat(points).normal;
+  if (normal.isZero(0)) return {};
+  const DirectionFrame frame(normal);
+  const std::vector<Vec2> corners = convex_hull(across(points, frame));
+  if (corners.size() < 3) return {};
+  render::Face front;
+  for (const Vec2& corner : corners)
+    front.corners.push_back(*std::ranges::find(points, corner, [&](const Point& p) { return frame.across(p); }));
+  render::Face back = front;
+  std::ranges::reverse(back.corners);
+  return {std::move(front), std::move(back)};
+}
+
 Body only_outline(std::vector<Point> vertices) { return {std::move(vertices), {}, {}, true}; }
 
 Body polytope(std::vector<Point> vertices, Dimension dimension) {
@@ -91,6 +124,7 @@ Body polytope(std::vector<Point> vertices, Dimension dimension) {
   const std::optional<std::vector<Point>> fewer = without_inner_points(vertices);
   if (!fewer) return only_outline(std::move(vertices));
   std::vector<render::Face> faces = hull_faces(*fewer);
+  if (faces.empty()) faces = sides_of_flat(*fewer);
   if (!faces.empty()) vertices = corners_of(faces);
   return {std::move(vertices), std::move(faces), {}};
 }
@@ -203,18 +237,13 @@ struct Straight {
 /// Returns: of points in one plane or on one line.
 Straight straight_of_flat(const std::vector<Point>& points) {
   Straight found;
-  const auto distance_to_first = [&](const Point& p) { return (p - points[0]).norm(); };
-  const Point along = *std::ranges::max_element(points, {}, distance_to_first) - points[0];
-  const auto area = [&](const Point& p) { return along.cross(p - points[0]).norm(); };
-  const Point normal = along.cross(*std::ranges::max_element(points, {}, area) - points[0]);
-  if (normal.norm() <= alike * along.squaredNorm()) {
+  const auto [along, normal] = span_of_flat(points);
+  if (normal.isZero(0)) {
     found.add_line(along);
     return found;
   }
   const DirectionFrame frame(normal);
-  std::vector<Vec2> across;
-  for (const Point& p : points) across.push_back(frame.across(p));
-  const std::vector<Vec2> corners = convex_hull(std::move(across));
+  const std::vector<Vec2> corners = convex_hull(across(points, frame));
   for (std::size_t i = 0; i < corners.size(); ++i)
     found.add_line(frame.at(0, corners[(i + 1) % corners.size()] - corners[i]));
   found.add_plane(normal);
@@ -295,6 +324,16 @@ struct FlatsOf {
 };
 
 }  // namespace
+
+std::vector<Point> directions_all_around(int count) {
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  std::vector<Point> directions;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / count, level = std::sqrt(1 - z * z), angle = golden_angle * i;
+    directions.emplace_back(level * std::cos(angle), level * std::sin(angle), z);
+  }
+  return directions;
+}
 
 Body body_of(const Object& object, Dimension dimension) {
   std::vector<Point> corners = visit_shape(CornersOf{dimension}, object.form);

@@ -18,7 +18,7 @@ struct Flat {
 /// is asked for its outline through its support function.
 struct Body {
   std::vector<Point> vertices;
-  std::vector<render::Face> faces;  ///< of a polytope in space
+  std::vector<render::Face> faces;  ///< of a polytope in space; of a flat one both sides
   std::vector<Flat> flats;          ///< of a round object in space
   bool only_outline = false;        ///< a polytope in space with more than `most_corners`: its faces are left out
 };
@@ -32,6 +32,9 @@ Body body_of(const Object& object, Dimension dimension);
 
 /// Returns: the difference of two point sets, unless it has too many vertices to be worth it; else an empty body.
 Body body_of_difference(const Scene& scene, const Body& a, const Body& b);
+
+/// Returns: so many unit vectors, spread evenly all around.
+std::vector<Point> directions_all_around(int count);
 
 /// Returns: the outline of an object in the picture, counter-clockwise, with the corners that are seen; of a sum the sum of
 /// the outlines of its two. Asks no support function.

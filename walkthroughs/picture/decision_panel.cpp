@@ -174,7 +174,7 @@ class DecisionPicture {
 
   void mark_origin(render::Panel& panel) {
     if (view_.kind == Kind::segment)
-      panel.plus(at_origin(), 8, style_.origin);
+      draw_origin_among(panel, at_origin(), corners(), style_);
     else
       draw_origin_beside(panel, at_origin(), view_.height, style_);
   }
@@ -377,7 +377,7 @@ class DecisionPicture {
     draw_point(panel, at, shown_.now.added ? style_.theme.green : style_.theme.vermillion, style_);
     panel.circle(at, style_.point_radius + 5, {style_.theme.ink, 2.5});
     panel.label(at, at, shown_.names.of(P), label(style_.theme.ink, render::Weight::bold));
-    panel.plus(Vec2::Zero(), 8, style_.origin);
+    draw_origin_among(panel, Vec2::Zero(), {at}, style_);
     panel.label(Vec2::Zero(), {at.x() > 0 ? -1.0 : 1.0, -0.5}, "O", label(style_.theme.ink));
   }
 

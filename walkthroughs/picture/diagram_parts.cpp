@@ -12,6 +12,8 @@ using render::Vec2;
 constexpr double gap_between_frames = 20;
 constexpr double paper_around_point = 2, ring_width = 2.5;
 constexpr double origin_arm = 10;
+constexpr double arm_among = 8;     // so small that it does not hide the edge on which it stands
+constexpr double arm_on_mark = 19;  // beyond the ring around the newest vertex
 
 }  // namespace
 
@@ -38,6 +40,12 @@ void draw_hollow_point(render::Panel& panel, const Vec2& at, render::Color color
 void draw_origin(render::Panel& panel, const Style& style) {
   panel.plus(Vec2::Zero(), origin_arm, style.origin);
   panel.label(Vec2::Zero(), {1, 1}, "O", style.label(style.theme.ink));
+}
+
+void draw_origin_among(render::Panel& panel, const Vec2& at, const std::vector<Vec2>& points, const Style& style) {
+  const double reach = (style.point_radius + paper_around_point) / panel.view().scale();
+  const bool is_on_mark = std::ranges::any_of(points, [&](const Vec2& p) { return (p - at).norm() < reach; });
+  panel.plus(at, is_on_mark ? arm_on_mark : arm_among, style.origin);
 }
 
 std::vector<Vec2> offset_outward(const std::vector<Vec2>& corners, double distance) {

@@ -20,6 +20,9 @@ void draw_point(render::Panel& panel, const render::Vec2& at, render::Color colo
 /// A ring, for a point that is not the one meant.
 void draw_hollow_point(render::Panel& panel, const render::Vec2& at, render::Color color, const Style& style);
 void draw_origin(render::Panel& panel, const Style& style);
+/// The plus sign of the origin in a search. On the mark of one of `points`, where it would be lost, it reaches out beyond that.
+void draw_origin_among(render::Panel& panel, const render::Vec2& at, const std::vector<render::Vec2>& points,
+                       const Style& style);
 
 /// Returns: the curve at `distance` around a convex polygon, its arcs as polygons, counter-clockwise.
 /// Requires: at least 3 corners, counter-clockwise, not on one line; distance > 0.

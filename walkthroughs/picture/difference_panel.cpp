@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/inset.hpp"
+#include "walkthroughs/picture/light.hpp"
 #include "walkthroughs/picture/near_origin.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
@@ -15,7 +17,6 @@ using render::Stroke;
 using render::Vec2;
 
 constexpr double line_label_gap = 9;
-constexpr double origin_arm = 8;  // page units: so small that it does not hide the edge on which it stands
 
 // -- The key ----------------------------------------------------------------------------------------------------------
 
@@ -205,10 +206,16 @@ class DifferencePicture {
                  style_.label(style_.theme.ink, in_simplex(w) ? render::Weight::bold : render::Weight::regular));
   }
 
+  void mark_origin() {
+    std::vector<Point> marked = points_of(now_.simplex);
+    if (now_.found) marked.push_back(now_.found->w);
+    draw_origin_among(panel_, pencil_.at(Point::Zero()), pencil_.at(marked), style_);
+  }
+
   void origin() {
     const gjk::Roles face = face_below_origin(shown_);
     if (face.empty())
-      panel_.plus(pencil_.at(Point::Zero()), origin_arm, style_.origin);
+      mark_origin();
     else
       drop(face);
     const Vec2 at = pencil_.at(Point::Zero()), toward = center_ - at;
@@ -343,7 +350,13 @@ class DifferencePicture {
     if (pencil_.in_space() && shown_.focus == Focus::region)  // its edges would hide the regions
       panel_.polygon(outline_, style_.hull_fill.with_alpha(60));
     else
-      pencil_.body(outline_, shown_.stage.difference.faces, style_.hull_fill, hull_stroke());
+      pencil_.body(outline_, shown_.stage.difference.faces,
+                   pencil_.in_space() ? style_.hull_in_space : style_.hull_fill, hull_stroke(), lit_parts());
+  }
+
+  std::vector<std::vector<Vec2>> lit_parts() const {
+    if (!pencil_.in_space() || !shown_.stage.difference.faces.empty()) return {};
+    return lit_parts_of_difference(shown_.telling.scene, shown_.lens);
   }
 
   Stroke hull_stroke() const {

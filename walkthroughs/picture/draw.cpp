@@ -1,6 +1,7 @@
 #include "walkthroughs/picture/draw.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -231,6 +232,8 @@ void draw_diagram(Canvas& canvas, const StagedStory& story, std::size_t index, c
 
 // In page units.
 constexpr int cell_width = 420, caption_height = 104;
+constexpr int longest_row = 12 * cell_width;
+constexpr double wanted_shape = 16.0 / 9;  // of what has more than one row
 constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
 
 /// One panel of the strip: its picture fills the box and `caption` stands below.
@@ -276,8 +279,24 @@ double bottom_of_panel(const StagedStory& story) {
   return story.walkthrough.layout == Layout::diagrams ? cell_gap + panels_height : cell_panel_bottom;
 }
 
-void draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, double left, const Look& look) {
-  const Box frame{{left + cell_gap, cell_gap}, {left + width_of_cell(story) - cell_gap, bottom_of_panel(story)}};
+render::Size size_of_cell(const StagedStory& story, const Look& look) {
+  const double larger = look.style.theme.text * look.style.theme.text;  // higher lines, and more of them
+  return {width_of_cell(story), static_cast<int>(bottom_of_panel(story) + caption_height * larger)};
+}
+
+/// Returns: how many cells stand in a row: all, where that can be read; else as many as make rows of the wanted shape, the last
+/// as long as the others or hardly shorter.
+int columns_of_strip(int count, render::Size cell) {
+  if (count * cell.width <= longest_row) return count;
+  const double columns = std::ceil(std::sqrt(count * wanted_shape * cell.height / cell.width));
+  const int rows = static_cast<int>(std::ceil(count / columns));
+  return (count + rows - 1) / rows;
+}
+
+/// `corner`: the upper left one of the cell.
+void draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, const Vec2& corner, const Look& look) {
+  const Box frame{corner + Vec2(cell_gap, cell_gap),
+                  corner + Vec2(width_of_cell(story) - cell_gap, bottom_of_panel(story))};
   draw_cell_picture(canvas, story, cell, frame, look);
   double y = frame.max.y() + look.style.scaled(line_pitch);
   for (const std::string& line : render::wrap(canvas, cell.caption, look.style.fact, frame.width())) {
@@ -315,16 +334,19 @@ void draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, con
 }
 
 render::Size strip_page(const StagedStory& story, const Look& look) {
-  const double larger = look.style.theme.text * look.style.theme.text;  // higher lines, and more of them
-  const int height = static_cast<int>(bottom_of_panel(story) + caption_height * larger);
-  return {width_of_cell(story) * static_cast<int>(cells(story).size()), height};
+  const int count = static_cast<int>(cells(story).size());
+  const render::Size cell = size_of_cell(story, look);
+  const int columns = columns_of_strip(count, cell);
+  return {columns * cell.width, (count + columns - 1) / columns * cell.height};
 }
 
 void draw_strip(Canvas& canvas, const StagedStory& story, const Look& look) {
-  double left = 0;
-  for (const Cell& cell : cells(story)) {
-    draw_cell(canvas, story, cell, left, look);
-    left += width_of_cell(story);
+  const std::vector<Cell> all = cells(story);
+  const render::Size size = size_of_cell(story, look);
+  const int columns = columns_of_strip(static_cast<int>(all.size()), size);
+  for (int i = 0; const Cell& cell : all) {
+    draw_cell(canvas, story, cell, {i % columns * size.width, i / columns * size.height}, look);
+    ++i;
   }
 }
 

@@ -49,8 +49,8 @@ void draw_footer(render::Canvas& canvas, const render::Box& room, const StagedSt
 double draw_words(render::Canvas& canvas, double width, const StagedStory& story, std::size_t index,
                   const Style& style);
 
-/// The whole walkthrough in one wide picture: the last picture of each iteration, side by side; of two scenes, the last
-/// picture of each.
+/// The whole walkthrough in one picture: the last picture of each iteration, side by side; where they are many in rows, read as
+/// text is. Of two scenes the last picture of each.
 render::Size strip_page(const StagedStory& story, const Look& look = {});
 
 /// Requires: a canvas with the page strip_page(story, look), in the colour of the paper.

@@ -92,7 +92,10 @@ std::vector<std::string> state_of_search(const StagedStory& story, std::size_t i
   std::vector<std::string> words;
   if (!frame.moments.empty()) {
     const bool in_float = story.tellings[0].scene.scalar == Scalar::binary32;
-    words.push_back("iteration " + std::to_string(frame.moments[0].iteration) + (in_float ? ", in float" : ""));
+    const std::vector<int> iterations = frame.iterations();
+    words.push_back((iterations.size() > 1 ? "iterations " : "iteration ") +
+                    joined(iterations, " and ", [](int each) { return std::to_string(each); }) +
+                    (in_float ? ", in float" : ""));
   }
   if (frame.moments.size() == 1) {
     const Simplex& simplex = frame.moments[0].simplex;

@@ -1,3 +1,4 @@
+#include "walkthroughs/picture/light.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
 #include "walkthroughs/picture/pencil.hpp"
@@ -33,12 +34,23 @@ void draw_flats(Pencil& pencil, const Body& body, const render::Stroke& stroke) 
 void draw_object(Pencil& pencil, const Object& object, const Body& body, render::Color fill,
                  const render::Stroke& stroke) {
   const std::vector<Vec2> corners = outline(object, body, pencil.lens());
-  pencil.body(corners, body.faces, fill, stroke);
+  const bool is_round = pencil.in_space() && body.faces.empty();
+  pencil.body(corners, body.faces, fill, stroke,
+              is_round ? lit_parts(object, pencil.lens()) : std::vector<std::vector<Vec2>>{});
   draw_flats(pencil, body, stroke);
   const render::Box box = render::Box::around(corners);
   if (box.longer_side() >= pencil.length(least_object)) return;
   pencil.panel().circle(box.center(), ring_radius, {stroke.color, 2});
   pencil.panel().label(box.center(), {0, 1}, literal(object.name), pencil.style().small_label());
+}
+
+/// Where their surfaces cross, as far as it is in sight, on a border of paper: no edge of either.
+void draw_crossing(Pencil& pencil, const std::vector<CrossingPiece>& crossing) {
+  const Style& style = pencil.style();
+  for (const render::Stroke& stroke : {style.crossing_border, style.crossing})
+    for (const CrossingPiece& piece : crossing)
+      if (pencil.lens().sees(piece.outward_a) && pencil.lens().sees(piece.outward_b))
+        pencil.line(piece.from, piece.to, stroke);
 }
 
 Point middle_of_object(const Object& object, const Body& body) {
@@ -67,6 +79,7 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown
   if (!pencil.in_space()) panel.grid(placing.scale, style.grid, pencil.at(Point(-placing.center * placing.scale)));
   draw_object(pencil, scene.a, shown.stage.a, style.object_a_fill, style.object_a);
   draw_object(pencil, scene.b, shown.stage.b, style.object_b_fill, style.object_b);
+  draw_crossing(pencil, shown.stage.crossing);
   pencil.triad(canvas, place.frame);
   const Point d = shown.now.direction->value;
   if (!shown.now.found) {

@@ -1,9 +1,11 @@
 #include "walkthroughs/picture/pencil.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "walkthroughs/picture/diagram_parts.hpp"
+#include "walkthroughs/picture/light.hpp"
 #include "walkthroughs/picture/near_origin.hpp"
 
 namespace walkthroughs::picture {
@@ -12,9 +14,10 @@ namespace {
 using render::Stroke;
 using render::Vec2;
 
-constexpr double page_diagonal = 1500;             // page units: longer than any panel
-constexpr double farthest_end = 1e5, reach = 1e4;  // beyond the first a line is drawn as far as the second
-constexpr double patch_half_side = 110;            // page units
+constexpr double least_strength = 0.35, added_strength = 0.3;  // of a fill, with most light and least on white paper
+constexpr double page_diagonal = 1500;                         // page units: longer than any panel
+constexpr double farthest_end = 1e5, reach = 1e4;              // beyond the first a line is drawn as far as the second
+constexpr double patch_half_side = 110;                        // page units
 constexpr double triad_length = 30, triad_margin = 48, least_between_names = 14, least_named_axis = 0.3;
 constexpr double name_beyond_tip = 9, name_beside_tip = 13, name_rise = 5, least_from_axis = 7;
 
@@ -124,22 +127,37 @@ void Pencil::edges(const std::vector<render::Face>& faces, const Stroke& stroke)
     if (!edge.hidden) line(edge.from, edge.to, stroke);
 }
 
+render::Color Pencil::shaded(render::Color fill, double light) const {
+  const double strength = least_strength + (1 - least_strength + added_strength) * (is_dark() ? light : 1 - light);
+  return fill.with_alpha(static_cast<std::uint8_t>(std::min(255.0, fill.a * strength)));
+}
+
+void Pencil::round(const std::vector<Vec2>& outline, render::Color fill, const std::vector<std::vector<Vec2>>& lit) {
+  if (lit.empty()) return panel_.polygon(outline, fill);
+  double now = shaded(fill, light_steps[0] - 0.1).a;
+  panel_.polygon(outline, fill.with_alpha(static_cast<std::uint8_t>(now)));
+  for (std::size_t i = 0; i < lit.size(); ++i) {  // paper makes what is translucent paler; more of the fill brighter
+    const double next = shaded(fill, light_steps[i]).a, ratio = is_dark() ? (next - now) / (255 - now) : 1 - next / now;
+    const render::Color over = is_dark() ? fill : style_.theme.paper;
+    if (lit[i].size() > 2) panel_.polygon(lit[i], over.with_alpha(static_cast<std::uint8_t>(std::lround(255 * ratio))));
+    now = next;
+  }
+}
+
 void Pencil::body(const std::vector<Vec2>& outline, const std::vector<render::Face>& faces, render::Color fill,
-                  const Stroke& stroke) {
+                  const Stroke& stroke, const std::vector<std::vector<Vec2>>& lit) {
   if (outline.size() == 1) {
     panel_.disc(outline[0], style_.point_radius, stroke.color);
     return;
   }
   if (faces.empty() || !in_space()) {
-    if (outline.size() > 2) panel_.polygon(outline, fill);
+    if (outline.size() > 2) round(outline, fill, lit);
     panel_.outline(outline, stroke);
     return;
   }
-  for (const std::size_t i : render::back_to_front(faces, *lens_.camera)) {
-    // Two layers lie over each other: half the strength each, and those turned away from above a little stronger.
-    const double light = 0.5 - 0.18 * faces[i].outward().stableNormalized().z();
-    polygon(faces[i].corners, fill.with_alpha(static_cast<std::uint8_t>(fill.a * light)));
-  }
+  for (const render::Face& face : faces)  // in any order: of a convex body none in sight covers another
+    if (const Point outward = face.outward(); lens_.camera->sees(outward))
+      polygon(face.corners, shaded(fill, light_on(outward, *lens_.camera)));
   edges(faces, stroke);
 }
 

@@ -46,9 +46,10 @@ class Pencil {
   /// A cross of `arm` page units through a place of the picture.
   void cross(const render::Vec2& middle, double arm);
 
-  /// The filled outline of a body and, in space, its faces from back to front with the edges behind thin and dashed.
+  /// The filled outline of a body and, in space, its faces in sight, shaded, with the edges behind thin and dashed. `lit`: of
+  /// what has no faces, as from lit_parts().
   void body(const std::vector<render::Vec2>& outline, const std::vector<render::Face>& faces, render::Color fill,
-            const render::Stroke& stroke);
+            const render::Stroke& stroke, const std::vector<std::vector<render::Vec2>>& lit = {});
   /// The edges of a closed surface, those behind thin and dashed in the same colour.
   void edges(const std::vector<render::Face>& faces, const render::Stroke& stroke);
 
@@ -57,6 +58,12 @@ class Pencil {
   void triad(render::Canvas& canvas, const render::Box& frame);
 
  private:
+  bool is_dark() const { return style_.theme.paper.g < style_.theme.ink.g; }
+  /// Returns: the fill of a surface that gets so much light.
+  render::Color shaded(render::Color fill, double light) const;
+  /// The outline of what is round, filled, and over it what gets more light than the rest.
+  void round(const std::vector<render::Vec2>& outline, render::Color fill,
+             const std::vector<std::vector<render::Vec2>>& lit);
   bool is_far(const Point& p) const;
   /// Returns: a square in the plane through `on` across `d`.
   std::vector<Point> patch(const Point& on, const Point& d) const;

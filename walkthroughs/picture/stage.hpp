@@ -8,6 +8,7 @@
 
 #include "walkthroughs/picture/body.hpp"
 #include "walkthroughs/picture/lens.hpp"
+#include "walkthroughs/picture/surface_crossing.hpp"
 #include "walkthroughs/story/story.hpp"
 
 namespace walkthroughs::picture {
@@ -36,6 +37,7 @@ struct Stage {
   Placing placing;
   Body a, b, difference;
   Lens lens;
+  std::vector<CrossingPiece> crossing = {};  ///< of the objects, in space
 };
 
 /// A story that is ready to be drawn.

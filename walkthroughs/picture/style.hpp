@@ -32,8 +32,9 @@ struct Style {
   render::Stroke hull{theme.grey, 2.5 * theme.line};                 ///< an outline of the difference,
   render::Stroke hidden_edge{theme.grey, 1.2 * theme.line, {5, 6}};  ///< and its edges that lie behind
   render::Stroke object_a{theme.blue, 3 * theme.line}, object_b{theme.ink, 3 * theme.line};  ///< their outlines
-  render::Stroke simplex{theme.green, 4 * theme.line, {11, 9}};                              ///< edges of the simplex,
-  render::Stroke move{theme.green, 2 * theme.line, {11, 9}};                                 ///< the move just made,
+  render::Stroke crossing{theme.ink, 1.8 * theme.line}, crossing_border{theme.paper, 5 * theme.line};  ///< of both
+  render::Stroke simplex{theme.green, 4 * theme.line, {11, 9}};            ///< edges of the simplex,
+  render::Stroke move{theme.green, 2 * theme.line, {11, 9}};               ///< the move just made,
   render::Stroke former{theme.ink, 2.5 * theme.line, {3, 7}};              ///< edges of earlier simplices
   render::Stroke direction{theme.vermillion, 4.5 * theme.line};            ///< d, and the line or plane across it
   render::Stroke support_line{theme.vermillion, 2 * theme.line, {14, 5}};  ///< through the point found
@@ -49,7 +50,8 @@ struct Style {
 
   // Fills, translucent.
   render::Color object_a_fill = theme.sky.with_alpha(110), object_b_fill = theme.orange.with_alpha(110);
-  render::Color hull_fill = theme.faint.with_alpha(110), simplex_fill = theme.green.with_alpha(40);
+  render::Color hull_fill = theme.faint.with_alpha(110), hull_in_space = theme.faint.with_alpha(170);
+  render::Color simplex_fill = theme.green.with_alpha(40);
   render::Color out_of_reach = theme.orange.with_alpha(50);
   render::Color chosen_fill = theme.green.with_alpha(64), tested_fill = theme.sky.with_alpha(80);
   render::Color rejected_fill = theme.grey.with_alpha(44);

@@ -467,7 +467,9 @@ void add_walkthroughs(CLI::App& command, RenderCommand& render) {
 }
 
 void add_formats(CLI::App& command, RenderCommand& render) {
-  command.add_flag("--strip", render.strip, "write OUT/NAME/strip.png as well: one wide picture of all iterations");
+  command.add_flag(
+      "--strip", render.strip,
+      "write OUT/NAME/strip.png as well: all iterations in one picture, side by side, more than twelve in rows");
   add_flag_of(command, "--sheet", render.sheet,
               "write OUT/NAME/sheet.png as well: all frames in one picture; --sheet=a4, letter, a4-across or "
               "letter-across: OUT/NAME/sheet.pdf, pages that can be read in print and searched");

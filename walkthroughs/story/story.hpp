@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,11 +57,19 @@ struct Frame {
   std::vector<Fact> facts;
   std::vector<Moment> moments;     ///< one for each scene
   std::vector<EventRange> events;  ///< one for each scene
-  std::vector<Focus> own_focus;    ///< one for each scene where these differ; else empty
+  std::vector<Focus> own_focus;    ///< of several scenes, one for each: what its search has done last
 
   /// Of the number that the caption begins with.
   Fact::Mark mark() const { return !facts.empty() && facts[0].is_in_caption ? facts[0].mark : Fact::Mark::none; }
   Focus focus_of(std::size_t scene) const { return own_focus.empty() ? focus : own_focus[scene]; }
+  /// Returns: the iteration that the searches are in; where these differ that of each.
+  std::vector<int> iterations() const {
+    std::vector<int> all;
+    for (const Moment& moment : moments) all.push_back(moment.iteration);
+    if (std::ranges::adjacent_find(all, std::not_equal_to()) == all.end())
+      all.resize(std::min<std::size_t>(all.size(), 1));
+    return all;
+  }
 };
 
 /// One scene as it went.

@@ -127,7 +127,6 @@ void tell_in_step(Story& story) {
       Frame one = last_frame_of(story, s, iteration);
       one.facts = {{Fact::Mark::none, one.headline}};
       join(all, story.tellings[s].scene, one);
-      all.own_focus.push_back(one.focus);
     }
     story.frames.push_back(std::move(all));
   }
@@ -229,7 +228,6 @@ std::optional<Frame> tell_both(const Story& story, std::size_t i, std::size_t co
   const auto [sentence, says] = sentence_for(story, i, common, told);
   const bool is_between = says != Sentence::Says::what_happens;
   Frame frame{i == common ? Focus::parting : first.focus, sentence, sentence, {}, {}, {}, {}};
-  if (i == common && said.size() == 2) frame.own_focus = {first.focus, said[1].second.focus};
   for (const auto& [scene, one] : said) {
     const Focus about = i == common ? Focus::parting : one.focus;
     frame.facts.push_back({mark_of(*scene, told, about), scene->name + ": " + one.caption, {}, {}, scene});
@@ -282,6 +280,21 @@ void set_first_events(std::vector<Frame>& frames) {
       frames[i].events[s].first = std::min(frames[i - 1].events[s].last + 1, frames[i].events[s].last);
 }
 
+/// Returns: what a search has said last, up to that event.
+std::optional<Focus> last_focus(const Telling& telling, std::size_t event) {
+  for (std::size_t i = event + 1; i-- > 0;)
+    if (telling.said[i]) return telling.said[i]->focus;
+  return std::nullopt;
+}
+
+/// Of two searches each is drawn as it stands, whatever the frame tells of the other: one that has ended makes no test again.
+void set_own_focus(Story& story) {
+  if (story.tellings.size() < 2) return;
+  for (Frame& frame : story.frames)
+    for (std::size_t s = 0; s < frame.events.size(); ++s)
+      frame.own_focus.push_back(last_focus(story.tellings[s], frame.events[s].last).value_or(frame.focus));
+}
+
 // -- A choice of frames ---------------------------------------------------------------------------------------------------
 
 struct Kind {
@@ -319,10 +332,10 @@ bool add(FrameChoice& choice, std::string_view word) {
 }  // namespace
 
 std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames) {
-  const auto iteration = [&](std::size_t i) { return frames[i].moments[0].iteration; };
   std::vector<std::size_t> last;
   for (std::size_t i = 0; i < frames.size(); ++i)
-    if (i + 1 == frames.size() || frames[i].moments.empty() || iteration(i + 1) != iteration(i)) last.push_back(i);
+    if (i + 1 == frames.size() || frames[i].moments.empty() || frames[i + 1].iterations() != frames[i].iterations())
+      last.push_back(i);
   return last;
 }
 
@@ -357,6 +370,7 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
     case Layout::diagrams: tell_diagrams(story); break;
   }
   set_first_events(story.frames);
+  set_own_focus(story);
   if (detail == Detail::iteration) keep_only(story, last_of_each_iteration(story.frames));
   return story;
 }

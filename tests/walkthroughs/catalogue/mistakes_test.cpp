@@ -104,8 +104,7 @@ TEST_CASE("Each mistake parts from the report's search where it says and ends as
     REQUIRE(std::ranges::count(story.frames, Focus::parting, &Frame::focus) == 1);
     const Frame& parting = story.frames.at(story.parting().value());
     CHECK(parting.moments[0].iteration == each.iteration);
-    const bool has_both = w.scenes[0].mistake != Mistake::first_point_tested;  // of which the report says nothing there
-    CHECK(parting.own_focus.size() == (has_both ? 2 : 0));                     // each is drawn by what it finds
+    CHECK(parting.own_focus.size() == 2);  // each is drawn by what it finds
     CHECK(std::ranges::count(parting.own_focus, Focus::parting) == 0);
     // How many pairs notice it is told, as it was measured.
     const Mistake mistake = *w.scenes[0].mistake;

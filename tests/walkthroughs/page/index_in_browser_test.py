@@ -64,7 +64,7 @@ class Page(PageInBrowser):
             return [shown["Left walkthrough"][1], shown["Right walkthrough"][1]]
 
         def end(name, iteration):
-            numbers = [i + 1 for i, step in enumerate(self.frames_of(name)) if step["iteration"] <= iteration]
+            numbers = [i + 1 for i, step in enumerate(self.frames_of(name)) if step["iterations"][0] <= iteration]
             return f"#{numbers[-1]}&bare"
 
         self.wait(lambda: steps() == [end(hit, 2), end(searched, 2)])

@@ -113,6 +113,15 @@ TEST_CASE("Sums of point sets are polytopes with the faces of their sum") {
   CHECK(flat.vertices.size() == 4);
 }
 
+TEST_CASE("What is flat in space has two sides, and a line has none") {
+  const std::vector<render::Face> sides = body_of({"triangle", triangle(), askew()}, Dimension::space).faces;
+  REQUIRE(sides.size() == 2);
+  CHECK((sides[0].outward() + sides[1].outward()).norm() < 1e-9);
+  CHECK(sides[0].outward().norm() > 1);
+  CHECK(body_of({"segment", segment(), askew()}, Dimension::space).faces.empty());
+  CHECK(body_of({"triangle", triangle(), {}}, Dimension::plane).faces.empty());
+}
+
 TEST_CASE("What of a round object is flat: caps, the faces of a rounded box, nothing of a capsule") {
   const auto flats = [](const AnyShape& shape) { return flats_of(shape, askew()); };
   CHECK(flats(ball(1)) == 0);

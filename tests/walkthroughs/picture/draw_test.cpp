@@ -3,6 +3,7 @@
 #include "walkthroughs/picture/draw.hpp"
 
 #include <array>
+#include <set>
 
 #include "render/image.hpp"
 #include "tests/kit/catch.hpp"
@@ -67,6 +68,91 @@ TEST_CASE(
     CHECK(strip.crowded() == 0);
   }
   CHECK(with_a_crowded_label * 20 <= frames);
+}
+
+TEST_CASE("Where the origin is a vertex, its mark reaches out beyond those of that vertex") {
+  render::Font font{render::Font::default_directory()};
+  for (const char* name : {"regions/0-simplex-a-is-origin", "regions/2-simplex-on-vertex",
+                           "regions/3-simplex-a-is-origin", "regions/2-simplex-on-edge"}) {
+    INFO(name);
+    const StagedStory story(tell(walkthrough(name)));
+    render::Canvas page(frame_page, frame_page, render::palette::white, font);
+    draw_frame(page, story, story.frames.size() - 1);
+    double ring = 0, arm = 0;
+    for (const render::Shape& shape : page.shapes()) {
+      if (const auto* r = std::get_if<render::shape::Ring>(&shape)) ring = r->radius;  // the last is in the panel
+      const auto* line = std::get_if<render::shape::Polyline>(&shape);
+      if (line && line->stroke.width == Style(render::themes::report).origin.width && line->stroke.dash.gap == 0)
+        arm = (line->corners[1] - line->corners[0]).norm() / 2;
+    }
+    CHECK(ring > 0);
+    CHECK((arm > ring + 3) == (story.frames.back().moments[0].simplex.point(gjk::Role::A).isZero(0)));
+  }
+}
+
+TEST_CASE("The faces of a body in space are shaded, and the line in which two cross is drawn where it is in sight") {
+  render::Font font{render::Font::default_directory()};
+  const StagedStory story(tell(walkthrough("regions/3-simplex-on-face")));
+  const auto& crossing = story.stages[0].crossing;
+  CHECK(crossing.size() > 3);
+  const auto seen = std::ranges::count_if(crossing, [&](const CrossingPiece& piece) {
+    return story.stages[0].lens.sees(piece.outward_a) && story.stages[0].lens.sees(piece.outward_b);
+  });
+  for (const render::Theme& theme : {render::themes::report, render::themes::dark}) {
+    const Look look{.style = Style(theme)};
+    render::Canvas page(frame_page, frame_page, theme.paper, font);
+    draw_frame(page, story, story.frames.size() - 1, look);
+    std::set<int> of_a, of_difference;
+    std::ptrdiff_t drawn = 0;
+    for (const render::Shape& shape : page.shapes()) {
+      if (const auto* face = std::get_if<render::shape::Polygon>(&shape)) {
+        if (face->fill.with_alpha(0) == theme.sky.with_alpha(0)) of_a.insert(face->fill.a);
+        if (face->fill.with_alpha(0) == theme.faint.with_alpha(0)) of_difference.insert(face->fill.a);
+      }
+      const auto* line = std::get_if<render::shape::Polyline>(&shape);
+      drawn += line && line->stroke.width == look.style.crossing.width && line->stroke.color == theme.ink;
+    }
+    CHECK(of_a.size() >= 4);
+    CHECK(of_difference.size() >= 4);
+    CHECK((drawn == seen && seen > 0));
+  }
+}
+
+TEST_CASE("A strip is one row as long as that can be read, else rows that are read as text is") {
+  render::Font font{render::Font::default_directory()};
+  const auto drawn = [&](int iterations) {
+    Story story = tell(walkthrough("figure-4-left"));
+    const Frame last = story.frames.back();
+    story.frames.assign(static_cast<std::size_t>(iterations), last);
+    for (int i = 0; i < iterations; ++i) story.frames[static_cast<std::size_t>(i)].moments[0].iteration = i + 1;
+    const StagedStory staged(std::move(story));
+    render::Canvas strip(strip_page(staged), strip_page(staged), render::palette::white, font);
+    draw_strip(strip, staged);
+    return strip;
+  };
+  const int height = drawn(1).pixels().height, width = drawn(1).pixels().width;
+  for (const int count : {2, 12, 13, 200}) {
+    INFO(count);
+    const render::Canvas strip = drawn(count);
+    const auto [wide, high] = strip.pixels();
+    if (count <= 12)
+      CHECK((wide == count * width && high == height));
+    else
+      CHECK((wide > 1.3 * high && wide < 2.4 * high));
+    CHECK(wide * high < (count + wide / width) * width * height);  // no row is empty
+    int next = 1;
+    render::Vec2 before(-1, -1);
+    for (const render::Shape& shape : strip.shapes()) {
+      const auto* title = std::get_if<render::shape::Text>(&shape);
+      if (!title || title->text != "iteration " + std::to_string(next)) continue;
+      CHECK((title->position.y() > before.y() ||
+             (title->position.y() == before.y() && title->position.x() > before.x())));
+      before = title->position;
+      ++next;
+    }
+    CHECK(next == count + 1);
+    CHECK((before.x() < wide && before.y() < high));
+  }
 }
 
 TEST_CASE("At every scale of text all lines below the panels fit, and hardly a label is crowded",

@@ -37,7 +37,8 @@ TEST_CASE("A search has one frame for each event that changes the picture, in or
 }
 
 TEST_CASE("A frame for each step is the last one of its iteration") {
-  const Story decisions = tell(walkthrough("figure-4-left")), steps = tell(walkthrough("figure-4-left"), Detail::iteration);
+  const Story decisions = tell(walkthrough("figure-4-left")),
+              steps = tell(walkthrough("figure-4-left"), Detail::iteration);
   const auto last = last_of_each_iteration(decisions.frames);
   REQUIRE(steps.frames.size() == last.size());
   for (std::size_t i = 0; i < last.size(); ++i) {
@@ -46,6 +47,26 @@ TEST_CASE("A frame for each step is the last one of its iteration") {
     CHECK(step.caption == decisions.frames.at(last[i]).caption);
   }
   CHECK(steps.frames.back().focus == Focus::end);
+}
+
+/// Returns: the last of the events up to there of which something is said.
+const gjk::Event<double>& last_shown(const Telling& telling, std::size_t event) {
+  while (!telling.said[event]) --event;
+  return telling.trace.events[event];
+}
+
+TEST_CASE("Of two searches each is drawn as it stands: one that has ended makes no test again") {
+  for (const Walkthrough& w : whole_catalogue()) {
+    if (w.scenes.size() < 2 || w.layout == Layout::diagrams) continue;
+    const Story story = tell(w);
+    for (const Frame& f : story.frames)
+      for (std::size_t s = 0; s < 2; ++s) {
+        INFO(w.name << ", " << w.scenes[s].name << ": " << f.caption);
+        const auto& event = last_shown(story.tellings[s], f.events[s].last);
+        CHECK(f.focus_of(s) == focus_of(event, w.naming));
+        CHECK(f.iterations()[f.iterations().size() == 1 ? 0 : s] == iteration_of(event));
+      }
+  }
 }
 
 TEST_CASE("Frames cover the events of each run without a gap, and a run that has ended repeats its last") {
