@@ -209,7 +209,7 @@ Scenes in space are drawn twice: on the left as space is seen, on the right as t
 - Plane of d and OP: d points to the right. The red point lies past the origin where it is to the right of O, short of it where
   it is left. The grey bar is the way from O to it along d.
 - "edge-on": the triangle is seen as a line, its normal (blue arrow) up. A face sees the origin where O is above the line.
-  "↕x8": heights are drawn eight times as high. The fourth vertex of a tetrahedron lies below. The picture in which a part is
+  "heights x8": they are drawn eight times as high. The fourth vertex of a tetrahedron lies below. The picture in which a part is
   hatched only shows where the search comes from: the origin is not in the hatched part.
 - "true shape": the triangle seen straight down its normal; O stands where its foot is.
 - A small picture in a corner, with "x8", is the part in the thin circle, so many times as large.

@@ -51,8 +51,12 @@ struct Head {
     };
     begins_below = !is_beside(larger_that_fits(is_beside)) && !title.empty();
     if (!begins_below) title_text.size = key_text.size;
-    title_text.size = std::max(least, canvas.fitted(title, title_text, room).size);
-    words = shortened(canvas, title, title_text, room);
+    title_text.size = canvas.fitted(title, title_text, room).size;
+    words = title;
+    if (title_text.size < least) {
+      title_text.size = least;
+      words = shortened(canvas, title, title_text, room);
+    }
     if (is_beside(key_text.size)) {
       if (!key.empty()) lines = {key};
       return;

@@ -95,6 +95,22 @@ TEST_CASE("A title too long for its panel ends in an ellipsis, in letters that c
   CHECK(*std::ranges::max_element(title.heights) >= 10);
 }
 
+TEST_CASE("A title that smaller letters make fit is whole, however letters are rounded to pixels") {
+  render::Font font(render::Font::default_directory());
+  render::Theme theme = render::themes::report;
+  theme.text = 1.5;
+  const std::string title = "BCD edge-on, hatched: left behind";
+  for (int width = 200; width < 1600; width += 50) {
+    INFO(width);
+    render::Canvas canvas({width, width}, {500, 500}, theme.paper, font);
+    const Style style(theme);
+    draw_panel_title(canvas, {{40, 10}, {450, 200}}, title, style, {key_of_newest(style)});
+    for (const render::Shape& shape : canvas.shapes())
+      if (const auto* text = std::get_if<render::shape::Text>(&shape))
+        CHECK((text->text == title || text->text == "newest"));
+  }
+}
+
 TEST_CASE("A name is shortened by whole letters, also of several bytes and of those that markup escapes") {
   std::string accents, underscores;
   for (int i = 0; i < 40; ++i) {
