@@ -67,6 +67,9 @@ TEST_CASE("Of two searches each is drawn as it stands: one that has ended makes 
         CHECK(f.iterations()[f.iterations().size() == 1 ? 0 : s] == iteration_of(event));
       }
   }
+  const Story steps = tell(walkthrough("mistakes/m2-first-point-tested"), Detail::iteration);
+  REQUIRE(steps.frames.size() == 2);  // one search ends in the first iteration, the other in the second
+  CHECK(steps.frames[1].iterations() == std::vector<int>{1, 2});
 }
 
 TEST_CASE("Frames cover the events of each run without a gap, and a run that has ended repeats its last") {
