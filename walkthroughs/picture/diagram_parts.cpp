@@ -43,8 +43,9 @@ void draw_origin(render::Panel& panel, const Style& style) {
 }
 
 void draw_origin_among(render::Panel& panel, const Vec2& at, const std::vector<Vec2>& points, const Style& style) {
-  const double reach = (style.point_radius + paper_around_point) / panel.view().scale();
-  const bool is_on_mark = std::ranges::any_of(points, [&](const Vec2& p) { return (p - at).norm() < reach; });
+  const auto distance = [&](const Vec2& p) { return (panel.view().page(p) - panel.view().page(at)).norm(); };
+  const bool is_on_mark =
+      std::ranges::any_of(points, [&](const Vec2& p) { return distance(p) < style.point_radius + paper_around_point; });
   panel.plus(at, is_on_mark ? arm_on_mark : arm_among, style.origin);
 }
 

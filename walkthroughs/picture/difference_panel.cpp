@@ -415,7 +415,7 @@ std::vector<Point> marks_beside(const Shown& shown, const render::View& view) {
 
 /// What the picture tells from the origin: the vertices and edges of the simplex, in space its faces, and what bounds the
 /// set along d. Regions reach beyond the ends of an edge.
-Surroundings around_origin(const Shown& shown, const render::View& view) {
+Surroundings around_origin(const Shown& shown, const Place& place) {
   const Moment& now = shown.now;
   Surroundings around{Vec2::Zero(), {}, {}, {}, {}};
   const auto near = [&](const Point& p) { around.nearest.push_back({shown.lens(p), p.stableNorm()}); };
@@ -435,7 +435,8 @@ Surroundings around_origin(const Shown& shown, const render::View& view) {
   }
   for (const Point& corner : corners) near(corner);
   around.vertices = shown.lens(corners);
-  around.others = shown.lens(marks_beside(shown, view));
+  around.others = shown.lens(marks_beside(shown, place.view));
+  if (shown.lens.camera) around.others.push_back(place.view.scene(start_of_triad(place.frame)));
   return around;
 }
 
@@ -448,7 +449,7 @@ void draw_difference(render::Canvas& canvas, const Place& place, const Shown& sh
     render::Panel panel(canvas, room, place.view);
     DifferencePicture(panel, shown).search(canvas, place.frame);
     const std::optional<Inset> inset =
-        inset_of(around_origin(shown, place.view), room, place.view, shown.telling.panels.close_up, style);
+        inset_of(around_origin(shown, place), room, place.view, shown.telling.panels.close_up, style);
     finish_with_inset(canvas, panel, Vec2::Zero(), inset, style, [&shown](render::Panel& magnified) {
       const Style small = style_of_inset(shown.style);
       const Shown inside = shown.in(small);

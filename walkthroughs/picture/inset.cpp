@@ -24,15 +24,15 @@ constexpr double least_apart = 14, wanted_apart = 70;        // of two vertices
 constexpr double room_around = 26, room_of_mark = 12;        // inside the frame, and outside
 constexpr double in_sight = 60, least_factor = 2;            // of what is nearest, where an inset is wanted
 constexpr double gap = 8, circle_radius = 14, widest = 0.48, highest = 0.5;  // the last two in parts of the room
-constexpr double most_width = 1.5;                                           // in heights
+constexpr double least_inside = 48;
+constexpr double most_width = 1.5;  // in heights
 constexpr double strip = 24, text_size = 15;
 constexpr double smaller_text = 0.8, smaller_arrows = 0.7;  // inside
 constexpr double largest_factor = 1e302;                    // so that the page's own coordinates are numbers
 const Vec2 size_of_frame(230, 186);
 
-/// Returns: a box in the corner of `room` where it is farthest from `at` and from `shape`.
-Box best_corner(const Vec2& at, const std::vector<Segment>& shape, const Box& room, const Vec2& size,
-                const View& view) {
+/// Returns: a box in the corner of `room` where it is farthest from `at`, from the shape and from other marks.
+Box best_corner(const Vec2& at, const Surroundings& what, const Box& room, const Vec2& size, const View& view) {
   Box best;
   double most = -1;
   for (const bool right : {false, true})
@@ -40,7 +40,9 @@ Box best_corner(const Vec2& at, const std::vector<Segment>& shape, const Box& ro
       const Vec2 corner(right ? room.max.x() - size.x() : room.min.x(), low ? room.max.y() - size.y() : room.min.y());
       const Vec2 middle = view.scene(corner + size / 2);
       double clear = (middle - at).norm();
-      for (const Segment& s : shape) clear = std::min(clear, render::distance_to_segment(middle, s.first, s.second));
+      for (const Segment& s : what.shape)
+        clear = std::min(clear, render::distance_to_segment(middle, s.first, s.second));
+      for (const Vec2& other : what.others) clear = std::min(clear, (middle - what.origin - other).norm());
       if (clear <= most) continue;
       most = clear;
       best = {corner, corner + size};
@@ -101,9 +103,10 @@ bool is_hidden(const Surroundings& what, const View& view) {
 
 std::optional<Inset> inset_of_size(const Vec2& size, const Surroundings& what, const Box& room, const View& view,
                                    bool is_wanted, const Style& style) {
+  if (size.y() - style.scaled(strip) < least_inside) return std::nullopt;  // nothing would be seen in it
   const Vec2 inner = size - Vec2(2 * room_around, style.scaled(strip) + 2 * room_around);
   const auto around = [&](const Vec2& at, double factor) {
-    return Inset{at, best_corner(what.origin + at, what.shape, room.grown(-gap), size, view), factor};
+    return Inset{at, best_corner(what.origin + at, what, room.grown(-gap), size, view), factor};
   };
   const Nearest* const nearest = nearest_of(what.nearest);
   const double distance = nearest ? nearest->distance * view.scale() : infinity;
@@ -153,12 +156,14 @@ std::optional<Inset> inset_of(const Surroundings& what, const Box& room, const V
   const Vec2 most = (room.max - room.min).cwiseProduct(Vec2(widest, highest));
   Vec2 whole = Vec2(size_of_frame.x(), size_of_frame.y() + style.scaled(strip) - strip).cwiseMin(most);
   whole.x() = std::min(whole.x(), most_width * whole.y());
-  std::optional<Inset> inset;
+  std::optional<Inset> smallest;
   for (const double part : {1.0, 0.8, 0.65}) {
-    inset = inset_of_size(whole * part, what, room, view, is_wanted, style);
-    if (!inset || !covers_mark(*inset, what, view)) return inset;
+    const std::optional<Inset> inset = inset_of_size(whole * part, what, room, view, is_wanted, style);
+    if (!inset) break;
+    if (!covers_mark(*inset, what, view)) return inset;
+    smallest = inset;
   }
-  return is_hidden(what, view) ? inset : std::nullopt;
+  return is_hidden(what, view) ? smallest : std::nullopt;
 }
 
 void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const Vec2& origin,

@@ -161,9 +161,11 @@ void Pencil::body(const std::vector<Vec2>& outline, const std::vector<render::Fa
   edges(faces, stroke);
 }
 
+Vec2 start_of_triad(const render::Box& frame) { return {frame.min.x() + triad_margin, frame.max.y() - triad_margin}; }
+
 void Pencil::triad(render::Canvas& canvas, const render::Box& frame) {
   if (!in_space()) return;
-  const Vec2 start(frame.min.x() + triad_margin, frame.max.y() - triad_margin);
+  const Vec2 start = start_of_triad(frame);
   panel_.disc(panel_.view().scene(start), triad_margin - 2, style_.theme.paper.with_alpha(170));
   const render::TextStyle text{.size = style_.scaled(17), .color = style_.theme.grey, .align = render::Align::center};
   const char* const names[] = {"x", "y", "z"};

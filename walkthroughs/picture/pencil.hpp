@@ -74,6 +74,9 @@ class Pencil {
   const double arrow_length_;
 };
 
+/// Returns: where on the page the arrows of the triad begin.
+render::Vec2 start_of_triad(const render::Box& frame);
+
 /// Returns: the part of a convex polygon on the side of `on` that `toward` points to.
 std::vector<render::Vec2> half(const std::vector<render::Vec2>& polygon, const render::Vec2& on,
                                const render::Vec2& toward);
