@@ -163,7 +163,7 @@ class GoldenTests(InAFolder):
 
     def test_a_changed_picture_fails_until_it_is_accepted(self):
         shutil.copy(self.first.with_name("001.png"), self.first)
-        self.assertIn("1 of 6 pictures differs", self.fails())
+        self.assertIn("1 of 6 pictures fails", self.fails())
         self.assertIn("000.png", (self.kept / "report/index.html").read_text())
         drawn = (self.kept / "actual/box-and-can/000.png").read_bytes()
         self.fails(GJKSTEP_ACCEPT="0")

@@ -233,6 +233,7 @@ void draw_diagram(Canvas& canvas, const StagedStory& story, std::size_t index, c
 // In page units.
 constexpr int cell_width = 420, caption_height = 104;
 constexpr int longest_row = 12 * cell_width;
+constexpr double pitch_of_caption = 0.95, next_smaller = 0.93, least_caption = 0.6;
 constexpr double wanted_shape = 16.0 / 9;  // of what has more than one row
 constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
 
@@ -293,16 +294,35 @@ int columns_of_strip(int count, render::Size cell) {
   return (count + rows - 1) / rows;
 }
 
+/// In smaller letters where it would need more lines than there is room for.
+void draw_caption(Canvas& canvas, const std::string& caption, const Box& room, const Style& style) {
+  double part = 1;
+  TextStyle text = style.fact;
+  std::vector<std::string> lines = render::wrap(canvas, caption, text, room.width());
+  const auto height = [&] {
+    return style.scaled(line_pitch) * part * (1 + pitch_of_caption * (static_cast<double>(lines.size()) - 1));
+  };
+  while (height() > room.height() && part > least_caption) {
+    part *= next_smaller;
+    text.size = style.fact.size * part;
+    lines = render::wrap(canvas, caption, text, room.width());
+  }
+  double y = room.min.y() + style.scaled(line_pitch) * part;
+  for (const std::string& line : lines) {
+    canvas.text({room.min.x(), y}, line, text);
+    y += style.scaled(line_pitch * pitch_of_caption) * part;
+  }
+}
+
 /// `corner`: the upper left one of the cell.
 void draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, const Vec2& corner, const Look& look) {
   const Box frame{corner + Vec2(cell_gap, cell_gap),
                   corner + Vec2(width_of_cell(story) - cell_gap, bottom_of_panel(story))};
   draw_cell_picture(canvas, story, cell, frame, look);
-  double y = frame.max.y() + look.style.scaled(line_pitch);
-  for (const std::string& line : render::wrap(canvas, cell.caption, look.style.fact, frame.width())) {
-    canvas.text({frame.min.x(), y}, line, look.style.fact);
-    y += look.style.scaled(line_pitch * 0.95);
-  }
+  draw_caption(
+      canvas, cell.caption,
+      {{frame.min.x(), frame.max.y()}, corner + Vec2(frame.max.x() - corner.x(), size_of_cell(story, look).height)},
+      look.style);
 }
 
 // -- The frame --------------------------------------------------------------------------------------------------------
