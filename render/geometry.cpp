@@ -70,11 +70,15 @@ std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Vec2& gradie
   return kept;
 }
 
+// What is cut is put onto the border, which rounding misses where corners are very far away.
 std::vector<Vec2> clip_polygon(std::span<const Vec2> polygon, const Box& box) {
-  std::vector<Vec2> part = clip_polygon(polygon, {1, 0}, -box.min.x());
-  part = clip_polygon(part, {-1, 0}, box.max.x());
-  part = clip_polygon(part, {0, 1}, -box.min.y());
-  return clip_polygon(part, {0, -1}, box.max.y());
+  std::vector<Vec2> part(polygon.begin(), polygon.end());
+  for (const int axis : {0, 1}) {
+    const Vec2 along = Vec2::Unit(axis);
+    part = clip_polygon(clip_polygon(part, along, -box.min[axis]), -along, box.max[axis]);
+    for (Vec2& p : part) p[axis] = std::clamp(p[axis], box.min[axis], box.max[axis]);
+  }
+  return part;
 }
 
 // Douglas and Peucker (1973).

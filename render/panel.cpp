@@ -130,6 +130,14 @@ View View::fit(const Vec2& low, const Vec2& high, const Box& frame, double max_s
   return view;
 }
 
+View View::into(const Box& from, const Box& to) const {
+  View view = *this;
+  view.center_scene_ = scene(from.center());
+  view.center_page_ = to.center();
+  view.scale_ *= std::min(to.width() / from.width(), to.height() / from.height());
+  return view;
+}
+
 // ---------------------------------------------------------------------------------------------- shapes
 
 Panel::Panel(Canvas& canvas, const Box& frame, const View& view) : canvas_(canvas), frame_(frame), view_(view) {
@@ -138,7 +146,11 @@ Panel::Panel(Canvas& canvas, const Box& frame, const View& view) : canvas_(canva
 
 Panel::~Panel() { canvas_.unclip(); }
 
-void Panel::polygon(std::span<const Vec2> corners, Color fill) { canvas_.polygon(to_page(corners), fill); }
+void Panel::polygon(std::span<const Vec2> corners, Color fill) {
+  const std::vector<Vec2> page = to_page(corners);
+  const std::vector<Vec2> seen = reaches_far(page) ? clip_polygon(page, frame_.grown(beyond_frame)) : page;
+  if (seen.size() > 2) canvas_.polygon(seen, fill);
+}
 
 void Panel::line(const Vec2& from, const Vec2& to, const Stroke& stroke) {
   Vec2 page_from = view_.page(from), page_to = view_.page(to);

@@ -27,6 +27,8 @@ class View {
     other.scale_ = scale;
     return other;
   }
+  /// Returns: the view that shows in `to` what this one shows in `from`. Requires: neither is empty.
+  View into(const Box& from, const Box& to) const;
   double scale() const { return scale_; }  ///< page units per scene unit
 
  private:

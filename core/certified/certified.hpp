@@ -23,8 +23,8 @@
 /// The filter costs a few products. Of random pairs some ten in a million need the fallback. Of touching ones all do,
 /// and then take some microseconds (measured: tests/study/results/timings.md).
 ///
-/// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers of another project). Nothing
-/// else in core needs Boost.
+/// Needs Eigen and, for whole numbers of any length, Boost.Multiprecision (headers of another project). Within
+/// core only this folder needs Boost.
 ///
 /// What is proven, under which assumptions, as numbered properties. The tests quote them. The assumptions: IEEE
 /// arithmetic, rounded to nearest, no denormal numbers flushed to zero, finite coordinates. (Contracted products do no
@@ -36,7 +36,7 @@
 ///  C2. Four points are a proof where four determinants are larger than 64uM³, M being their largest |coordinate|. Each
 ///      is that of the origin and three of the points, positive where the origin lies inside. See ContainmentFilter. One
 ///      of the points may be the difference of the means of the sets, which is known less well. Then the determinants
-///      have to be larger than 64uM³ + 8(n_A r_A + n_B r_B)uM², see error_of_mean().
+///      have to be larger than 64uM³ + 8(n_A max r_A + n_B max r_B)uM², see error_of_mean().
 ///  C3. Each sign that the exact fallback goes by is that of the exact number. See exact_fallback.hpp.
 ///  C4. The exact fallback ends. |v|, the distance of the simplex from the origin, falls strictly. v depends only on
 ///      the feature that is kept, and there are finitely many features.

@@ -355,14 +355,55 @@ std::vector<Vec2> outline(const Object& object, const Body& body, const Lens& le
   return seen(visit_shape(OutlineOf{object.pose, lens}, object.form));
 }
 
+namespace {
+
+/// Asks the support function of a difference all around.
+class AskedAround {
+ public:
+  AskedAround(const Scene& scene, const Lens& lens) : a_(scene.a), b_(scene.b), lens_(lens) {}
+
+  Vec2 farthest(double angle) const { return lens_(difference_.vertex(lens_.direction(angle)).w); }
+
+  /// Adds what lies between two angles, from that of `from` to before that of `to`.
+  void add_between(double first, const Vec2& from, double last, const Vec2& to, const render::Box& where,
+                   double tolerance, std::vector<Vec2>& points) const {
+    const double middle = (first + last) / 2;
+    const Vec2 between = farthest(middle);
+    const double bend = render::distance_to_segment(between, from, to);
+    render::Box around = render::Box::around(std::array{from, between, to});
+    if (bend <= tolerance || !around.grown(bend).overlaps(where) || middle == first || middle == last) {
+      points.push_back(from);
+      return;
+    }
+    add_between(first, from, middle, between, where, tolerance, points);
+    add_between(middle, between, last, to, where, tolerance, points);
+  }
+
+ private:
+  const AskedObject<double> a_, b_;
+  const gjk::MinkowskiDifference<double, AskedObject<double>, AskedObject<double>> difference_{a_, b_};
+  const Lens& lens_;
+};
+
+}  // namespace
+
 std::vector<Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens) {
   if (!body.vertices.empty()) return seen(convex_hull(lens(body.vertices)));
-  const AskedObject<double> a(scene.a), b(scene.b);
-  const gjk::MinkowskiDifference<double, AskedObject<double>, AskedObject<double>> difference(a, b);
+  const AskedAround difference(scene, lens);
   std::vector<Vec2> farthest;
-  for (int i = 0; i < outline_directions; ++i)
-    farthest.push_back(lens(difference.vertex(lens.direction(angle_of(i, outline_directions))).w));
+  for (int i = 0; i < outline_directions; ++i) farthest.push_back(difference.farthest(angle_of(i, outline_directions)));
   return convex_hull(std::move(farthest));
+}
+
+std::vector<Vec2> outline_nearby(const Scene& scene, const Lens& lens, const render::Box& where, double tolerance) {
+  const AskedAround difference(scene, lens);
+  std::vector<Vec2> points;
+  for (int i = 0; i < outline_directions; ++i) {
+    const double first = angle_of(i, outline_directions), last = angle_of(i + 1, outline_directions);
+    difference.add_between(first, difference.farthest(first), last, difference.farthest(last), where, tolerance,
+                           points);
+  }
+  return convex_hull(std::move(points));
 }
 
 }  // namespace walkthroughs::picture

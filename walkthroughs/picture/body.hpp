@@ -43,6 +43,11 @@ std::vector<render::Vec2> outline(const Object& object, const Body& body, const 
 /// Returns: the outline of the difference in the picture. Asks the support functions where `body` is empty.
 std::vector<render::Vec2> outline_of_difference(const Scene& scene, const Body& body, const Lens& lens);
 
+/// Returns: the same of a difference in the plane, so fine near `where` that no side there misses the border by more than
+/// `tolerance` (scene units). Asks the support functions.
+std::vector<render::Vec2> outline_nearby(const Scene& scene, const Lens& lens, const render::Box& where,
+                                         double tolerance);
+
 /// Qhull. Returns: the faces of the hull of points in space, coplanar triangles joined; none where the points are flat.
 std::vector<render::Face> hull_faces(const std::vector<Point>& points);
 

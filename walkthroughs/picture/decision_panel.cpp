@@ -60,9 +60,13 @@ class DecisionPicture {
   }
 
   View fit() const {
-    const double across = frame_.width() < narrow ? narrow_margin : margin;
+    const double across = frame_.width() < narrow        ? narrow_margin
+                          : view_.kind == Kind::crossing ? style_.arrow_length + gap  // d leads from the origin
+                                                         : margin;
     const double upright = std::min(margin_below(), most_margin * room_.height());
-    return View::fit(bounds.min, bounds.max, room_.grown(-Vec2(across, upright)));
+    const double most =
+        bounds.longer_side() > 0 ? std::numeric_limits<double>::infinity() : 1;  // where all is one point
+    return View::fit(bounds.min, bounds.max, room_.grown(-Vec2(across, upright)), most);
   }
 
   /// Draws the title and the key, which leave less room where they take several lines.
@@ -78,7 +82,7 @@ class DecisionPicture {
       case Kind::true_shape: flat(pencil); break;
       case Kind::edge_on: edge_on(pencil); break;
     }
-    finish_with_inset(canvas, panel, at_origin(), inset_in(view), style_, [this](render::Panel& magnified) {
+    finish_with_insets(canvas, panel, at_origin(), insets_in(view), style_, [this](render::Panel& magnified) {
       const Style small = style_of_inset(style_);
       const Shown inside = shown_.in(small);
       DecisionPicture(frame_, view_, inside, is_alone_).inset(magnified);
@@ -157,8 +161,8 @@ class DecisionPicture {
   Vec2 at_found() const { return {lens_.plane.stretch.x() * view_.height, lens_(shown_.now.found->w).y()}; }
 
   /// Around the foot of the origin, where it stands near an edge.
-  std::optional<Inset> inset_in(const View& view) const {
-    if (view_.kind != Kind::true_shape && view_.kind != Kind::segment) return std::nullopt;
+  std::vector<Inset> insets_in(const View& view) const {
+    if (view_.kind != Kind::true_shape && view_.kind != Kind::segment) return {};
     Surroundings around{at_origin(), {}, {}, {}, {}};
     for (int i = 0; i < view_.face.size(); ++i) {
       const Role from = view_.face[i], to = view_.face[(i + 1) % view_.face.size()];
@@ -169,7 +173,7 @@ class DecisionPicture {
       const double distance = seen.norm();
       if (distance > rounding * foot.norm()) around.nearest.push_back({seen, distance});
     }
-    return inset_of(around, room_, view, shown_.telling.panels.close_up, style_);
+    return insets_of(around, room_, view, shown_.telling.panels.close_up, style_);
   }
 
   void mark_origin(render::Panel& panel) {
@@ -384,7 +388,7 @@ class DecisionPicture {
   /// Its shadow on this plane: it ends where P is.
   void difference(render::Panel& panel) {
     const std::vector<Vec2> shadow = outline_of_difference(shown_.telling.scene, shown_.stage.difference, lens_);
-    panel.polygon(shadow, style_.hull_fill);
+    panel.polygon(half(shadow, at_found(), {-1, 0}), style_.hull_fill);  // P is the farthest, however it is stretched
     panel.name_area(shadow, "shadow of a − b", style_.small_label(), {""});
   }
 

@@ -17,6 +17,8 @@ using render::Stroke;
 using render::Vec2;
 
 constexpr double line_label_gap = 9;
+constexpr double least_of_round = 1e-12;  // of a set, the part that may be magnified
+constexpr double least_bend = 0.3;        // page units: a smaller one is drawn straight
 
 // -- The key ----------------------------------------------------------------------------------------------------------
 
@@ -169,7 +171,10 @@ class DifferencePicture {
     if (shown_.focus == Focus::region && !pencil_.in_space()) draw_regions(pencil_, shown_);
     panel_.drop_labels();
     feet_of_origin();
-    if (shows_supporting_line(shown_)) pencil_.out_of_reach(foot_of_supporting_line(now_), now_.direction->value);
+    if (shows_supporting_line(shown_)) {
+      const Point& P = now_.found->w;
+      pencil_.out_of_reach(pencil_.holds(P) ? P : foot_of_supporting_line(now_), now_.direction->value);
+    }
     segments();
     if (shown_.focus == Focus::crossing) crossing();
     vertices();
@@ -329,7 +334,7 @@ class DifferencePicture {
     draw_origin_beside(panel_, pencil_.at(Point::Zero()), height, style_);
   }
 
-  /// Of a polytope, whose sides are straight however much they are magnified.
+  /// Of a polytope, whose sides are straight however much they are magnified; in the plane of others, too.
   void hull_nearby() {
     const Body& body = shown_.stage.difference;
     if (pencil_.in_space()) {
@@ -337,12 +342,21 @@ class DifferencePicture {
         pencil_.body(outline_, body.faces, style_.hull_fill, hull_stroke());
       return;
     }
-    if (body.vertices.empty()) return;
+    if (outline_.empty()) return;
     std::vector<Point> corners;
-    for (const Vec2& corner : outline_) corners.emplace_back(corner.x(), corner.y(), 0);
+    for (const Vec2& corner : body.vertices.empty() ? round_outline() : outline_)
+      corners.emplace_back(corner.x(), corner.y(), 0);
+    if (corners.empty()) return;
     pencil_.polygon(corners, style_.hull_fill);
     for (std::size_t i = 0; i < corners.size(); ++i)
       pencil_.line(corners[i], corners[(i + 1) % corners.size()], style_.hull);
+  }
+
+  /// Returns: the outline of a set that is not all corners, finer where the panel is; nothing where doubles have no digits left.
+  std::vector<Vec2> round_outline() const {
+    const Box nearby = Box::around(panel_.corners());
+    if (nearby.longer_side() < least_of_round * Box::around(outline_).longer_side()) return {};
+    return outline_nearby(shown_.telling.scene, shown_.lens, nearby, pencil_.length(least_bend));
   }
 
   void hull() {
@@ -415,7 +429,7 @@ std::vector<Point> marks_beside(const Shown& shown, const render::View& view) {
 
 /// What the picture tells from the origin: the vertices and edges of the simplex, in space its faces, and what bounds the
 /// set along d. Regions reach beyond the ends of an edge.
-Surroundings around_origin(const Shown& shown, const Place& place) {
+Surroundings around_origin(const Shown& shown, const Box& frame, const render::View& view) {
   const Moment& now = shown.now;
   Surroundings around{Vec2::Zero(), {}, {}, {}, {}};
   const auto near = [&](const Point& p) { around.nearest.push_back({shown.lens(p), p.stableNorm()}); };
@@ -435,8 +449,8 @@ Surroundings around_origin(const Shown& shown, const Place& place) {
   }
   for (const Point& corner : corners) near(corner);
   around.vertices = shown.lens(corners);
-  around.others = shown.lens(marks_beside(shown, place.view));
-  if (shown.lens.camera) around.others.push_back(place.view.scene(start_of_triad(place.frame)));
+  around.others = shown.lens(marks_beside(shown, view));
+  if (shown.lens.camera) around.others.push_back(view.scene(start_of_triad(frame)));
   return around;
 }
 
@@ -446,11 +460,12 @@ void draw_difference(render::Canvas& canvas, const Place& place, const Shown& sh
   const Style& style = shown.style;
   const Box room = draw_panel_title(canvas, place.frame, place.title, style, key(shown));
   {
-    render::Panel panel(canvas, room, place.view);
+    const render::View view = view_in(room, place.frame, place.view, style);
+    render::Panel panel(canvas, room, view);
     DifferencePicture(panel, shown).search(canvas, place.frame);
-    const std::optional<Inset> inset =
-        inset_of(around_origin(shown, place), room, place.view, shown.telling.panels.close_up, style);
-    finish_with_inset(canvas, panel, Vec2::Zero(), inset, style, [&shown](render::Panel& magnified) {
+    const Surroundings around = around_origin(shown, place.frame, view);
+    const std::vector<Inset> insets = insets_of(around, room, view, shown.telling.panels.close_up, style);
+    finish_with_insets(canvas, panel, Vec2::Zero(), insets, style, [&shown](render::Panel& magnified) {
       const Style small = style_of_inset(shown.style);
       const Shown inside = shown.in(small);
       DifferencePicture(magnified, inside).inset();
@@ -481,7 +496,7 @@ Box bounds_of_move(const Moment& now, const Lens& lens) {
 
 void draw_move(render::Canvas& canvas, const Place& place, const Shown& shown) {
   const Box room = draw_panel_title(canvas, place.frame, place.title, shown.style, key(shown));
-  render::Panel panel(canvas, room, place.view);
+  render::Panel panel(canvas, room, view_in(room, place.frame, place.view, shown.style));
   DifferencePicture(panel, shown).move();
   canvas.add_crowded(panel.place_labels(shown.style.smallest_label()));
 }

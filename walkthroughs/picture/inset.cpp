@@ -111,7 +111,7 @@ std::optional<Inset> inset_of_size(const Vec2& size, const Surroundings& what, c
   const Nearest* const nearest = nearest_of(what.nearest);
   const double distance = nearest ? nearest->distance * view.scale() : infinity;
   const auto around_nearest = [&](double wanted) {
-    const double factor = std::clamp(round_factor(wanted), least_factor, largest_factor);
+    const double factor = std::max(round_factor(wanted), least_factor);
     return around(middle_of_near(*nearest, what.vertices, inner / (view.scale() * factor)), factor);
   };
   const double wanted = std::min(wanted_distance, (size.y() - style.scaled(strip)) / 2);
@@ -137,7 +137,7 @@ Style style_of_inset(const Style& style) {
 // By way of its digits, which end before 2e23 is 1.9999: logarithms and powers differ in their last digit from one machine to another.
 double round_factor(double factor) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.14e", factor);
+  std::snprintf(text, sizeof text, "%.14e", factor < largest_factor ? factor : largest_factor);
   text[1] = '\0';
   const char* const digit = text[0] >= '5' ? "5" : text[0] >= '2' ? "2" : "1";
   return std::strtod((digit + std::string(std::strchr(text + 2, 'e'))).c_str(), nullptr);
@@ -166,13 +166,31 @@ std::optional<Inset> inset_of(const Surroundings& what, const Box& room, const V
   return is_hidden(what, view) ? smallest : std::nullopt;
 }
 
-void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const Vec2& origin,
-                       const std::optional<Inset>& inset, const Style& style,
-                       const std::function<void(render::Panel&)>& draw) {
-  if (inset) panel.keep_clear(inset->frame);
-  canvas.add_crowded(panel.place_labels(style.smallest_label()));
-  if (!inset) return;
-  const auto& [at, frame, factor] = *inset;
+std::vector<Inset> insets_of(const Surroundings& what, const Box& room, const View& view, bool is_wanted,
+                             const Style& style) {
+  std::vector<Inset> insets;
+  const std::optional<Inset> first = inset_of(what, room, view, is_wanted, style);
+  if (!first) return insets;
+  insets.push_back(*first);
+  const double reach = first->frame.width() / (2 * view.scale() * first->factor);
+  Surroundings beyond = what;  // vertices in the place of the origin's mark, too far away for the first
+  beyond.nearest.clear();
+  for (const Vec2& vertex : what.vertices)
+    if (const double distance = vertex.stableNorm(); distance > reach && distance * view.scale() < hidden_distance)
+      beyond.nearest.push_back({vertex, distance});
+  if (beyond.nearest.empty()) return insets;
+  for (const Vec2& corner : first->frame.corners()) beyond.others.push_back(view.scene(corner) - what.origin);
+  beyond.others.push_back(view.scene(first->frame.center()) - what.origin);
+  const std::optional<Inset> second = inset_of(beyond, room, view, false, style);
+  if (second && !second->frame.overlaps(first->frame)) insets.push_back(*second);
+  return insets;
+}
+
+namespace {
+
+void draw_inset(render::Canvas& canvas, const render::Panel& panel, const Vec2& origin, const Inset& inset,
+                const Style& style, const std::function<void(render::Panel&)>& draw) {
+  const auto& [at, frame, factor] = inset;
   const render::Stroke line{style.theme.ink, 1.2};
   canvas.circle(panel.view().page(origin + at), circle_radius, line);
   canvas.rectangle(frame, style.theme.paper);
@@ -190,6 +208,16 @@ void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const Vec2&
   const std::string words = "magnified " + words_of_factor(factor);
   text = canvas.fitted(words, text, frame.width() - 2 * gap);
   canvas.text({frame.min.x() + gap, (frame.min.y() + room.min.y() + canvas.cap_height(text)) / 2}, words, text);
+}
+
+}  // namespace
+
+void finish_with_insets(render::Canvas& canvas, render::Panel& panel, const Vec2& origin,
+                        const std::vector<Inset>& insets, const Style& style,
+                        const std::function<void(render::Panel&)>& draw) {
+  for (const Inset& inset : insets) panel.keep_clear(inset.frame);
+  canvas.add_crowded(panel.place_labels(style.smallest_label()));
+  for (const Inset& inset : insets) draw_inset(canvas, panel, origin, inset, style, draw);
 }
 
 }  // namespace walkthroughs::picture

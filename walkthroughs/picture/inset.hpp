@@ -35,7 +35,7 @@ struct Inset {
   double factor;      ///< by which it is larger than the picture
 };
 
-/// Returns: 1, 2 or 5 times a power of ten, at most `factor`; and in words, "×5", "×1e12".
+/// Returns: 1, 2 or 5 times a power of ten, at most `factor` and at most 1e302, so that a page has coordinates; and in words, "×5", "×1e12".
 double round_factor(double factor);
 std::string words_of_factor(double factor);
 
@@ -48,10 +48,14 @@ Style style_of_inset(const Style& style);
 std::optional<Inset> inset_of(const Surroundings& what, const render::Box& room, const render::View& view,
                               bool is_wanted, const Style& style);
 
-/// Places the labels of `panel`, and draws the inset, where there is one, over what is there, a thin circle around what it
-/// shows. `draw`: what that is; its zero is the origin.
-void finish_with_inset(render::Canvas& canvas, render::Panel& panel, const render::Vec2& origin,
-                       const std::optional<Inset>& inset, const Style& style,
-                       const std::function<void(render::Panel&)>& draw);
+/// Returns: that, and another with vertices in the place of the origin's mark that are too far away to be seen in the first.
+std::vector<Inset> insets_of(const Surroundings& what, const render::Box& room, const render::View& view,
+                             bool is_wanted, const Style& style);
+
+/// Places the labels of `panel`, and draws the insets over what is there, a thin circle around what each shows. `draw`: what
+/// that is; its zero is the origin.
+void finish_with_insets(render::Canvas& canvas, render::Panel& panel, const render::Vec2& origin,
+                        const std::vector<Inset>& insets, const Style& style,
+                        const std::function<void(render::Panel&)>& draw);
 
 }  // namespace walkthroughs::picture

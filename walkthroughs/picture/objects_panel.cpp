@@ -8,7 +8,7 @@ namespace {
 
 using render::Vec2;
 
-constexpr double least_object = 10, ring_radius = 16;  // page units
+constexpr double least_object = 18, ring_radius = 16;  // page units
 
 KeyEntry swatch(const std::string& text, render::Color fill, const render::Stroke& outline) {
   return {text,
@@ -73,7 +73,7 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown
   const render::Box room = draw_panel_title(canvas, place.frame, place.title, style,
                                             {swatch(literal(scene.a.name), style.object_a_fill, style.object_a),
                                              swatch(literal(scene.b.name), style.object_b_fill, style.object_b)});
-  render::Panel panel(canvas, room, place.view);
+  render::Panel panel(canvas, room, view_in(room, place.frame, place.view, style));
   Pencil pencil(panel, shown.lens, style);
   const Placing& placing = shown.stage.placing;
   if (!pencil.in_space()) panel.grid(placing.scale, style.grid, pencil.at(Point(-placing.center * placing.scale)));

@@ -136,6 +136,11 @@ render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, c
   return room;
 }
 
+render::View view_in(const render::Box& room, const render::Box& frame, const render::View& view, const Style& style) {
+  const render::Box whole = below_title(frame, style);
+  return room.height() < whole.height() ? view.into(whole, room) : view;
+}
+
 // -- Signs --
 
 KeyEntry key_of_line(const std::string& text, const render::Stroke& stroke) {

@@ -28,6 +28,9 @@ struct KeyEntry {
 render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                              const Style& style, const std::vector<KeyEntry>& key = {});
 
+/// Returns: the view, fitted to what a key has left of the room below a title of one line.
+render::View view_in(const render::Box& room, const render::Box& frame, const render::View& view, const Style& style);
+
 // -- Signs --
 
 KeyEntry key_of_line(const std::string& text, const render::Stroke& stroke);

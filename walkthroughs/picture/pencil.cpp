@@ -55,10 +55,17 @@ std::pair<Point, Point> span_across(const Point& d) {
 
 }  // namespace
 
+bool Pencil::shows_origin() const { return panel_.holds(at(Point::Zero()), -reach); }
+
+Vec2 Pencil::nearer(const Vec2& p, const Vec2& q) const {
+  const Vec2 middle = middle_of(panel_.corners());
+  return (p - middle).stableNorm() < (q - middle).stableNorm() ? p : q;
+}
+
 bool Pencil::is_far(const Point& p) const { return panel_.view().page(at(p)).cwiseAbs().maxCoeff() > farthest_end; }
 
 void Pencil::line(const Point& from, const Point& to, const Stroke& stroke) {
-  if (!is_far(from) && !is_far(to)) return panel_.line(at(from), at(to), stroke);
+  if (!shows_origin() || (!is_far(from) && !is_far(to))) return panel_.line(at(from), at(to), stroke);
   const auto [near_from, near_to] = part_near_origin(from, to, length(reach));
   panel_.line(at(near_from), at(near_to), stroke);
 }
@@ -71,7 +78,8 @@ void Pencil::polygon(const std::vector<Point>& corners, render::Color fill) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = (i + 1) % corners.size();
     const Vec2 along = (picture[next] - picture[i]) * sense;
-    seen = half(seen, at(foot_on_line(corners[i], corners[next])), {-along.y(), along.x()});
+    const Vec2 on = shows_origin() ? at(foot_on_line(corners[i], corners[next])) : nearer(picture[i], picture[next]);
+    seen = half(seen, on, {-along.y(), along.x()});
   }
   if (seen.size() > 2) panel_.polygon(seen, fill);
 }
@@ -108,7 +116,7 @@ void Pencil::out_of_reach(const Point& on, const Point& d) {
   if (in_space())
     polygon(patch(on, d), style_.out_of_reach);
   else
-    panel_.polygon(half(panel_.corners(), at(on), in_picture(d)), style_.out_of_reach);
+    panel_.polygon(half(panel_.corners(), at(on), in_picture(d.stableNormalized())), style_.out_of_reach);
   supporting_line(on, d, style_.support_line);
 }
 

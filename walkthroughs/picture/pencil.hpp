@@ -65,6 +65,10 @@ class Pencil {
   void round(const std::vector<render::Vec2>& outline, render::Color fill,
              const std::vector<std::vector<render::Vec2>>& lit);
   bool is_far(const Point& p) const;
+  /// Returns: whether the origin is in the panel or near it.
+  bool shows_origin() const;
+  /// Returns: that of two places of the picture which is nearer to its middle.
+  render::Vec2 nearer(const render::Vec2& p, const render::Vec2& q) const;
   /// Returns: a square in the plane through `on` across `d`.
   std::vector<Point> patch(const Point& on, const Point& d) const;
 

@@ -342,7 +342,7 @@ class Captions {
     if (scene_.options.crossing_test == gjk::CrossingTest::off) return "this run does without the crossing test";
     return gjk::first_point(scene_.rules) == gjk::FirstPoint::tested
                ? "these rules apply the crossing test to the first point, too"
-               : "no crossing test yet: it judges the move from one point to the next";
+               : "no test P·d < 0 yet: it asks whether the move from one point to the next has crossed the origin";
   }
 
   bool without_crossing_test() const { return now_.crossing && now_.crossing->verdict == Crossing::switched_off; }

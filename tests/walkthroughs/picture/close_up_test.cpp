@@ -136,3 +136,35 @@ TEST_CASE("A slanted edge whose ends are far away passes the origin in a close-u
   }
   CHECK(edges > 0);
 }
+
+TEST_CASE("Each gap between corners in space can be drawn, down to those that no product of doubles sees") {
+  render::Font font{render::Font::default_directory()};
+  for (const double gap : {1e-100, 1e-170, 1e-300}) {
+    INFO(gap);
+    const Walkthrough w = scene_of(Dimension::space, {{0, 0, 0}, {-1, -0.5, 0.3}, {-1, 0.6, 0.2}, {-0.8, 0, -1}},
+                                   {{gap, 0, 0}, {1, 0.5, 0.1}, {1, -0.6, 0}, {0.8, 0, 1}});
+    const StagedStory story(tell(w));
+    for (std::size_t i = 0; i < story.frames.size(); ++i) CHECK(Page(story, i, font).canvas.shapes().size() > 50);
+  }
+}
+
+TEST_CASE("In a close-up of round objects their border runs where it does") {
+  render::Font font{render::Font::default_directory()};
+  for (const double gap : {1e-2, 1e-5}) {  // beside a disc of radius 2 around the origin of the difference
+    INFO(gap);
+    Walkthrough w = scene_of(Dimension::plane, {{0, 0, 0}}, {{0, 0, 0}});
+    w.scenes[0].a.form = Ball{{0, 0, 0}, 1};
+    w.scenes[0].b.form = Ball{{1.6 * (1 + gap / 2), 1.2 * (1 + gap / 2), 0}, 1};
+    const StagedStory story(tell(w));
+    const std::vector<render::Shape> shown = Page(story, story.frames.size() - 1, font).magnified();
+    REQUIRE_FALSE(shown.empty());
+    const render::Box inside = std::get<shape::Clip>(shown.front()).box;
+    double nearest = INFINITY;  // of the border, from the middle between that and the origin
+    for (const render::Shape& each : shown)
+      if (const auto* line = std::get_if<shape::Polyline>(&each);
+          line && line->stroke.color == render::themes::report.grey && line->stroke.dash.length == 0)
+        nearest = std::min(nearest,
+                           render::distance_to_segment(inside.center(), line->corners.front(), line->corners.back()));
+    CHECK(nearest < 80);  // in sight
+  }
+}
