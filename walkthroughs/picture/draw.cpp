@@ -235,7 +235,7 @@ constexpr int cell_width = 420, caption_height = 104;
 constexpr int longest_row = 12 * cell_width;
 constexpr double pitch_of_caption = 0.95, next_smaller = 0.93, least_caption = 0.6;
 constexpr double wanted_shape = 16.0 / 9;  // of what has more than one row
-constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44;
+constexpr double cell_gap = 10, cell_panel_bottom = 386, cell_margin = 44, room_for_arrows = 24;
 
 /// One panel of the strip: its picture fills the box and `caption` stands below.
 struct Cell {
@@ -269,7 +269,9 @@ void draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cel
   if (story.walkthrough.layout == Layout::diagrams) return draw_diagram(canvas, story, cell.frame, frame, look);
   const SceneOfFrame scene(story, cell.frame, cell.scene, look);
   const Box box = bounds_of_scene(story, cell.scene, cell.frame, scene.lens);
-  const Place place{frame, cell.title, fit(box, below_title(frame, look.style).grown(-cell_margin))};
+  Box room = below_title(frame, look.style).grown(-cell_margin);
+  room.min.y() += room_for_arrows;
+  const Place place{frame, cell.title, fit(box, room)};
   draw_scene(canvas, story, place, scene.shown);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "walkthroughs/picture/inset.hpp"
 
@@ -89,16 +90,30 @@ struct Head {
   std::vector<std::vector<KeyEntry>> lines;
 
  private:
-  /// As many entries in a line as fit. One that alone is too wide is shortened where it is a name, else all get smaller.
+  /// As many entries in a line as fit. One that alone is too wide goes on in the next line where it is a name of several words,
+  /// and is shortened where it is another; else all get smaller.
   void wrap(const std::vector<KeyEntry>& key, double room) {
     const auto room_of_words = [&](const KeyEntry& entry) { return room - 2 * entry.half_width - behind_sign; };
     for (const KeyEntry& entry : key)
       if (!entry.may_be_shortened) key_text = canvas.fitted(entry.text, key_text, room_of_words(entry));
     for (KeyEntry entry : key) {
-      if (entry.may_be_shortened) entry.text = shortened(canvas, entry.text, key_text, room_of_words(entry));
+      KeyEntry rest = entry.may_be_shortened ? cut_off(entry, room_of_words(entry)) : KeyEntry{};
       if (lines.empty() || width_of(lines.back()) + width_of(entry) - before_sign > room) lines.emplace_back();
       lines.back().push_back(entry);
+      if (!rest.text.empty()) lines.push_back({std::move(rest)});
     }
+  }
+
+  /// Leaves what fits of a name. Returns: the words for the next line, without a sign.
+  KeyEntry cut_off(KeyEntry& entry, double room) const {
+    const std::vector<std::string> words = render::wrap(canvas, entry.text, key_text, room);
+    const auto fits = [&](const std::string& text) { return canvas.width(text, key_text) <= room; };
+    if (words.size() != 2 || !std::ranges::all_of(words, fits)) {
+      entry.text = shortened(canvas, entry.text, key_text, room);
+      return {};
+    }
+    entry.text = words[0];
+    return {words[1], [](render::Canvas&, const Vec2&) {}, entry.half_width};
   }
 };
 

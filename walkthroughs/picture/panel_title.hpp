@@ -22,8 +22,8 @@ struct KeyEntry {
 };
 
 /// Draws the frame of a panel, its title, and its key: at the right of the title or, where that is too long, on lines below it,
-/// over the margin of the picture. Letters get somewhat smaller before a line is broken, and names end in "…" where a whole line
-/// is too short for them.
+/// over the margin of the picture. Letters get somewhat smaller before a line is broken. A name that is too long for a line
+/// takes two, or ends in "…" where it has no space to be broken at.
 /// Returns: the room that is left below.
 render::Box draw_panel_title(render::Canvas& canvas, const render::Box& frame, const std::string& title,
                              const Style& style, const std::vector<KeyEntry>& key = {});

@@ -121,3 +121,10 @@ TEST_CASE("A name is shortened by whole letters, also of several bytes and of th
   CHECK(key.signs.size() == 2);
   CHECK(key.right <= frame.max.x());
 }
+
+TEST_CASE("A name of two words that is too long for a line goes on in the next, whole") {
+  const Drawn key = drawn({std::string(14, 'H') + " " + std::string(13, 'H'), "B"}, true);
+  CHECK(key.signs.size() == 2);
+  CHECK(key.heights.size() == 28);
+  CHECK(key.right <= frame.max.x());
+}
