@@ -382,7 +382,8 @@ std::string table_of(const Measurement& m) {
   if (!m.fit_floats) text += "(not in floats: some numbers are beyond them)\n";
   text += note_on_exact(m);
   return text + "\nfound together: they are apart; found apart: they intersect. Times are medians of " +
-         std::to_string(rounds) + " rounds in turn.\n\n" + advice(m);
+         std::to_string(rounds) +
+         " rounds in turn.\nAs-printed is never advised: Algorithm 1, read literally, answers wrongly.\n\n" + advice(m);
 }
 
 std::string csv_of(const Measurement& m) {

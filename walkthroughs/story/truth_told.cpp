@@ -109,7 +109,8 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
   if (truth.of_decimals == gjk::Status::undecided)
     tell_and_note("whether that is so of the decimals, too, is not known: they have too many digits");
   else if (truth.of_decimals)
-    tell_and_note("in decimals, the shortest that read the same, they " + in_truth(*truth.of_decimals));
+    tell_and_note("as the decimals are written, before they are rounded to doubles, they " +
+                  in_truth(*truth.of_decimals));
   if (truth.by_rounded_turn)
     tell_and_note("they are so near to contact that rounding the matrix of a turn may have decided");
   if (truth.exchanged)
