@@ -138,7 +138,6 @@ Style style_of_inset(const Style& style) {
 double round_factor(double factor) {
   char text[32];
   std::snprintf(text, sizeof text, "%.14e", factor < largest_factor ? factor : largest_factor);
-  text[1] = '\0';
   const char* const digit = text[0] >= '5' ? "5" : text[0] >= '2' ? "2" : "1";
   return std::strtod((digit + std::string(std::strchr(text + 2, 'e'))).c_str(), nullptr);
 }
@@ -168,22 +167,19 @@ std::optional<Inset> inset_of(const Surroundings& what, const Box& room, const V
 
 std::vector<Inset> insets_of(const Surroundings& what, const Box& room, const View& view, bool is_wanted,
                              const Style& style) {
-  std::vector<Inset> insets;
   const std::optional<Inset> first = inset_of(what, room, view, is_wanted, style);
-  if (!first) return insets;
-  insets.push_back(*first);
+  if (!first) return {};
   const double reach = first->frame.width() / (2 * view.scale() * first->factor);
   Surroundings beyond = what;  // vertices in the place of the origin's mark, too far away for the first
   beyond.nearest.clear();
   for (const Vec2& vertex : what.vertices)
     if (const double distance = vertex.stableNorm(); distance > reach && distance * view.scale() < hidden_distance)
       beyond.nearest.push_back({vertex, distance});
-  if (beyond.nearest.empty()) return insets;
-  for (const Vec2& corner : first->frame.corners()) beyond.others.push_back(view.scene(corner) - what.origin);
+  if (beyond.nearest.empty()) return {*first};
   beyond.others.push_back(view.scene(first->frame.center()) - what.origin);
   const std::optional<Inset> second = inset_of(beyond, room, view, false, style);
-  if (second && !second->frame.overlaps(first->frame)) insets.push_back(*second);
-  return insets;
+  if (!second || second->frame.overlaps(first->frame)) return {*first};
+  return {*first, *second};
 }
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <initializer_list>
 
@@ -12,18 +11,12 @@ namespace walkthroughs::picture {
 namespace {
 
 using gjk::detail::Dyadic;
-using DyadicPoint = std::array<Dyadic, 3>;
+using ExactPoint = gjk::detail::Triple<Dyadic>;
 
-DyadicPoint exact(const Point& p) { return {p.x(), p.y(), p.z()}; }
-
-DyadicPoint cross(const DyadicPoint& u, const DyadicPoint& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-Dyadic dot(const DyadicPoint& u, const DyadicPoint& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+ExactPoint exact(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 double rounded(const Dyadic& x) { return near(x, 0).value; }
-Point rounded(const DyadicPoint& p) { return {rounded(p[0]), rounded(p[1]), rounded(p[2])}; }
+Point rounded(const ExactPoint& p) { return {rounded(p.x), rounded(p.y), rounded(p.z)}; }
 
 /// Lengths near 1, so that their products neither overflow nor vanish: divided by a power of two, which rounds nothing.
 class Unit {

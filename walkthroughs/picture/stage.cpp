@@ -13,7 +13,8 @@ Stage stage_of(const Telling& telling, const Placing& placing) {
     stage.a = body_of(scene.a, scene.dimension);
     stage.b = body_of(scene.b, scene.dimension);
   }
-  if (panels.objects && scene.dimension == Dimension::space)
+  const bool is_proven_apart = telling.truth.answer.status == gjk::Status::separated;
+  if (panels.objects && scene.dimension == Dimension::space && !is_proven_apart)
     stage.crossing = crossing_of(scene.a, stage.a, scene.b, stage.b);
   if (panels.hull) stage.difference = body_of_difference(scene, stage.a, stage.b);
   return stage;

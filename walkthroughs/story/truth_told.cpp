@@ -41,6 +41,11 @@ std::optional<Decided> decided(const ExactAnswer& answer, const Scene& scene) {
   return Decided{std::move(*a), std::move(*b), answer.nearest, std::move(*point)};
 }
 
+/// Returns: how far apart the cores of two objects are that touch.
+gjk::Fraction reach_of(const Decided& decided) {
+  return gjk::detail::sum_of_radii(decided.a) + gjk::detail::sum_of_radii(decided.b);
+}
+
 /// Returns: the point of a that the nearest point of the difference comes from.
 ExactVector point_of_a(const Decided& decided) {
   ExactVector point = ExactVector::Zero();
@@ -53,7 +58,7 @@ ExactVector point_of_a(const Decided& decided) {
 /// Of sets of points where they touch or how far they are apart, of round objects how far without their radii.
 std::string why_told(const Decided& decided, gjk::Status answer, Dimension dimension) {
   const ExactVector v = vector_of(decided.point.v);
-  const gjk::Fraction reach = gjk::detail::sum_of_radii(decided.a) + gjk::detail::sum_of_radii(decided.b);
+  const gjk::Fraction reach = reach_of(decided);
   if (reach > 0) {
     const gjk::Fraction excess = (v.dot(v) - reach * reach) / (2 * reach);  // of |v|, where that is near the reach
     const bool looks_equal = length(v) == number(reach) && excess != 0;
@@ -66,15 +71,15 @@ std::string why_told(const Decided& decided, gjk::Status answer, Dimension dimen
 }
 
 /// "v lies between a[0] − b[2] and a[1] − b[2]": the certificate.
-std::string place_told(const Decided& decided, gjk::Status answer) {
+std::string place_told(const Decided& decided) {
   const ExactVector v = vector_of(decided.point.v);
-  const std::string what = v.isZero() ? "the origin" : answer == gjk::Status::separated ? "v" : "the nearest point";
+  const char* const what = v.isZero() ? "the origin" : reach_of(decided) > 0 ? "the point nearest to the origin" : "v";
   std::vector<std::string> differences = differences_told(decided.nearest);
   const std::string last = std::move(differences.back());
   differences.pop_back();
-  if (differences.empty()) return what + " is " + last;
+  if (differences.empty()) return what + (" is " + last);
   const char* const where[] = {" lies between ", " lies in the triangle of ", " lies in the tetrahedron of "};
-  return what + where[differences.size() - 1] + joined(differences, ", ") + " and " + last;
+  return what + (where[differences.size() - 1] + joined(differences, ", ")) + " and " + last;
 }
 
 }  // namespace
@@ -97,7 +102,7 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
          ". In truth: " + words_for_answer(truth.answer.status) + by_matrix + ".");
     if (const std::optional<Decided> certificate = decided(truth.answer, scene)) {
       tell(why_told(*certificate, truth.answer.status, scene.dimension));
-      tell(place_told(*certificate, truth.answer.status));
+      tell(place_told(*certificate));
     }
     if ((scene.a_as_read || scene.b_as_read) && exact_answer(scene.a, scene.b).status != truth.answer.status)
       tell("this is the truth about the numbers as read: rounding them to floats has moved the objects");

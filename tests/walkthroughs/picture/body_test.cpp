@@ -7,6 +7,7 @@
 #include "tests/kit/catch.hpp"
 #include "tests/kit/dice.hpp"
 #include "tests/walkthroughs/polygons.hpp"
+#include "tests/walkthroughs/shapes.hpp"
 
 using namespace walkthroughs::program;
 using namespace walkthroughs::test;
@@ -15,18 +16,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Points box(double x, double y, double z) {
-  Points corners;
-  for (const double i : {-x, x})
-    for (const double j : {-y, y})
-      for (const double k : {-z, z}) corners.emplace_back(i, j, k);
-  return corners;
-}
-
-Ball ball(double radius) { return {Point::Zero(), radius}; }
 Cylinder can() { return {{0.5, 0, 0}, {1, 2, 2}, 0.6, 2}; }
 Points segment() { return {{-1, 0, 0}, {2, 0, 0}}; }
-Points triangle() { return {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}; }
 
 Points around(int count, double z_of_base) {
   Points rim;

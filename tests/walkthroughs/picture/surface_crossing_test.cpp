@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/kit/catch.hpp"
+#include "tests/walkthroughs/shapes.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 using namespace walkthroughs::program;
@@ -13,17 +14,6 @@ using namespace walkthroughs::test;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Points box(double x, double y, double z) {
-  Points corners;
-  for (const double i : {-x, x})
-    for (const double j : {-y, y})
-      for (const double k : {-z, z}) corners.emplace_back(i, j, k);
-  return corners;
-}
-
-Ball ball(double radius) { return {Point::Zero(), radius}; }
-Points triangle() { return {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}; }
 
 Eigen::Matrix3d turned() { return Eigen::AngleAxisd(0.7, Point(1, -2, 3).normalized()).toRotationMatrix(); }
 
