@@ -93,6 +93,11 @@ Followers followers_of(const std::vector<Face>& faces, const Camera& camera) {
 
 }  // namespace
 
+Camera Camera::turned(double degrees, double rise) const {
+  constexpr double highest = 89;
+  return {azimuth_ + degrees, rise == 0 ? elevation_ : std::clamp(elevation_ + rise, -highest, highest)};
+}
+
 Camera::Camera(double azimuth, double elevation)
     : azimuth_(azimuth),
       elevation_(elevation),

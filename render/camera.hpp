@@ -29,8 +29,9 @@ class Camera {
   const Vec3& right() const { return right_; }
   const Vec3& up() const { return up_; }
   const Vec3& toward_viewer() const { return toward_viewer_; }
-  /// Returns: this camera, moved around the vertical axis by `degrees`.
-  Camera turned(double degrees) const { return {azimuth_ + degrees, elevation_}; }
+  /// Returns: this camera, moved around the vertical axis by `degrees`, and by `rise` of them upwards, but not to where z no
+  /// longer points up.
+  Camera turned(double degrees, double rise = 0) const;
 
  private:
   double azimuth_, elevation_;

@@ -7,9 +7,11 @@
 ///  * Lines and discs are never drawn thinner than one pixel. What is not finite is not drawn.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -89,6 +91,14 @@ struct Clip {
 
 using Shape = std::variant<shape::Polygon, shape::Polyline, shape::Disc, shape::Ring, shape::Text, shape::Clip>;
 
+/// What a reader may take hold of where a picture is shown that can be changed. It is not drawn.
+struct Grip {
+  std::string name;                           ///< what it moves, as who draws it calls that
+  Vec2 at;                                    ///< page units
+  Eigen::Vector3d right, up;                  ///< of the scene: what a page unit to the right and one upwards are there
+  std::optional<Eigen::Vector3d> value = {};  ///< of the scene, where it is not what is moved itself
+};
+
 class Canvas {
  public:
   /// A page of `page` units drawn on `pixels`: scaled evenly until it fits, centred, the rest in the background colour.
@@ -135,6 +145,10 @@ class Canvas {
   void add_crowded(int count) { crowded_ += count; }
   int crowded() const { return crowded_; }
 
+  /// For who shows the picture.
+  void add_grip(Grip grip) { grips_.push_back(std::move(grip)); }
+  std::span<const Grip> grips() const { return grips_; }
+
   std::span<const Shape> shapes() const { return shapes_; }
   /// For tests, which draw what is wrong on purpose.
   std::span<Shape> shapes() { return shapes_; }
@@ -168,6 +182,7 @@ class Canvas {
   double scale_;
   Vec2 offset_;  // of the page in the image, in pixels
   std::vector<Shape> shapes_;
+  std::vector<Grip> grips_;
   int crowded_ = 0;
 };
 

@@ -13,5 +13,6 @@ namespace walkthroughs::picture   { using namespace story; }
 namespace walkthroughs::trace     { using namespace picture; }
 namespace walkthroughs::catalogue { using namespace trace; }
 namespace walkthroughs::page      { using namespace catalogue; }
-namespace walkthroughs::output    { using namespace page; }
+namespace walkthroughs::live      { using namespace page; }
+namespace walkthroughs::output    { using namespace live; }
 namespace walkthroughs::program   { using namespace output; }

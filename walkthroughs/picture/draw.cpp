@@ -46,8 +46,16 @@ Interval rows_of_panels(const Look& look) {
 
 Box panel_box(double left, double right, const Interval& rows) { return {{left, rows.from}, {right, rows.to}}; }
 
-Lens turned(const Lens& lens, double degrees) {
-  return lens.camera && degrees != 0 ? Lens{lens.camera->turned(degrees)} : lens;
+Lens turned(const Lens& lens, const Look& look) {
+  return lens.camera && (look.turn != 0 || look.rise != 0) ? Lens{lens.camera->turned(look.turn, look.rise)} : lens;
+}
+
+/// Of a scene that is moved or scaled before it is drawn, otherwise than this one, nothing can be kept.
+const Stage& framing_of(const StagedStory& story, std::size_t scene, const Look& look) {
+  const Stage& own = story.stages[scene];
+  if (look.framing == nullptr) return own;
+  const Stage& other = look.framing->stages[scene];
+  return other.placing == own.placing ? other : own;
 }
 
 /// One scene of one frame, as it is drawn.
@@ -56,15 +64,18 @@ struct SceneOfFrame {
       : stage(story.stages[scene]),
         now(story.drawn(frame, scene)),
         names(story.walkthrough.naming, stage.telling->hull, now),
-        lens(turned(stage.lens, look.turn)),
+        framing(framing_of(story, scene, look)),
+        lens(turned(framing.lens, look)),
         shown{*stage.telling, stage,      now,         names, story.frames[frame].focus_of(scene),
-              lens,           look.style, look.values, false, story.frames[frame].focus == Focus::parting} {}
+              lens,           look.style, look.values, false, story.frames[frame].focus == Focus::parting,
+              framing,        look.zoom} {}
   SceneOfFrame(const SceneOfFrame&) = delete;  // what is shown refers to it
   SceneOfFrame& operator=(const SceneOfFrame&) = delete;
 
   const Stage& stage;
   const Moment now;
   const Names names;
+  const Stage& framing;
   const Lens lens;
   const Shown shown;
 };
@@ -107,11 +118,19 @@ Columns columns(const Panels& panels, const Interval& rows, bool is_decision, co
   return all;
 }
 
+/// Returns: what is left of it so many times as large.
+Box zoomed(const Box& bounds, double zoom) {
+  const Vec2 half = (bounds.max - bounds.min) / (2 * zoom);
+  return zoom == 1 ? bounds : Box{bounds.center() - half, bounds.center() + half};
+}
+
 /// No larger than what doubles can place.
 View fit(const Box& bounds, const Box& room) {
   const double farthest = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
   return View::fit(bounds.min, bounds.max, room, most_page_units / (farthest > 0 ? farthest : 1));
 }
+
+Box whole_difference(const Shown& what) { return zoomed(bounds_of_difference(what.framing, what.lens), what.zoom); }
 
 /// Returns: the regions of a simplex close up, where it would be small in the view of the whole set.
 std::optional<View> close_up(const Shown& what, const View& whole, const Box& room) {
@@ -125,12 +144,13 @@ void draw_beside(Canvas& canvas, const Box& frame, const Shown& what) {
   Shown beside = what;
   beside.regions_beside = true;
   const Box room = below_title(frame, what.style).grown(-decision_margin);
-  const View whole = fit(bounds_of_difference(what.stage, what.lens), room);
+  const View whole = fit(whole_difference(what), room);
   draw_difference(canvas, {frame, "a − b", close_up(what, whole, room).value_or(whole)}, beside);
 }
 
 View view_of_objects(const Box& frame, const Shown& what) {
-  return fit(bounds_of_objects(what.stage, what.lens), below_title(frame, what.style).grown(-objects_margin));
+  return fit(zoomed(bounds_of_objects(what.framing, what.lens), what.zoom),
+             below_title(frame, what.style).grown(-objects_margin));
 }
 
 /// The view in space beside the plane pictures of its decision, which are what to look at first. At the end the objects
@@ -147,7 +167,7 @@ void draw_decision_in_space(Canvas& canvas, const Columns& boxes, const std::vec
 /// The difference, and where asked for the objects.
 void draw_whole_set(Canvas& canvas, const Columns& boxes, const Shown& what) {
   const Box room = below_title(boxes.difference, what.style).grown(-difference_margin);
-  View whole = fit(bounds_of_difference(what.stage, what.lens), room);
+  View whole = fit(whole_difference(what), room);
   const std::optional<View> near = close_up(what, whole, room);
   if (boxes.objects) {
     View left = view_of_objects(*boxes.objects, what);
@@ -211,9 +231,10 @@ void draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, cons
   const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, rows),
                        panel_box(middle + panel_gap / 2, right_margin, rows)};
   const SceneOfFrame scenes[] = {{story, index, 0, look}, {story, index, 1, look}};
+  const StagedStory& framing = look.framing ? *look.framing : story;
   const auto view = [&](std::size_t s) {
-    const std::size_t last = story.frames.size() - 1;  // of which the bounds are, so that nothing jumps
-    return fit(bounds_of_scene(story, s, last, scenes[s].lens),
+    const std::size_t last = framing.frames.size() - 1;  // of which the bounds are, so that nothing jumps
+    return fit(zoomed(bounds_of_scene(framing, s, last, scenes[s].lens), look.zoom),
                below_title(boxes[s], look.style).grown(-difference_margin));
   };
   const View views[] = {view(0), view(1)};
@@ -353,6 +374,13 @@ void draw_frame(Canvas& canvas, const StagedStory& story, std::size_t index, con
     case Layout::diagrams: return draw_diagram(canvas, story, index, panel_box(left_margin, right_margin, rows), look);
     default: return draw_pair(canvas, story, index, look);
   }
+}
+
+void draw_objects_alone(Canvas& canvas, const StagedStory& story, std::size_t index, std::size_t scene,
+                        const Look& look) {
+  const SceneOfFrame what(story, index, scene, look);
+  const Box frame{Vec2::Zero(), Vec2(objects_page.width, objects_page.height)};
+  draw_objects(canvas, {frame, "", view_of_objects(frame, what.shown)}, what.shown);
 }
 
 render::Size strip_page(const StagedStory& story, const Look& look) {

@@ -23,6 +23,11 @@ struct Look {
   bool values = true;  ///< whether the panels show the numbers that decide
   bool code = true;    ///< whether the pseudo-code is written; without it its place is empty, for who cuts it off
   double turn = 0;     ///< degrees by which the camera of a scene in space is moved around the vertical axis
+  double rise = 0;     ///< and by which it is moved upwards
+  double zoom = 1;     ///< how many times as large scenes are as where they just fit
+  /// Whose cameras and sizes pictures have, so that nothing moves but what the reader moves; without it the story's own.
+  /// Requires: as many scenes, of as many dimensions.
+  const StagedStory* framing = nullptr;
 };
 
 /// The page that a frame with text is laid out on; smaller and larger pictures are this page, scaled.
@@ -37,6 +42,11 @@ render::Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look);
 /// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper;
 /// index < story.frames.size().
 void draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
+
+/// Draws the two objects of a scene alone, with grips (canvas.hpp), on a page of that size.
+inline constexpr render::Size objects_page{420, 420};
+void draw_objects_alone(render::Canvas& canvas, const StagedStory& story, std::size_t index, std::size_t scene,
+                        const Look& look);
 
 /// Draws into `room` what is written below the panels of a frame: how far the story is, the caption, and the numbers that decide;
 /// the facts smaller where there are many.

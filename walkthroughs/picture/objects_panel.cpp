@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
 #include "walkthroughs/picture/light.hpp"
 #include "walkthroughs/picture/panel_title.hpp"
 #include "walkthroughs/picture/panels.hpp"
@@ -53,6 +57,37 @@ void draw_crossing(Pencil& pencil, const std::vector<CrossingPiece>& crossing) {
         pencil.line(piece.from, piece.to, stroke);
 }
 
+// -- What can be taken hold of, called as scene files call it ----------------------------------------------------------
+
+constexpr std::size_t most_grips = 64;  // of one object: more would cover it
+
+/// Where something is drawn, and what a page unit is there in the scene as it was written.
+render::Grip grip(const Pencil& pencil, const std::string& name, const Point& at, double scale,
+                  const Eigen::Matrix3d& turned_back = Eigen::Matrix3d::Identity()) {
+  const double unit = pencil.length(1) / scale;
+  const Point right = pencil.lens().direction(0), up = pencil.lens().direction(std::numbers::pi / 2);
+  return {name, pencil.panel().view().page(pencil.at(at)), turned_back * right * unit, turned_back * up * unit};
+}
+
+/// Its middle, by which it is moved as a whole, and its corners, each in the object's own place.
+void add_grips(render::Canvas& canvas, const Pencil& pencil, const std::string& key, const Object& object,
+               const Point& middle, double scale) {
+  canvas.add_grip(grip(pencil, key, middle, scale));
+  const std::vector<Point> corners = vertices_of(object);
+  for (std::size_t i = 0; i < std::min(corners.size(), most_grips); ++i)
+    canvas.add_grip(
+        grip(pencil, key + ".points[" + std::to_string(i) + "]", corners[i], scale, object.pose.rotation.transpose()));
+}
+
+/// The tip of the first direction, as long as it is drawn.
+void add_grip_of_direction(render::Canvas& canvas, const Pencil& pencil, const Point& from, const Point& d,
+                           double scale) {
+  const Point arrow = d.stableNormalized() * pencil.length(pencil.style().arrow_length);
+  render::Grip tip = grip(pencil, "first_direction", from + arrow, scale);
+  tip.value = arrow / scale;
+  canvas.add_grip(std::move(tip));
+}
+
 Point middle_of_object(const Object& object, const Body& body) {
   if (!body.vertices.empty()) return middle_of(body.vertices);
   return object.pose(middle(object.form));
@@ -82,9 +117,14 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown
   draw_crossing(pencil, shown.stage.crossing);
   pencil.triad(canvas, place.frame);
   const Point d = shown.now.direction->value;
+  const Point middle_a = middle_of_object(scene.a, shown.stage.a), middle_b = middle_of_object(scene.b, shown.stage.b);
+  add_grips(canvas, pencil, "a", scene.a, middle_a, placing.scale);
+  add_grips(canvas, pencil, "b", scene.b, middle_b, placing.scale);
+  if (shown.now.processed.size() == 0)
+    add_grip_of_direction(canvas, pencil, shown.now.found ? shown.now.found->a.point : middle_a, d, placing.scale);
   if (!shown.now.found) {
-    pencil.direction(middle_of_object(scene.a, shown.stage.a), d, style.direction, "d");
-    pencil.direction(middle_of_object(scene.b, shown.stage.b), -d, style.direction, "−d");
+    pencil.direction(middle_a, d, style.direction, "d");
+    pencil.direction(middle_b, -d, style.direction, "−d");
     return canvas.add_crowded(panel.place_labels(style.smallest_label()));
   }
   const Point &a = shown.now.found->a.point, &b = shown.now.found->b.point;

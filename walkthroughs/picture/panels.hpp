@@ -27,13 +27,15 @@ struct Shown {
   Focus focus;
   const Lens& lens;
   const Style& style;
-  bool values = true;           ///< whether numbers that decide are written into the picture
-  bool regions_beside = false;  ///< whether pictures of planes beside this one show the regions
-  bool is_parting = false;      ///< whether another search goes another way here
+  bool values = true;            ///< whether numbers that decide are written into the picture
+  bool regions_beside = false;   ///< whether pictures of planes beside this one show the regions
+  bool is_parting = false;       ///< whether another search goes another way here
+  const Stage& framing = stage;  ///< that the picture is as large as,
+  double zoom = 1;               ///< or so many times as large
 
   /// Returns: the same, drawn with another style, which must outlive it.
   Shown in(const Style& other) const {
-    return {telling, stage, now, names, focus, lens, other, values, regions_beside, is_parting};
+    return {telling, stage, now, names, focus, lens, other, values, regions_beside, is_parting, framing, zoom};
   }
 };
 

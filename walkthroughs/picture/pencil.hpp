@@ -17,7 +17,7 @@ class Pencil {
       : panel_(panel), lens_(lens), style_(style), arrow_length_(arrow_length) {}
   Pencil(render::Panel& panel, const Lens& lens, const Style& style) : Pencil(panel, lens, style, style.arrow_length) {}
 
-  render::Panel& panel() { return panel_; }
+  render::Panel& panel() const { return panel_; }
   const Style& style() const { return style_; }
   const Lens& lens() const { return lens_; }
   render::Vec2 at(const Point& p) const { return lens_(p); }

@@ -22,6 +22,7 @@ struct Placing {
   double scale = 1;              ///< a power of two, so that nothing is rounded
   Point center = Point::Zero();  ///< of the objects, which is moved to the origin; their difference stays where it is
 
+  friend bool operator==(const Placing&, const Placing&) = default;
   bool moves() const { return scale != 1 || !center.isZero(0); }
   Scene placed(Scene scene) const;
   Trace placed(Trace trace) const;

@@ -375,6 +375,24 @@ Story tell(const Walkthrough& walkthrough, std::vector<Trace> traces, Detail det
   return story;
 }
 
+std::size_t counterpart(const std::vector<Frame>& known, std::size_t index, const std::vector<Frame>& frames) {
+  const auto place = [](const Frame& frame) {
+    const bool is_last = frame.focus == Focus::end || frame.focus == Focus::proven;
+    return std::tuple(is_last ? std::numeric_limits<int>::max() : std::ranges::max(frame.iterations()), frame.focus);
+  };
+  if (known[index].moments.empty() || frames.front().moments.empty()) return std::min(index, frames.size() - 1);
+  const auto wanted = place(known[index]);
+  const auto nth = std::count_if(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(index),
+                                 [&](const Frame& frame) { return place(frame) == wanted; });
+  std::size_t best = 0;
+  std::ptrdiff_t seen = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto here = place(frames[i]);
+    if (here < wanted || (here == wanted && seen++ <= nth)) best = i;
+  }
+  return best;
+}
+
 std::string frame_kinds() { return joined(kinds, ", ", &Kind::word); }
 
 std::optional<FrameChoice> frames_in(std::string_view text) {

@@ -33,6 +33,10 @@ void keep_only(Story& story, const std::vector<std::size_t>& places);
 /// Returns: the places of the last frame of each iteration.
 std::vector<std::size_t> last_of_each_iteration(const std::vector<Frame>& frames);
 
+/// Returns: which of `frames`, of another search, shows what frame `index` of `known` shows: the same kind of thing in the same
+/// iteration, as often as it comes there; else the last frame before. Requires: both have frames.
+std::size_t counterpart(const std::vector<Frame>& known, std::size_t index, const std::vector<Frame>& frames);
+
 // -- A choice of frames, as users write it: "4,10,18", "3-7", "regions,end" -----------------------------------------------
 
 struct FrameChoice {

@@ -128,7 +128,30 @@ Json json(const gjk::Event<double>& event) {
   return line;
 }
 
+/// Takes the third number from each point and vector.
+void flatten(Json& value) {
+  const bool is_vector = value.is_array() && value.size() == 3 && value[0].is_number();
+  if (is_vector) value.erase(2);
+  for (Json& each : value)
+    if (each.is_structured()) flatten(each);
+}
+
 }  // namespace
+
+Json scene_json(const Walkthrough& walkthrough, const Scene& scene) {
+  Scene as_read = scene;
+  as_read.a = a_as_read(scene);
+  as_read.b = b_as_read(scene);
+  Json file{{"title", walkthrough.title}};
+  file.update(json(as_read));
+  for (const char* key : {"name", "mistake", "a_as_read", "b_as_read"}) file.erase(key);
+  if (scene.leaves_truth_out) file["truth"] = false;
+  if (scene.dimension == Dimension::plane)
+    for (const char* key : {"a", "b", "first_direction"}) flatten(file[key]);
+  file["panels"] = json(walkthrough.panels);
+  if (walkthrough.naming != Naming::roles) file["letters"] = "fixed";
+  return file;
+}
 
 Json event_json(const gjk::Event<double>& event) { return json(event); }
 

@@ -1,0 +1,40 @@
+/// What a page asks that runs this program, and what it answers: a scene as text or a walkthrough's name in, its story and its
+/// pictures out. All of it is JSON, and errors are values, as nothing can be caught where the page runs.
+///
+/// Each request is an object with one of these keys:
+///
+///     tell    {"name": "figure-4-left"}, or {"scene": TEXT, "file": NAME, "mistake": WORD}, of which the last two may be missing:
+///             tells it. With "like": N also which frame shows what frame N of the story before shows, or of the one that is held.
+///             Answer: {"entry", "story": as pages have them (page.hpp), "frame", "scene": as a scene file, or null where it cannot
+///             be changed, "mistake", "truth"}. What is wrong with a text: {"error": {"line", "key", "reason", "text"}}, and the
+///             story told before stays
+///     draw    {"frame": N, "theme": NAME, "text": SCALE, "turn": DEGREES, "rise": DEGREES, "zoom": FACTOR}, of which all may be
+///             missing: the picture of a frame. Answer: {"picture": SVG, "width", "height", "grips"}, and where none can be taken
+///             hold of there also "objects": the same of the two objects alone
+///     hold    true: pictures keep the cameras and sizes of this story, whatever is told; false: they no longer do
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "render/font.hpp"
+#include "walkthroughs/rooms.hpp"
+
+namespace walkthroughs::live {
+
+class Live {
+ public:
+  /// `font`: that pictures are laid out with; it must outlive this.
+  explicit Live(render::Font& font);
+  ~Live();
+
+  /// Requires: a request. Returns: the answer, valid UTF-8.
+  std::string answer(std::string_view request);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace walkthroughs::live
