@@ -46,7 +46,7 @@ class UpToFour {
 
 /// Roles of up to four vertices, each once. It is a feature as the report writes it, "ADB", or what is kept of a simplex,
 /// oldest first, "CA". Written as that in code, too: event.feature == "ADB".
-class Roles : public UpToFour<Role> {
+class Roles {
  public:
   constexpr Roles() = default;
   constexpr Roles(std::initializer_list<Role> roles) {
@@ -67,8 +67,17 @@ class Roles : public UpToFour<Role> {
     return roles;
   }
 
+  constexpr const Role* begin() const { return all_.begin(); }
+  constexpr const Role* end() const { return all_.end(); }
+  constexpr int size() const { return all_.size(); }
+  constexpr bool empty() const { return all_.empty(); }
+  constexpr const Role& operator[](int i) const { return all_[i]; }
+  constexpr void add(Role role) { all_.add(role); }
   constexpr bool has(Role role) const { return std::find(begin(), end(), role) != end(); }
   constexpr bool operator==(const Roles&) const = default;
+
+ private:
+  UpToFour<Role> all_;  // no base class: with one, and a consteval constructor, Clang 16 fails
 };
 
 /// Returns: "ADB".

@@ -9,12 +9,14 @@
 #include "render/json_text.hpp"
 #include "render/svg_text.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
+#include "walkthroughs/live/changes.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/text/scene_text.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
+#include "walkthroughs/trace/trace_text.hpp"
 
 namespace walkthroughs::live {
 namespace {
@@ -24,6 +26,7 @@ using Json = PageJson;
 /// A story and what it is about, which it refers to.
 struct Told {
   explicit Told(Walkthrough about) : walkthrough(std::move(about)), story(tell(walkthrough)) {}
+  explicit Told(TraceFile file) : walkthrough(std::move(file.walkthrough)), story(tell(walkthrough, file.traces)) {}
 
   const Walkthrough walkthrough;
   const StagedStory story;
@@ -41,7 +44,7 @@ std::optional<Mistake> mistake_called(const std::string& word) {
   return found == all.end() ? std::nullopt : std::optional(found->value);
 }
 
-using Asked = std::variant<Walkthrough, Complaint>;
+using Asked = std::variant<Walkthrough, TraceFile, Complaint>;
 
 /// The scene beside itself, searched with a mistake.
 Asked with_mistake(const SceneFile& file, const std::string& word) {
@@ -62,6 +65,10 @@ Asked asked_for(const Json& request) {
     const std::string name = request["name"];
     const Walkthrough* known = find_walkthrough(name);
     return known ? Asked(*known) : Complaint{1, "name", "there is no walkthrough '" + name + "'"};
+  }
+  if (request.contains("trace")) {
+    Reading<TraceFile> reading = trace_in(request["trace"].get<std::string>());
+    return reading.complaint ? Asked(*reading.complaint) : std::move(reading.value);
   }
   const std::string text = request["scene"];
   const Reading<SceneFile> reading = scene_in(text, request.value("file", "scene.json"));
@@ -85,12 +92,6 @@ PagePictures pictures_of(const Told& told, const Look& look) {
           .part = pictures_of_frame(told.walkthrough, look)};
 }
 
-Json truth_of(const Told& told) {
-  const Telling& telling = told.story.tellings.back();
-  if (telling.scene.leaves_truth_out) return nullptr;
-  return to_string(telling.truth.answer.status);
-}
-
 Json story_json(const Told& told, std::size_t frame) {
   const PagePictures pictures = pictures_of(told, {.text = Text::none});
   const Scene* scene = changeable_scene(told.walkthrough);
@@ -99,11 +100,16 @@ Json story_json(const Told& told, std::size_t frame) {
               {"frame", frame},
               {"scene", nullptr},
               {"mistake", nullptr},
+              {"switches", Json::array()},
+              {"answer", nullptr},
               {"truth", nullptr}};
   if (!scene) return answer;
+  const std::optional<Mistake> mistake = told.walkthrough.scenes.front().mistake;
   answer["scene"] = scene_json(told.walkthrough, *scene);
-  answer["truth"] = truth_of(told);
-  if (const auto mistake = told.walkthrough.scenes.front().mistake) answer["mistake"] = model::words_of::of(*mistake);
+  if (mistake) answer["mistake"] = model::words_of::of(*mistake);
+  answer["switches"] = switches_of(*scene, mistake);
+  answer["answer"] = to_string(answer_of(told.story.tellings.front().trace));
+  if (!scene->leaves_truth_out) answer["truth"] = to_string(told.story.tellings.back().truth.answer.status);
   return answer;
 }
 
@@ -125,7 +131,7 @@ Look look_in(const Json& request, const StagedStory* framing) {
 
 Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-Json grips_json(const render::Canvas& canvas, const render::Box& part) {
+Json grips_json(const render::Canvas& canvas, const render::Box& part, const Scene& scene) {
   Json all = Json::array();
   for (const render::Grip& grip : canvas.grips()) {
     const render::Vec2 at = grip.at - part.min;
@@ -133,29 +139,31 @@ Json grips_json(const render::Canvas& canvas, const render::Box& part) {
               {"at", {at.x(), at.y()}},
               {"right", vector_json(grip.right)},
               {"up", vector_json(grip.up)}};
+    each.update(moved_by(grip, scene));
     if (grip.value) each["value"] = vector_json(*grip.value);
     all.push_back(each);
   }
   return all;
 }
 
-Json picture_json(const render::Canvas& canvas, const render::Box& part) {
+/// `scene`: what can be taken hold of, if anything.
+Json picture_json(const render::Canvas& canvas, const render::Box& part, const Scene* scene) {
   return {{"picture", svg_text(canvas, part)},
           {"width", part.width()},
           {"height", part.height()},
-          {"grips", grips_json(canvas, part)}};
+          {"grips", scene ? grips_json(canvas, part, *scene) : Json::array()}};
 }
 
 Json picture_of_frame(const Told& told, std::size_t frame, const Look& look, render::Font& font) {
+  const Scene* scene = changeable_scene(told.walkthrough);
   const render::Size page = page_of_frame(look.text);
   render::Canvas canvas(page, page, look.style.theme.paper, font);
   draw_frame(canvas, told.story, frame, look);
-  Json answer = picture_json(canvas, pictures_of_frame(told.walkthrough, look));
-  if (!canvas.grips().empty() || !changeable_scene(told.walkthrough)) return answer;
+  Json answer = picture_json(canvas, pictures_of_frame(told.walkthrough, look), scene);
+  if (!canvas.grips().empty() || !scene) return answer;
   render::Canvas objects(objects_page, objects_page, look.style.theme.paper, font);
   draw_objects_alone(objects, told.story, frame, told.story.tellings.size() - 1, look);
-  answer["objects"] =
-      picture_json(objects, {render::Vec2::Zero(), render::Vec2(objects_page.width, objects_page.height)});
+  answer["objects"] = picture_json(objects, {render::Vec2::Zero(), {objects_page.width, objects_page.height}}, scene);
   return answer;
 }
 
@@ -171,10 +179,13 @@ struct Live::Impl {
   std::shared_ptr<const Told> told = {}, held = {};
 
   Json tell(const Json& request) {
-    std::variant<Walkthrough, Complaint> asked = asked_for(request);
+    Asked asked = asked_for(request);
     if (const auto* complaint = std::get_if<Complaint>(&asked)) return error(*complaint);
     const std::shared_ptr<const Told> before = held ? held : told;
-    told = std::make_shared<const Told>(std::move(std::get<Walkthrough>(asked)));
+    if (auto* file = std::get_if<TraceFile>(&asked))
+      told = std::make_shared<const Told>(std::move(*file));
+    else
+      told = std::make_shared<const Told>(std::move(std::get<Walkthrough>(asked)));
     std::size_t frame = 0;
     if (before && request.contains("like"))
       frame = counterpart(before->story.frames,

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "walkthroughs/picture/light.hpp"
@@ -65,7 +64,8 @@ constexpr std::size_t most_grips = 64;  // of one object: more would cover it
 render::Grip grip(const Pencil& pencil, const std::string& name, const Point& at, double scale,
                   const Eigen::Matrix3d& turned_back = Eigen::Matrix3d::Identity()) {
   const double unit = pencil.length(1) / scale;
-  const Point right = pencil.lens().direction(0), up = pencil.lens().direction(std::numbers::pi / 2);
+  const auto& camera = pencil.lens().camera;
+  const Point right = camera ? camera->right() : Point::UnitX(), up = camera ? camera->up() : Point::UnitY();
   return {name, pencil.panel().view().page(pencil.at(at)), turned_back * right * unit, turned_back * up * unit};
 }
 
