@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "boost_whole_numbers.hpp"
 #include "bounded.hpp"
 
 namespace gjk::detail {

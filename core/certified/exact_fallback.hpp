@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -18,6 +17,7 @@
 
 #include "../certificate.hpp"
 #include "../nearest.hpp"
+#include "boost_whole_numbers.hpp"
 #include "bounded.hpp"
 #include "dyadic.hpp"
 #include "telling.hpp"

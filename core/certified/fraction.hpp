@@ -1,7 +1,7 @@
 /// The number that does not round. Needs Boost.Multiprecision.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include "boost_whole_numbers.hpp"
 
 namespace gjk {
 

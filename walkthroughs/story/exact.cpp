@@ -1,7 +1,6 @@
 #include "walkthroughs/story/exact.hpp"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_dec_float.hpp>
 #include <cmath>
 #include <cstdio>
 
@@ -12,9 +11,27 @@ namespace {
 
 constexpr std::size_t longest_fraction = 24;
 
-using Decimal = boost::multiprecision::cpp_dec_float_50;
+/// A number as its mantissa, which has one digit before the point, times a power of ten.
+struct Decimal {
+  std::string mantissa;
+  int exponent;
+};
 
-Decimal decimal(const gjk::Fraction& x) { return Decimal(numerator(x).str()) / Decimal(denominator(x).str()); }
+/// Returns: the number to so many digits. Requires: it is not 0.
+Decimal decimal(const gjk::Fraction& x, int digits) {
+  const auto length = [](const auto& whole) { return static_cast<int>(whole.str().size()); };
+  int exponent = length(numerator(gjk::Fraction(abs(x)))) - length(denominator(x));
+  const gjk::Fraction power = pow(numerator(gjk::Fraction(10)), static_cast<unsigned>(std::abs(exponent)));
+  gjk::Fraction mantissa = exponent < 0 ? x * power : x / power;  // above 0.1, below 10
+  if (abs(mantissa) < 1) {
+    mantissa *= 10;
+    --exponent;
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, mantissa.convert_to<double>());
+  if (const std::string rounded = text; !rounded.ends_with("10")) return {rounded, exponent};
+  return {x < 0 ? "-1" : "1", exponent + 1};  // it has a digit more
+}
 
 /// Returns: with two digits behind the point.
 std::string fixed(double x) {
@@ -35,7 +52,11 @@ ExactVector exact(const Point& p) { return {gjk::Fraction(p.x()), gjk::Fraction(
 
 std::string number(const gjk::Fraction& x) {
   const double near = x.convert_to<double>();
-  return x == 0 || std::isnormal(near) ? number(near) : with_true_minus(decimal(x).str(6));
+  if (x == 0 || std::isnormal(near)) return number(near);
+  const Decimal most = decimal(x, 6);
+  char exponent[16];
+  std::snprintf(exponent, sizeof exponent, "e%+d", most.exponent);  // as printf() writes numbers beyond doubles, too
+  return with_true_minus(most.mantissa + exponent);
 }
 
 std::string place(const gjk::Fraction& x) {
@@ -55,20 +76,12 @@ std::string length(const ExactVector& v) {
   return number(gjk::Fraction(scale * gjk::Fraction(scaled.norm())));
 }
 
-double nearest_double(const std::string& fraction) { return decimal(gjk::Fraction(fraction)).convert_to<double>(); }
+double nearest_double(const std::string& fraction) { return gjk::Fraction(fraction).convert_to<double>(); }
 
 std::string short_fraction(const std::string& fraction) {
   if (fraction.size() <= longest_fraction) return with_true_minus(fraction);
-  const Decimal x = decimal(gjk::Fraction(fraction));
-  int exponent = static_cast<int>(x.backend().order());
-  double mantissa = Decimal(x * pow(Decimal(10), -exponent)).convert_to<double>();
-  if (std::abs(mantissa) >= 9.9995) {  // which would be rounded to 10
-    mantissa /= 10;
-    ++exponent;
-  }
-  char digits[64];
-  std::snprintf(digits, sizeof digits, "≈ %.4ge%d", mantissa, exponent);
-  return with_true_minus(digits);
+  const Decimal most = decimal(gjk::Fraction(fraction), 4);
+  return "≈ " + with_true_minus(most.mantissa + "e" + std::to_string(most.exponent));
 }
 
 }  // namespace walkthroughs::story

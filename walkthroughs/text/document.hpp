@@ -77,6 +77,7 @@ class Document {
 
   Document() = default;
   std::string path(Index index) const;
+  static std::string shown(const std::string& key);
   /// The first one counts.
   void complain(int line, std::string key, std::string reason) const {
     if (!complaint_) complaint_ = {line, std::move(key), std::move(reason)};

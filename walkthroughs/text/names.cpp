@@ -1,7 +1,6 @@
 #include "walkthroughs/text/names.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -15,7 +14,12 @@ namespace {
 
 const std::string nameless = "scene";
 
-std::string stem_of(const std::string& file_name) { return std::filesystem::path(file_name).stem().string(); }
+/// Returns: the last part of a path without its ending; a dot in front begins none.
+std::string stem_of(const std::string& file_name) {
+  const std::string name = file_name.substr(file_name.rfind('/') + 1);  // all of it where there is no slash
+  const std::size_t dot = name.rfind('.');
+  return dot == 0 || name == ".." ? name : name.substr(0, dot);
+}
 
 bool is_blank(char32_t c) {
   return c == 0xA0 || c == 0x1680 || (0x2000 <= c && c <= 0x200A) || c == 0x202F || c == 0x205F || c == 0x3000;
