@@ -1,7 +1,6 @@
 #include "render/html.hpp"
 
 namespace render {
-namespace {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -14,8 +13,6 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string escaped(std::string_view text) {
   std::string html;

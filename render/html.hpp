@@ -13,6 +13,8 @@ namespace render {
 /// Returns: `text` to stand between tags, or in an attribute between double quotes: nothing in it is read as HTML.
 std::string escaped(std::string_view text);
 
+std::string base64(std::span<const std::uint8_t> bytes);
+
 /// Returns: the URL of a PNG picture that holds the picture itself.
 std::string data_url(std::span<const std::uint8_t> png);
 

@@ -14,6 +14,7 @@
 #include "walkthroughs/output/frames.hpp"
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/text_file.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 
 namespace walkthroughs::output {
@@ -79,6 +80,13 @@ std::vector<PageJson> entries_in(const fs::path& folder) {
   return {values.begin(), values.end()};
 }
 
+/// What the program in the page is asked to tell; null where it would tell something else, or is not there.
+PageJson request_for(const PageOrigin& origin, const PagesWanted& wanted) {
+  if (page_program().empty() || !wanted.is_usual || !origin.option.empty()) return nullptr;
+  if (origin.file.empty()) return {{"name", origin.name}};
+  return {{"scene", origin.scene}, {"file", called(origin.file)}};
+}
+
 PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWanted& wanted) {
   const Origin here = origin_of(walkthrough, wanted);
   const std::string what = here->option + shell_word(here->file.empty() ? fs::path(here->name) : here->file);
@@ -88,12 +96,14 @@ PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWant
   const bool has_trace_command = !walkthrough.scenes.empty() && here->option.empty();
   if (has_trace_command && all.has_files_beside) all.sources.push_back({trace_file, trace_file});
   if (has_trace_command) all.sources.push_back({"", "gjkstep trace " + what});
+  all.live = request_for(*here, wanted);
   if (!all.has_files_beside) return all;
   if (!here->file.empty())
     all.sources.push_back({here->option.empty() ? copy_of_scene(*here) : trace_file, here->file.filename()});
   const auto way_to = [from = walkthrough.name](const std::string& name) {
     return (fs::path(name) / page_file).lexically_relative(from).generic_string();
   };
+  if (!all.live.is_null()) all.program = fs::path(program_file).lexically_relative(walkthrough.name).generic_string();
   all.page_of = [=](const std::string& name) {
     std::error_code unreadable;
     const bool is_there = std::ranges::count(wanted.origins, name, &PageOrigin::name) ||
@@ -155,6 +165,10 @@ void write_index(const fs::path& folder) {
   else
     remove_outputs(folder, {compare_file});  // of an earlier run
   write_output(folder / page_file, page_over(entries, page_file));
+  if (page_program().empty())
+    remove_outputs(folder, {program_file});
+  else
+    write_output(folder / program_file, page_program());
 }
 
 }  // namespace walkthroughs::output

@@ -11,7 +11,7 @@
 
 namespace walkthroughs::output {
 
-inline constexpr const char *compare_file = "compare.html", *trace_file = "trace.jsonl";
+inline constexpr const char *compare_file = "compare.html", *trace_file = "trace.jsonl", *program_file = "program.js";
 
 /// A walkthrough of the run, and what it was read from.
 struct PageOrigin {
@@ -27,6 +27,7 @@ struct PagesWanted {
   bool has_files_beside;
   std::filesystem::path folder;     ///< that of the output
   std::string options;              ///< what else was said about the pictures
+  bool is_usual;                    ///< whether nothing was said that the program in a page would tell otherwise
   std::vector<PageOrigin> origins;  ///< one for each walkthrough of the run, in order
 };
 

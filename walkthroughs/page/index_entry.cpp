@@ -69,7 +69,8 @@ struct Known {
 
 /// As the report goes; a walkthrough belongs to the first whose prefix its name has, and what has none is the user's
 /// own.
-constexpr std::array<Known, 14> groups{{{"figure-", "Figures of the report"},
+constexpr std::array<Known, 15> groups{{{"live", "Take hold"},
+                                        {"figure-", "Figures of the report"},
                                         {"regions/0-simplex", "Regions of a 0-simplex, a vertex"},
                                         {"regions/1-simplex", "Regions of a 1-simplex, a segment"},
                                         {"regions/2-simplex", "Regions of a 2-simplex, a triangle"},

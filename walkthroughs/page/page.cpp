@@ -16,7 +16,8 @@
 namespace walkthroughs::page {
 namespace {
 
-constexpr std::array of_viewer{"colors.css", "page.css", "pages.js", "quiz.js", "page.js"};
+constexpr std::array of_viewer{"colors.css", "page.css",   "begin.js", "pages.js",
+                               "quiz.js",    "program.js", "stage.js", "page.js"};
 
 /// Returns: the place of a value among all of a list, which has each once: what comes again and again is told by its
 /// place.
@@ -230,6 +231,8 @@ PageJson page_data(const Story& story, const PagePictures& pictures, const PageS
           question_data(question, *frame, place_in(practices, practice_data(question, story, around)), texts));
   return {{"is_float", story.tellings.size() == 1 && story.tellings[0].scene.scalar == Scalar::binary32},
           {"text_scale", pictures.text_scale},
+          {"live", around.live},
+          {"program", around.program},
           {"unasked", known.size() - questions.size()},
           {"frames", frames},
           {"questions", questions},
@@ -253,7 +256,8 @@ std::vector<PageFile> page_files(const Story& story, const PagePictures& picture
                                             {"command", render::escaped(around.command)},
                                             {"sources", html_of(around.sources)}});
   if (!around.has_files_beside) {
-    const std::string all = files[0].content + files[1].content + viewer_files.at("quiz.js");
+    const std::string all = files[0].content + files[1].content + viewer_files.at("quiz.js") +
+                            (around.live.is_null() ? "" : page_program());
     return {{page_file, with_inside(html, {{story_file, all}})}};
   }
   files.push_back({page_file, html});

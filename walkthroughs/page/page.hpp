@@ -90,6 +90,10 @@ struct PageSurroundings {
   std::vector<PageLink> sources = {};  ///< what it was made of, such as a scene file; its trace
   std::vector<PageLink> ways = {};     ///< to the index, and to the walkthroughs before and after
   bool has_files_beside = false;       ///< else the page holds all that it needs
+  /// What the program in the page is asked to tell (live.hpp), and the script that holds the program; null and empty where there
+  /// is none.
+  PageJson live = nullptr;
+  std::string program = {};
   /// Returns: the URL of another walkthrough's page; empty where there is none.
   std::function<std::string(const std::string& name)> page_of = [](const std::string&) { return std::string(); };
 };
@@ -98,6 +102,10 @@ inline constexpr const char *page_file = "index.html", *story_file = "story.js",
 
 /// Returns: the names of all files that a page may have.
 std::vector<std::string> page_file_names();
+
+/// Returns: a script that sets window.gjkstepProgram to the program of live.hpp, compiled for pages: base64 of it, deflated. Empty where
+/// this was built without.
+const std::string& page_program();
 
 /// Returns: what a page shows: entry of the index apart, each frame with its pictures, captions, numbers and running
 /// lines, and the questions that can be asked before a frame.

@@ -2,8 +2,9 @@
 // Steps through one walkthrough, which story.js tells.
 (() => {
   if (!window.gjkstep) return;  // it was left behind: all pictures stand below each other
-  const {entry, story} = window.gjkstep, {frames} = story;
-  const title = document.title, heading = document.querySelector('h1'), name = heading.textContent;
+  let {entry, story} = window.gjkstep, {frames} = story;
+  const title = document.title, heading = document.querySelector('h1');
+  let name = heading.textContent, stage = null;  // what draws and can be taken hold of, once the program runs
   const near = 4;  // pictures that are loaded ahead
   const isBare = location.hash.endsWith('&bare');  // beside another walkthrough, in a page that steps both
 
@@ -23,13 +24,14 @@
   const fact = ([mark, text]) => told('li', mark, textOf(text));
   const inWords = i => frames[i].words.map(textOf).join(' ');
 
-  const steps = frames.map((frame, i) => make('section', {className: 'step', id: i + 1},
+  let steps = [];
+  const makeStep = (frame, i) => make('section', {className: 'step', id: i + 1},
     make('div', {className: 'shot'}, make('img', {loading: 'lazy', alt: inWords(i), src: frame.pictures[0]})),
     make('div', {className: 'text'},
       make('p', {className: 'where'}, ...marked(where(frame, i))),
       told('h2', frame.mark ?? '', frame.caption),
       ...frame.facts.length ? [make('ul', {}, ...frame.facts.map(fact))] : [],
-      ...frame.code.map(code => make('div', {className: 'code'}, make('h3', {}, ...marked(code.title)))))));
+      ...frame.code.map(code => make('div', {className: 'code'}, make('h3', {}, ...marked(code.title))))));
 
   function fillCode(box, {listing, current, outcomes}) {
     if (box.querySelector('ol')) return;
@@ -57,6 +59,7 @@
 
   function addEvents(i) {
     if (!frames[i].events.length || steps[i].querySelector('.events')) return;
+    if (stage?.isChanged()) return;  // the file is about the scene as it was
     const details = make('details', {className: 'events'}, make('summary', {textContent: 'Events as JSON'}));
     details.addEventListener('toggle', async () => {
       if (details.querySelector('pre')) return;
@@ -91,16 +94,24 @@
   function show(i, how) {
     const moved = i !== at;
     quiz.leave();
-    steps[at].classList.remove('now');
+    steps[at]?.classList.remove('now');
     steps[at = i].classList.add('now');
     complete(i);
+    stage?.draw();
+    tellPicture(inWords(i));
     $('slider').setAttribute('aria-valuetext', steps[i].querySelector('.where').textContent);
     keepInSight();
     if (moved) $('live').textContent = said(i);
     quiz.arrive(moved);
     entitle();
     if (isBare) parent.postMessage({reading: readingTime()}, '*');
-    if (how !== 'stay' && moved) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', `#${i + 1}`);
+    if (how !== 'stay' && moved) history[how === 'push' ? 'pushState' : 'replaceState'](null, '', addressOf(i));
+  }
+
+  // What is seen, for who does not see it.
+  function tellPicture(words) {
+    steps[at].querySelector('img')?.setAttribute('alt', words);
+    $('picture').querySelector('.drawn').setAttribute('aria-label', words);
   }
 
   // Titles tell how it ends: not while it is asked.
@@ -112,25 +123,35 @@
   }
 
   const readingTime = () => Math.min(9000, 1500 + 25 * said(at).length);
-  const addressed = () => /^#\d+(&bare)?$/.test(location.hash) ? parseInt(location.hash.slice(1), 10) - 1 : 0;
+  let taken = '';  // of the scene, where it is another: what its address holds of it
+  const addressOf = i => taken ? `#scene=${taken}&step=${i + 1}` : `#${i + 1}`;
+  const stepOf = hash => (hash.match(/^#(?:scene=[\w-]+&step=)?(\d+)(?:&bare)?$/)?.[1] ?? 1) - 1;
+  const addressed = () => stepOf(location.hash);
   const stepping = stepper({
     count: () => frames.length, show, reading: readingTime, holds: () => quiz.holds(),
     back: () => { if (quiz.isAsking()) quiz.leave(); else stepping.go(at - 1); },
   });
 
   // What asks is loaded when somebody wants to be asked: until then nothing is.
-  let quiz = {leave() {}, arrive() {}, holds: () => false, isAsking: () => false, untold: () => ''}, asker = null;
+  const noQuiz = {leave() {}, arrive() {}, holds: () => false, isAsking: () => false, untold: () => ''};
+  let quiz = noQuiz, asker = null;
   async function predict() {
     try {
       const quizAbout = await loaded('quizAbout', 'quiz.js');
-      quiz = asker ??= quizAbout({steps, entry, story, show: stepping.turnTo, entitle, inWords, place: () => at});
+      quiz = asker ??= quizAbout({steps, entry, story, show: stepping.turnTo, entitle, inWords, tellPicture, place: () => at});
       quiz.toggle();
     } catch (error) {
       $('live').textContent = error.message;
     }
   }
-  $('predict').hidden = !story.questions.length;
-  $('unasked').hidden = story.questions.length > 0 || !story.unasked;
+  function offerQuestions() {
+    quiz.leave();
+    quiz = noQuiz;
+    asker = null;
+    $('predict').setAttribute('aria-pressed', false);
+    $('predict').hidden = !story.questions.length;
+    $('unasked').hidden = story.questions.length > 0 || !story.unasked;
+  }
 
   // -- Views of a picture, the usual one first, all around ------------------------------------------------------------
 
@@ -143,7 +164,7 @@
     $('live').textContent = `View ${place + 1} of ${views.length}`;
   }
   const turnBy = by => turnTo(shotNow(), viewOf(shotNow()) + by);
-  const turning = {ArrowLeft: () => turnBy(-1), ArrowRight: () => turnBy(1)};
+  const turning = {ArrowLeft: () => stage ? stage.turnBy(-15) : turnBy(-1), ArrowRight: () => stage ? stage.turnBy(15) : turnBy(1)};
 
   // -- What one presses, drags and swipes -----------------------------------------------------------------------------
 
@@ -153,7 +174,7 @@
     return quiz.isAsking() && /^[1-9]$/.test(key) ? () => quiz.answer(key - 1) : null;
   }
   onKeys(event => {
-    const act = (turns && event.shiftKey && turning[event.key]) || stepping.keys[event.key] || letter(event.key);
+    const act = ((turns || stage?.space) && event.shiftKey && turning[event.key]) || stepping.keys[event.key] || letter(event.key);
     return act && isBare ? () => parent.postMessage({key: event.key}, '*') : act;
   });
   for (const [id, act] of [['predict', predict], ['turn-back', turning.ArrowLeft], ['turn-on', turning.ArrowRight]])
@@ -188,17 +209,23 @@
 
   // -- Marks of iterations, decisions and the end ---------------------------------------------------------------------
 
-  if (frames.length <= 400) frames.forEach(({iterations, kind}, i) => {
-    const latest = i => Math.max(...frames[i]?.iterations ?? [0]);
+  const latest = i => Math.max(...frames[i]?.iterations ?? [0]);
+  function marksOf({iterations, kind}, i) {
     const isFirst = iterations && latest(i) !== latest(i - 1);
-    for (const className of [isFirst && 'iteration', kind]) {
-      if (!className) continue;
+    return [isFirst && 'iteration', kind].filter(Boolean).map(className => {
       const textContent = className === 'iteration' && frames.length <= 80 ? latest(i) : '';
       const mark = make('span', {className, textContent});
       mark.style.left = `${100 * i / Math.max(1, frames.length - 1)}%`;
-      $('marks').append(mark);
-    }
-  });
+      return mark;
+    });
+  }
+
+  function fillPage() {
+    steps = frames.map(makeStep);
+    $('steps').replaceChildren(...steps);
+    $('marks').replaceChildren(...frames.length <= 400 ? frames.flatMap(marksOf) : []);
+    offerQuestions();
+  }
 
   // Before printing all is there, also what nobody has looked at.
   const chooseHandout = () => document.documentElement.classList.toggle('strip', $('handout').value === 'strip');
@@ -206,13 +233,53 @@
   $('handout').addEventListener('change', chooseHandout);
   $('print').addEventListener('click', () => print());
   chooseHandout();  // a browser may have kept the choice
-  addEventListener('beforeprint', () => steps.forEach((step, i) => complete(i)));
+  addEventListener('beforeprint', () => steps.forEach((step, i) => {
+    complete(i);
+    if (stage?.isChanged()) step.querySelector('.shot').innerHTML = stage.drawn(i);
+  }));
+
+  // -- The program in the page ----------------------------------------------------------------------------------------
+
+  const isDark = matchMedia('(prefers-color-scheme: dark)');
+  const host = {
+    name: entry.name, known: entry.name, file: `${entry.name.split('/').at(-1)}.json`,
+    frame: () => at,
+    looks: () => ({theme: entry.is_dark || isDark.matches ? 'dark' : 'report', text: story.text_scale}),
+    say: text => { $('live').textContent = text; },
+    changed(answer) {
+      entry = {...answer.entry, is_dark: entry.is_dark};
+      story = {...answer.story, text_scale: story.text_scale};
+      frames = story.frames;
+      fillPage();
+      stepping.turnTo(answer.frame, 'stay');
+    },
+    async kept(state) {
+      taken = state ? await packed(state) : '';
+      name = `${title}${state ? ', changed' : ''}`;
+      entitle();
+      history.replaceState(null, '', addressOf(at));
+    },
+  };
+  async function begin() {
+    const hash = location.hash, [, scene] = hash.match(/^#scene=([\w-]+)/) ?? [];
+    const ask = await programFrom(await loaded('gjkstepProgram', story.program));
+    const told = ask?.({tell: story.live});
+    if (!told || told.error) return;
+    stage = stageOf(ask, told, host);
+    for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.space;
+    show(at, 'stay');
+    isDark.addEventListener('change', () => stage.draw());
+    if (!scene) return;
+    stage.restore(await unpacked(scene));
+    stepping.turnTo(stepOf(hash), 'stay');
+  }
 
   document.documentElement.classList.toggle('bare', isBare);
   document.body.classList.add(groundOf(entry));
   if (story.text_scale !== 1) document.documentElement.style.fontSize = `${100 * story.text_scale}%`;
   cutOut($('steps'), entry.cut);
-  $('steps').replaceChildren(...steps);
+  fillPage();
   stepping.turnTo(addressed(), 'stay');
+  if (story.live && !isBare) begin().catch(error => { $('live').textContent = error.message; });
   addEventListener('load', keepInSight);  // the browser itself has gone to the step of the address by then
 })();

@@ -1,6 +1,6 @@
 'use strict';
 // Asks before each decision what will be found.
-function quizAbout({steps, entry, story, show, entitle, inWords, place}) {
+function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, place}) {
   const textOf = place => story.texts[place];
   const questions = story.questions.map(question => (
     {...question, text: textOf(question.text), choices: question.choices.map(choice => choice.map(textOf))}));
@@ -97,7 +97,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, place}) {
   }
 
   // What is told of the picture tells where the origin lies.
-  const hideWords = hides => { now().querySelector('img').alt = hides ? hidden : inWords(place()); };
+  const hideWords = hides => tellPicture(hides ? hidden : inWords(place()));
 
   function close() {
     asked = null;

@@ -198,7 +198,7 @@ class Rendering {
     for (const Chosen& each : chosen_)
       origins.push_back({each.walkthrough.name, each.walkthrough.title, each.option, each.file, each.scene});
     sinks_.push_back(std::make_unique<Pages>(
-        PagesWanted{has_files_beside, command_.out, options_of_pictures(), std::move(origins)}));
+        PagesWanted{has_files_beside, command_.out, options_of_pictures(), is_usual(), std::move(origins)}));
   }
 
   Output checked_output() const {
@@ -308,6 +308,11 @@ class Rendering {
     add(command_.text_scale.has_value(), "text-scale", number_text(command_.text_scale.value_or(1)));
     add(command_.turns != usual.turns, "turn", std::to_string(command_.turns));
     return options + (command_.no_captions ? " --no-captions" : "") + (command_.no_values ? " --no-values" : "");
+  }
+
+  /// Whether nothing was said that the program in a page would tell otherwise.
+  bool is_usual() const {
+    return command_.detail == RenderCommand().detail && !command_.frames && !command_.letters && !command_.no_values;
   }
 
   Story tell_all(const Chosen& chosen) const {

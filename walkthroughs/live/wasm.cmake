@@ -1,0 +1,82 @@
+# The program that runs in pages: the same sources, compiled by Clang to WebAssembly. Debian 12 has Clang 16 and 19 of the wasm
+# parts, Debian 13 has 19.
+set(GJKSTEP_WASM)
+if(NOT GJKSTEP_LIVE)
+  return()
+endif()
+foreach(version 19 16)
+  find_program(GJKSTEP_WASM_CXX clang++-${version})
+  find_program(GJKSTEP_WASM_LD wasm-ld-${version})
+  set(wasm_llvm /usr/lib/llvm-${version})
+  set(wasm_cxx_headers ${wasm_llvm}/include/wasm32-wasi/c++/v1)
+  set(wasm_libraries ${wasm_llvm}/lib/wasm32-wasi)
+  file(GLOB wasm_builtins ${wasm_llvm}/lib/clang/${version}/lib/wasi/libclang_rt.builtins-wasm32.a)
+  if(GJKSTEP_WASM_CXX AND GJKSTEP_WASM_LD AND EXISTS ${wasm_libraries}/libc++.a AND wasm_builtins)
+    set(wasm_version ${version})
+    break()
+  endif()
+  unset(GJKSTEP_WASM_CXX CACHE)
+  unset(GJKSTEP_WASM_LD CACHE)
+endforeach()
+if(NOT wasm_version)
+  message(STATUS "Pages are not live, their pictures cannot be taken hold of: no Clang for wasm32. Debian 12: apt-get install \
+clang-16 lld-16 wasi-libc libc++-16-dev-wasm32 libc++abi-16-dev-wasm32 libclang-rt-16-dev-wasm32; Debian 13: those of 19")
+  return()
+endif()
+message(STATUS "Pages are live, by Clang ${wasm_version}")
+
+set(wasm_flags --target=wasm32-wasi -std=c++20 -O2 -DNDEBUG -ffp-contract=off -fexceptions -ffunction-sections -fdata-sections
+               -nostdinc++ -isystem ${wasm_cxx_headers} -D_LIBCPP_ENABLE_CXX17_REMOVED_FEATURES -DJSON_HAS_FILESYSTEM=0
+               -DJSON_HAS_EXPERIMENTAL_FILESYSTEM=0 -DBOOST_DISABLE_THREADS -DBOOST_SP_DISABLE_THREADS -D_WASI_EMULATED_SIGNAL
+               -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/include)
+# Headers without a library, from where this system has them: not all of /usr/include, which is this system's own C library.
+set(wasm_headers ${PROJECT_BINARY_DIR}/wasm/include)
+file(MAKE_DIRECTORY ${wasm_headers})
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+find_path(GJKSTEP_JSON_DIR nlohmann/json.hpp REQUIRED)
+find_path(GJKSTEP_BOOST_DIR boost/version.hpp REQUIRED)
+file(CREATE_LINK ${GJKSTEP_JSON_DIR}/nlohmann ${wasm_headers}/nlohmann SYMBOLIC)
+file(CREATE_LINK ${GJKSTEP_BOOST_DIR}/boost ${wasm_headers}/boost SYMBOLIC)
+foreach(folder IN LISTS eigen)
+  list(APPEND wasm_flags -isystem ${folder})
+endforeach()
+list(APPEND wasm_flags -isystem ${wasm_headers})
+
+# Compiled as for this system, the small files of a room as one.
+set(wasm_objects)
+function(add_wasm_object name source)
+  set(object ${PROJECT_BINARY_DIR}/wasm/${name}.o)
+  add_custom_command(OUTPUT ${object} DEPENDS ${source} DEPFILE ${object}.d VERBATIM
+                     COMMAND ${GJKSTEP_WASM_CXX} ${wasm_flags} -MD -MF ${object}.d -MT ${object} -c ${source} -o ${object})
+  list(APPEND wasm_objects ${object})
+  set(wasm_objects ${wasm_objects} PARENT_SCOPE)
+endfunction()
+foreach(room model wrong_on_purpose story text picture trace catalogue page live live/wasm render render/live)
+  set(folder walkthroughs/${room})
+  if(room MATCHES "^render")
+    set(folder ${room})
+  endif()
+  file(GLOB files CONFIGURE_DEPENDS ${folder}/*.cpp)
+  if(room STREQUAL "render")  # but for what makes pixels and files
+    list(FILTER files INCLUDE REGEX "/(canvas|camera|geometry|panel|svg_text|font)[.]cpp$")
+  endif()
+  list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_program|trace_schema|font_table)[.]cpp$")  # files; what no page asks for
+  string(REPLACE "/" "-" name ${room})
+  set(together "")
+  foreach(file IN LISTS files)
+    cmake_path(GET file STEM stem)
+    if(stem IN_LIST apart OR room MATCHES "/")
+      add_wasm_object(${name}-${stem} ${file})
+    else()
+      string(APPEND together "#include \"${file}\"\n")
+    endif()
+  endforeach()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/wasm/${name}.cpp CONTENT "${together}")
+  add_wasm_object(${name} ${PROJECT_BINARY_DIR}/wasm/${name}.cpp)
+endforeach()
+
+set(GJKSTEP_WASM ${PROJECT_BINARY_DIR}/gjkstep.wasm)
+add_custom_command(OUTPUT ${GJKSTEP_WASM} DEPENDS ${wasm_objects} VERBATIM
+  COMMAND ${GJKSTEP_WASM_LD} -L/usr/lib/wasm32-wasi -L${wasm_libraries} --gc-sections --strip-all -O2 --entry _initialize
+          -z stack-size=1048576 /usr/lib/wasm32-wasi/crt1-reactor.o ${wasm_objects} -lc++ -lc++abi -lc -lwasi-emulated-signal
+          ${wasm_builtins} -o ${GJKSTEP_WASM})

@@ -1,0 +1,382 @@
+'use strict';
+// A picture that the program draws when it is asked, what can be taken hold of in it, and what came of that: undo, files, links.
+
+// `ask`: of program.js. `told`: the answer to its first request. `host`: {frame() that is shown, changed(told) when another story
+// is told, say(text) aloud, looks() what the program is to be told of text and theme}.
+function stageOf(ask, told, host) {
+  const stage = $('stage'), space = told.scene?.dimension === 3 || told.turns, still = {turn: 0, rise: 0, zoom: 1};
+  let view = {...still}, state = {scene: told.scene, mistake: told.mistake}, past = [], future = [], shown = null;
+  const original = JSON.stringify(state);
+
+  // -- The picture ----------------------------------------------------------------------------------------------------
+
+  function draw() {
+    shown = ask({draw: {frame: host.frame(), ...view, ...host.looks()}});
+    const {objects} = shown;
+    fill($('picture'), shown);
+    $('objects').hidden = !objects;
+    if (objects) fill($('objects'), objects);
+    $('fit').style.setProperty('--total', shown.width / shown.height + (objects ? objects.width / objects.height + .02 : 0));
+  }
+
+  // Letters, lines and areas come as one text, which the program has written; grips lie over them.
+  function fill(box, {picture, width, height, grips}) {
+    box.querySelector('.drawn').innerHTML = picture;
+    box.style.setProperty('--aspect', width / height);
+    box.style.setProperty('--units', width);
+    const focused = document.activeElement?.closest?.('.grip')?.dataset.name;
+    const handles = box.querySelector('.grips'), old = new Map([...handles.children].map(each => [each.dataset.name, each]));
+    for (const grip of grips) {
+      const handle = old.get(grip.name) ?? make('button', {type: 'button', className: 'grip'});
+      old.delete(grip.name);
+      handle.dataset.name = grip.name;
+      handle.classList.toggle('whole', !grip.name.includes('.'));
+      handle.setAttribute('aria-label', `${grip.says}: ${valueOf(grip)}`);
+      handle.title = grip.says;
+      handle.style.left = `${100 * grip.at[0] / width}%`;
+      handle.style.top = `${100 * grip.at[1] / height}%`;
+      handle.grip = grip;
+      if (!handle.parentNode) handles.append(handle);
+    }
+    for (const handle of old.values()) handle.remove();
+    if (focused) handles.querySelector(`[data-name="${CSS.escape(focused)}"]`)?.focus({preventScroll: true});
+  }
+
+  // -- Values of the scene, at paths ----------------------------------------------------------------------------------
+
+  const numbers = () => state.scene.dimension;
+  const at = (scene, path) => path.reduce((value, key) => value?.[key], scene) ?? Array(numbers()).fill(0);
+  const words = values => `(${values.map(x => Number(x.toPrecision(6))).join(', ')})`;
+  const valueOf = grip => grip.paths.length === 1 ? words(at(state.scene, grip.paths[0])) : `${grip.paths.length} points`;
+
+  function put(scene, path, value) {
+    let place = scene;
+    for (const key of path.slice(0, -1)) place = place[key] ??= {};
+    place[path.at(-1)] = value;
+  }
+
+  // A step of the grid: 1, 2 or 5 times a power of ten, at least so many page units.
+  function stepOf(grip, units) {
+    const wanted = units * Math.hypot(...grip.right), power = 10 ** Math.floor(Math.log10(wanted));
+    return power * [1, 2, 5, 10].find(each => each * power >= wanted * 0.999);
+  }
+  const rounded = (x, step) => Number((Math.round(x / step) * step).toPrecision(12));
+
+  // Where a grip leads that is moved by page units from where `from` has it. What moves as a whole keeps its shape.
+  function moved(from, grip, x, y, snaps) {
+    const scene = structuredClone(from), step = stepOf(grip, snaps ? 8 : 0.02);
+    const by = grip.right.map((right, i) => right * x - grip.up[i] * y);
+    const isWhole = grip.paths.length > 1;
+    for (const path of grip.paths) {
+      const start = grip.value ? grip.value.slice(0, numbers()) : at(from, path);
+      const value = start.map((old, i) => isWhole ? Number((old + rounded(by[i], step)).toPrecision(12))
+        : by[i] || grip.value ? rounded(old + by[i], step) : old);
+      if (grip.value && value.every(each => each === 0)) return from;  // a direction leads somewhere
+      put(scene, path, value);
+    }
+    return scene;
+  }
+
+  // -- From one scene to another --------------------------------------------------------------------------------------
+
+  const statusOf = {intersecting: 'together', separated: 'apart', undecided: 'no answer'};
+  function showAnswers(next) {
+    const before = told;
+    told = next;
+    const turned = before.answer !== told.answer || before.truth !== told.truth;
+    const isWrong = told.truth && told.truth !== 'undecided' && told.truth !== told.answer;
+    $('answers').replaceChildren('The search: ', make('b', {textContent: statusOf[told.answer]}),
+      ...told.truth ? [' · Proven: ', make('b', {textContent: told.truth === 'undecided' ? 'not known' : statusOf[told.truth]})] : [],
+      ...isWrong ? [make('strong', {className: 'no', textContent: ' the search is wrong'})] : []);
+    $('answers').dataset.answer = told.answer;
+    if (turned && before !== told) {
+      $('answers').classList.remove('turned');
+      void $('answers').offsetWidth;  // so that it is seen again
+      $('answers').classList.add('turned');
+    }
+    return turned;
+  }
+
+  // Tells another scene. `like`: the frame whose like is to be shown. Returns: whether it was one.
+  function tell(next, like) {
+    const request = {scene: JSON.stringify(next.scene), file: next.file ?? host.file, like,
+                     ...next.mistake ? {mistake: next.mistake} : {}};
+    const answer = ask({tell: request});
+    complain(answer.error?.text ?? '');
+    if (answer.error) return false;
+    state = {scene: next.scene, mistake: next.mistake};
+    showAnswers(answer);
+    fillSwitches();
+    host.changed(answer);
+    return true;
+  }
+
+  const complain = text => { $('complaint').textContent = text; $('complaint').hidden = !text; };
+
+  // A change that can be undone.
+  function change(next, like = host.frame()) {
+    const before = JSON.stringify(state);
+    if (!tell(next, like)) return;
+    past.push(before);
+    future = [];
+    kept();
+  }
+  function kept() {
+    $('undo').disabled = !past.length;
+    $('redo').disabled = !future.length;
+    $('reset').disabled = JSON.stringify(state) === original;
+    host.kept?.(JSON.stringify(state) === original ? null : state);
+  }
+  function back(from, to) {
+    if (!from.length) return;
+    to.push(JSON.stringify(state));
+    tell(JSON.parse(from.pop()), host.frame());
+    kept();
+  }
+  const undo = () => back(past, future), redo = () => back(future, past);
+
+  // -- Dragging -------------------------------------------------------------------------------------------------------
+
+  let drag = null, wanted = 0;
+  const unitsOf = box => box.style.getPropertyValue('--units') / box.clientWidth;
+
+  stage.addEventListener('pointerdown', event => {
+    const box = event.target.closest('.box'), handle = event.target.closest('.grip');
+    if (!box || event.button !== 0 || drag) return;
+    drag = {x: event.clientX, y: event.clientY, box, units: unitsOf(box), view: {...view}, like: host.frame(),
+            before: JSON.stringify(state), scene: state.scene, grip: handle?.grip, moves: false};
+    if (handle) {
+      handle.focus({preventScroll: true});
+      ask({hold: true});
+      event.preventDefault();
+    }
+    stage.setPointerCapture(event.pointerId);
+  });
+  stage.addEventListener('pointermove', event => {
+    if (!drag) return;
+    [drag.toX, drag.toY, drag.free] = [event.clientX, event.clientY, event.altKey];
+    if (!wanted) wanted = requestAnimationFrame(follow);
+  });
+  function follow() {
+    wanted = 0;
+    if (!drag) return;
+    const x = (drag.toX - drag.x) * drag.units, y = (drag.toY - drag.y) * drag.units;
+    if (drag.grip) {
+      const scene = moved(drag.scene, drag.grip, x, y, $('snap').checked !== drag.free);
+      if (JSON.stringify(scene) !== JSON.stringify(state.scene)) drag.moves = tell({...state, scene}, drag.like) || drag.moves;
+    } else if (space) {
+      view = {...drag.view, turn: drag.view.turn - x / 3, rise: Math.max(-80, Math.min(80, drag.view.rise + y / 3))};
+      draw();
+    }
+  }
+  function letGo(event) {
+    if (!drag) return;
+    if (wanted) cancelAnimationFrame(wanted), follow();
+    const {grip, moves, before} = drag;
+    drag = null;
+    stage.releasePointerCapture?.(event.pointerId);
+    if (!grip) return;
+    ask({hold: false});
+    if (moves) { past.push(before); future = []; }
+    draw();
+    kept();
+  }
+  for (const end of ['pointerup', 'pointercancel']) stage.addEventListener(end, letGo);
+  stage.addEventListener('wheel', event => {
+    if (!space && !event.ctrlKey) return;
+    event.preventDefault();
+    zoomBy(Math.exp(-event.deltaY / 500));
+  }, {passive: false});
+  const zoomBy = factor => { view.zoom = Math.max(0.25, Math.min(20, view.zoom * factor)); draw(); };
+  const turnBy = degrees => { view.turn += degrees; draw(); };
+
+  // Two fingers.
+  const pinch = new Map();
+  stage.addEventListener('touchstart', event => event.touches.length === 2 && event.preventDefault(), {passive: false});
+  stage.addEventListener('touchmove', event => {
+    if (event.touches.length !== 2) { pinch.clear(); return; }
+    event.preventDefault();
+    const [one, other] = event.touches;
+    const apart = Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
+    if (pinch.has('apart')) zoomBy(apart / pinch.get('apart'));
+    pinch.set('apart', apart);
+    drag = null;
+  }, {passive: false});
+
+  // -- Keys -----------------------------------------------------------------------------------------------------------
+
+  const ways = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+  stage.addEventListener('keydown', event => {
+    const grip = event.target.closest('.grip')?.grip, way = ways[event.key];
+    if (!grip || event.ctrlKey || event.metaKey) return;
+    if (way) {
+      const step = stepOf(grip, $('snap').checked !== event.altKey ? 8 : 0.5) / Math.hypot(...grip.right);
+      const [x, y] = way.map(each => each * step * (event.shiftKey ? 10 : 1));
+      const old = told;
+      change({...state, scene: moved(state.scene, grip, x, y, $('snap').checked !== event.altKey)});
+      const now = shown.grips.concat(shown.objects?.grips ?? []).find(each => each.name === grip.name);
+      if (now) host.say(`${now.says}: ${valueOf(now)}${old.answer === told.answer ? '' : `. The search now says: ${statusOf[told.answer]}`}`);
+    } else if (event.key === 'Delete' || event.key === 'Backspace') {
+      removeCorner(grip);
+    } else if (event.key === 'Insert' || event.key === '+') {
+      addCorner(grip);
+    } else {
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  document.addEventListener('keydown', event => {
+    if (!(event.ctrlKey || event.metaKey) || event.target.closest('input, select, textarea')) return;
+    const key = event.key.toLowerCase();
+    if (key !== 'z' && key !== 'y') return;
+    event.preventDefault();
+    if (key === 'y' || event.shiftKey) redo(); else undo();
+  });
+
+  // -- Corners come and go --------------------------------------------------------------------------------------------
+
+  const cornerOf = grip => grip?.paths.length === 1 && typeof grip.paths[0].at(-1) === 'number' ? grip.paths[0] : null;
+  const selected = () => stage.querySelector('.grip.selected')?.grip;
+  stage.addEventListener('focusin', event => {
+    const handle = event.target.closest('.grip');
+    if (!handle) return;
+    stage.querySelectorAll('.selected').forEach(each => each.classList.remove('selected'));
+    handle.classList.add('selected');
+    $('add').disabled = $('remove').disabled = !cornerOf(handle.grip);
+  });
+  function editCorners(grip, edit) {
+    const path = cornerOf(grip);
+    if (!path) return;
+    const scene = structuredClone(state.scene);
+    edit(at(scene, path.slice(0, -1)), path.at(-1));
+    change({...state, scene});
+  }
+  const addCorner = grip => editCorners(grip, (points, i) => {
+    const step = 5 * stepOf(grip, 8), by = grip.right.map((right, k) => (right + grip.up[k]) / Math.hypot(...grip.right) * step);
+    points.splice(i + 1, 0, points[i].map((x, k) => rounded(x + by[k], step / 5)));
+  });
+  const removeCorner = grip => editCorners(grip, (points, i) => { if (points.length > 1) points.splice(i, 1); });
+
+  // -- Switches -------------------------------------------------------------------------------------------------------
+
+  function fillSwitches() {
+    $('switches').hidden = !told.switches?.length;
+    const old = new Map([...$('switches').children].map(each => [each.dataset.key, each]));
+    for (const {key, label, chosen, choices} of told.switches ?? []) {
+      let row = old.get(key);
+      if (!row) {
+        row = make('label', {}, `${label} `, make('select', {}));
+        row.dataset.key = key;
+        row.querySelector('select').addEventListener('change', event => choose(key, event.target));
+        $('switches').append(row);
+      }
+      const select = row.querySelector('select');
+      select.replaceChildren(...choices.map(({text, value}) => Object.assign(make('option', {textContent: text}), {json: value})));
+      select.selectedIndex = chosen;
+      old.delete(key);
+    }
+    for (const row of old.values()) row.remove();
+  }
+  function choose(key, select) {
+    const value = select.selectedOptions[0].json, next = structuredClone(state);
+    if (key === 'mistake') next.mistake = value;
+    else next.scene[key] = value;
+    change(next);
+    fillSwitches();
+  }
+
+  // -- Taking along ---------------------------------------------------------------------------------------------------
+
+  function save(name, content, type) {
+    const link = make('a', {download: name, href: URL.createObjectURL(new Blob([content], {type}))});
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+  const fileName = () => `${host.name.replace(/[^\w-]+/g, '-')}`;
+  function standalone() {
+    const {picture, width, height} = shown, paper = getComputedStyle($('picture')).backgroundColor;
+    return picture.replace('<svg ', `<svg width='${width}' height='${height}' `)
+      .replace('>', `><rect x='-10000' y='-10000' width='20000' height='20000' fill='${paper}'/>`);
+  }
+  async function savePng() {
+    const {width, height} = shown, scale = 2, image = new Image();
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(standalone())}`;
+    await image.decode();
+    const canvas = make('canvas', {width: width * scale, height: height * scale});
+    canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height);
+    canvas.toBlob(blob => save(`${fileName()}-${host.frame() + 1}.png`, blob, 'image/png'));
+  }
+  const command = () => `gjkstep render ${JSON.stringify(state) === original ? host.known : `${fileName()}.json`}` +
+    `${state.mistake && JSON.stringify(state) !== original ? ` --mistake ${state.mistake}` : ''} --frames ${host.frame() + 1}`;
+  async function copy(text, what) {
+    try {
+      await navigator.clipboard.writeText(text);
+      host.say(`${what} copied`);
+      $('copied').textContent = `${what} copied`;
+    } catch {
+      $('copied').textContent = text;
+    }
+  }
+  const acts = {
+    undo, redo, add: () => addCorner(selected()), remove: () => removeCorner(selected()),
+    reset() { change(JSON.parse(original)); view = {...still}; draw(); },
+    'save-scene': () => save(`${fileName()}.json`, `${JSON.stringify(state.scene, null, 1)}\n`, 'application/json'),
+    'save-svg': () => save(`${fileName()}-${host.frame() + 1}.svg`, standalone(), 'image/svg+xml'),
+    'save-png': savePng,
+    'copy-command': () => copy(command(), 'Command'),
+    'copy-link': async () => copy(`${location.href.split('#')[0]}#scene=${await packed(state)}&step=${host.frame() + 1}`, 'Link'),
+  };
+  for (const [id, act] of Object.entries(acts)) $(id).addEventListener('click', act);
+
+  // A scene or a trace that somebody drops or chooses: data, never run.
+  const most = 4 << 20;
+  async function take(file) {
+    if (!file) return;
+    if (file.size > most) return complain(`${file.name}: has ${file.size} bytes, more than ${most}; draw it with the program`);
+    const text = await file.text(), isTrace = text.startsWith('{"schema":"gjkstep-trace"');
+    const answer = ask({tell: isTrace ? {trace: text} : {scene: text, file: file.name}});
+    if (answer.error) return complain(`${file.name}:${answer.error.line}: ${answer.error.text}`);
+    complain('');
+    past.push(JSON.stringify(state));
+    future = [];
+    state = {scene: answer.scene, mistake: answer.mistake};
+    host.name = file.name.replace(/\.[^.]*$/, '');
+    host.file = file.name;
+    view = {...still};
+    showAnswers(answer);
+    fillSwitches();
+    host.changed(answer);
+    kept();
+  }
+  addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
+  addEventListener('drop', event => { event.preventDefault(); take(event.dataTransfer.files[0]); });
+  $('open-file').addEventListener('change', event => take(event.target.files[0]));
+
+  stage.hidden = false;
+  $('taking').hidden = !told.scene;
+  document.documentElement.classList.add('live');
+  showAnswers(told);
+  fillSwitches();
+  kept();
+  return {draw, turnBy, space, isChanged: () => JSON.stringify(state) !== original, restore: next => change(next), drawn: i => ask({draw: {frame: i, ...view, ...host.looks()}}).picture};
+}
+
+// -- A scene in an address: JSON, deflated, in letters that addresses may have ------------------------------------------
+
+async function packed(value) {
+  const stream = new Blob([JSON.stringify(value)]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+async function unpacked(text) {
+  const most = 1 << 20, bytes = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), c => c.charCodeAt(0));
+  const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw')).getReader();
+  const parts = [];
+  let length = 0;
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    if ((length += part.value.length) > most) throw Error('the scene in the address is too large');
+    parts.push(part.value);
+  }
+  return JSON.parse(await new Blob(parts).text());
+}
