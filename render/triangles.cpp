@@ -135,7 +135,8 @@ class Builder {
     for (const PlacedGlyph& glyph : text.line.glyphs) {
       if (glyph.width == 0) continue;
       const Vec2 origin = text.whole_pen() + Vec2(glyph.x, glyph.y) + shift;
-      const Vec2 texel(glyph.atlas_x, glyph.atlas_y);
+      const auto [left, top] = canvas_.font().in_atlas(glyph);
+      const Vec2 texel(left, top);
       const auto corner = [&](int x, int y) { return vertex(origin + Vec2(x, y), texel + Vec2(x, y), look); };
       add_quad(corner(0, 0), corner(glyph.width, 0), corner(glyph.width, glyph.height), corner(0, glyph.height));
     }

@@ -29,7 +29,7 @@ struct Fixture {
 };
 
 bool same_bitmap(const PlacedGlyph& a, const PlacedGlyph& b) {
-  return a.atlas_x == b.atlas_x && a.atlas_y == b.atlas_y && a.width == b.width && a.height == b.height;
+  return a.index == b.index && a.weight == b.weight && a.size == b.size && a.width == b.width && a.height == b.height;
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ TEST_CASE_METHOD(Fixture, "a byte that is not UTF-8 becomes U+FFFD and the text 
 TEST_CASE_METHOD(Fixture, "the atlas keeps its glyphs while it grows") {
   const PlacedGlyph first = set("A", 60).glyphs.at(0);
   const auto byte_of = [&](int x, int y) {
-    return font.atlas().at(static_cast<std::size_t>((first.atlas_y + y) * Font::atlas_width + first.atlas_x + x));
+    const auto [left, top] = font.in_atlas(first);
+    return font.atlas().at(static_cast<std::size_t>((top + y) * Font::atlas_width + left + x));
   };
   std::vector<std::uint8_t> before;
   for (int y = 0; y < first.height; ++y) {
@@ -84,7 +85,8 @@ TEST_CASE_METHOD(Fixture, "the atlas keeps its glyphs while it grows") {
   }
   REQUIRE(*std::max_element(before.begin(), before.end()) == 255);
   const int height = font.atlas_height();
-  for (int size = 50; size < 80; ++size) set("ABCDEFGHIJKLMNOPQRSTUVWXYZ", size);
+  for (int size = 50; size < 80; ++size)
+    for (const PlacedGlyph& glyph : set("ABCDEFGHIJKLMNOPQRSTUVWXYZ", size).glyphs) font.in_atlas(glyph);
   REQUIRE(font.atlas_height() > height);
   REQUIRE(same_bitmap(set("A", 60).glyphs.at(0), first));
   std::size_t i = 0;
