@@ -7,7 +7,7 @@
 # libfribidi-dev: titles and names in Hebrew and Arabic run from right to left.
 program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libegl-dev libegl-mesa0 libgl-dev \
 libpng-dev libdeflate-dev libfreetype-dev fonts-dejavu-core nlohmann-json3-dev libsimdjson-dev libcli11-dev \
-libqhull-dev libfribidi-dev libcairo2-dev libboost-dev"
+libfribidi-dev libcairo2-dev libboost-dev"
 
 stop() {
   printf '%s: %s\n' "$0" "$1" >&2

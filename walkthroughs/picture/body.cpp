@@ -66,7 +66,7 @@ std::vector<Point> outside(const std::vector<render::Face>& hull, const std::vec
 }
 
 /// Returns: points whose hull looks the same; nothing where they are surely more than `most_corners`. So no hull is made
-/// that is not drawn: of points in one plane or along a curve Qhull takes quadratic time.
+/// that is not drawn.
 std::optional<std::vector<Point>> without_inner_points(const std::vector<Point>& points) {
   if (points.size() <= most_corners) return points;
   std::vector<Point> corners = farthest_all_around(points);

@@ -48,7 +48,8 @@ std::vector<render::Vec2> outline_of_difference(const Scene& scene, const Body& 
 std::vector<render::Vec2> outline_nearby(const Scene& scene, const Lens& lens, const render::Box& where,
                                          double tolerance);
 
-/// Qhull. Returns: the faces of the hull of points in space, coplanar triangles joined; none where the points are flat.
+/// Returns: the faces of the hull of points in space, none where the points are flat. Triangles that are coplanar but for rounding
+/// are joined. Faces that meet share their corners, which are some of the points.
 std::vector<render::Face> hull_faces(const std::vector<Point>& points);
 
 }  // namespace walkthroughs::picture
