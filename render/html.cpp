@@ -30,9 +30,4 @@ std::string escaped(std::string_view text) {
 
 std::string data_url(std::span<const std::uint8_t> png) { return "data:image/png;base64," + base64(png); }
 
-std::string img(const Image& image, std::string_view alt) {
-  return "<img width=\"" + std::to_string(image.size().width) + "\" height=\"" + std::to_string(image.size().height) +
-         "\" alt=\"" + escaped(alt) + "\" src=\"" + data_url(encode_png(image, {})) + "\">";
-}
-
 }  // namespace render

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "render/image.hpp"
-
 namespace render {
+
+class Image;
 
 /// Returns: `text` to stand between tags, or in an attribute between double quotes: nothing in it is read as HTML.
 std::string escaped(std::string_view text);

@@ -20,9 +20,9 @@ struct PlacesOf {
   std::string shape;
   Json paths = Json::array();
 
-  void operator()(field::Place place, const auto&) { paths.push_back({object, shape, place.name}); }
+  void operator()(field::Place place, const auto&) { paths.push_back(Json::array({object, shape, place.name})); }
   void operator()(field::Places, const Points& points) {
-    for (std::size_t i = 0; i < points.size(); ++i) paths.push_back({object, shape, i});
+    for (std::size_t i = 0; i < points.size(); ++i) paths.push_back(Json::array({object, shape, i}));
   }
   void operator()(auto, const auto&) {}
 };
@@ -31,7 +31,7 @@ struct PlacesOf {
 Json places_of(const std::string& key, const Object& object) {
   PlacesOf places{key, std::string(key_of(object.form))};
   if (is_at_rest(object.pose)) visit_fields(places, object.form);
-  return places.paths.empty() ? Json{{key, "pose", "translation"}} : places.paths;
+  return places.paths.empty() ? Json::array({Json::array({key, "pose", "translation"})}) : places.paths;
 }
 
 const Object& object_called(const std::string& key, const Scene& scene) { return key == "a" ? scene.a : scene.b; }
@@ -53,21 +53,21 @@ Json words_switch(std::string_view key, std::string_view label, E chosen) {
 }
 
 Json vector(const Point& v, Dimension dimension) {
-  return dimension == Dimension::plane ? Json{v.x(), v.y()} : Json{v.x(), v.y(), v.z()};
+  return dimension == Dimension::plane ? Json::array({v.x(), v.y()}) : Json::array({v.x(), v.y(), v.z()});
 }
 
 /// Along x, or from the center of a to that of b.
 Json start_switch(const Scene& scene) {
   const Point along_x = gjk::Options<double>{}.first_direction, now = scene.options.first_direction;
   const Point between = from_center_to_center(scene).options.first_direction;
-  Json choices{choice("along x", vector(along_x, scene.dimension)),
-               choice("between the centers", vector(between, scene.dimension))};
+  Json choices = Json::array({choice("along x", vector(along_x, scene.dimension)),
+                              choice("between the centers", vector(between, scene.dimension))});
   if (now != along_x && now != between) choices.push_back(choice("as it is drawn", vector(now, scene.dimension)));
   return a_switch("first_direction", "Start", now == along_x ? 0 : now == between ? 1 : 2, choices);
 }
 
 Json mistake_switch(std::optional<Mistake> mistake) {
-  Json choices{choice("none", nullptr)};
+  Json choices = Json::array({choice("none", nullptr)});
   for (const auto& each : wrong_on_purpose::all())
     choices.push_back(choice(wrong_on_purpose::number_of(each.value) + ": " + std::string(each.meaning), each.word));
   return a_switch("mistake", "Mistake", mistake ? 1 + static_cast<std::size_t>(*mistake) : 0, choices);
@@ -81,7 +81,8 @@ bool can_be_certified(const Object& object) {
 }  // namespace
 
 PageJson moved_by(const render::Grip& grip, const Scene& scene) {
-  if (grip.name == "first_direction") return {{"says", "first direction"}, {"paths", Json{{grip.name}}}};
+  if (grip.name == "first_direction")
+    return {{"says", "first direction"}, {"paths", Json::array({Json::array({grip.name})})}};
   const std::size_t dot = grip.name.find('.');
   const std::string key = grip.name.substr(0, dot);
   const Object& object = object_called(key, scene);
@@ -89,13 +90,14 @@ PageJson moved_by(const render::Grip& grip, const Scene& scene) {
   const std::size_t bracket = grip.name.find('[') + 1;
   const auto corner = model::decimal<std::size_t>(grip.name.substr(bracket, grip.name.size() - bracket - 1)).value();
   return {{"says", "corner " + std::to_string(corner + 1) + " of " + object.name},
-          {"paths", Json{{key, "points", corner}}}};
+          {"paths", Json::array({Json::array({key, "points", corner})})}};
 }
 
 PageJson switches_of(const Scene& scene, std::optional<Mistake> mistake) {
-  Json all{words_switch("rules", "Rules", scene.rules), start_switch(scene),
-           words_switch("crossing_test", "Crossing test", scene.options.crossing_test),
-           words_switch("zero_test", "Zero test", scene.zero_test), words_switch("scalar", "Numbers", scene.scalar)};
+  Json all = Json::array({words_switch("rules", "Rules", scene.rules), start_switch(scene),
+                          words_switch("crossing_test", "Crossing test", scene.options.crossing_test),
+                          words_switch("zero_test", "Zero test", scene.zero_test),
+                          words_switch("scalar", "Numbers", scene.scalar)});
   if (can_be_certified(scene.a) && can_be_certified(scene.b))
     all.push_back(
         a_switch("certified", "Certified", scene.certified ? 1 : 0, {choice("no", false), choice("yes", true)}));

@@ -25,7 +25,7 @@ clang-16 lld-16 wasi-libc libc++-16-dev-wasm32 libc++abi-16-dev-wasm32 libclang-
 endif()
 message(STATUS "Pages are live, by Clang ${wasm_version}")
 
-set(wasm_flags --target=wasm32-wasi -std=c++20 -O2 -DNDEBUG -ffp-contract=off -fexceptions -ffunction-sections -fdata-sections
+set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -DNDEBUG -ffp-contract=off -fexceptions -ffunction-sections -fdata-sections
                -nostdinc++ -isystem ${wasm_cxx_headers} -D_LIBCPP_ENABLE_CXX17_REMOVED_FEATURES -DJSON_HAS_FILESYSTEM=0
                -DJSON_HAS_EXPERIMENTAL_FILESYSTEM=0 -DBOOST_DISABLE_THREADS -DBOOST_SP_DISABLE_THREADS -D_WASI_EMULATED_SIGNAL
                -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/include)
@@ -58,9 +58,9 @@ foreach(room model wrong_on_purpose story text picture trace catalogue page live
   endif()
   file(GLOB files CONFIGURE_DEPENDS ${folder}/*.cpp)
   if(room STREQUAL "render")  # but for what makes pixels and files
-    list(FILTER files INCLUDE REGEX "/(canvas|camera|geometry|panel|svg_text|font)[.]cpp$")
+    list(FILTER files INCLUDE REGEX "/(canvas|camera|geometry|panel|svg_text|html|font)[.]cpp$")
   endif()
-  list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_program|trace_schema|font_table)[.]cpp$")  # files; what no page asks for
+  list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_program|trace_schema|write_font_table)[.]cpp$")  # files; what no page asks for
   string(REPLACE "/" "-" name ${room})
   set(together "")
   foreach(file IN LISTS files)
@@ -74,6 +74,8 @@ foreach(room model wrong_on_purpose story text picture trace catalogue page live
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/wasm/${name}.cpp CONTENT "${together}")
   add_wasm_object(${name} ${PROJECT_BINARY_DIR}/wasm/${name}.cpp)
 endforeach()
+
+add_wasm_object(font_tables ${PROJECT_BINARY_DIR}/font_tables.cpp)
 
 set(GJKSTEP_WASM ${PROJECT_BINARY_DIR}/gjkstep.wasm)
 add_custom_command(OUTPUT ${GJKSTEP_WASM} DEPENDS ${wasm_objects} VERBATIM

@@ -8,7 +8,7 @@ namespace {
 std::string request, answered;
 
 walkthroughs::live::Live& live() {
-  static render::Font font;
+  static render::Font font("");
   static walkthroughs::live::Live one(font);
   return one;
 }
