@@ -44,7 +44,15 @@ std::optional<Mistake> mistake_called(const std::string& word) {
   return found == all.end() ? std::nullopt : std::optional(found->value);
 }
 
-using Asked = std::variant<Walkthrough, TraceFile, Complaint>;
+#ifdef GJKSTEP_FEW_SEARCHES
+constexpr bool reads_traces = false;
+#else
+constexpr bool reads_traces = true;
+#endif
+
+/// The program that pages load first does not have what was asked for.
+struct More {};
+using Asked = std::variant<Walkthrough, TraceFile, Complaint, More>;
 
 /// The scene beside itself, searched with a mistake.
 Asked with_mistake(const SceneFile& file, const std::string& word) {
@@ -67,8 +75,12 @@ Asked asked_for(const Json& request) {
     return known ? Asked(*known) : Complaint{1, "name", "there is no walkthrough '" + name + "'"};
   }
   if (request.contains("trace")) {
-    Reading<TraceFile> reading = trace_in(request["trace"].get<std::string>());
-    return reading.complaint ? Asked(*reading.complaint) : std::move(reading.value);
+    if constexpr (!reads_traces)
+      return More();
+    else {
+      Reading<TraceFile> reading = trace_in(request["trace"].get<std::string>());
+      return reading.complaint ? Asked(*reading.complaint) : std::move(reading.value);
+    }
   }
   const std::string text = request["scene"];
   const Reading<SceneFile> reading = scene_in(text, request.value("file", "scene.json"));
@@ -92,11 +104,12 @@ PagePictures pictures_of(const Told& told, const Look& look) {
           .part = pictures_of_frame(told.walkthrough, look)};
 }
 
-Json story_json(const Told& told, std::size_t frame) {
+Json story_json(const Told& told, std::size_t frame, bool is_brief) {
   const PagePictures pictures = pictures_of(told, {.text = Text::none});
   const Scene* scene = changeable_scene(told.walkthrough);
-  Json answer{{"entry", index_entry(told.story, pictures)},
-              {"story", page_data(told.story, pictures, {})},
+  const auto only = is_brief ? std::optional(frame) : std::nullopt;
+  Json answer{{"title", told.walkthrough.title},
+              {"story", page_data(told.story, pictures, {}, only)},
               {"frame", frame},
               {"scene", nullptr},
               {"mistake", nullptr},
@@ -105,9 +118,9 @@ Json story_json(const Told& told, std::size_t frame) {
               {"truth", nullptr}};
   if (!scene) return answer;
   const std::optional<Mistake> mistake = told.walkthrough.scenes.front().mistake;
-  answer["scene"] = scene_json(told.walkthrough, *scene);
   if (mistake) answer["mistake"] = model::words_of::of(*mistake);
-  answer["switches"] = switches_of(*scene, mistake);
+  if (!is_brief) answer["scene"] = scene_json(told.walkthrough, *scene);
+  if (!is_brief) answer["switches"] = switches_of(*scene, mistake);
   answer["answer"] = to_string(answer_of(told.story.tellings.front().trace));
   if (!scene->leaves_truth_out) answer["truth"] = to_string(told.story.tellings.back().truth.answer.status);
   return answer;
@@ -181,6 +194,9 @@ struct Live::Impl {
   Json tell(const Json& request) {
     Asked asked = asked_for(request);
     if (const auto* complaint = std::get_if<Complaint>(&asked)) return error(*complaint);
+    const auto* walkthrough = std::get_if<Walkthrough>(&asked);
+    const bool is_known = walkthrough && std::ranges::all_of(walkthrough->scenes, model::has_search);
+    if (!is_known && !std::holds_alternative<TraceFile>(asked)) return {{"more", true}};
     const std::shared_ptr<const Told> before = held ? held : told;
     if (auto* file = std::get_if<TraceFile>(&asked))
       told = std::make_shared<const Told>(std::move(*file));
@@ -191,7 +207,7 @@ struct Live::Impl {
       frame = counterpart(before->story.frames,
                           std::min(request["like"].get<std::size_t>(), before->story.frames.size() - 1),
                           told->story.frames);
-    return story_json(*told, frame);
+    return story_json(*told, frame, request.value("brief", false));
   }
 
   Json draw(const Json& request) const {

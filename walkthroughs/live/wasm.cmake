@@ -43,11 +43,12 @@ endforeach()
 list(APPEND wasm_flags -isystem ${wasm_headers})
 
 # Compiled as for this system, the small files of a room as one.
+# Two programs: what pages load first has the usual searches, the other one has all, and is loaded when a reader asks for it.
 set(wasm_objects)
 function(add_wasm_object name source)
   set(object ${PROJECT_BINARY_DIR}/wasm/${name}.o)
   add_custom_command(OUTPUT ${object} DEPENDS ${source} DEPFILE ${object}.d VERBATIM
-                     COMMAND ${GJKSTEP_WASM_CXX} ${wasm_flags} -MD -MF ${object}.d -MT ${object} -c ${source} -o ${object})
+                     COMMAND ${GJKSTEP_WASM_CXX} ${wasm_flags} -MD -MF ${object}.d -MT ${object} ${ARGN} -c ${source} -o ${object})
   list(APPEND wasm_objects ${object})
   set(wasm_objects ${wasm_objects} PARENT_SCOPE)
 endfunction()
@@ -77,8 +78,18 @@ endforeach()
 
 add_wasm_object(font_tables ${PROJECT_BINARY_DIR}/font_tables.cpp)
 
-set(GJKSTEP_WASM ${PROJECT_BINARY_DIR}/gjkstep.wasm)
-add_custom_command(OUTPUT ${GJKSTEP_WASM} DEPENDS ${wasm_objects} VERBATIM
-  COMMAND ${GJKSTEP_WASM_LD} -L/usr/lib/wasm32-wasi -L${wasm_libraries} --gc-sections --strip-all -O2 --entry _initialize
-          -z stack-size=1048576 /usr/lib/wasm32-wasi/crt1-reactor.o ${wasm_objects} -lc++ -lc++abi -lc -lwasi-emulated-signal
-          ${wasm_builtins} -o ${GJKSTEP_WASM})
+set(of_all_searches ${wasm_objects})
+list(FILTER wasm_objects EXCLUDE REGEX "/(model-run|live)[.]o$")
+add_wasm_object(few-run ${PROJECT_SOURCE_DIR}/walkthroughs/model/run.cpp -DGJKSTEP_FEW_SEARCHES)
+add_wasm_object(few-live ${PROJECT_BINARY_DIR}/wasm/live.cpp -DGJKSTEP_FEW_SEARCHES)
+set(of_few_searches ${wasm_objects})
+
+set(GJKSTEP_WASM)
+foreach(searches few all)
+  set(wasm ${PROJECT_BINARY_DIR}/${searches}-searches.wasm)
+  add_custom_command(OUTPUT ${wasm} DEPENDS ${of_${searches}_searches} VERBATIM
+    COMMAND ${GJKSTEP_WASM_LD} -L/usr/lib/wasm32-wasi -L${wasm_libraries} --gc-sections --strip-all -O2 --entry _initialize
+            -z stack-size=1048576 /usr/lib/wasm32-wasi/crt1-reactor.o ${of_${searches}_searches} -lc++ -lc++abi -lc
+            -lwasi-emulated-signal ${wasm_builtins} -o ${wasm})
+  list(APPEND GJKSTEP_WASM ${wasm})
+endforeach()

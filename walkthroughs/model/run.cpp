@@ -73,10 +73,23 @@ struct WidenedInto {
 
 // -- What a scene says -------------------------------------------------------------------------------------------------
 
+#ifdef GJKSTEP_FEW_SEARCHES
+constexpr bool has_all_searches = false;
+#else
+constexpr bool has_all_searches = true;
+#endif
+
+bool is_usual(const Scene& scene) {
+  return scene.scalar == Scalar::binary64 && scene.zero_test == ZeroTest::exact && !scene.mistake && !scene.certified;
+}
+
 /// The one place where what a scene says becomes template arguments.
 /// Calls run.template operator()<S, Rules>() with the scalar and the rules of a scene.
 template <class Run>
 void with_types_of(const Scene& scene, Run&& run) {
+  if constexpr (!has_all_searches)
+    return gjk::with_rules<gjk::ExactZeroTest>(scene.rules,
+                                               [&]<class Rules>() { run.template operator()<double, Rules>(); });
   with_scalar(scene.scalar, [&]<class S>() {
     gjk::with_rules(scene.rules, scene.zero_test, [&]<class Rules>() { run.template operator()<S, Rules>(); });
   });
@@ -131,8 +144,12 @@ Trace run_certified(const Scene& scene) {
 
 }  // namespace
 
+bool has_search(const Scene& scene) { return has_all_searches || is_usual(scene); }
+
 Trace run(const Scene& scene) {
-  return scene.certified ? run_certified(scene) : run(scene, asking_the_objects_of(scene));
+  if constexpr (has_all_searches)
+    if (scene.certified) return run_certified(scene);
+  return run(scene, asking_the_objects_of(scene));
 }
 
 Trace run(const Scene& scene, const SupportFunctions& supports) {
@@ -141,10 +158,13 @@ Trace run(const Scene& scene, const SupportFunctions& supports) {
     gjk::collision<S, Rules>(Answering<S>{supports.a}, Answering<S>{supports.b}, options_in<S>(scene),
                              WidenedInto{trace});
   };
-  if (scene.mistake)
-    wrong_on_purpose::with_mistake(*scene.mistake, [&]<class Rules>() { search.template operator()<double, Rules>(); });
-  else
-    with_types_of(scene, search);
+  if constexpr (has_all_searches)
+    if (scene.mistake) {
+      wrong_on_purpose::with_mistake(*scene.mistake,
+                                     [&]<class Rules>() { search.template operator()<double, Rules>(); });
+      return trace;
+    }
+  with_types_of(scene, search);
   return trace;
 }
 

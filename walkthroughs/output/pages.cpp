@@ -82,7 +82,7 @@ std::vector<PageJson> entries_in(const fs::path& folder) {
 
 /// What the program in the page is asked to tell; null where it would tell something else, or is not there.
 PageJson request_for(const PageOrigin& origin, const PagesWanted& wanted) {
-  if (page_program().empty() || !wanted.is_usual || !origin.option.empty()) return nullptr;
+  if (page_programs().empty() || !wanted.is_usual || !origin.option.empty()) return nullptr;
   if (origin.file.empty()) return {{"name", origin.name}};
   return {{"scene", origin.scene}, {"file", called(origin.file)}};
 }
@@ -103,7 +103,9 @@ PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWant
   const auto way_to = [from = walkthrough.name](const std::string& name) {
     return (fs::path(name) / page_file).lexically_relative(from).generic_string();
   };
-  if (!all.live.is_null()) all.program = fs::path(program_file).lexically_relative(walkthrough.name).generic_string();
+  if (!all.live.is_null())
+    for (const PageFile& program : page_programs())
+      all.programs.push_back(fs::path(program.name).lexically_relative(walkthrough.name).generic_string());
   all.page_of = [=](const std::string& name) {
     std::error_code unreadable;
     const bool is_there = std::ranges::count(wanted.origins, name, &PageOrigin::name) ||
@@ -165,10 +167,7 @@ void write_index(const fs::path& folder) {
   else
     remove_outputs(folder, {compare_file});  // of an earlier run
   write_output(folder / page_file, page_over(entries, page_file));
-  if (page_program().empty())
-    remove_outputs(folder, {program_file});
-  else
-    write_output(folder / program_file, page_program());
+  for (const auto& [name, content] : page_programs()) write_output(folder / name, content);
 }
 
 }  // namespace walkthroughs::output

@@ -11,7 +11,7 @@
 
 namespace walkthroughs::output {
 
-inline constexpr const char *compare_file = "compare.html", *trace_file = "trace.jsonl", *program_file = "program.js";
+inline constexpr const char *compare_file = "compare.html", *trace_file = "trace.jsonl";
 
 /// A walkthrough of the run, and what it was read from.
 struct PageOrigin {

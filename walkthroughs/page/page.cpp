@@ -220,11 +220,12 @@ std::vector<std::string> page_file_names() {
   return names;
 }
 
-PageJson page_data(const Story& story, const PagePictures& pictures, const PageSurroundings& around) {
+PageJson page_data(const Story& story, const PagePictures& pictures, const PageSurroundings& around,
+                   std::optional<std::size_t> only) {
   PageJson frames = PageJson::array(), questions = frames, practices = frames, listings = frames, texts = frames;
   for (std::size_t i = 0; i < story.frames.size(); ++i)
-    frames.push_back(frame_data(story, pictures, i, listings, texts));
-  const std::vector<Question> known = questions_of(story);
+    frames.push_back(only.value_or(i) == i ? frame_data(story, pictures, i, listings, texts) : PageJson());
+  const std::vector<Question> known = only ? std::vector<Question>() : questions_of(story);
   for (const Question& question : known)
     if (const auto frame = answering_frame(story, question))
       questions.push_back(
@@ -232,7 +233,8 @@ PageJson page_data(const Story& story, const PagePictures& pictures, const PageS
   return {{"is_float", story.tellings.size() == 1 && story.tellings[0].scene.scalar == Scalar::binary32},
           {"text_scale", pictures.text_scale},
           {"live", around.live},
-          {"program", around.program},
+          {"programs", around.programs},
+          {"is_brief", only.has_value()},
           {"unasked", known.size() - questions.size()},
           {"frames", frames},
           {"questions", questions},
@@ -256,8 +258,9 @@ std::vector<PageFile> page_files(const Story& story, const PagePictures& picture
                                             {"command", render::escaped(around.command)},
                                             {"sources", html_of(around.sources)}});
   if (!around.has_files_beside) {
-    const std::string all = files[0].content + files[1].content + viewer_files.at("quiz.js") +
-                            (around.live.is_null() ? "" : page_program());
+    std::string all = files[0].content + files[1].content + viewer_files.at("quiz.js");
+    if (!around.live.is_null())
+      for (const PageFile& program : page_programs()) all += program.content;
     return {{page_file, with_inside(html, {{story_file, all}})}};
   }
   files.push_back({page_file, html});

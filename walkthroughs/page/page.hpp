@@ -90,10 +90,10 @@ struct PageSurroundings {
   std::vector<PageLink> sources = {};  ///< what it was made of, such as a scene file; its trace
   std::vector<PageLink> ways = {};     ///< to the index, and to the walkthroughs before and after
   bool has_files_beside = false;       ///< else the page holds all that it needs
-  /// What the program in the page is asked to tell (live.hpp), and the script that holds the program; null and empty where there
-  /// is none.
+  /// What the program in the page is asked to tell (live.hpp), and the URLs of page_programs(); null and none where there is no
+  /// program.
   PageJson live = nullptr;
-  std::string program = {};
+  std::vector<std::string> programs = {};
   /// Returns: the URL of another walkthrough's page; empty where there is none.
   std::function<std::string(const std::string& name)> page_of = [](const std::string&) { return std::string(); };
 };
@@ -103,13 +103,14 @@ inline constexpr const char *page_file = "index.html", *story_file = "story.js",
 /// Returns: the names of all files that a page may have.
 std::vector<std::string> page_file_names();
 
-/// Returns: a script that sets window.gjkstepProgram to the program of live.hpp, compiled for pages: base64 of it, deflated. Empty where
-/// this was built without.
-const std::string& page_program();
+/// Returns: scripts that set window.gjkstepProgram and window.gjkstepAllSearches to programs of live.hpp, compiled for pages: base64 of
+/// them, deflated. The first is what a page asks, until it needs the other one. None where this was built without.
+const std::vector<PageFile>& page_programs();
 
 /// Returns: what a page shows: entry of the index apart, each frame with its pictures, captions, numbers and running
-/// lines, and the questions that can be asked before a frame.
-PageJson page_data(const Story& story, const PagePictures& pictures, const PageSurroundings& around);
+/// lines, and the questions that can be asked before a frame. `only`: briefly, of that frame alone; null in place of the others.
+PageJson page_data(const Story& story, const PagePictures& pictures, const PageSurroundings& around,
+                   std::optional<std::size_t> only = {});
 
 /// Returns: the files of a page, last the one to open, which asks for the others. They ask for nothing else but the
 /// pictures. Data are scripts, as pages that are files themselves may read nothing else; texts in them are data, never

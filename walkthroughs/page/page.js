@@ -2,7 +2,8 @@
 // Steps through one walkthrough, which story.js tells.
 (() => {
   if (!window.gjkstep) return;  // it was left behind: all pictures stand below each other
-  let {entry, story} = window.gjkstep, {frames} = story;
+  const {entry} = window.gjkstep;
+  let {story} = window.gjkstep, {frames} = story;
   const title = document.title, heading = document.querySelector('h1');
   let name = heading.textContent, stage = null;  // what draws and can be taken hold of, once the program runs
   const near = 4;  // pictures that are loaded ahead
@@ -28,9 +29,10 @@
   const makeStep = (frame, i) => make('section', {className: 'step', id: i + 1},
     make('div', {className: 'shot'}, make('img', {loading: 'lazy', alt: inWords(i), src: frame.pictures[0]})),
     make('div', {className: 'text'},
-      make('p', {className: 'where'}, ...marked(where(frame, i))),
-      told('h2', frame.mark ?? '', frame.caption),
-      ...frame.facts.length ? [make('ul', {}, ...frame.facts.map(fact))] : [],
+      make('div', {className: 'told'},
+        make('p', {className: 'where'}, ...marked(where(frame, i))),
+        told('h2', frame.mark ?? '', frame.caption),
+        ...frame.facts.length ? [make('ul', {}, ...frame.facts.map(fact))] : []),
       ...frame.code.map(code => make('div', {className: 'code'}, make('h3', {}, ...marked(code.title))))));
 
   function fillCode(box, {listing, current, outcomes}) {
@@ -68,13 +70,14 @@
       const scenes = loaded('gjkstepEvents', 'events.js');
       text.textContent = await scenes.then(found => eventsOf(i, found), error => error.message);
     });
-    steps[i].querySelector('.text').append(details);
+    steps[i].querySelector('.told').append(details);
   }
 
   function complete(i) {
     steps[i].querySelectorAll('.code').forEach((box, b) => fillCode(box, frames[i].code[b]));
     addEvents(i);
-    for (const step of steps.slice(Math.max(0, i - near), i + near + 1)) step.querySelector('img').loading = 'eager';
+    for (const step of steps.slice(Math.max(0, i - near), i + near + 1))
+      step?.querySelector('img').setAttribute('loading', 'eager');
   }
 
   // Where the words stand beside the picture the line that runs stays in sight, and so does the picture.
@@ -85,7 +88,7 @@
       steps[at].querySelector(part)?.scrollIntoView({block: 'nearest'});
   }
 
-  const said = i => [...steps[i].querySelectorAll('.where, .text > h2, .text > ul > li')]
+  const said = i => [...steps[i].querySelectorAll('.where, .told > h2, .told > ul > li')]
     .map(each => each.textContent.trim().replace(/\.$/, '')).join('. ');
 
   // -- From step to step ----------------------------------------------------------------------------------------------
@@ -221,8 +224,10 @@
   }
 
   function fillPage() {
-    steps = frames.map(makeStep);
-    $('steps').replaceChildren(...steps);
+    steps = frames.map((frame, i) => frame && makeStep(frame, i));  // while one drags none but the one that is shown is told
+    $('steps').replaceChildren(...steps.filter(Boolean));
+    if (story.is_brief) return;
+    $('steps').style.setProperty('--lines', Math.max(0, ...story.listings.map(lines => lines.length)));
     $('marks').replaceChildren(...frames.length <= 400 ? frames.flatMap(marksOf) : []);
     offerQuestions();
   }
@@ -247,7 +252,6 @@
     looks: () => ({theme: entry.is_dark || isDark.matches ? 'dark' : 'report', text: story.text_scale}),
     say: text => { $('live').textContent = text; },
     changed(answer) {
-      entry = {...answer.entry, is_dark: entry.is_dark};
       story = {...answer.story, text_scale: story.text_scale};
       frames = story.frames;
       fillPage();
@@ -262,9 +266,17 @@
   };
   async function begin() {
     const hash = location.hash, [, scene] = hash.match(/^#scene=([\w-]+)/) ?? [];
-    const ask = await programFrom(await loaded('gjkstepProgram', story.program));
-    const told = ask?.({tell: story.live});
-    if (!told || told.error) return;
+    if (!runsPrograms()) return;
+    const [first, all] = story.programs, request = {tell: story.live};
+    let program = await programFrom(await loaded('gjkstepProgram', first));
+    const ask = request => program(request);
+    host.more = async () => { program = await programFrom(await loaded('gjkstepAllSearches', all)); };
+    let told = ask(request);
+    if (told.more) {
+      await host.more();
+      told = ask(request);
+    }
+    if (told.error) throw Error(told.error.text);
     stage = stageOf(ask, told, host);
     for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.space;
     show(at, 'stay');

@@ -9,29 +9,25 @@
 #include "render/html.hpp"
 #include "walkthroughs/page/page.hpp"
 
-#ifdef GJKSTEP_WASM
-// The file as it is, among the constants.
-asm(".section .rodata\n"
-    ".balign 16\n"
-    "gjkstep_wasm_begin:\n"
-    ".incbin \"" GJKSTEP_WASM
-    "\"\n"
-    "gjkstep_wasm_end:\n"
-    ".byte 0\n"
-    ".previous\n");
-extern "C" const std::uint8_t gjkstep_wasm_begin[], gjkstep_wasm_end[];
+#ifdef GJKSTEP_WASM_FOLDER
+// The files as they are, among the constants.
+#define GJKSTEP_HOLDS(name)                      \
+  asm(".section .rodata\n"                       \
+      "gjkstep_" #name                           \
+      "_begin:\n"                                \
+      ".incbin \"" GJKSTEP_WASM_FOLDER "/" #name \
+      "-searches.wasm\"\n"                       \
+      "gjkstep_" #name                           \
+      "_end:\n"                                  \
+      ".byte 0\n"                                \
+      ".previous\n");                            \
+  extern "C" const std::uint8_t gjkstep_##name##_begin[], gjkstep_##name##_end[];
+GJKSTEP_HOLDS(few)
+GJKSTEP_HOLDS(all)
 #endif
 
 namespace walkthroughs::page {
 namespace {
-
-std::span<const std::uint8_t> program() {
-#ifdef GJKSTEP_WASM
-  return {gjkstep_wasm_begin, gjkstep_wasm_end};
-#else
-  return {};
-#endif
-}
 
 /// As browsers unpack it: in the format of zlib.
 std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes) {
@@ -44,13 +40,20 @@ std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes) {
   return packed;
 }
 
+[[maybe_unused]] std::string script(const std::string& name, std::span<const std::uint8_t> program) {
+  return "'use strict';\nwindow." + name + " = '" + render::base64(deflated(program)) + "';\n";
+}
+
 }  // namespace
 
-const std::string& page_program() {
-  static const std::string script =
-      program().empty() ? ""
-                        : "'use strict';\nwindow.gjkstepProgram = '" + render::base64(deflated(program())) + "';\n";
-  return script;
+const std::vector<PageFile>& page_programs() {
+  static const std::vector<PageFile> scripts{
+#ifdef GJKSTEP_WASM_FOLDER
+      {"program.js", script("gjkstepProgram", {gjkstep_few_begin, gjkstep_few_end})},
+      {"all-searches.js", script("gjkstepAllSearches", {gjkstep_all_begin, gjkstep_all_end})}
+#endif
+  };
+  return scripts;
 }
 
 }  // namespace walkthroughs::page

@@ -1,9 +1,10 @@
 'use strict';
 // The program itself, which runs in this page. What it is asked and what it answers is JSON; nothing here knows what it means.
 
-// Returns: ask(request), which returns the answer; null where the browser cannot run it. `packed`: base64 of it, deflated.
+const runsPrograms = () => Boolean(window.WebAssembly && window.DecompressionStream);
+
+// Returns: ask(request), which returns the answer. `packed`: base64 of the program, deflated.
 async function programFrom(packed) {
-  if (!window.WebAssembly || !window.DecompressionStream) return null;
   const unpacked = bytes => new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate')));
   const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
   const module = await WebAssembly.compile(await unpacked(bytes).arrayBuffer());

@@ -44,7 +44,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
     }));
     $('verdict').textContent = '';
     $('onward').textContent = 'Skip';
-    now().querySelector('.text').prepend($('quiz'));
+    now().querySelector('.told').prepend($('quiz'));
     now().classList.add('asking');
     hideWords(true);
     mark(false);
@@ -141,7 +141,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
     $('kinds').replaceChildren(list);
     if (missesPages)
       $('kinds').append(make('code', {textContent: 'gjkstep render regions --page'}), ' makes these pages.');
-    now().querySelector('.text').prepend($('score'));
+    now().querySelector('.told').prepend($('score'));
     $('score').hidden = false;
     $('forget').hidden = !given.length;
     $('score').scrollIntoView({block: 'nearest'});

@@ -16,7 +16,9 @@ function stageOf(ask, told, host) {
     fill($('picture'), shown);
     $('objects').hidden = !objects;
     if (objects) fill($('objects'), objects);
-    $('fit').style.setProperty('--total', shown.width / shown.height + (objects ? objects.width / objects.height + .02 : 0));
+    const aspect = shown.width / shown.height, isWide = objects && aspect > 2.2;  // then the objects stand below, else beside
+    $('fit').classList.toggle('column', isWide);
+    $('fit').style.setProperty('--total', aspect + (objects && !isWide ? objects.width / objects.height + .02 : 0));
   }
 
   // Letters, lines and areas come as one text, which the program has written; grips lie over them.
@@ -30,7 +32,7 @@ function stageOf(ask, told, host) {
       const handle = old.get(grip.name) ?? make('button', {type: 'button', className: 'grip'});
       old.delete(grip.name);
       handle.dataset.name = grip.name;
-      handle.classList.toggle('whole', !grip.name.includes('.'));
+      handle.classList.toggle('whole', grip.paths.length > 1 || !grip.name.includes('.'));
       handle.setAttribute('aria-label', `${grip.says}: ${valueOf(grip)}`);
       handle.title = grip.says;
       handle.style.left = `${100 * grip.at[0] / width}%`;
@@ -98,15 +100,19 @@ function stageOf(ask, told, host) {
   }
 
   // Tells another scene. `like`: the frame whose like is to be shown. Returns: whether it was one.
-  function tell(next, like) {
-    const request = {scene: JSON.stringify(next.scene), file: next.file ?? host.file, like,
+  function tell(next, like, isBrief = false) {
+    const request = {scene: JSON.stringify(next.scene), file: host.file, like, brief: isBrief,
                      ...next.mistake ? {mistake: next.mistake} : {}};
     const answer = ask({tell: request});
+    if (answer.more) {  // the program that has all searches goes on from here
+      host.more().then(() => { ask({tell: {...request, scene: JSON.stringify(state.scene), mistake: undefined}}); change(next, like); });
+      return false;
+    }
     complain(answer.error?.text ?? '');
     if (answer.error) return false;
     state = {scene: next.scene, mistake: next.mistake};
     showAnswers(answer);
-    fillSwitches();
+    if (!isBrief) fillSwitches();
     host.changed(answer);
     return true;
   }
@@ -163,7 +169,7 @@ function stageOf(ask, told, host) {
     const x = (drag.toX - drag.x) * drag.units, y = (drag.toY - drag.y) * drag.units;
     if (drag.grip) {
       const scene = moved(drag.scene, drag.grip, x, y, $('snap').checked !== drag.free);
-      if (JSON.stringify(scene) !== JSON.stringify(state.scene)) drag.moves = tell({...state, scene}, drag.like) || drag.moves;
+      if (JSON.stringify(scene) !== JSON.stringify(state.scene)) drag.moves = tell({...state, scene}, drag.like, true) || drag.moves;
     } else if (space) {
       view = {...drag.view, turn: drag.view.turn - x / 3, rise: Math.max(-80, Math.min(80, drag.view.rise + y / 3))};
       draw();
@@ -172,12 +178,16 @@ function stageOf(ask, told, host) {
   function letGo(event) {
     if (!drag) return;
     if (wanted) cancelAnimationFrame(wanted), follow();
-    const {grip, moves, before} = drag;
+    const {grip, moves, before, like} = drag;
     drag = null;
     stage.releasePointerCapture?.(event.pointerId);
     if (!grip) return;
+    if (moves) {
+      tell(state, like);
+      past.push(before);
+      future = [];
+    }
     ask({hold: false});
-    if (moves) { past.push(before); future = []; }
     draw();
     kept();
   }
@@ -335,7 +345,12 @@ function stageOf(ask, told, host) {
     if (!file) return;
     if (file.size > most) return complain(`${file.name}: has ${file.size} bytes, more than ${most}; draw it with the program`);
     const text = await file.text(), isTrace = text.startsWith('{"schema":"gjkstep-trace"');
-    const answer = ask({tell: isTrace ? {trace: text} : {scene: text, file: file.name}});
+    const request = {tell: isTrace ? {trace: text} : {scene: text, file: file.name}};
+    let answer = ask(request);
+    if (answer.more) {
+      await host.more();
+      answer = ask(request);
+    }
     if (answer.error) return complain(`${file.name}:${answer.error.line}: ${answer.error.text}`);
     complain('');
     past.push(JSON.stringify(state));

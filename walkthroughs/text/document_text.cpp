@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <boost/algorithm/string/predicate.hpp>
+#include <array>
 #include <boost/iterator/iterator_facade.hpp>
 #include <cctype>
 #include <nlohmann/json.hpp>
@@ -76,7 +76,10 @@ std::string word_around(const char* at, const Progress& progress) {
 }
 
 bool looks_not_finite(const std::string& word) {
-  return boost::algorithm::icontains(word, "nan") || boost::algorithm::icontains(word, "inf");
+  const auto are_alike = [](char a, char b) { return (a | 32) == b; };  // in either case
+  return std::ranges::any_of(std::array<std::string_view, 2>{"nan", "inf"}, [&](std::string_view name) {
+    return !std::ranges::search(word, name, are_alike).empty();
+  });
 }
 
 /// Returns: the parser's own words without its prefix and without the text read, which may be long.
