@@ -1,7 +1,6 @@
 #include "walkthroughs/catalogue/catalogue.hpp"
 
 #include <algorithm>
-#include <boost/algorithm/string/predicate.hpp>
 #include <iterator>
 
 #include "walkthroughs/text/names.hpp"
@@ -42,10 +41,11 @@ const Walkthrough* find_walkthrough(std::string_view name) {
 
 std::vector<const Walkthrough*> walkthroughs_that_say(std::string_view word) {
   std::vector<const Walkthrough*> found;
+  const std::string wanted = text::in_small_letters(word);
   for (const Walkthrough& w : whole_catalogue()) {
     const std::string said =
         w.name + "\n" + w.title + "\n" + w.summary + "\n" + (w.region_case ? w.region_case->text : "");
-    if (boost::algorithm::icontains(said, word)) found.push_back(&w);
+    if (text::in_small_letters(said).find(wanted) != std::string::npos) found.push_back(&w);
   }
   return found;
 }

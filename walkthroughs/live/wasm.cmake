@@ -4,6 +4,7 @@ set(GJKSTEP_WASM)
 if(NOT GJKSTEP_LIVE)
   return()
 endif()
+find_program(GJKSTEP_WASM_OPT wasm-opt)  # of the package binaryen
 foreach(version 19 16)
   find_program(GJKSTEP_WASM_CXX clang++-${version})
   find_program(GJKSTEP_WASM_LD wasm-ld-${version})
@@ -27,7 +28,7 @@ message(STATUS "Pages are live, by Clang ${wasm_version}")
 
 set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -DNDEBUG -ffp-contract=off -fexceptions -ffunction-sections -fdata-sections
                -nostdinc++ -isystem ${wasm_cxx_headers} -D_LIBCPP_ENABLE_CXX17_REMOVED_FEATURES -DJSON_HAS_FILESYSTEM=0
-               -DJSON_HAS_EXPERIMENTAL_FILESYSTEM=0 -DBOOST_DISABLE_THREADS -DBOOST_SP_DISABLE_THREADS -D_WASI_EMULATED_SIGNAL
+               -DJSON_HAS_EXPERIMENTAL_FILESYSTEM=0 -DBOOST_DISABLE_THREADS -DBOOST_SP_DISABLE_THREADS -DBOOST_LEXICAL_CAST_ASSUME_C_LOCALE -D_WASI_EMULATED_SIGNAL
                -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/include)
 # Headers without a library, from where this system has them: not all of /usr/include, which is this system's own C library.
 set(wasm_headers ${PROJECT_BINARY_DIR}/wasm/include)
@@ -61,19 +62,23 @@ foreach(room model wrong_on_purpose story text picture trace catalogue page live
   if(room STREQUAL "render")  # but for what makes pixels and files
     list(FILTER files INCLUDE REGEX "/(canvas|camera|geometry|panel|svg_text|html|font)[.]cpp$")
   endif()
-  list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_program|trace_schema|write_font_table)[.]cpp$")  # files; what no page asks for
+  list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_program|trace_schema|write_traces|write_font_table)[.]cpp$")  # files; what no page asks for
   string(REPLACE "/" "-" name ${room})
+  set(small)
+  if(room MATCHES "^(catalogue|text|trace|page)$")  # asked once, or for a part of a millisecond
+    set(small -Oz)
+  endif()
   set(together "")
   foreach(file IN LISTS files)
     cmake_path(GET file STEM stem)
     if(stem IN_LIST apart OR room MATCHES "/")
-      add_wasm_object(${name}-${stem} ${file})
+      add_wasm_object(${name}-${stem} ${file} ${small})
     else()
       string(APPEND together "#include \"${file}\"\n")
     endif()
   endforeach()
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/wasm/${name}.cpp CONTENT "${together}")
-  add_wasm_object(${name} ${PROJECT_BINARY_DIR}/wasm/${name}.cpp)
+  add_wasm_object(${name} ${PROJECT_BINARY_DIR}/wasm/${name}.cpp ${small})
 endforeach()
 
 add_wasm_object(font_tables ${PROJECT_BINARY_DIR}/font_tables.cpp)
@@ -87,9 +92,15 @@ set(of_few_searches ${wasm_objects})
 set(GJKSTEP_WASM)
 foreach(searches few all)
   set(wasm ${PROJECT_BINARY_DIR}/${searches}-searches.wasm)
+  set(optimize)
+  if(GJKSTEP_WASM_OPT)  # a sixth smaller
+    set(optimize COMMAND ${GJKSTEP_WASM_OPT} -Os --enable-bulk-memory --enable-mutable-globals --enable-nontrapping-float-to-int
+                         --enable-sign-ext ${wasm} -o ${wasm})
+  endif()
   add_custom_command(OUTPUT ${wasm} DEPENDS ${of_${searches}_searches} VERBATIM
     COMMAND ${GJKSTEP_WASM_LD} -L/usr/lib/wasm32-wasi -L${wasm_libraries} --gc-sections --strip-all -O2 --entry _initialize
             -z stack-size=1048576 /usr/lib/wasm32-wasi/crt1-reactor.o ${of_${searches}_searches} -lc++ -lc++abi -lc
-            -lwasi-emulated-signal ${wasm_builtins} -o ${wasm})
+            -lwasi-emulated-signal ${wasm_builtins} -o ${wasm}
+    ${optimize})
   list(APPEND GJKSTEP_WASM ${wasm})
 endforeach()

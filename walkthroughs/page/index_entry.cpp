@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <boost/algorithm/string/case_conv.hpp>
-#include <boost/algorithm/string/split.hpp>
-#include <locale>
+#include <ranges>
 #include <set>
 
 #include "render/json_text.hpp"
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/story/storyboard.hpp"
 #include "walkthroughs/story/words.hpp"
+#include "walkthroughs/text/names.hpp"
 
 namespace walkthroughs::page {
 namespace {
@@ -38,10 +37,10 @@ std::size_t telling_frame(const Story& story) {
 std::string words_of_captions(const Story& story) {
   std::set<std::string> words;
   for (const Frame& frame : story.frames) {
-    std::vector<std::string> own;
-    const std::string caption = boost::to_lower_copy(plain(frame.caption), std::locale::classic());
-    boost::split(own, caption, [](char c) { return c < 'a' || c > 'z'; });
-    words.insert(own.begin(), own.end());
+    std::string caption = in_small_letters(plain(frame.caption));
+    std::ranges::replace_if(
+        caption, [](char c) { return c < 'a' || c > 'z'; }, ' ');
+    for (const auto word : std::views::split(caption, ' ')) words.emplace(word.begin(), word.end());
   }
   words.erase("");
   return joined(words, " ");

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <boost/iterator/iterator_facade.hpp>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "walkthroughs/text/document_builder.hpp"
+#include "walkthroughs/text/names.hpp"
 #include "walkthroughs/text/printable.hpp"
 
 namespace walkthroughs::text {
@@ -76,10 +76,8 @@ std::string word_around(const char* at, const Progress& progress) {
 }
 
 bool looks_not_finite(const std::string& word) {
-  const auto are_alike = [](char a, char b) { return (a | 32) == b; };  // in either case
-  return std::ranges::any_of(std::array<std::string_view, 2>{"nan", "inf"}, [&](std::string_view name) {
-    return !std::ranges::search(word, name, are_alike).empty();
-  });
+  const std::string small = in_small_letters(word);
+  return small.find("nan") != std::string::npos || small.find("inf") != std::string::npos;
 }
 
 /// Returns: the parser's own words without its prefix and without the text read, which may be long.

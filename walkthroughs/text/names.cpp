@@ -106,6 +106,13 @@ std::string title_from_file(const std::string& file_name) {
   return title.empty() ? nameless : title;
 }
 
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
   word = word.substr(0, 64);
   const auto begun = std::ranges::find_if(candidates, [&](const std::string& each) { return each.starts_with(word); });

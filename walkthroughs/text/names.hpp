@@ -24,6 +24,9 @@ std::string name_from_file(const std::string& file_name);
 /// Returns: the stem of that file as a title. An underscore, which would be read as the mark of a subscript, divides words.
 std::string title_from_file(const std::string& file_name);
 
+/// Returns: the text with small letters in place of A to Z.
+std::string in_small_letters(std::string_view text);
+
 /// Returns: a candidate that begins with `word`, else the one that takes the fewest letters to reach from it (Levenshtein
 /// distance); the first of several. Of longer words the first 64 letters count: comparing takes time for each. Nothing where
 /// that takes more than three letters, or more than half of the word.

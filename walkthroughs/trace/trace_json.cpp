@@ -166,16 +166,6 @@ Json truth_json(const Scene& scene, const Truth& truth, gjk::Status shown) {
   return line;
 }
 
-void write_traces(std::ostream& out, const Walkthrough& walkthrough) {
-  std::vector<Trace> traces;
-  std::vector<Truth> truths;
-  for (const Scene& scene : walkthrough.scenes) {
-    traces.push_back(run(scene));
-    truths.push_back(truth_of(scene, answer_of(traces.back())));
-  }
-  out << traces_json(walkthrough, traces, truths);
-}
-
 std::string traces_json(const Walkthrough& walkthrough, const std::vector<Trace>& traces,
                         const std::vector<Truth>& truths) {
   Json header{{"schema", "gjkstep-trace"}, {"version", trace_version},          {"walkthrough", walkthrough.name},

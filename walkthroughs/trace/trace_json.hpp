@@ -11,7 +11,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <ostream>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
