@@ -70,7 +70,7 @@ struct Cost {
 Cost cost_of(const StagedStory& story, std::size_t index, walkthroughs::output::Studio& studio) {
   const walkthroughs::picture::Look look;
   const Milliseconds start = now();
-  render::Canvas canvas(size, walkthroughs::picture::page_of_frame(look.text), look.style.theme.paper, studio.font);
+  render::Canvas canvas(size, walkthroughs::picture::page_of_frame(look), look.style.theme.paper, studio.font);
   walkthroughs::picture::draw_frame(canvas, story, index, look);
   const Milliseconds laid_out = now();
   const render::Image image = studio.rasterizer.draw(canvas);

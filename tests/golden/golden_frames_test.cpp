@@ -63,7 +63,7 @@ class Checksum {
 
 /// Returns: how many labels found no place.
 int add_frame(Checksum& sum, const StagedStory& story, std::size_t frame, const Look& look, render::Font& font) {
-  const render::Size page = walkthroughs::picture::page_of_frame(look.text);
+  const render::Size page = walkthroughs::picture::page_of_frame(look);
   Canvas canvas(page, page, look.style.theme.paper, font);
   draw_frame(canvas, story, frame, look);
   sum.add(canvas);

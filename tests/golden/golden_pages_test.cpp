@@ -19,7 +19,7 @@ TEST_CASE("pages of a walkthrough, what they load, and its captions are the acce
   const StagedStory story(tell(w));
   const PagePictures pictures{
       .url = [](std::size_t frame, int turn) { return std::to_string(frame) + "-" + std::to_string(turn) + ".png"; },
-      .page = page_of_frame(Text::around),
+      .page = page_of_frame(Look()),
       .part = pictures_of_frame(w, {})};
   PageSurroundings around;
   around.command = "gjkstep render figure-4-right --page";

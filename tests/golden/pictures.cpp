@@ -91,7 +91,7 @@ render::Image draw(const Picture& picture, walkthroughs::output::Studio& studio)
       .style = walkthroughs::picture::Style(walkthroughs::picture::theme_named(picture.theme)), .text = picture.text};
   const walkthroughs::picture::StagedStory story(
       walkthroughs::story::tell(*walkthroughs::catalogue::find_walkthrough(picture.walkthrough)));
-  render::Canvas canvas(pixels, walkthroughs::picture::page_of_frame(look.text), look.style.theme.paper, studio.font);
+  render::Canvas canvas(pixels, walkthroughs::picture::page_of_frame(look), look.style.theme.paper, studio.font);
   walkthroughs::picture::draw_frame(canvas, story, picture.frame, look);
   if (picture.letters == left_out)
     for (render::Shape& shape : canvas.shapes())

@@ -233,7 +233,7 @@ std::string number_of(std::size_t index) {
 
 render::Image picture_of(const Question& question, std::size_t frame, Studio& studio, const Look& look) {
   const StagedStory story(tell(question.walkthrough));
-  const render::Size page = page_of_frame(look.text);
+  const render::Size page = page_of_frame(look);
   render::Canvas canvas(page, page, look.style.theme.paper, studio.font);
   draw_frame(canvas, story, frame, look);
   return studio.rasterizer.draw(canvas);

@@ -100,7 +100,7 @@ const Scene* changeable_scene(const Walkthrough& walkthrough) {
 
 PagePictures pictures_of(const Told& told, const Look& look) {
   return {.url = [](std::size_t, int) { return std::string(); },
-          .page = page_of_frame(look.text),
+          .page = page_of_frame(look),
           .part = pictures_of_frame(told.walkthrough, look)};
 }
 
@@ -128,6 +128,8 @@ Json story_json(const Told& told, std::size_t frame, bool is_brief) {
 
 // -- A picture --------------------------------------------------------------------------------------------------------
 
+constexpr int least_height = 300, greatest_height = 1500;  // of panels
+
 Look look_in(const Json& request, const StagedStory* framing) {
   Look look{.style = Style(theme_named(request.value("theme", "report"))), .text = Text::none};
   look.style = Style([&] {
@@ -135,6 +137,7 @@ Look look_in(const Json& request, const StagedStory* framing) {
     theme.text = std::clamp(request.value("text", theme.text), render::least_text_scale, render::most_text_scale);
     return theme;
   }());
+  look.height = std::clamp(request.value("height", look.height), least_height, greatest_height);
   look.turn = request.value("turn", 0.0);
   look.rise = request.value("rise", 0.0);
   look.zoom = request.value("zoom", 1.0);
@@ -169,7 +172,7 @@ Json picture_json(const render::Canvas& canvas, const render::Box& part, const S
 
 Json picture_of_frame(const Told& told, std::size_t frame, const Look& look, render::Font& font) {
   const Scene* scene = changeable_scene(told.walkthrough);
-  const render::Size page = page_of_frame(look.text);
+  const render::Size page = page_of_frame(look);
   render::Canvas canvas(page, page, look.style.theme.paper, font);
   draw_frame(canvas, told.story, frame, look);
   Json answer = picture_json(canvas, pictures_of_frame(told.walkthrough, look), scene);

@@ -140,7 +140,7 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
     return is_beside ? picture_name(frame, turn) : render::data_url(written_picture(folder, frame, turn));
   };
   const PagePictures pictures{.url = url,
-                              .page = page_of_frame(output.look.text),
+                              .page = page_of_frame(output.look),
                               .part = pictures_of_frame(w, output.look),
                               .text_scale = output.look.style.theme.text,
                               .turns = turns_of(w, output),

@@ -39,7 +39,7 @@ struct PanelsOfFrames {
     look.code = false;
     part = pictures_of_frame(story.walkthrough, look);
     letters = look.style.panel_title.size;
-    const Size page = page_of_frame(look.text);
+    const Size page = page_of_frame(look);
     for (std::size_t i = 0; i < story.frames.size(); ++i) {
       draw_frame(canvases.emplace_back(page, page, theme.paper, font), story, i, look);
       for (const render::Shape& shape : canvases.back().shapes())

@@ -32,7 +32,7 @@ render::Canvas Renderer::canvas(render::Size page, const Output& output) {
 }
 
 render::Canvas Renderer::frame(const StagedStory& story, std::size_t index, const Output& output) {
-  render::Canvas frame = canvas(page_of_frame(output.look.text), output);
+  render::Canvas frame = canvas(page_of_frame(output.look), output);
   draw_frame(frame, story, index, output.look);
   return frame;
 }

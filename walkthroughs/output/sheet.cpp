@@ -14,7 +14,7 @@ SheetLayout sheet_layout(int count, const Output& output) {
     const auto reduced = [&](int pixels) { return std::max(render::min_pixels, static_cast<int>(pixels * scale)); };
     Output small = output;
     small.size = {reduced(output.size.width), reduced(output.size.height)};
-    const render::Size cell = pixels_of(page_of_frame(output.look.text), small);
+    const render::Size cell = pixels_of(page_of_frame(output.look), small);
     const int most_rows = fitting(cell.height), columns = (count + most_rows - 1) / most_rows;
     if (columns <= fitting(cell.width))
       return {count, std::max(columns, std::min(count, sheet_columns)), small.size, cell};

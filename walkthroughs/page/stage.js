@@ -10,8 +10,22 @@ function stageOf(ask, told, host) {
 
   // -- The picture ----------------------------------------------------------------------------------------------------
 
+  // Pictures are as high as there is room for, and on a narrow screen have larger letters.
+  const narrow = matchMedia('(max-width: 899px), (max-height: 560px)');
+  let height = 448;
+  function heightFor({width, height: now, objects}) {
+    const page = now - height, box = $('fit');  // what is around panels, and where all of it stands
+    const wanted = narrow.matches ? width / (objects ? 2 : 1) : objects ? 0 : width * box.clientHeight / Math.max(1, box.clientWidth);
+    return Math.round(Math.max(400, Math.min(900, (wanted || 448) - page)));
+  }
+  const drawn = i => ask({draw: {frame: i, height, ...view, ...host.looks(), ...narrow.matches ? {text: 1.5} : {}}});
   function draw() {
-    shown = ask({draw: {frame: host.frame(), ...view, ...host.looks()}});
+    shown = drawn(host.frame());
+    const fitting = heightFor(shown);
+    if (Math.abs(fitting - height) > 8) {
+      height = fitting;
+      shown = drawn(host.frame());
+    }
     const {objects} = shown;
     fill($('picture'), shown);
     $('objects').hidden = !objects;
@@ -368,13 +382,14 @@ function stageOf(ask, told, host) {
   addEventListener('drop', event => { event.preventDefault(); take(event.dataTransfer.files[0]); });
   $('open-file').addEventListener('change', event => take(event.target.files[0]));
 
+  addEventListener('resize', draw);
   stage.hidden = false;
   $('taking').hidden = !told.scene;
   document.documentElement.classList.add('live');
   showAnswers(told);
   fillSwitches();
   kept();
-  return {draw, turnBy, space, isChanged: () => JSON.stringify(state) !== original, restore: next => change(next), drawn: i => ask({draw: {frame: i, ...view, ...host.looks()}}).picture};
+  return {draw, turnBy, space, isChanged: () => JSON.stringify(state) !== original, restore: next => change(next), drawn: i => drawn(i).picture};
 }
 
 // -- A scene in an address: JSON, deflated, in letters that addresses may have ------------------------------------------

@@ -22,7 +22,7 @@ using render::View;
 
 // The page, in page units.
 constexpr double left_margin = 40, right_margin = 1240, panel_gap = 14;
-constexpr double panels_height = 448, margin_without_text = 20;
+constexpr int margin_without_text = 20;
 constexpr double title_top = 18, below_title_line = 24;  // around the line of the title
 constexpr double share_of_space = 0.4, decision_margin = 34;
 constexpr double line_pitch = 30;
@@ -40,7 +40,7 @@ double footer_height(const Style& style) { return with_text(style, 200, 75); }
 
 /// From where to where the panels of a frame reach down.
 Interval rows_of_panels(const Look& look) {
-  if (look.text == Text::none) return {margin_without_text, margin_without_text + panels_height};
+  if (look.text == Text::none) return {margin_without_text, static_cast<double>(margin_without_text + look.height)};
   return {title_top + look.style.scaled(30) + below_title_line, frame_page.height - footer_height(look.style)};
 }
 
@@ -300,7 +300,7 @@ void draw_cell_picture(Canvas& canvas, const StagedStory& story, const Cell& cel
 int width_of_cell(const StagedStory& story) { return story.walkthrough.layout == Layout::diagrams ? 1220 : cell_width; }
 
 double bottom_of_panel(const StagedStory& story) {
-  return story.walkthrough.layout == Layout::diagrams ? cell_gap + panels_height : cell_panel_bottom;
+  return story.walkthrough.layout == Layout::diagrams ? cell_gap + Look().height : cell_panel_bottom;
 }
 
 render::Size size_of_cell(const StagedStory& story, const Look& look) {
@@ -352,9 +352,9 @@ void draw_cell(Canvas& canvas, const StagedStory& story, const Cell& cell, const
 
 }  // namespace
 
-render::Size page_of_frame(Text text) {
-  if (text == Text::around) return frame_page;
-  return {frame_page.width, static_cast<int>(panels_height + 2 * margin_without_text)};
+render::Size page_of_frame(const Look& look) {
+  if (look.text == Text::around) return frame_page;
+  return {frame_page.width, look.height + 2 * margin_without_text};
 }
 
 Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look) {

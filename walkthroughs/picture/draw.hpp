@@ -22,6 +22,7 @@ struct Look {
   Text text = Text::around;
   bool values = true;  ///< whether the panels show the numbers that decide
   bool code = true;    ///< whether the pseudo-code is written; without it its place is empty, for who cuts it off
+  int height = 448;    ///< of the panels, without text, in page units
   double turn = 0;     ///< degrees by which the camera of a scene in space is moved around the vertical axis
   double rise = 0;     ///< and by which it is moved upwards
   double zoom = 1;     ///< how many times as large scenes are as where they just fit
@@ -33,13 +34,13 @@ struct Look {
 /// The page that a frame with text is laid out on; smaller and larger pictures are this page, scaled.
 inline constexpr render::Size frame_page{1280, 720};
 
-/// Returns: the page of a frame; without text it is as wide and less high.
-render::Size page_of_frame(Text text);
+/// Returns: the page of a frame; without text it is as wide, and as high as the panels.
+render::Size page_of_frame(const Look& look);
 
 /// Returns: the part of that page that holds the panels but for the pseudo-code, for who writes all words himself.
 render::Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look);
 
-/// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look.text), in the colour of the paper;
+/// Draws frame `index` of `story`. Requires: a canvas with the page page_of_frame(look), in the colour of the paper;
 /// index < story.frames.size().
 void draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
 

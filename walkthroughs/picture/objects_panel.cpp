@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "walkthroughs/picture/light.hpp"
@@ -60,32 +61,32 @@ void draw_crossing(Pencil& pencil, const std::vector<CrossingPiece>& crossing) {
 
 constexpr std::size_t most_grips = 64;  // of one object: more would cover it
 
-/// Where something is drawn, and what a page unit is there in the scene as it was written.
-render::Grip grip(const Pencil& pencil, const std::string& name, const Point& at, double scale,
-                  const Eigen::Matrix3d& turned_back = Eigen::Matrix3d::Identity()) {
+/// Adds one where `at` is drawn, unless that is outside of the panel. `scale`: what scenes are drawn in, in their own unit.
+void add_grip(render::Canvas& canvas, const Pencil& pencil, double scale, const std::string& name, const Point& at,
+              const Eigen::Matrix3d& turned_back = Eigen::Matrix3d::Identity(), std::optional<Point> value = {}) {
+  if (!pencil.holds(at)) return;
   const double unit = pencil.length(1) / scale;
   const auto& camera = pencil.lens().camera;
   const Point right = camera ? camera->right() : Point::UnitX(), up = camera ? camera->up() : Point::UnitY();
-  return {name, pencil.panel().view().page(pencil.at(at)), turned_back * right * unit, turned_back * up * unit};
+  canvas.add_grip(
+      {name, pencil.panel().view().page(pencil.at(at)), turned_back * right * unit, turned_back * up * unit, value});
 }
 
 /// Its middle, by which it is moved as a whole, and its corners, each in the object's own place.
-void add_grips(render::Canvas& canvas, const Pencil& pencil, const std::string& key, const Object& object,
-               const Point& middle, double scale) {
-  canvas.add_grip(grip(pencil, key, middle, scale));
+void add_grips(render::Canvas& canvas, const Pencil& pencil, double scale, const std::string& key, const Object& object,
+               const Point& middle) {
+  add_grip(canvas, pencil, scale, key, middle);
   const std::vector<Point> corners = vertices_of(object);
   for (std::size_t i = 0; i < std::min(corners.size(), most_grips); ++i)
-    canvas.add_grip(
-        grip(pencil, key + ".points[" + std::to_string(i) + "]", corners[i], scale, object.pose.rotation.transpose()));
+    add_grip(canvas, pencil, scale, key + ".points[" + std::to_string(i) + "]", corners[i],
+             object.pose.rotation.transpose());
 }
 
 /// The tip of the first direction, as long as it is drawn.
-void add_grip_of_direction(render::Canvas& canvas, const Pencil& pencil, const Point& from, const Point& d,
-                           double scale) {
+void add_grip_of_direction(render::Canvas& canvas, const Pencil& pencil, double scale, const Point& from,
+                           const Point& d) {
   const Point arrow = d.stableNormalized() * pencil.length(pencil.style().arrow_length);
-  render::Grip tip = grip(pencil, "first_direction", from + arrow, scale);
-  tip.value = arrow / scale;
-  canvas.add_grip(std::move(tip));
+  add_grip(canvas, pencil, scale, "first_direction", from + arrow, Eigen::Matrix3d::Identity(), arrow / scale);
 }
 
 Point middle_of_object(const Object& object, const Body& body) {
@@ -118,10 +119,10 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown
   pencil.triad(canvas, place.frame);
   const Point d = shown.now.direction->value;
   const Point middle_a = middle_of_object(scene.a, shown.stage.a), middle_b = middle_of_object(scene.b, shown.stage.b);
-  add_grips(canvas, pencil, "a", scene.a, middle_a, placing.scale);
-  add_grips(canvas, pencil, "b", scene.b, middle_b, placing.scale);
+  add_grips(canvas, pencil, placing.scale, "a", scene.a, middle_a);
+  add_grips(canvas, pencil, placing.scale, "b", scene.b, middle_b);
   if (shown.now.processed.size() == 0)
-    add_grip_of_direction(canvas, pencil, shown.now.found ? shown.now.found->a.point : middle_a, d, placing.scale);
+    add_grip_of_direction(canvas, pencil, placing.scale, shown.now.found ? shown.now.found->a.point : middle_a, d);
   if (!shown.now.found) {
     pencil.direction(middle_a, d, style.direction, "d");
     pencil.direction(middle_b, -d, style.direction, "−d");

@@ -62,7 +62,7 @@ void check_same_pictures(const Walkthrough& usual, const Walkthrough& extreme, d
   REQUIRE(story.frames.size() == expected.frames.size());
   for (std::size_t i = 0; i < story.frames.size(); ++i) {
     INFO("frame " << i);
-    const render::Size page = page_of_frame(Text::none);
+    const render::Size page = page_of_frame(Look{.text = Text::none});
     render::Canvas one(page, page, render::palette::white, font), other(page, page, render::palette::white, font);
     draw_frame(one, expected, i, {.text = Text::none, .values = false});
     draw_frame(other, story, i, {.text = Text::none, .values = false});
