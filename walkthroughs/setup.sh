@@ -5,9 +5,12 @@
 # libboost-dev: exact fractions; libsimdjson-dev: its lines, at full speed.
 # libcairo2-dev: sheets as PDF and frames as SVG, from the library that most programs of Debian print with.
 # libfribidi-dev: titles and names in Hebrew and Arabic run from right to left.
+# clang, lld, libc++ and wasi-libc: the program that runs in pages; binaryen makes it smaller.
+llvm=$([ "$(. /etc/os-release && echo "${VERSION_ID:-}")" = 12 ] && echo 16 || echo 19)
 program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libegl-dev libegl-mesa0 libgl-dev \
 libpng-dev libdeflate-dev libfreetype-dev fonts-dejavu-core nlohmann-json3-dev libsimdjson-dev libcli11-dev \
-libfribidi-dev libcairo2-dev libboost-dev"
+libfribidi-dev libcairo2-dev libboost-dev clang-$llvm lld-$llvm wasi-libc libc++-$llvm-dev-wasm32 libc++abi-$llvm-dev-wasm32 \
+libclang-rt-$llvm-dev-wasm32 binaryen"
 
 stop() {
   printf '%s: %s\n' "$0" "$1" >&2

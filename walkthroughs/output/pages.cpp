@@ -158,7 +158,14 @@ void Pages::add(const std::shared_ptr<const StagedStory>& story, const Output& o
   });
 }
 
-void write_index(const fs::path& folder) {
+std::vector<std::string> index_file_names(bool has_files_beside) {
+  std::vector<std::string> names{page_file, compare_file};
+  if (has_files_beside)
+    for (const PageFile& program : page_programs()) names.push_back(program.name);
+  return names;
+}
+
+void write_index(const fs::path& folder, bool has_files_beside) {
   const FolderClaim claim(folder);  // or pages that another run adds meanwhile would be missing
   const std::vector<PageJson> entries = entries_in(folder);
   const auto is_search = [](const PageJson& entry) { return !entry["iteration_ends"].empty(); };
@@ -167,6 +174,7 @@ void write_index(const fs::path& folder) {
   else
     remove_outputs(folder, {compare_file});  // of an earlier run
   write_output(folder / page_file, page_over(entries, page_file));
+  if (!has_files_beside) return;
   for (const auto& [name, content] : page_programs()) write_output(folder / name, content);
 }
 

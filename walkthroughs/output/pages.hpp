@@ -45,8 +45,12 @@ class Pages : public Sink {
   PagesWanted wanted_;
 };
 
+/// Returns: the names of the files that write_index() may write.
+std::vector<std::string> index_file_names(bool has_files_beside);
+
 /// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a
-/// search FOLDER/compare.html, where not removes it. Errors: render::FileError.
-void write_index(const std::filesystem::path& folder);
+/// search FOLDER/compare.html, where not removes it. And the programs that pages ask, unless each holds all that it needs. Errors:
+/// render::FileError.
+void write_index(const std::filesystem::path& folder, bool has_files_beside);
 
 }  // namespace walkthroughs::output

@@ -17,7 +17,7 @@ namespace walkthroughs::page {
 namespace {
 
 constexpr std::array of_viewer{"colors.css", "page.css",   "begin.js", "pages.js",
-                               "quiz.js",    "program.js", "stage.js", "page.js"};
+                               "quiz.js",    "running.js", "stage.js", "page.js"};
 
 /// Returns: the place of a value among all of a list, which has each once: what comes again and again is told by its
 /// place.

@@ -240,7 +240,7 @@
   chooseHandout();  // a browser may have kept the choice
   addEventListener('beforeprint', () => steps.forEach((step, i) => {
     complete(i);
-    if (stage?.isChanged()) step.querySelector('.shot').innerHTML = stage.drawn(i);
+    if (stage?.isChanged()) step.querySelector('.shot').replaceChildren(stage.drawn(i));
   }));
 
   // -- The program in the page ----------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 'use strict';
 // A picture that the program draws when it is asked, what can be taken hold of in it, and what came of that: undo, files, links.
 
-// `ask`: of program.js. `told`: the answer to its first request. `host`: {frame() that is shown, changed(told) when another story
+// `ask`: of running.js. `told`: the answer to its first request. `host`: {frame() that is shown, changed(told) when another story
 // is told, say(text) aloud, looks() what the program is to be told of text and theme}.
 function stageOf(ask, told, host) {
   const stage = $('stage'), space = told.scene?.dimension === 3 || told.turns, still = {turn: 0, rise: 0, zoom: 1};
@@ -37,7 +37,7 @@ function stageOf(ask, told, host) {
 
   // Letters, lines and areas come as one text, which the program has written; grips lie over them.
   function fill(box, {picture, width, height, grips}) {
-    box.querySelector('.drawn').innerHTML = picture;
+    box.querySelector('.drawn').replaceChildren(elementOf(picture));
     box.style.setProperty('--aspect', width / height);
     box.style.setProperty('--units', width);
     const focused = document.activeElement?.closest?.('.grip')?.dataset.name;
@@ -290,7 +290,7 @@ function stageOf(ask, told, host) {
     for (const {key, label, chosen, choices} of told.switches ?? []) {
       let row = old.get(key);
       if (!row) {
-        row = make('label', {}, `${label} `, make('select', {}));
+        row = make('label', {}, `${label} `, make('select', {ariaLabel: label}));
         row.dataset.key = key;
         row.querySelector('select').addEventListener('change', event => choose(key, event.target));
         $('switches').append(row);
@@ -389,8 +389,10 @@ function stageOf(ask, told, host) {
   showAnswers(told);
   fillSwitches();
   kept();
-  return {draw, turnBy, space, isChanged: () => JSON.stringify(state) !== original, restore: next => change(next), drawn: i => drawn(i).picture};
+  return {draw, turnBy, space, isChanged: () => JSON.stringify(state) !== original, restore: next => change(next), drawn: i => elementOf(drawn(i).picture)};
 }
+
+const elementOf = svg => document.adoptNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement);
 
 // -- A scene in an address: JSON, deflated, in letters that addresses may have ------------------------------------------
 

@@ -159,7 +159,7 @@ class Rendering {
     if (command_.rendered_by) write_rendered_by(studio);
     if (command_.captions) write(*command_.captions, captions_json(frames_), "captions and descriptions of the frames");
     if (command_.movie) print_movies();
-    if (has_pages()) write_index(folder_);
+    if (has_pages()) write_index(folder_, has_files_beside());
     places.tidy_manifests();
     if (has_pages()) std::cout << "open " << printable((folder_ / page_file).string()) << '\n';
   }
@@ -182,6 +182,7 @@ class Rendering {
   Others others() const { return command_.force ? Others::overwritten : Others::kept; }
   bool has_svg() const { return command_.format == "svg"; }
   bool has_pages() const { return !command_.page.empty(); }
+  bool has_files_beside() const { return command_.page != "single"; }
 
   /// One for each format that is asked for, in the order in which each story is given to them.
   void make_sinks() {
@@ -192,13 +193,12 @@ class Rendering {
     if (command_.sheet == "one") sinks_.push_back(std::make_unique<OneFile>(sheet()));
     if (const std::optional<render::PaperSize> paper = paper_named(command_.sheet))
       sinks_.push_back(std::make_unique<OneFile>(paper_sheets(*paper, !command_.text_scale, note_small_letters)));
-    const bool has_files_beside = command_.page != "single";
     if (!has_pages()) return;
     std::vector<PageOrigin> origins;
     for (const Chosen& each : chosen_)
       origins.push_back({each.walkthrough.name, each.walkthrough.title, each.option, each.file, each.scene});
     sinks_.push_back(std::make_unique<Pages>(
-        PagesWanted{has_files_beside, command_.out, options_of_pictures(), is_usual(), std::move(origins)}));
+        PagesWanted{has_files_beside(), command_.out, options_of_pictures(), is_usual(), std::move(origins)}));
   }
 
   Output checked_output() const {
@@ -273,10 +273,9 @@ class Rendering {
     }
     if (command_.rendered_by) places.write(folder_ / render::rendered_by_file, "what --rendered-by notes");
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
-    if (has_pages()) {
-      places.write(folder_ / page_file, "the page over all walkthroughs");
-      places.write(folder_ / compare_file, "the page that compares two");
-    }
+    if (has_pages())
+      for (const std::string& name : index_file_names(has_files_beside()))
+        places.write(folder_ / name, "what all walkthroughs have in common");
     places.write_standard_output();
     return places;
   }
@@ -290,7 +289,7 @@ class Rendering {
     }
     if (!has_pages()) return;
     render::make_folder(folder_, elsewhere);
-    for (const char* page : {page_file, compare_file}) render::expect_writable(folder_ / page);
+    for (const std::string& name : index_file_names(has_files_beside())) render::expect_writable(folder_ / name);
   }
 
   /// What else the command says about the pictures that pages show.

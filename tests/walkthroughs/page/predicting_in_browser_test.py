@@ -29,7 +29,8 @@ class Page(PageInBrowser):
 
     def test_while_a_question_stands_nothing_read_aloud_tells_the_answer(self):
         self.open(searched, "#11")
-        name = lambda: self.find(".now img").accessible_name
+        self.live()
+        name = lambda: self.find("#picture .drawn").accessible_name
         words = name()
         self.predict()
         self.press(Keys.ARROW_RIGHT)

@@ -81,6 +81,7 @@ class Page(PageInBrowser):
         self.wait(lambda: self.find("#play").text == "Play")
 
     def test_swiping(self):
+        self.without_programs()
         self.look(390, 844)
         self.open(searched, "#3")
         for way, number in [(-120, 4), (-120, 5), (120, 4), (20, 4)]:
@@ -97,6 +98,7 @@ class Page(PageInBrowser):
         self.wait(lambda: self.js(is_loaded, last))
 
     def test_turning(self):
+        self.without_programs()
         folder = self.folder / "turned"
         render(folder, hit, "--page", "--turn", "3")
         self.browser.get(f"file://{folder / hit / 'index.html'}#2")
@@ -112,6 +114,7 @@ class Page(PageInBrowser):
     # -- Read
 
     def test_turning_by_keys_and_buttons(self):
+        self.without_programs()
         out = self.folder / "turned-by-keys"
         render(out, hit, "--page", "--turn", "3")
         self.browser.get(f"file://{out / hit / 'index.html'}")
@@ -140,7 +143,7 @@ class Page(PageInBrowser):
     def test_what_is_said_is_text(self):
         self.open(searched, "#23")
         step = self.find(".step.now")
-        self.assertIn("the origin lies beyond edge AD", step.find_element(By.CSS_SELECTOR, ".text > h2").text)
+        self.assertIn("the origin lies beyond edge AD", step.find_element(By.CSS_SELECTOR, ".told > h2").text)
         self.assertIn("ruled out when the search kept BCD", step.text)
         current = step.find_elements(By.CSS_SELECTOR, ".code [aria-current]")
         self.assertEqual(len(current), 1)
@@ -202,8 +205,9 @@ class Page(PageInBrowser):
 
     def test_every_picture_has_words_and_every_control_a_name(self):
         self.open(searched)
+        self.live()
         for number in range(1, last + 1):
-            self.assertIn("d is (", self.find(".now img").accessible_name)
+            self.assertIn("d is (", self.find("#picture .drawn").accessible_name)
             self.press(Keys.ARROW_RIGHT)
         self.js("document.querySelector('.help').open = true")
         for control in self.all("button, input, summary, select"):
@@ -246,6 +250,7 @@ class Page(PageInBrowser):
         self.assertTrue(self.find("#verdict").text)
 
     def test_ten_thousand_steps(self):
+        self.without_programs()
         many = self.folder / "many"
         shutil.copytree(self.out / searched, many)
         with (many / "story.js").open("a") as script:
