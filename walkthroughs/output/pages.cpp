@@ -120,6 +120,11 @@ PageSurroundings surroundings_of(const Walkthrough& walkthrough, const PagesWant
 
 }  // namespace
 
+/// Links lead from page to page as the index goes.
+Pages::Pages(PagesWanted wanted) : wanted_(std::move(wanted)) {
+  std::ranges::stable_sort(wanted_.origins, {}, [](const PageOrigin& origin) { return group_place(origin.name); });
+}
+
 std::vector<std::string> Pages::files(const Walkthrough& walkthrough) const {
   const PageOrigin& origin = *origin_of(walkthrough, wanted_);
   std::vector<std::string> names = page_file_names();

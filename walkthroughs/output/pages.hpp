@@ -35,7 +35,7 @@ struct PagesWanted {
 /// the story before.
 class Pages : public Sink {
  public:
-  explicit Pages(PagesWanted wanted) : wanted_(std::move(wanted)) {}
+  explicit Pages(PagesWanted wanted);
 
   /// Requires, as add(): the walkthrough is one of the run.
   std::vector<std::string> files(const Walkthrough& walkthrough) const override;

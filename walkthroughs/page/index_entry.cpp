@@ -150,6 +150,8 @@ PageJson in_groups(const std::vector<PageJson>& entries) {
   return found;
 }
 
+std::size_t group_place(const std::string& name) { return static_cast<std::size_t>(&group_of(name) - groups.data()); }
+
 std::string page_over(const std::vector<PageJson>& entries, const std::string& viewer_page) {
   const std::string script = "'use strict';\nwindow.gjkstepGroups = " + json_in_script(in_groups(entries)) + ";\n";
   return with_inside(filled(viewer_files.at(viewer_page), {{"cards", cards_without_scripts(entries)}}),

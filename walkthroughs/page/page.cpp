@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 
@@ -175,6 +176,27 @@ std::string steps_without_scripts(const PageJson& frames, bool has_files_beside)
   return html;
 }
 
+/// Scripts and styles that stand in a page are let in by a number, and nobody who has written a text in it can know it: it follows
+/// from all that the page holds.
+std::string number_for(const std::string& html, const std::map<std::string, std::string>& files) {
+  std::uint64_t number = 0xcbf29ce484222325;  // FNV-1a
+  const auto add = [&](const std::string& text) {
+    for (const char c : text) number = (number ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  };
+  add(html);
+  for (const auto& [name, content] : files) add(content);
+  return std::to_string(number);
+}
+
+/// Dark pictures stand on a dark page, whatever its reader prefers.
+std::string viewer_file(const std::string& name, const PagePictures& pictures) {
+  std::string content = viewer_files.at(name);
+  const std::string_view condition = "(prefers-color-scheme: dark)";
+  const std::size_t at = content.find(condition);
+  if (pictures.is_dark && name == "colors.css" && at != std::string::npos) content.replace(at, condition.size(), "all");
+  return content;
+}
+
 }  // namespace
 
 std::string filled(std::string_view text, const std::vector<PageFile>& fillings) {
@@ -192,14 +214,18 @@ std::string filled(std::string_view text, const std::vector<PageFile>& fillings)
 
 std::string with_inside(std::string html, std::map<std::string, std::string> files) {
   files.insert(viewer_files.begin(), viewer_files.end());
+  const std::string nonce = number_for(html, files);
   for (const auto& [name, content] : files) {
     const bool is_style = name.ends_with(".css");
     const std::string tag = is_style ? "style" : "script";
     const std::string asks =
         is_style ? "<link rel=\"stylesheet\" href=\"" + name + "\">" : "<script src=\"" + name + "\"></script>";
     if (const std::size_t at = html.find(asks); at != std::string::npos)
-      html.replace(at, asks.size(), "<" + tag + ">\n" + content + "</" + tag + ">");
+      html.replace(at, asks.size(), "<" + tag + " nonce=\"" + nonce + "\">\n" + content + "</" + tag + ">");
   }
+  for (const std::string policy : {"style-src", "script-src"})
+    if (const std::size_t at = html.find(policy); at != std::string::npos)
+      html.insert(at + policy.size(), " 'nonce-" + nonce + "'");
   return html;
 }
 
@@ -248,7 +274,7 @@ std::vector<PageFile> page_files(const Story& story, const PagePictures& picture
   const PageJson data = page_data(story, pictures, around);
   std::vector<PageFile> files{{story_file, story_script(index_entry(story, pictures), data)},
                               {events_file, events_script(story)}};
-  for (const char* name : of_viewer) files.push_back({name, viewer_files.at(name)});
+  for (const char* name : of_viewer) files.push_back({name, viewer_file(name, pictures)});
   const std::string html =
       filled(viewer_files.at("page.html"), {{"title", render::escaped(w.title)},
                                             {"summary", render::escaped(w.summary)},

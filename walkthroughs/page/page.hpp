@@ -35,7 +35,8 @@ extern const std::map<std::string, std::string> viewer_files;
 /// Requires: a filling for each place.
 std::string filled(std::string_view text, const std::vector<PageFile>& fillings);
 
-/// Returns: the page with the files in it that it asks for, in the place where it does: these, and those of the viewer.
+/// Returns: the page with the files in it that it asks for, in the place where it does: these, and those of the viewer; its policy
+/// lets in these, and nothing else that stands in it.
 std::string with_inside(std::string html, std::map<std::string, std::string> files);
 
 /// Returns: the elements, a line each; without URL the text as code.
@@ -76,6 +77,9 @@ std::string json_in_script(const PageJson& json);
 /// Returns: the entries as [{"title", "entries"}], grouped as the report goes; no group is empty, within each is their
 /// order.
 PageJson in_groups(const std::vector<PageJson>& entries);
+
+/// Returns: the place of its group among all.
+std::size_t group_place(const std::string& name);
 
 /// Returns: a page of the viewer, "index.html" or "compare.html", with the entries in it, in UTF-8. It is to stand in
 /// the folder that holds one for each walkthrough. Requires: each has, beside what index_entry() says, its

@@ -12,9 +12,21 @@ TEST_CASE("A page takes what fills its places as it is, also where that looks li
 }
 
 TEST_CASE("A page holds the files that it asks for where it did, also those of the viewer, and no others") {
-  CHECK(with_inside("a<script src=\"x.js\"></script>b<link rel=\"stylesheet\" href=\"colors.css\">c",
-                    {{"x.js", "1;\n"}, {"y.js", "2;\n"}}) ==
-        "a<script>\n1;\n</script>b<style>\n" + viewer_files.at("colors.css") + "</style>c");
+  const std::map<std::string, std::string> files{{"x.js", "1;\n"}, {"y.js", "2;\n"}};
+  const std::string html = with_inside(
+      "script-src;style-src<script src=\"x.js\"></script>b<link rel=\"stylesheet\" href=\"colors.css\">c", files);
+  const std::size_t begin = html.find("'nonce-") + 7;
+  const std::string number = html.substr(begin, html.find('\'', begin) - begin);
+  CHECK(html == "script-src 'nonce-" + number + "';style-src 'nonce-" + number + "'<script nonce=\"" + number +
+                    "\">\n1;\n</script>b<style nonce=\"" + number + "\">\n" + viewer_files.at("colors.css") +
+                    "</style>c");
+}
+
+TEST_CASE("What a page lets in is told by a number that follows from all that it holds") {
+  const std::string page = "script-src<script src=\"x.js\"></script>";
+  CHECK(with_inside(page, {{"x.js", "1;\n"}}) == with_inside(page, {{"x.js", "1;\n"}}));
+  const auto number = [&](const std::string& text) { return with_inside(page, {{"x.js", text}}).substr(18, 18); };
+  CHECK(number("1;\n") != number("2;\n"));
 }
 
 TEST_CASE("Links are text and URL, whatever they hold, and where there is no URL the text alone") {

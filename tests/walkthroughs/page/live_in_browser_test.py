@@ -1,0 +1,245 @@
+#!/usr/bin/python3
+"""Pages in a browser: the program that runs in them, taken hold of as a person would.
+
+    /usr/bin/python3 tests/walkthroughs/page/live_in_browser_test.py build/gjkstep [NAME-OF-A-TEST...]
+"""
+import base64, json, pathlib, subprocess
+
+from in_browser import *
+
+mistake = "mistakes/m14-order-below-triangle"
+
+
+class Page(PageInBrowser):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        render(cls.out, "live", mistake, "--page")
+
+    def take(self, name="live", address=""):
+        self.open(name, address)
+        self.live()
+
+    def grip(self, name):
+        return self.find(f'.grip[data-name="{name}"]')
+
+    def drag(self, name, right, down, steps=8, alt=False):
+        actions = ActionChains(self.browser, duration=5)
+        if alt:
+            actions.key_down(Keys.ALT)
+        actions.move_to_element(self.grip(name)).click_and_hold()
+        for _ in range(steps):
+            actions.move_by_offset(right / steps, down / steps)
+        actions.perform()
+        self.frame_drawn()
+
+    def let_go(self):
+        ActionChains(self.browser, duration=5).release().key_up(Keys.ALT).perform()
+        self.frame_drawn()
+
+    def frame_drawn(self):
+        self.browser.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))")
+
+    def answers(self):
+        return self.find("#answers").text
+
+    def says(self, name):
+        return self.grip(name).get_attribute("aria-label")
+
+    def choose(self, key, text):
+        self.js("document.getElementById('switches-box').open = true")
+        option = f"#switches [data-key='{key}'] option"
+        next(each for each in self.all(option) if each.text.startswith(text)).click()
+        self.js("document.getElementById('switches-box').open = false")
+        self.frame_drawn()
+
+    # -- Dragging
+
+    def test_a_corner_is_dragged_until_the_answer_turns_and_back(self):
+        self.take()
+        before = self.says("b.points[0]")
+        self.assertEqual(self.answers(), "The search: together · Proven: together")
+        self.drag("b.points[0]", 90, 0)
+        self.assertEqual(self.answers(), "The search: apart · Proven: apart")  # while it is held
+        self.assertTrue(self.js("return document.getElementById('answers').classList.contains('turned')"))
+        self.let_go()
+        self.assertNotEqual(self.says("b.points[0]"), before)
+        self.find("#undo").click()
+        self.assertEqual(self.answers(), "The search: together · Proven: together")
+        self.assertEqual(self.says("b.points[0]"), before)
+        ActionChains(self.browser).key_down(Keys.CONTROL).key_down(Keys.SHIFT).send_keys("z").key_up(Keys.SHIFT).key_up(Keys.CONTROL).perform()
+        self.assertEqual(self.answers(), "The search: apart · Proven: apart")
+        self.find("#reset").click()
+        self.assertEqual(self.says("b.points[0]"), before)
+
+    def test_corners_snap_to_a_grid_unless_one_wants_otherwise(self):
+        numbers = lambda: json.loads("[" + self.says("a.points[1]").split("(")[1].rstrip(")") + "]")
+        self.take()
+        self.drag("a.points[1]", 33, 7)
+        self.let_go()
+        self.assertTrue(all(abs(5 * x - round(5 * x)) < 1e-9 for x in numbers()), numbers())
+        self.drag("a.points[1]", 13, 7, alt=True)
+        self.let_go()
+        self.assertFalse(all(abs(5 * x - round(5 * x)) < 1e-9 for x in numbers()), numbers())
+
+    def test_while_one_drags_the_same_step_is_shown_and_the_picture_keeps_its_size(self):
+        self.take("live", "#8")
+        where, place = self.find(".now .where").text, self.grip("a.points[0]").location
+        self.assertIn("iteration 2", where)
+        self.drag("b", -40, 10)
+        self.assertIn("iteration 2", self.find(".now .where").text)
+        self.assertEqual(self.grip("a.points[0]").location, place)
+        self.let_go()
+
+    def test_an_object_is_moved_as_a_whole(self):
+        self.take()
+        self.drag("a", -40, 20)
+        self.let_go()
+        shape = self.js("return [...document.querySelectorAll('.grip')].filter(g => g.dataset.name.startsWith('a.')).map(g => g.grip.at)")
+        self.assertEqual(len(shape), 3)
+        self.find("#undo").click()
+        self.assertEqual(self.says("a.points[0]"), "corner 1 of triangle a: (-3, -1)")
+
+    def test_the_first_direction_is_taken_hold_of(self):
+        self.take()
+        self.drag("first_direction", -70, -60)
+        self.let_go()
+        self.assertIn("d = (", self.find(".now .told").text)
+        self.assertNotIn("along +x", self.find(".now h2").text)
+
+    # -- Keys
+
+    def test_corners_by_keys_alone(self):
+        self.take()
+        self.js("document.querySelector('#picture .grip').focus()")
+        for _ in range(20):
+            if self.js("return document.activeElement.dataset.name") == "a.points[1]":
+                break
+            self.press(Keys.TAB)
+        self.press(Keys.ARROW_RIGHT)
+        self.assertEqual(self.js("return document.activeElement.dataset.name"), "a.points[1]")
+        self.assertNotEqual(self.says("a.points[1]"), "corner 2 of triangle a: (1, -2)")
+        self.assertTrue(self.find("#live").get_attribute("textContent").startswith("corner 2 of triangle a: ("))
+        self.press(Keys.INSERT)
+        self.assertEqual(len(self.all(".grip[data-name^='a.points']")), 4)
+        self.grip("a.points[2]").click()
+        self.press(Keys.DELETE)
+        self.assertEqual(len(self.all(".grip[data-name^='a.points']")), 3)
+        self.assertEqual(self.step(), 1)  # arrows moved the corner, not the page
+
+    # -- Space
+
+    def test_space_is_turned_and_made_larger(self):
+        self.take(hit)
+        picture = lambda: self.js("return document.querySelector('#picture .drawn').innerHTML")
+        before = picture()
+        ActionChains(self.browser).move_to_element_with_offset(self.find("#picture"), 150, 120).click_and_hold().move_by_offset(60, 20).release().perform()
+        self.frame_drawn()
+        turned = picture()
+        self.assertNotEqual(turned, before)
+        self.js("document.getElementById('picture').dispatchEvent(new WheelEvent('wheel', {deltaY: -200, bubbles: true, cancelable: true}))")
+        self.assertNotEqual(picture(), turned)
+        self.find("#turn-on").click()
+        self.assertEqual(self.step(), 1)
+
+    # -- Switches
+
+    def test_other_rules_numbers_and_mistakes(self):
+        self.take()
+        self.choose("rules", "complete")
+        self.assertIn("together", self.answers())
+        self.choose("rules", "as-intended")
+        self.choose("scalar", "float")
+        self.wait(lambda: "in float" in self.find(".now .where").text)
+        self.choose("scalar", "double")
+        self.choose("mistake", "M9")
+        self.wait(lambda: self.find("#picture .drawn").text.startswith("M9"))
+        self.assertTrue(self.find("#objects").is_displayed())
+        self.drag("a.points[0]", -10, 0)
+        self.let_go()
+        self.assertIn("M9", self.find("#picture .drawn").text)
+
+    def test_a_mistake_and_where_it_parts(self):
+        self.take(mistake)
+        self.assertTrue(self.all("#marks .parting"))
+        self.assertIn("Proven: ", self.answers())
+
+    # -- Taking along
+
+    def test_a_link_holds_the_scene(self):
+        self.take("live", "#4")
+        self.drag("b", 120, 0)
+        self.let_go()
+        self.wait(lambda: self.address().startswith("#scene="))
+        said, address, caption = self.says("b.points[0]"), self.js("return location.href"), self.find(".now h2").text
+        self.browser.get("about:blank")
+        self.browser.get(address)
+        self.live()
+        self.wait(lambda: self.says("b.points[0]") == said)
+        self.assertEqual(self.find(".now h2").text, caption)
+        self.assertTrue(self.find("h1").text.endswith(", changed"))
+
+    def drop(self, name, text):
+        self.js("""
+            const data = new DataTransfer();
+            data.items.add(new File([arguments[1]], arguments[0]));
+            dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))""", name, text)
+
+    def test_scenes_and_traces_are_dropped(self):
+        self.take()
+        self.drop("mine.json", '{"dimension": 2, "a": {"name": "<i>", "points": [[0, 0], [1, 0]]}, "b": {"sphere": {"center": [5, 0], "radius": 1}}}')
+        self.wait(lambda: "apart" in self.answers())
+        self.assertEqual(len(self.all(".grip[data-name^='a.points']")), 2)
+        self.drop("bad.json", '{"dimension": 2,\n"a": {"points": [[0, 0], [1, "x"]]}}')
+        self.wait(lambda: self.find("#complaint").is_displayed())
+        self.assertEqual(self.find("#complaint").text, "bad.json:2: a.points[1][1]: expected a number, found a string")
+        self.assertIn("apart", self.answers())  # what was there stays
+        self.drop("much.json", " " * 5000000)
+        self.wait(lambda: "5000000" in self.find("#complaint").text)
+        self.drop("trace.jsonl", subprocess.run([program, "trace", "figure-4-right"], capture_output=True, text=True, check=True).stdout)
+        self.wait(lambda: not self.find("#complaint").is_displayed())
+
+    # -- The picture
+
+    def test_what_the_page_draws_is_what_the_program_draws(self):
+        """The same marks in the same places: both, made so small that edges and letters count for little."""
+        for name, frame in [("live", 8), (hit, 11), (mistake, 12), ("figure-1", 0)]:
+            folder = self.folder / "plain"
+            subprocess.run([program, "render", name, "--frames", str(frame + 1), "--no-captions", "--out", folder], check=True, stdout=subprocess.DEVNULL)
+            png = base64.b64encode((folder / name / "000.png").read_bytes()).decode()
+            self.take(name, f"#{frame + 1}")
+            worst, mean = self.browser.execute_async_script("""
+                const [png, done] = arguments, [wide, high] = [160, 61];
+                const pixels = async (source, part) => {
+                    const image = new Image(), canvas = document.createElement('canvas');
+                    image.src = source;
+                    await image.decode();
+                    [canvas.width, canvas.height] = [wide, high];
+                    const context = canvas.getContext('2d');
+                    context.fillStyle = '#fff';
+                    context.fillRect(0, 0, wide, high);
+                    context.imageSmoothingQuality = 'high';
+                    context.drawImage(image, ...part, 0, 0, wide, high);
+                    return context.getImageData(0, 0, wide, high).data;
+                };
+                (async () => {
+                    const {picture, width, height} = gjkstep.drawn(parseInt(location.hash.slice(1)) - 1);
+                    const [left, top] = picture.match(/viewBox='(\\S+) (\\S+)/).slice(1).map(Number);
+                    const svg = picture.replace('<svg ', `<svg width='${width}' height='${height}' `);
+                    const ours = await pixels('data:image/svg+xml;charset=utf-8,' + encodeURIComponent(svg), [0, 0, width, height]);
+                    const theirs = await pixels('data:image/png;base64,' + png, [left, top, width, height]);
+                    const off = [...ours].map((x, i) => Math.abs(x - theirs[i]));
+                    done([Math.max(...off), off.reduce((sum, x) => sum + x) / off.length]);
+                })()""", png)
+            self.assertLess(worst, 110, name)
+            self.assertLess(mean, 1.5, name)
+
+    def test_without_webassembly_the_recorded_pictures_are_there(self):
+        self.without_programs()
+        self.open("live")
+        self.assertTrue(self.find(".now img").is_displayed())
+        self.assertFalse(self.find("#stage").is_displayed())
+
+
+if __name__ == "__main__":
+    run()
