@@ -219,7 +219,8 @@ int draw_slice(render::Canvas& canvas, const render::Box& box, const Style& styl
   return panel.place_labels(style.smallest_label());
 }
 
-int draw(const Sketch& sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {
+int draw(Sketch sketch, Show show, render::Canvas& canvas, const render::Box& box, const Style& style) {
+  sketch.camera = sketch.camera.turned(style.turn, style.rise);
   if (show == Show::tetrahedron) return draw_space(canvas, box, style, sketch, show);
   const double right = box.min.x() + box.width() * space_share;
   return draw_space(canvas, {box.min, {right, box.max.y()}}, style, sketch, show) +
@@ -256,7 +257,8 @@ std::vector<Diagram> figure_8_diagrams() {
       Diagram{"The 3-simplex ABCD: A lies above the plane of BCD, B behind the face ACD.",
               {normals_in_words(sketch), "A lies in the direction of BC×BD; A is the newest vertex"},
               solid + "Arrows from the middles of the faces ABC, ACD and ADB point outward.",
-              std::bind_front(draw, sketch, Show::tetrahedron)},
+              std::bind_front(draw, sketch, Show::tetrahedron),
+              true},
       Diagram{"Wherever the origin lies in this slice, Algorithm 5 takes the first face that sees it.",
               {"in the order ABC, ACD, ADB; an edge stands beside the face it was found from",
                "hatched: nearest to A, B, C, D, BC, CD or BD, which its history rules out",
@@ -264,7 +266,8 @@ std::vector<Diagram> figure_8_diagrams() {
               solid +
                   "A sheet parallel to BCD cuts it at a third of its height. Right, the sheet from above: a triangle "
                   "marked inside, and around it an area for each face and each edge that the algorithm can answer.",
-              std::bind_front(draw, sketch, Show::slice)}};
+              std::bind_front(draw, sketch, Show::slice),
+              true}};
 }
 
 }  // namespace

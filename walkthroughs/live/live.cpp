@@ -104,6 +104,13 @@ PagePictures pictures_of(const Told& told, const Look& look) {
           .part = pictures_of_frame(told.walkthrough, look)};
 }
 
+/// Whether a camera looks at it.
+bool is_in_space(const Told& told) {
+  return std::ranges::any_of(told.walkthrough.scenes,
+                             [](const Scene& scene) { return scene.dimension == Dimension::space; }) ||
+         std::ranges::any_of(told.story.diagrams, &Diagram::in_space);
+}
+
 Json story_json(const Told& told, std::size_t frame, bool is_brief) {
   const PagePictures pictures = pictures_of(told, {.text = Text::none});
   const Scene* scene = changeable_scene(told.walkthrough);
@@ -111,6 +118,7 @@ Json story_json(const Told& told, std::size_t frame, bool is_brief) {
   Json answer{{"title", told.walkthrough.title},
               {"story", page_data(told.story, pictures, {}, only)},
               {"frame", frame},
+              {"in_space", is_in_space(told)},
               {"scene", nullptr},
               {"mistake", nullptr},
               {"switches", Json::array()},

@@ -64,21 +64,23 @@ foreach(room model wrong_on_purpose story text picture trace catalogue page live
   endif()
   list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_program|trace_schema|write_traces|write_font_table)[.]cpp$")  # files; what no page asks for
   string(REPLACE "/" "-" name ${room})
-  set(small)
+  set(how)
   if(room MATCHES "^(catalogue|text|trace|page)$")  # asked once, or for a part of a millisecond
-    set(small -Oz)
+    set(how -Oz)
+  elseif(room STREQUAL "render")  # places labels, which takes a quarter of the time
+    set(how -O2)
   endif()
   set(together "")
   foreach(file IN LISTS files)
     cmake_path(GET file STEM stem)
     if(stem IN_LIST apart OR room MATCHES "/")
-      add_wasm_object(${name}-${stem} ${file} ${small})
+      add_wasm_object(${name}-${stem} ${file} ${how})
     else()
       string(APPEND together "#include \"${file}\"\n")
     endif()
   endforeach()
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/wasm/${name}.cpp CONTENT "${together}")
-  add_wasm_object(${name} ${PROJECT_BINARY_DIR}/wasm/${name}.cpp ${small})
+  add_wasm_object(${name} ${PROJECT_BINARY_DIR}/wasm/${name}.cpp ${how})
 endforeach()
 
 add_wasm_object(font_tables ${PROJECT_BINARY_DIR}/font_tables.cpp)

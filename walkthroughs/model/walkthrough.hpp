@@ -70,6 +70,7 @@ struct Diagram {
   std::string description;         ///< what is to be seen, for readers who cannot see it
   /// Draws into `box`. Returns: how many labels could not be kept clear.
   std::function<int(render::Canvas&, const render::Box& box, const picture::Style&)> draw;
+  bool in_space = false;  ///< whether it can be looked at from elsewhere
 };
 
 /// The case of Section 3.2 that a walkthrough of the region catalogue is about.

@@ -1,2 +1,3 @@
 'use strict';
-if (window.gjkstep) document.documentElement.className = 'js';  // else it was left behind, and all pictures stand below each other
+// Where the story was left behind all pictures stand below each other.
+if (window.gjkstep || !document.querySelector('[src="story.js"]')) document.documentElement.className = 'js';

@@ -177,7 +177,7 @@
     return quiz.isAsking() && /^[1-9]$/.test(key) ? () => quiz.answer(key - 1) : null;
   }
   onKeys(event => {
-    const act = ((turns || stage?.space) && event.shiftKey && turning[event.key]) || stepping.keys[event.key] || letter(event.key);
+    const act = ((turns || stage?.isInSpace()) && event.shiftKey && turning[event.key]) || stepping.keys[event.key] || letter(event.key);
     return act && isBare ? () => parent.postMessage({key: event.key}, '*') : act;
   });
   for (const [id, act] of [['predict', predict], ['turn-back', turning.ArrowLeft], ['turn-on', turning.ArrowRight]])
@@ -278,8 +278,9 @@
     }
     if (told.error) throw Error(told.error.text);
     stage = stageOf(ask, told, host);
-    for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.space;
+    for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.isInSpace();
     show(at, 'stay');
+    performance.mark('first picture');
     isDark.addEventListener('change', () => stage.draw());
     if (!scene) return;
     stage.restore(await unpacked(scene));

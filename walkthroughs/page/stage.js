@@ -4,7 +4,7 @@
 // `ask`: of running.js. `told`: the answer to its first request. `host`: {frame() that is shown, changed(told) when another story
 // is told, say(text) aloud, looks() what the program is to be told of text and theme}.
 function stageOf(ask, told, host) {
-  const stage = $('stage'), space = told.scene?.dimension === 3 || told.turns, still = {turn: 0, rise: 0, zoom: 1};
+  const stage = $('stage'), isInSpace = () => told.in_space, still = {turn: 0, rise: 0, zoom: 1};
   let view = {...still}, state = {scene: told.scene, mistake: told.mistake}, past = [], future = [], shown = null;
   const original = JSON.stringify(state);
 
@@ -99,6 +99,7 @@ function stageOf(ask, told, host) {
   function showAnswers(next) {
     const before = told;
     told = next;
+    $('answers').hidden = !told.answer;
     const turned = before.answer !== told.answer || before.truth !== told.truth;
     const isWrong = told.truth && told.truth !== 'undecided' && told.truth !== told.answer;
     $('answers').replaceChildren('The search: ', make('b', {textContent: statusOf[told.answer]}),
@@ -144,8 +145,9 @@ function stageOf(ask, told, host) {
   function kept() {
     $('undo').disabled = !past.length;
     $('redo').disabled = !future.length;
-    $('reset').disabled = JSON.stringify(state) === original;
-    host.kept?.(JSON.stringify(state) === original ? null : state);
+    $('reset').disabled = !isChanged();
+    $('copy-command').disabled = isChanged() && Boolean(state.mistake);  // scene files know nothing of mistakes
+    host.kept(isChanged() ? state : null);
   }
   function back(from, to) {
     if (!from.length) return;
@@ -184,7 +186,7 @@ function stageOf(ask, told, host) {
     if (drag.grip) {
       const scene = moved(drag.scene, drag.grip, x, y, $('snap').checked !== drag.free);
       if (JSON.stringify(scene) !== JSON.stringify(state.scene)) drag.moves = tell({...state, scene}, drag.like, true) || drag.moves;
-    } else if (space) {
+    } else if (isInSpace()) {
       view = {...drag.view, turn: drag.view.turn - x / 3, rise: Math.max(-80, Math.min(80, drag.view.rise + y / 3))};
       draw();
     }
@@ -207,7 +209,7 @@ function stageOf(ask, told, host) {
   }
   for (const end of ['pointerup', 'pointercancel']) stage.addEventListener(end, letGo);
   stage.addEventListener('wheel', event => {
-    if (!space && !event.ctrlKey) return;
+    if (!isInSpace() && !event.ctrlKey) return;
     event.preventDefault();
     zoomBy(Math.exp(-event.deltaY / 500));
   }, {passive: false});
@@ -331,8 +333,8 @@ function stageOf(ask, told, host) {
     canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height);
     canvas.toBlob(blob => save(`${fileName()}-${host.frame() + 1}.png`, blob, 'image/png'));
   }
-  const command = () => `gjkstep render ${JSON.stringify(state) === original ? host.known : `${fileName()}.json`}` +
-    `${state.mistake && JSON.stringify(state) !== original ? ` --mistake ${state.mistake}` : ''} --frames ${host.frame() + 1}`;
+  const isChanged = () => JSON.stringify(state) !== original;
+  const command = () => `gjkstep render ${isChanged() ? `${fileName()}.json` : host.known} --frames ${host.frame() + 1}`;
   async function copy(text, what) {
     try {
       await navigator.clipboard.writeText(text);
@@ -390,7 +392,7 @@ function stageOf(ask, told, host) {
   fillSwitches();
   kept();
   window.gjkstep.drawn = i => ask({draw: {frame: i}});  // for tests, and who looks closer
-  return {draw, turnBy, space, isChanged: () => JSON.stringify(state) !== original, restore: next => change(next), drawn: i => elementOf(drawn(i).picture)};
+  return {draw, turnBy, isInSpace, isChanged, restore: next => change(next), drawn: i => elementOf(drawn(i).picture)};
 }
 
 const elementOf = svg => document.adoptNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement);

@@ -246,7 +246,10 @@ void draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, cons
 }
 
 void draw_diagram(Canvas& canvas, const StagedStory& story, std::size_t index, const Box& box, const Look& look) {
-  canvas.add_crowded(story.diagrams[index].draw(canvas, box, look.style));
+  Style style = look.style;
+  style.turn = look.turn;
+  style.rise = look.rise;
+  canvas.add_crowded(story.diagrams[index].draw(canvas, box, style));
 }
 
 // -- The strip --------------------------------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ struct Style {
   render::TextStyle small_label() const { return {.size = scaled(22), .color = theme.ink, .halo = theme.paper}; }
 
   render::Theme theme;
+  double turn = 0, rise = 0;  ///< degrees by which the camera of a diagram in space is moved
 
   // Lines. Widths in page units.
   render::Stroke grid{theme.faint, 1}, frame{theme.faint, 1.5};
