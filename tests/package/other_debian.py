@@ -17,9 +17,10 @@ import root as roots
 top = pathlib.Path(__file__).resolve().parents[2]
 
 
-def program_packages():
+def program_packages(release):
     setup = (top / "walkthroughs/setup.sh").read_text()
-    return re.search(r'^program_packages="(.*?)"', setup, re.MULTILINE | re.DOTALL)[1].replace("\\", " ").split()
+    names = re.search(r'^program_packages="(.*?)"', setup, re.MULTILINE | re.DOTALL)[1]
+    return names.replace("\\", " ").replace("$llvm", "16" if release == "bookworm" else "19").split()
 
 
 def copy_project(folder):
@@ -41,8 +42,9 @@ def main():
     if reason := why_not():
         return print(f"skipped: {reason}")
     with tempfile.TemporaryDirectory(prefix="gjkstep-debian-") as folder:
-        root = roots.make(pathlib.Path(folder), roots.other_release(),
-                          [*program_packages(), "catch2", "libcgal-dev", "python3", "python3-jsonschema"])
+        release = roots.other_release()
+        root = roots.make(pathlib.Path(folder), release,
+                          [*program_packages(release), "nodejs", "catch2", "libcgal-dev", "python3", "python3-jsonschema"])
         copy_project(root / "project")
         for what, commands in (
                 # -O1: it is asked whether it compiles and answers the same, not how soon.

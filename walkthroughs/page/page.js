@@ -254,6 +254,7 @@
     changed(answer) {
       story = {...answer.story, text_scale: story.text_scale};
       frames = story.frames;
+      offerTurns();
       fillPage();
       stepping.turnTo(answer.frame, 'stay');
     },
@@ -264,6 +265,7 @@
       history.replaceState(null, '', addressOf(at));
     },
   };
+  const offerTurns = () => { for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.isInSpace(); };
   async function begin() {
     const hash = location.hash, [, scene] = hash.match(/^#scene=([\w-]+)/) ?? [];
     if (!runsPrograms()) return;
@@ -278,7 +280,7 @@
     }
     if (told.error) throw Error(told.error.text);
     stage = stageOf(ask, told, host);
-    for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.isInSpace();
+    offerTurns();
     show(at, 'stay');
     performance.mark('first picture');
     isDark.addEventListener('change', () => stage.draw());

@@ -344,6 +344,7 @@ function stageOf(ask, told, host) {
       $('copied').textContent = text;
     }
   }
+  const address = async () => `${location.href.split('#')[0]}#scene=${await packed(state)}&step=${host.frame() + 1}`;
   const acts = {
     undo, redo, add: () => addCorner(selected()), remove: () => removeCorner(selected()),
     reset() { change(JSON.parse(original)); view = {...still}; draw(); },
@@ -351,7 +352,8 @@ function stageOf(ask, told, host) {
     'save-svg': () => save(`${fileName()}-${host.frame() + 1}.svg`, standalone(), 'image/svg+xml'),
     'save-png': savePng,
     'copy-command': () => copy(command(), 'Command'),
-    'copy-link': async () => copy(`${location.href.split('#')[0]}#scene=${await packed(state)}&step=${host.frame() + 1}`, 'Link'),
+    'copy-link': async () => copy(await address(), 'Link'),
+    'copy-frame': async () => copy(`<iframe src="${await address()}" width="1000" height="600" title="${host.name}"></iframe>`, 'Frame'),
   };
   for (const [id, act] of Object.entries(acts)) $(id).addEventListener('click', act);
 
