@@ -59,8 +59,9 @@ tell_times() {
 quick() {
   # chromium, chromium-driver and python3-selenium: a page is stepped through; tidy reads its HTML, poppler-utils what is printed.
   # python3-jsonschema checks traces against their schema: no C++ validator in Debian knows draft 2020-12.
+  # nodejs runs the program that pages carry, where that was made.
   timed "installing" require_packages $program_packages catch2 python3 python3-jsonschema chromium chromium-driver \
-    python3-selenium tidy poppler-utils
+    python3-selenium tidy poppler-utils nodejs
   timed "compiling" build build quick-tests -DGJKSTEP_TESTS=ON
   timed "running" test_in build --label-exclude "full|long"
 }
@@ -68,8 +69,8 @@ quick() {
 # libcgal-dev and libgmp-dev find the truth that the study measures against; gnuplot-nox draws its pictures.
 # libbenchmark-dev: the benchmarks are compiled. strace lets single calls of the system fail, as on a full disk.
 # dpkg-dev and file pack the Debian package; mmdebstrap and python3-yaml try it on a bare system.
-full_packages="libgmp-dev catch2 python3 python3-jsonschema chromium chromium-driver python3-selenium tidy poppler-utils libcgal-dev \
-  gnuplot-nox libbenchmark-dev strace dpkg-dev file mmdebstrap python3-yaml"
+full_packages="libgmp-dev catch2 python3 python3-jsonschema chromium chromium-driver python3-selenium tidy poppler-utils nodejs \
+  libcgal-dev gnuplot-nox libbenchmark-dev strace dpkg-dev file mmdebstrap python3-yaml"
 
 full() {
   timed "installing" require_packages $program_packages $full_packages

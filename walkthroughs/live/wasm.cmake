@@ -41,7 +41,7 @@ file(CREATE_LINK ${GJKSTEP_BOOST_DIR}/boost ${wasm_headers}/boost SYMBOLIC)
 foreach(folder IN LISTS eigen)
   list(APPEND wasm_flags -isystem ${folder})
 endforeach()
-list(APPEND wasm_flags -isystem ${wasm_headers})
+list(APPEND wasm_flags -isystem ${wasm_headers} -include ${CMAKE_CURRENT_LIST_DIR}/wasm/pairs_of_doubles.hpp)
 
 # Compiled as for this system, the small files of a room as one.
 # Two programs: what pages load first has the usual searches, the other one has all, and is loaded when a reader asks for it.

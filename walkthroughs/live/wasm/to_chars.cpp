@@ -14,11 +14,24 @@ struct Shortest {
   int exponent;
 };
 
+/// "1.9e5" becomes "2.0e5". Requires: not all digits are 9.
+void count_up(char* text) {
+  char* last = std::strchr(text, 'e') - 1;
+  for (; last > text && (*last == '9' || *last == '.'); --last)
+    if (*last == '9') *last = '0';
+  ++*last;
+}
+
 /// A decimal of up to 15 digits is found again in any double near it; of longer ones the nearest of 16 digits is enough, or 17 are.
+/// The least doubles have fewer digits. Below a power of two doubles lie closer together than above it: there the next decimal of 16
+/// digits may be found again where the nearest is not.
 Shortest shortest(double x) {
   char text[32];
-  for (const int digits : {15, 16, 17}) {
+  for (int digits = x < __DBL_MIN__ ? 1 : 15; digits <= 17; ++digits) {
     std::snprintf(text, sizeof text, "%.*e", digits - 1, x);
+    if (std::strtod(text, nullptr) == x) break;
+    if (digits < 16) continue;
+    count_up(text);
     if (std::strtod(text, nullptr) == x) break;
   }
   const char* e = std::strchr(text, 'e');
