@@ -2,7 +2,7 @@
 """How long a page takes in headless Chromium from the move of a corner to the painted picture, and to its first one; and how large the
 programs are that it asks. Prints a table.
 
-    /usr/bin/python3 tests/bench/live_bench.py build/gjkstep >tests/bench/results/live.md
+    /usr/bin/python3 tests/bench/live_bench.py build/gjkstep >tests/bench/live.md
 """
 import json, pathlib, random, re, shutil, statistics, subprocess, sys, tempfile, time, zlib, base64
 
