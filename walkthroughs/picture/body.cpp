@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "render/length.hpp"
 #include "walkthroughs/model/farthest_face.hpp"
 #include "walkthroughs/model/labelled_hull.hpp"
 
@@ -53,7 +54,7 @@ std::vector<Point> outside(const std::vector<render::Face>& hull, const std::vec
   double size = 0;
   for (const render::Face& face : hull) {
     normals.push_back(face.outward().stableNormalized());
-    size = std::max(size, (face.corners[0] - hull[0].corners[0]).stableNorm());
+    size = std::max(size, render::length_of(face.corners[0] - hull[0].corners[0]));
   }
   const auto is_inside = [&](const Point& p) {
     for (std::size_t i = 0; i < hull.size(); ++i)

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "render/length.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/inset.hpp"
 #include "walkthroughs/picture/light.hpp"
@@ -432,7 +433,7 @@ std::vector<Point> marks_beside(const Shown& shown, const render::View& view) {
 Surroundings around_origin(const Shown& shown, const Box& frame, const render::View& view) {
   const Moment& now = shown.now;
   Surroundings around{Vec2::Zero(), {}, {}, {}, {}};
-  const auto near = [&](const Point& p) { around.nearest.push_back({shown.lens(p), p.stableNorm()}); };
+  const auto near = [&](const Point& p) { around.nearest.push_back({shown.lens(p), render::length_of(p)}); };
   if (shown.regions_beside) return around;  // which magnify what they are about
   std::vector<Point> corners = points_of(now.simplex);
   const bool asks_regions = shown.focus == Focus::added || shown.focus == Focus::region;

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <limits>
 
+#include "render/length.hpp"
+
 namespace walkthroughs::picture {
 namespace {
 
@@ -66,7 +68,7 @@ std::optional<Segment> nearest_two(const std::vector<Vec2>& vertices) {
   double least = infinity;
   for (std::size_t i = 0; i < vertices.size(); ++i)
     for (std::size_t j = i + 1; j < vertices.size(); ++j) {
-      const double apart = (vertices[i] - vertices[j]).stableNorm();
+      const double apart = render::length_of(vertices[i] - vertices[j]);
       if (!(apart > 0) || apart >= least) continue;
       least = apart;
       found = {vertices[i], vertices[j]};
@@ -117,7 +119,7 @@ std::optional<Inset> inset_of_size(const Vec2& size, const Surroundings& what, c
   const double wanted = std::min(wanted_distance, (size.y() - style.scaled(strip)) / 2);
   if (distance < least_distance) return around_nearest(wanted / distance);
   if (const auto two = nearest_two(what.vertices)) {
-    const double apart = (two->first - two->second).stableNorm() * view.scale();
+    const double apart = render::length_of(two->first - two->second) * view.scale();
     if (apart < least_apart) return around((two->first + two->second) / 2, round_factor(wanted_apart / apart));
   }
   if (!is_wanted || distance == infinity) return std::nullopt;
@@ -173,7 +175,8 @@ std::vector<Inset> insets_of(const Surroundings& what, const Box& room, const Vi
   Surroundings beyond = what;  // vertices in the place of the origin's mark, too far away for the first
   beyond.nearest.clear();
   for (const Vec2& vertex : what.vertices)
-    if (const double distance = vertex.stableNorm(); distance > reach && distance * view.scale() < hidden_distance)
+    if (const double distance = render::length_of(vertex);
+        distance > reach && distance * view.scale() < hidden_distance)
       beyond.nearest.push_back({vertex, distance});
   if (beyond.nearest.empty()) return {*first};
   beyond.others.push_back(view.scene(first->frame.center()) - what.origin);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "render/length.hpp"
 #include "walkthroughs/story/decision.hpp"
 
 namespace walkthroughs::picture {
@@ -55,7 +56,7 @@ std::vector<Decision> decisions_of(const Trace& trace) {
 double extent(const std::vector<Point>& points) {
   double size = 0;
   for (const Point& p : points)
-    for (const Point& q : points) size = std::max(size, (p - q).stableNorm());
+    for (const Point& q : points) size = std::max(size, render::length_of(p - q));
   return size;
 }
 

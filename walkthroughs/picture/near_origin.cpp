@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "core/certified/dyadic.hpp"
+#include "render/length.hpp"
 
 namespace walkthroughs::picture {
 namespace {
@@ -43,7 +44,7 @@ Point foot_on_line(const Point& P, const Point& Q) {
   if (P == Q) return P;
   const Unit unit{P, Q};
   const Point p = unit.in(P), q = unit.in(Q), along = q - p;
-  return unit.out(along.stableNormalized().cross(rounded(cross(exact(p), exact(q))) / along.stableNorm()));
+  return unit.out(along.stableNormalized().cross(rounded(cross(exact(p), exact(q))) / render::length_of(along)));
 }
 
 Point nearest_of_segment(const Point& P, const Point& Q) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/length.hpp"
 #include "walkthroughs/picture/diagram_parts.hpp"
 #include "walkthroughs/picture/light.hpp"
 #include "walkthroughs/picture/near_origin.hpp"
@@ -59,7 +60,7 @@ bool Pencil::shows_origin() const { return panel_.holds(at(Point::Zero()), -reac
 
 Vec2 Pencil::nearer(const Vec2& p, const Vec2& q) const {
   const Vec2 middle = middle_of(panel_.corners());
-  return (p - middle).stableNorm() < (q - middle).stableNorm() ? p : q;
+  return render::length_of(p - middle) < render::length_of(q - middle) ? p : q;
 }
 
 bool Pencil::is_far(const Point& p) const { return panel_.view().page(at(p)).cwiseAbs().maxCoeff() > farthest_end; }

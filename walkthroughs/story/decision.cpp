@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "render/length.hpp"
+
 namespace walkthroughs::story {
 namespace {
 
@@ -16,7 +18,7 @@ bool is_direction(const Point& v) { return v.allFinite() && !v.isZero(0); }
 /// Returns: the part of `v` across the unit vector `along`; any vector across it where there is none.
 Point across(const Point& v, const Point& along) {
   const Point part = v - along * along.dot(v);
-  return part.stableNorm() > 1e-12 * v.stableNorm() ? part : Point(along.unitOrthogonal());
+  return render::length_of(part) > 1e-12 * render::length_of(v) ? part : Point(along.unitOrthogonal());
 }
 
 Point vertex(const Moment& now, Role role) { return now.processed.point(role); }
@@ -30,7 +32,7 @@ std::vector<DecisionView> view_of_crossing(const Moment& now) {
   return {{Kind::crossing,
            {},
            Plane::spanned(Point::Zero(), along, across(P, along)),
-           *now.crossing->value / d.stableNorm() * now.scale}};
+           *now.crossing->value / render::length_of(d) * now.scale}};
 }
 
 std::vector<DecisionView> view_of_segment(const Moment& now, const gjk::Roles& edge) {
@@ -59,7 +61,7 @@ struct Triangle {
     std::size_t first = 0;
     const auto edge = [&](std::size_t i) -> Point { return corners[(i + 1) % 3] - corners[i]; };
     for (const std::size_t i : {1u, 2u})
-      if (edge(i).stableNorm() > edge(first).stableNorm()) first = i;
+      if (render::length_of(edge(i)) > render::length_of(edge(first))) first = i;
     const Point up = normal.stableNormalized().cross(edge(first).stableNormalized());
     return Plane::spanned(corners[0], edge(first), up);  // counter-clockwise: the third corner lies to the left
   }
@@ -135,9 +137,10 @@ double height_of_origin(const Moment& now, const gjk::Roles& face) {
   const Region* const region = test_of(now, face);
   const double* const value = region ? std::get_if<double>(&region->value) : nullptr;
   if (value && std::isfinite(*value) && region->normal && is_direction(*region->normal))
-    return *value / region->normal->stableNorm() * now.scale;
+    return *value / render::length_of(*region->normal) * now.scale;
   const Triangle triangle(now, face);
-  return triangle.normal.dot(-triangle.corners[0]) / triangle.normal.stableNorm();  // as the test to come computes it
+  return triangle.normal.dot(-triangle.corners[0]) /
+         render::length_of(triangle.normal);  // as the test to come computes it
 }
 
 std::string in_words(const DecisionView& view, const Moment& now, const Names& names) {

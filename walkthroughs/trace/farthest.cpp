@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "render/length.hpp"
 #include "walkthroughs/model/farthest_face.hpp"
 #include "walkthroughs/trace/replay.hpp"
 
@@ -62,7 +63,7 @@ class Objection {
     const double half = cylinder.height / 2, radius = cylinder.radius;
     const double allowed = allowance(bound_of(cylinder));
     const Point axis = turned(cylinder.axis.stableNormalized()), from_center = found_.point - pose_(cylinder.center);
-    const double height = from_center.dot(axis), distance = (from_center - height * axis).stableNorm();
+    const double height = from_center.dot(axis), distance = render::length_of(from_center - height * axis);
     const bool in_cap = std::abs(std::abs(height) - half) <= allowed;
     const bool on_rim = std::abs(distance - radius) <= allowed;
     if (!in_cap || !(on_rim || distance <= allowed)) return "lies neither on a rim nor in the middle of a cap";
