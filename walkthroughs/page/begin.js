@@ -1,3 +1,3 @@
 'use strict';
 // Where the story was left behind all pictures stand below each other.
-if (window.gjkstep || !document.querySelector('[src="story.js"]')) document.documentElement.className = 'js';
+if (window.gjkstep || !document.querySelector('[src^=story]')) document.documentElement.className = 'js';
