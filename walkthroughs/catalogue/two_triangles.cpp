@@ -6,7 +6,7 @@ namespace walkthroughs::catalogue {
 
 std::vector<Walkthrough> two_triangles() {
   const Scene scene =
-      scene_of("triangle a", {{-3, -1}, {1, -2}, {-0.5, 2}}, "triangle b", {{-0.5, 0.5}, {3, -1}, {2.5, 2}});
+      scene_of("triangle a", {{-3, -1}, {1, -2}, {-0.5, 2}}, "triangle b", {{-1.5, 0.5}, {3, -1}, {2.5, 2}});
   return {search_of("live", "Two triangles to take hold of", "Section 3.1.2",
                     "drag a corner of a triangle, and see what the search does then", scene)};
 }

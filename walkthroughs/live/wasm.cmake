@@ -29,6 +29,7 @@ message(STATUS "Pages are live, by Clang ${wasm_version}")
 set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -DNDEBUG -ffp-contract=off -fexceptions -ffunction-sections -fdata-sections
                -nostdinc++ -isystem ${wasm_cxx_headers} -D_LIBCPP_ENABLE_CXX17_REMOVED_FEATURES -DJSON_HAS_FILESYSTEM=0
                -DJSON_HAS_EXPERIMENTAL_FILESYSTEM=0 -DBOOST_DISABLE_THREADS -DBOOST_SP_DISABLE_THREADS -DBOOST_LEXICAL_CAST_ASSUME_C_LOCALE -D_WASI_EMULATED_SIGNAL
+               -ffile-prefix-map=${PROJECT_BINARY_DIR}/= -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=
                -I${PROJECT_SOURCE_DIR} -I${PROJECT_BINARY_DIR}/include)
 # Headers without a library, from where this system has them: not all of /usr/include, which is this system's own C library.
 set(wasm_headers ${PROJECT_BINARY_DIR}/wasm/include)

@@ -77,7 +77,7 @@
     steps[i].querySelectorAll('.code').forEach((box, b) => fillCode(box, frames[i].code[b]));
     addEvents(i);
     for (const step of steps.slice(Math.max(0, i - near), i + near + 1))
-      step?.querySelector('img').setAttribute('loading', 'eager');
+      step?.querySelector('img')?.setAttribute('loading', 'eager');
   }
 
   // Where the words stand beside the picture the line that runs stays in sight, and so does the picture.
@@ -97,6 +97,7 @@
   function show(i, how) {
     const moved = i !== at;
     quiz.leave();
+    if (!steps[i]) return;  // while one drags there is one step alone
     steps[at]?.classList.remove('now');
     steps[at = i].classList.add('now');
     complete(i);
@@ -122,7 +123,7 @@
     const untold = quiz.untold();
     document.title = `${at + 1}/${frames.length} ${untold || title}`;
     heading.textContent = untold || name;
-    for (const told of document.querySelectorAll('.made')) told.hidden = untold !== '';
+    for (const told of document.querySelectorAll('.made, #answers')) told.classList.toggle('untold', untold !== '');
   }
 
   const readingTime = () => Math.min(9000, 1500 + 25 * said(at).length);
@@ -182,7 +183,11 @@
   });
   for (const [id, act] of [['predict', predict], ['turn-back', turning.ArrowLeft], ['turn-on', turning.ArrowRight]])
     $(id).addEventListener('click', act);
-  addEventListener('popstate', () => stepping.go(addressed(), 'stay'));
+  addEventListener('popstate', () => {
+    const scene = sceneOf(location.hash);
+    if (stage && (scene ?? '') !== taken) restore(scene);
+    else stepping.go(addressed(), 'stay');
+  });
 
   // A swipe steps; where there are further views, it turns the picture, as buttons and keys do.
   let from = null;
@@ -224,6 +229,7 @@
   }
 
   function fillPage() {
+    document.querySelector('main').append($('quiz'), $('score'));  // which a step may hold
     steps = frames.map((frame, i) => frame && makeStep(frame, i));  // while one drags none but the one that is shown is told
     $('steps').replaceChildren(...steps.filter(Boolean));
     if (story.is_brief) return;
@@ -250,6 +256,7 @@
     name: entry.name, known: entry.name, file: `${entry.name.split('/').at(-1)}.json`,
     frame: () => at,
     looks: () => ({theme: entry.is_dark || isDark.matches ? 'dark' : 'report', text: story.text_scale}),
+    pause: () => stepping.go(at, 'stay'),
     say: text => { $('live').textContent = text; },
     changed(answer) {
       story = {...answer.story, text_scale: story.text_scale};
@@ -267,7 +274,7 @@
   };
   const offerTurns = () => { for (const id of ['turn-back', 'turn-on']) $(id).hidden = !stage.isInSpace(); };
   async function begin() {
-    const hash = location.hash, [, scene] = hash.match(/^#scene=([\w-]+)/) ?? [];
+    const hash = location.hash;
     if (!runsPrograms()) return;
     const [first, all] = story.programs, request = {tell: story.live};
     let program = await programFrom(await loaded('gjkstepProgram', first));
@@ -284,9 +291,18 @@
     show(at, 'stay');
     performance.mark('first picture');
     isDark.addEventListener('change', () => stage.draw());
-    if (!scene) return;
-    stage.restore(await unpacked(scene));
-    stepping.turnTo(stepOf(hash), 'stay');
+    if (sceneOf(hash)) await restore(sceneOf(hash), stepOf(hash));
+  }
+
+  // The scene of an address; without one that of the page.
+  const sceneOf = hash => hash.match(/^#scene=([\w-]+)/)?.[1] ?? null;
+  async function restore(scene, step = addressed()) {
+    try {
+      stage.restore(scene && await unpacked(scene));
+      stepping.turnTo(step, 'stay');
+    } catch {
+      stage.complain('The address holds no whole scene: copy the link again.');
+    }
   }
 
   document.documentElement.classList.toggle('bare', isBare);

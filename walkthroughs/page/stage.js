@@ -6,7 +6,11 @@
 function stageOf(ask, told, host) {
   const stage = $('stage'), isInSpace = () => told.in_space, still = {turn: 0, rise: 0, zoom: 1};
   let view = {...still}, state = {scene: told.scene, mistake: told.mistake}, past = [], future = [], shown = null;
-  const original = JSON.stringify(state);
+  const original = state;
+  // Keys in any order say the same.
+  const sorted = value => Array.isArray(value) || !value || typeof value !== 'object' ? value
+    : Object.fromEntries(Object.keys(value).sort().map(key => [key, sorted(value[key])]));
+  const isSame = (one, other) => JSON.stringify(sorted(one)) === JSON.stringify(sorted(other));
 
   // -- The picture ----------------------------------------------------------------------------------------------------
 
@@ -125,7 +129,7 @@ function stageOf(ask, told, host) {
     }
     complain(answer.error?.text ?? '');
     if (answer.error) return false;
-    state = {scene: next.scene, mistake: next.mistake};
+    state = {scene: answer.scene ?? next.scene, mistake: next.mistake};  // as the program says it, with what is usual left out
     showAnswers(answer);
     if (!isBrief) fillSwitches();
     host.changed(answer);
@@ -137,7 +141,7 @@ function stageOf(ask, told, host) {
   // A change that can be undone.
   function change(next, like = host.frame()) {
     const before = JSON.stringify(state);
-    if (!tell(next, like)) return;
+    if (isSame(next, state) || !tell(next, like)) return;
     past.push(before);
     future = [];
     kept();
@@ -168,6 +172,7 @@ function stageOf(ask, told, host) {
     drag = {x: event.clientX, y: event.clientY, box, units: unitsOf(box), view: {...view}, like: host.frame(),
             before: JSON.stringify(state), scene: state.scene, grip: handle?.grip, moves: false};
     if (handle) {
+      host.pause();
       handle.focus({preventScroll: true});
       ask({hold: true});
       event.preventDefault();
@@ -182,7 +187,9 @@ function stageOf(ask, told, host) {
   function follow() {
     wanted = 0;
     if (!drag) return;
-    const x = (drag.toX - drag.x) * drag.units, y = (drag.toY - drag.y) * drag.units;
+    const box = drag.box.getBoundingClientRect(), within = (x, low, high) => Math.max(low, Math.min(high, x));
+    const x = (within(drag.toX, box.left, box.right) - drag.x) * drag.units;
+    const y = (within(drag.toY, box.top, box.bottom) - drag.y) * drag.units;
     if (drag.grip) {
       const scene = moved(drag.scene, drag.grip, x, y, $('snap').checked !== drag.free);
       if (JSON.stringify(scene) !== JSON.stringify(state.scene)) drag.moves = tell({...state, scene}, drag.like, true) || drag.moves;
@@ -206,6 +213,7 @@ function stageOf(ask, told, host) {
     ask({hold: false});
     draw();
     kept();
+    if (moves) document.activeElement?.blur?.();  // so that arrow keys step again
   }
   for (const end of ['pointerup', 'pointercancel']) stage.addEventListener(end, letGo);
   stage.addEventListener('wheel', event => {
@@ -321,7 +329,7 @@ function stageOf(ask, told, host) {
   }
   const fileName = () => `${host.name.replace(/[^\w-]+/g, '-')}`;
   function standalone() {
-    const {picture, width, height} = shown, paper = getComputedStyle($('picture')).backgroundColor;
+    const {picture, width, height} = shown, paper = getComputedStyle(document.body).backgroundColor;
     return picture.replace('<svg ', `<svg width='${width}' height='${height}' `)
       .replace('>', `><rect x='-10000' y='-10000' width='20000' height='20000' fill='${paper}'/>`);
   }
@@ -333,7 +341,7 @@ function stageOf(ask, told, host) {
     canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height);
     canvas.toBlob(blob => save(`${fileName()}-${host.frame() + 1}.png`, blob, 'image/png'));
   }
-  const isChanged = () => JSON.stringify(state) !== original;
+  const isChanged = () => !isSame(state, original);
   const command = () => `gjkstep render ${isChanged() ? `${fileName()}.json` : host.known} --frames ${host.frame() + 1}`;
   async function copy(text, what) {
     try {
@@ -347,7 +355,7 @@ function stageOf(ask, told, host) {
   const address = async () => `${location.href.split('#')[0]}#scene=${await packed(state)}&step=${host.frame() + 1}`;
   const acts = {
     undo, redo, add: () => addCorner(selected()), remove: () => removeCorner(selected()),
-    reset() { change(JSON.parse(original)); view = {...still}; draw(); },
+    reset() { view = {...still}; change(original); draw(); },
     'save-scene': () => save(`${fileName()}.json`, `${JSON.stringify(state.scene, null, 1)}\n`, 'application/json'),
     'save-svg': () => save(`${fileName()}-${host.frame() + 1}.svg`, standalone(), 'image/svg+xml'),
     'save-png': savePng,
@@ -394,7 +402,7 @@ function stageOf(ask, told, host) {
   fillSwitches();
   kept();
   window.gjkstep.drawn = i => ask({draw: {frame: i}});  // for tests, and who looks closer
-  return {draw, turnBy, isInSpace, isChanged, restore: next => change(next), drawn: i => elementOf(drawn(i).picture)};
+  return {draw, turnBy, isInSpace, isChanged, complain, restore: next => change(next ?? original), drawn: i => elementOf(ask({draw: {frame: i, height, ...view, theme: 'report', text: host.looks().text}}).picture)};
 }
 
 const elementOf = svg => document.adoptNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement);
@@ -404,10 +412,10 @@ const elementOf = svg => document.adoptNode(new DOMParser().parseFromString(svg,
 async function packed(value) {
   const stream = new Blob([JSON.stringify(value)]).stream().pipeThrough(new CompressionStream('deflate-raw'));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+  return btoa(Array.from(bytes, byte => String.fromCharCode(byte)).join('')).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 async function unpacked(text) {
-  const most = 1 << 20, bytes = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), c => c.charCodeAt(0));
+  const most = 4 << 20, bytes = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), c => c.charCodeAt(0));
   const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw')).getReader();
   const parts = [];
   let length = 0;

@@ -199,6 +199,47 @@ class Page(PageInBrowser):
         self.drop("trace.jsonl", subprocess.run([program, "trace", "figure-4-right"], capture_output=True, text=True, check=True).stdout)
         self.wait(lambda: not self.find("#complaint").is_displayed())
 
+    def test_while_a_question_stands_one_may_drag(self):
+        self.take()
+        self.predict()
+        for _ in range(8):
+            self.press(Keys.ARROW_RIGHT)
+        self.assertTrue(self.find("#quiz").is_displayed())
+        self.assertFalse(self.find("#answers").is_displayed())
+        self.drag("b", 30, 0)
+        self.let_go()
+        self.assertTrue(self.find(".now h2").text)
+        self.press(Keys.HOME)
+        self.assertEqual(self.step(), 1)
+
+    def test_a_change_that_changes_nothing_is_none(self):
+        self.take()
+        self.choose("zero_test", "relative")
+        self.wait(lambda: self.find("#undo").is_enabled())
+        self.choose("zero_test", "exact")
+        self.wait(lambda: not self.find("#reset").is_enabled())
+
+    def test_after_a_change_all_steps_are_printed(self):
+        self.take()
+        self.drag("b", 120, 0)
+        self.let_go()
+        text = self.printed()
+        self.assertIn("out of reach", text)
+        self.press(Keys.ARROW_RIGHT)
+        self.assertEqual(self.step(), 2)
+
+    def test_an_address_that_is_pasted_is_read(self):
+        self.take()
+        self.drag("b", 120, 0)
+        self.let_go()
+        self.wait(lambda: self.address().startswith("#scene="))
+        address = self.address()
+        self.take()
+        self.js("location.hash = arguments[0]", address)
+        self.wait(lambda: "apart" in self.answers())
+        self.js("location.hash = '#scene=AAAA&step=1'")
+        self.wait(lambda: self.find("#complaint").is_displayed())
+
     # -- The picture
 
     def test_what_the_page_draws_is_what_the_program_draws(self):
