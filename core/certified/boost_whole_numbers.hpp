@@ -1,7 +1,7 @@
 /// The whole numbers of Boost.Multiprecision.
 #pragma once
 
-#include <boost/multiprecision/traits/is_byte_container.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <type_traits>
 
 // Boost asks of each operand whether it is a container of bytes, by what its const_iterator points to. Eigen's expressions that
@@ -12,5 +12,3 @@ requires std::is_void_v<typename C::const_iterator>
 struct is_byte_container_imp<C, true> : std::false_type {
 };
 }  // namespace boost::multiprecision::detail
-
-#include <boost/multiprecision/cpp_int.hpp>

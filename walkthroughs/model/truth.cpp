@@ -46,7 +46,7 @@ struct ShortDecimal {
 
   explicit ShortDecimal(double x) {
     std::array<char, 32> text{};
-    std::to_chars(text.begin(), text.end(), std::abs(x), std::chars_format::scientific);
+    std::to_chars(text.data(), text.data() + text.size(), std::abs(x), std::chars_format::scientific);
     const std::string all(text.data());
     const std::size_t e = all.find('e');
     std::string mantissa = all.substr(0, e);
