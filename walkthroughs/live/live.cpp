@@ -14,6 +14,7 @@
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/picture/draw.hpp"
 #include "walkthroughs/story/storyboard.hpp"
+#include "walkthroughs/story/truth_told.hpp"
 #include "walkthroughs/text/scene_text.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
 #include "walkthroughs/trace/trace_text.hpp"
@@ -38,31 +39,31 @@ Json error(const Complaint& complaint) {
        {{"line", complaint.line}, {"key", complaint.key}, {"reason", complaint.reason}, {"text", complaint.text()}}}};
 }
 
-std::optional<Mistake> mistake_called(const std::string& word) {
-  const auto& all = wrong_on_purpose::all();
-  const auto found = std::ranges::find(all, word, &wrong_on_purpose::Description::word);
-  return found == all.end() ? std::nullopt : std::optional(found->value);
-}
-
 #ifdef GJKSTEP_FEW_SEARCHES
 constexpr bool reads_traces = false;
 #else
 constexpr bool reads_traces = true;
 #endif
 
-/// The program that pages load first does not have what was asked for.
-struct More {};
-using Asked = std::variant<Walkthrough, TraceFile, Complaint, More>;
+/// The program that pages load first lacks some searches, and with them the reader of traces, who asks for any.
+struct Missing {};
+using Asked = std::variant<Walkthrough, TraceFile, Complaint, Missing>;
+
+bool can_be_told(const Asked& asked) {
+  const auto* walkthrough = std::get_if<Walkthrough>(&asked);
+  return walkthrough ? std::ranges::all_of(walkthrough->scenes, model::has_search)
+                     : !std::holds_alternative<Missing>(asked);
+}
 
 /// The scene beside itself, searched with a mistake.
 Asked with_mistake(const SceneFile& file, const std::string& word) {
-  const std::optional<Mistake> mistake = mistake_called(word);
+  const wrong_on_purpose::Description* mistake = wrong_on_purpose::named(word);
   if (!mistake) return Complaint{1, "mistake", "there is no mistake '" + word + "'"};
   const Scene& scene = file.walkthrough.scenes.front();
   if (scene.rules != RuleSet::as_intended || scene.certified)
     return Complaint{1, "rules",
                      "mistakes are made in the report's rules; choose \"as-intended\", and \"certified\": false"};
-  Walkthrough both = beside_the_report(*mistake, scene);
+  Walkthrough both = beside_the_report(mistake->value, scene);
   both.title = file.walkthrough.title;
   both.name = file.walkthrough.name;
   return both;
@@ -76,7 +77,7 @@ Asked asked_for(const Json& request) {
   }
   if (request.contains("trace")) {
     if constexpr (!reads_traces)
-      return More();
+      return Missing();
     else {
       Reading<TraceFile> reading = trace_in(request["trace"].get<std::string>());
       return reading.complaint ? Asked(*reading.complaint) : std::move(reading.value);
@@ -98,12 +99,6 @@ const Scene* changeable_scene(const Walkthrough& walkthrough) {
 
 // -- A story ----------------------------------------------------------------------------------------------------------
 
-PagePictures pictures_of(const Told& told, const Look& look) {
-  return {.url = [](std::size_t, int) { return std::string(); },
-          .page = page_of_frame(look),
-          .part = pictures_of_frame(told.walkthrough, look)};
-}
-
 /// Whether a camera looks at it.
 bool is_in_space(const Told& told) {
   return std::ranges::any_of(told.walkthrough.scenes,
@@ -111,26 +106,38 @@ bool is_in_space(const Told& told) {
          std::ranges::any_of(told.story.diagrams, &Diagram::in_space);
 }
 
+/// What the search answers, of two the first, and what is true.
+Json answers_json(const Told& told) {
+  const Telling &first = told.story.tellings.front(), &right = told.story.tellings.back();
+  const gjk::Status shown = answer_of(first.trace), truth = right.truth.answer.status;
+  Json answers{{"whose", &first == &right ? "The search" : first.scene.name},
+               {"search", words_for_answer(shown)},
+               {"truth", nullptr},
+               {"is_wrong", shown != gjk::Status::undecided && is_otherwise(right.truth, shown)}};
+  if (!right.scene.leaves_truth_out)
+    answers["truth"] = truth == gjk::Status::undecided ? "not known" : words_for_answer(truth);
+  return answers;
+}
+
 Json story_json(const Told& told, std::size_t frame, bool is_brief) {
-  const PagePictures pictures = pictures_of(told, {.text = Text::none});
+  const PagePictures drawn_by_the_page{.url = [](std::size_t, int) { return std::string(); }};
   const Scene* scene = changeable_scene(told.walkthrough);
   const auto only = is_brief ? std::optional(frame) : std::nullopt;
   Json answer{{"title", told.walkthrough.title},
-              {"story", page_data(told.story, pictures, {}, only)},
+              {"story", page_data(told.story, drawn_by_the_page, {}, only)},
               {"frame", frame},
               {"in_space", is_in_space(told)},
               {"scene", nullptr},
               {"mistake", nullptr},
               {"switches", Json::array()},
-              {"answer", nullptr},
-              {"truth", nullptr}};
+              {"answers", nullptr}};
   if (!scene) return answer;
   const std::optional<Mistake> mistake = told.walkthrough.scenes.front().mistake;
+  answer["answers"] = answers_json(told);
   if (mistake) answer["mistake"] = model::words_of::of(*mistake);
-  if (!is_brief) answer["scene"] = scene_json(told.walkthrough, *scene);
-  if (!is_brief) answer["switches"] = switches_of(*scene, mistake);
-  answer["answer"] = to_string(answer_of(told.story.tellings.front().trace));
-  if (!scene->leaves_truth_out) answer["truth"] = to_string(told.story.tellings.back().truth.answer.status);
+  if (is_brief) return answer;
+  answer["scene"] = scene_json(told.walkthrough, *scene);
+  answer["switches"] = switches_of(*scene, mistake);
   return answer;
 }
 
@@ -138,18 +145,14 @@ Json story_json(const Told& told, std::size_t frame, bool is_brief) {
 
 constexpr int least_height = 300, greatest_height = 1500;  // of panels
 
-Look look_in(const Json& request, const StagedStory* framing) {
-  Look look{.style = Style(theme_named(request.value("theme", "report"))), .text = Text::none};
-  look.style = Style([&] {
-    render::Theme theme = look.style.theme;
-    theme.text = std::clamp(request.value("text", theme.text), render::least_text_scale, render::most_text_scale);
-    return theme;
-  }());
+Look look_in(const Json& request) {
+  render::Theme theme = theme_named(request.value("theme", "report"));
+  theme.text = std::clamp(request.value("text", theme.text), render::least_text_scale, render::most_text_scale);
+  Look look{.style = Style(theme), .text = Text::none, .grips = true};
   look.height = std::clamp(request.value("height", look.height), least_height, greatest_height);
   look.turn = request.value("turn", 0.0);
   look.rise = request.value("rise", 0.0);
   look.zoom = request.value("zoom", 1.0);
-  look.framing = framing;
   return look;
 }
 
@@ -200,35 +203,37 @@ bool are_alike(const Told& one, const Told& other) {
 
 struct Live::Impl {
   render::Font& font;
-  std::shared_ptr<const Told> told = {}, held = {};
+  std::shared_ptr<const Told> told = {}, held = {}, cameras = {};
 
   Json tell(const Json& request) {
     Asked asked = asked_for(request);
     if (const auto* complaint = std::get_if<Complaint>(&asked)) return error(*complaint);
-    const auto* walkthrough = std::get_if<Walkthrough>(&asked);
-    const bool is_known = walkthrough && std::ranges::all_of(walkthrough->scenes, model::has_search);
-    if (!is_known && !std::holds_alternative<TraceFile>(asked)) return {{"more", true}};
+    if (!can_be_told(asked)) return {{"more", true}};
     const std::shared_ptr<const Told> before = held ? held : told;
     if (auto* file = std::get_if<TraceFile>(&asked))
       told = std::make_shared<const Told>(std::move(*file));
     else
       told = std::make_shared<const Told>(std::move(std::get<Walkthrough>(asked)));
-    std::size_t frame = 0;
-    if (before && request.contains("like"))
-      frame = counterpart(before->story.frames,
-                          std::min(request["like"].get<std::size_t>(), before->story.frames.size() - 1),
-                          told->story.frames);
-    return story_json(*told, frame, request.value("brief", false));
+    if (!before || !request.contains("like")) {
+      cameras = nullptr;
+      return story_json(*told, 0, false);
+    }
+    const std::vector<Frame>& known = before->story.frames;
+    const std::size_t like = std::min(request["like"].get<std::size_t>(), known.size() - 1);
+    return story_json(*told, counterpart(known, like, told->story.frames), request.value("brief", false));
   }
 
   Json draw(const Json& request) const {
-    const StagedStory* framing = held && are_alike(*held, *told) ? &held->story : nullptr;
+    Look look = look_in(request);
+    if (held && are_alike(*held, *told)) look.framing = &held->story;
+    if (cameras && are_alike(*cameras, *told)) look.cameras = &cameras->story;
     const std::size_t frame = std::min(request.value("frame", std::size_t{0}), told->story.frames.size() - 1);
-    return picture_of_frame(*told, frame, look_in(request, framing), font);
+    return picture_of_frame(*told, frame, look, font);
   }
 
   Json hold(bool holds) {
     held = holds ? told : nullptr;
+    if (holds && !cameras) cameras = told;
     return Json::object();
   }
 };

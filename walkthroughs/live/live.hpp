@@ -6,14 +6,15 @@
 ///     tell    {"name": "figure-4-left"}, {"trace": TEXT} or {"scene": TEXT, "file": NAME, "mistake": WORD}, of which the last two
 ///             may be missing: tells it. With "like": N also which frame shows what frame N of the story before shows, or of the
 ///             one that is held. With "brief": true only that frame is told, and nothing that a page keeps while one drags.
-///             Answer: {"title", "story": as pages have it (page.hpp), "frame", "in_space", "scene": as a scene file, or null where it cannot
-///             be changed, "mistake", "switches" (changes.hpp), "answer" and "truth": words for what the search answers and what
-///             is true}. What is wrong with a text: {"error": {"line", "key", "reason", "text"}}. Where another program must be
+///             Answer: {"title", "story": as pages have it (page.hpp), "frame", "in_space", "scene": as a scene file, or null where
+///             it cannot be changed, "mistake", "switches" (changes.hpp), "answers": {"whose", "search", "truth", "is_wrong"} in
+///             words}. What is wrong with a text: {"error": {"line", "key", "reason", "text"}}. Where another program must be
 ///             asked, which has all searches: {"more": true}. In either case the story told before stays
 ///     draw    {"frame": N, "theme": NAME, "text": SCALE, "height": page units of the panels, "turn": DEGREES, "rise": DEGREES,
 ///             "zoom": FACTOR}, of which all may be missing: the picture of a frame. Answer: {"picture": SVG, "width", "height", "grips"}, and where none can be taken
 ///             hold of there also "objects": the same of the two objects alone
-///     hold    true: pictures keep the cameras and sizes of this story, whatever is told; false: they no longer do
+///     hold    true: pictures keep the cameras and sizes of this story, whatever is told; false: the sizes no longer. The cameras stay
+///             until something is told without "like"
 #pragma once
 
 #include <memory>

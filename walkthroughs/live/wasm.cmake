@@ -1,5 +1,5 @@
-# The program that runs in pages: the same sources, compiled by Clang to WebAssembly. Debian 12 has Clang 16 and 19 of the wasm
-# parts, Debian 13 has 19.
+# The program that runs in pages: the same sources, compiled by Clang to WebAssembly. Debian 12 has the wasm parts of
+# Clang 16, Debian 13 of 19.
 set(GJKSTEP_WASM)
 if(NOT GJKSTEP_LIVE)
   return()
@@ -63,7 +63,7 @@ foreach(room model wrong_on_purpose story text picture trace catalogue page live
   if(room STREQUAL "render")  # but for what makes pixels and files
     list(FILTER files INCLUDE REGEX "/(canvas|camera|geometry|panel|svg_text|html|font)[.]cpp$")
   endif()
-  list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_program|trace_schema|write_traces|write_font_table)[.]cpp$")  # files; what no page asks for
+  list(FILTER files EXCLUDE REGEX "/(text_file|document_line|page_programs|trace_schema|write_traces|write_font_table)[.]cpp$")  # files; what no page asks for
   string(REPLACE "/" "-" name ${room})
   set(how)
   if(room MATCHES "^(catalogue|text|trace|page)$")  # asked once, or for a part of a millisecond
@@ -92,7 +92,13 @@ add_wasm_object(few-run ${PROJECT_SOURCE_DIR}/walkthroughs/model/run.cpp -DGJKST
 add_wasm_object(few-live ${PROJECT_BINARY_DIR}/wasm/live.cpp -DGJKSTEP_FEW_SEARCHES)
 set(of_few_searches ${wasm_objects})
 
-set(GJKSTEP_WASM)
+add_executable(write-script EXCLUDE_FROM_ALL walkthroughs/live/script/write_script.cpp)
+target_link_libraries(write-script PRIVATE render PkgConfig::DEFLATE)
+set(GJKSTEP_WASM)  # and the script of each, which pages load
+set(name_of_few gjkstepProgram)
+set(script_of_few program)
+set(name_of_all gjkstepAllSearches)
+set(script_of_all all-searches)
 foreach(searches few all)
   set(wasm ${PROJECT_BINARY_DIR}/${searches}-searches.wasm)
   set(optimize)
@@ -105,5 +111,8 @@ foreach(searches few all)
             -z stack-size=1048576 /usr/lib/wasm32-wasi/crt1-reactor.o ${of_${searches}_searches} -lc++ -lc++abi -lc
             -lwasi-emulated-signal ${wasm_builtins} -o ${wasm}
     ${optimize})
-  list(APPEND GJKSTEP_WASM ${wasm})
+  set(script ${PROJECT_BINARY_DIR}/${script_of_${searches}}.js)
+  add_custom_command(OUTPUT ${script} DEPENDS write-script ${wasm} VERBATIM
+                     COMMAND write-script ${name_of_${searches}} ${wasm} ${script})
+  list(APPEND GJKSTEP_WASM ${script})
 endforeach()

@@ -4,7 +4,8 @@
   if (!window.gjkstep) return;  // it was left behind: all pictures stand below each other
   const {entry} = window.gjkstep;
   let {story} = window.gjkstep, {frames} = story;
-  const title = document.title, heading = document.querySelector('h1');
+  let title = document.title;
+  const heading = document.querySelector('h1');
   let name = heading.textContent, stage = null;  // what draws and can be taken hold of, once the program runs
   const near = 4;  // pictures that are loaded ahead
   const isBare = location.hash.endsWith('&bare');  // beside another walkthrough, in a page that steps both
@@ -261,13 +262,14 @@
     changed(answer) {
       story = {...answer.story, text_scale: story.text_scale};
       frames = story.frames;
+      title = answer.title;
       offerTurns();
       fillPage();
       stepping.turnTo(answer.frame, 'stay');
     },
-    async kept(state) {
+    async kept(state, isOther) {  // `isOther`: a scene that came from elsewhere, and has a title of its own
       taken = state ? await packed(state) : '';
-      name = `${title}${state ? ', changed' : ''}`;
+      name = `${title}${state && !isOther ? ', changed' : ''}`;
       entitle();
       history.replaceState(null, '', addressOf(at));
     },
@@ -276,17 +278,11 @@
   async function begin() {
     const hash = location.hash;
     if (!runsPrograms()) return;
-    const [first, all] = story.programs, request = {tell: story.live};
-    let program = await programFrom(await loaded('gjkstepProgram', first));
-    const ask = request => program(request);
-    host.more = async () => { program = await programFrom(await loaded('gjkstepAllSearches', all)); };
-    let told = ask(request);
-    if (told.more) {
-      await host.more();
-      told = ask(request);
-    }
+    const names = ['gjkstepProgram', 'gjkstepAllSearches'], {live, programs} = story;
+    const program = await programFrom(i => loaded(names[i], programs[i]));
+    const told = await program.asked({tell: live});
     if (told.error) throw Error(told.error.text);
-    stage = stageOf(ask, told, host);
+    stage = stageOf(program, told, host);
     offerTurns();
     show(at, 'stay');
     performance.mark('first picture');

@@ -44,9 +44,8 @@ std::string_view first_word(std::string_view found) { return found.substr(0, fou
 
 /// That of M1 is about no region.
 std::string practice_for_mistake(const std::string& word) {
-  const auto known = wrong_on_purpose::all();
-  const auto found = std::ranges::find(known, word, &wrong_on_purpose::Description::word);
-  return found == known.end() || found->practice.empty() ? "" : "regions/" + std::string(found->practice);
+  const wrong_on_purpose::Description* known = wrong_on_purpose::named(word);
+  return known == nullptr || known->practice.empty() ? "" : "regions/" + std::string(known->practice);
 }
 
 }  // namespace

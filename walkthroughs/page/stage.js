@@ -1,12 +1,12 @@
 'use strict';
 // A picture that the program draws when it is asked, what can be taken hold of in it, and what came of that: undo, files, links.
 
-// `ask`: of running.js. `told`: the answer to its first request. `host`: {frame() that is shown, changed(told) when another story
+// `ask`, `asked`: of running.js. `told`: the answer to its first request. `host`: {frame() that is shown, changed(told) when another story
 // is told, say(text) aloud, looks() what the program is to be told of text and theme}.
-function stageOf(ask, told, host) {
+function stageOf({ask, asked}, told, host) {
   const stage = $('stage'), isInSpace = () => told.in_space, still = {turn: 0, rise: 0, zoom: 1};
   let view = {...still}, state = {scene: told.scene, mistake: told.mistake}, past = [], future = [], shown = null;
-  const original = state;
+  const original = state, ownFile = host.file;
   // Keys in any order say the same.
   const sorted = value => Array.isArray(value) || !value || typeof value !== 'object' ? value
     : Object.fromEntries(Object.keys(value).sort().map(key => [key, sorted(value[key])]));
@@ -99,49 +99,41 @@ function stageOf(ask, told, host) {
 
   // -- From one scene to another --------------------------------------------------------------------------------------
 
-  const statusOf = {intersecting: 'together', separated: 'apart', undecided: 'no answer'};
   function showAnswers(next) {
-    const before = told;
+    const {answers} = next, before = told.answers;
     told = next;
-    $('answers').hidden = !told.answer;
-    const turned = before.answer !== told.answer || before.truth !== told.truth;
-    const isWrong = told.truth && told.truth !== 'undecided' && told.truth !== told.answer;
-    $('answers').replaceChildren('The search: ', make('b', {textContent: statusOf[told.answer]}),
-      ...told.truth ? [' · Proven: ', make('b', {textContent: told.truth === 'undecided' ? 'not known' : statusOf[told.truth]})] : [],
+    $('answers').hidden = !answers;
+    if (!answers) return;
+    const {whose, search, truth, is_wrong: isWrong} = answers;
+    $('answers').replaceChildren(`${whose}: `, make('b', {textContent: search}),
+      ...truth ? [' · Proven: ', make('b', {textContent: truth})] : [],
       ...isWrong ? [make('strong', {className: 'no', textContent: ' the search is wrong'})] : []);
-    $('answers').dataset.answer = told.answer;
-    if (turned && before !== told) {
-      $('answers').classList.remove('turned');
-      void $('answers').offsetWidth;  // so that it is seen again
-      $('answers').classList.add('turned');
-    }
-    return turned;
+    if (before?.search === search && before?.truth === truth) return;
+    $('answers').classList.remove('turned');
+    void $('answers').offsetWidth;  // so that it is seen again
+    $('answers').classList.add('turned');
   }
 
-  // Tells another scene. `like`: the frame whose like is to be shown. Returns: whether it was one.
-  function tell(next, like, isBrief = false) {
-    const request = {scene: JSON.stringify(next.scene), file: host.file, like, brief: isBrief,
-                     ...next.mistake ? {mistake: next.mistake} : {}};
-    const answer = ask({tell: request});
-    if (answer.more) {  // the program that has all searches goes on from here
-      host.more().then(() => { ask({tell: {...request, scene: JSON.stringify(state.scene), mistake: undefined}}); change(next, like); });
-      return false;
-    }
+  // `like`: the frame whose like is to be shown.
+  const requestFor = (next, like, isBrief = false) => ({tell: {
+    scene: JSON.stringify(next.scene), file: host.file, like, brief: isBrief, ...next.mistake ? {mistake: next.mistake} : {}}});
+
+  // Shows what the program has told of a scene. Returns: whether it was one.
+  function show(answer, next) {
     complain(answer.error?.text ?? '');
     if (answer.error) return false;
     state = {scene: answer.scene ?? next.scene, mistake: next.mistake};  // as the program says it, with what is usual left out
     showAnswers(answer);
-    if (!isBrief) fillSwitches();
+    if (!answer.story.is_brief) fillSwitches();
     host.changed(answer);
     return true;
   }
-
   const complain = text => { $('complaint').textContent = text; $('complaint').hidden = !text; };
 
   // A change that can be undone.
-  function change(next, like = host.frame()) {
-    const before = JSON.stringify(state);
-    if (isSame(next, state) || !tell(next, like)) return;
+  async function change(next, like = host.frame()) {
+    const before = state;
+    if (isSame(next, state) || !show(await asked(requestFor(next, like)), next)) return;
     past.push(before);
     future = [];
     kept();
@@ -151,12 +143,13 @@ function stageOf(ask, told, host) {
     $('redo').disabled = !future.length;
     $('reset').disabled = !isChanged();
     $('copy-command').disabled = isChanged() && Boolean(state.mistake);  // scene files know nothing of mistakes
-    host.kept(isChanged() ? state : null);
+    $('taking').hidden = !state.scene;
+    host.kept(isChanged() ? state : null, host.file !== ownFile);
   }
-  function back(from, to) {
+  async function back(from, to) {
     if (!from.length) return;
-    to.push(JSON.stringify(state));
-    tell(JSON.parse(from.pop()), host.frame());
+    const before = state, next = from.pop();
+    if (show(await asked(requestFor(next, host.frame())), next)) to.push(before);
     kept();
   }
   const undo = () => back(past, future), redo = () => back(future, past);
@@ -170,7 +163,7 @@ function stageOf(ask, told, host) {
     const box = event.target.closest('.box'), handle = event.target.closest('.grip');
     if (!box || event.button !== 0 || drag) return;
     drag = {x: event.clientX, y: event.clientY, box, units: unitsOf(box), view: {...view}, like: host.frame(),
-            before: JSON.stringify(state), scene: state.scene, grip: handle?.grip, moves: false};
+            before: state, grip: handle?.grip, moves: false};
     if (handle) {
       host.pause();
       handle.focus({preventScroll: true});
@@ -191,29 +184,26 @@ function stageOf(ask, told, host) {
     const x = (within(drag.toX, box.left, box.right) - drag.x) * drag.units;
     const y = (within(drag.toY, box.top, box.bottom) - drag.y) * drag.units;
     if (drag.grip) {
-      const scene = moved(drag.scene, drag.grip, x, y, $('snap').checked !== drag.free);
-      if (JSON.stringify(scene) !== JSON.stringify(state.scene)) drag.moves = tell({...state, scene}, drag.like, true) || drag.moves;
+      const next = {...state, scene: moved(drag.before.scene, drag.grip, x, y, $('snap').checked !== drag.free)};
+      if (!isSame(next, state)) drag.moves = show(ask(requestFor(next, drag.like, true)), next) || drag.moves;
     } else if (isInSpace()) {
       view = {...drag.view, turn: drag.view.turn - x / 3, rise: Math.max(-80, Math.min(80, drag.view.rise + y / 3))};
       draw();
     }
   }
-  function letGo(event) {
+  function letGo() {
     if (!drag) return;
     if (wanted) cancelAnimationFrame(wanted), follow();
-    const {grip, moves, before, like} = drag;
+    const {grip, moves, before} = drag;
     drag = null;
-    stage.releasePointerCapture?.(event.pointerId);
     if (!grip) return;
-    if (moves) {
-      tell(state, like);
-      past.push(before);
-      future = [];
-    }
     ask({hold: false});
-    draw();
+    if (!moves) return;
+    show(ask(requestFor(state, host.frame())), state);
+    past.push(before);
+    future = [];
     kept();
-    if (moves) document.activeElement?.blur?.();  // so that arrow keys step again
+    document.activeElement?.blur?.();  // so that arrow keys step again
   }
   for (const end of ['pointerup', 'pointercancel']) stage.addEventListener(end, letGo);
   stage.addEventListener('wheel', event => {
@@ -225,16 +215,15 @@ function stageOf(ask, told, host) {
   const turnBy = degrees => { view.turn += degrees; draw(); };
 
   // Two fingers.
-  const pinch = new Map();
+  let apart = 0;
   stage.addEventListener('touchstart', event => event.touches.length === 2 && event.preventDefault(), {passive: false});
   stage.addEventListener('touchmove', event => {
-    if (event.touches.length !== 2) { pinch.clear(); return; }
+    const [one, other] = event.touches, before = apart;
+    apart = other ? Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY) : 0;
+    if (!other) return;
     event.preventDefault();
-    const [one, other] = event.touches;
-    const apart = Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
-    if (pinch.has('apart')) zoomBy(apart / pinch.get('apart'));
-    pinch.set('apart', apart);
-    drag = null;
+    letGo();
+    if (before) zoomBy(apart / before);
   }, {passive: false});
 
   // -- Keys -----------------------------------------------------------------------------------------------------------
@@ -243,23 +232,22 @@ function stageOf(ask, told, host) {
   stage.addEventListener('keydown', event => {
     const grip = event.target.closest('.grip')?.grip, way = ways[event.key];
     if (!grip || event.ctrlKey || event.metaKey) return;
-    if (way) {
-      const step = stepOf(grip, $('snap').checked !== event.altKey ? 8 : 0.5) / Math.hypot(...grip.right);
-      const [x, y] = way.map(each => each * step * (event.shiftKey ? 10 : 1));
-      const old = told;
-      change({...state, scene: moved(state.scene, grip, x, y, $('snap').checked !== event.altKey)});
-      const now = shown.grips.concat(shown.objects?.grips ?? []).find(each => each.name === grip.name);
-      if (now) host.say(`${now.says}: ${valueOf(now)}${old.answer === told.answer ? '' : `. The search now says: ${statusOf[told.answer]}`}`);
-    } else if (event.key === 'Delete' || event.key === 'Backspace') {
-      removeCorner(grip);
-    } else if (event.key === 'Insert' || event.key === '+') {
-      addCorner(grip);
-    } else {
-      return;
-    }
+    const act = way ? () => moveBy(grip, way, event)
+      : event.key === 'Delete' || event.key === 'Backspace' ? () => removeCorner(grip)
+      : event.key === 'Insert' || event.key === '+' ? () => addCorner(grip) : null;
+    if (!act) return;
     event.preventDefault();
     event.stopPropagation();
+    act();
   });
+  async function moveBy(grip, way, {altKey, shiftKey}) {
+    const snaps = $('snap').checked !== altKey, step = stepOf(grip, snaps ? 8 : 0.5) / Math.hypot(...grip.right);
+    const [x, y] = way.map(each => each * step * (shiftKey ? 10 : 1)), {search} = told.answers;
+    await change({...state, scene: moved(state.scene, grip, x, y, snaps)});
+    const now = shown.grips.concat(shown.objects?.grips ?? []).find(each => each.name === grip.name);
+    const turned = told.answers.search === search ? '' : `. ${told.answers.whose} now says: ${told.answers.search}`;
+    if (now) host.say(`${now.says}: ${valueOf(now)}${turned}`);
+  }
   document.addEventListener('keydown', event => {
     if (!(event.ctrlKey || event.metaKey) || event.target.closest('input, select, textarea')) return;
     const key = event.key.toLowerCase();
@@ -312,12 +300,12 @@ function stageOf(ask, told, host) {
     }
     for (const row of old.values()) row.remove();
   }
-  function choose(key, select) {
+  async function choose(key, select) {
     const value = select.selectedOptions[0].json, next = structuredClone(state);
     if (key === 'mistake') next.mistake = value;
     else next.scene[key] = value;
-    change(next);
-    fillSwitches();
+    await change(next);
+    fillSwitches();  // also where it was refused
   }
 
   // -- Taking along ---------------------------------------------------------------------------------------------------
@@ -371,23 +359,14 @@ function stageOf(ask, told, host) {
     if (!file) return;
     if (file.size > most) return complain(`${file.name}: has ${file.size} bytes, more than ${most}; draw it with the program`);
     const text = await file.text(), isTrace = text.startsWith('{"schema":"gjkstep-trace"');
-    const request = {tell: isTrace ? {trace: text} : {scene: text, file: file.name}};
-    let answer = ask(request);
-    if (answer.more) {
-      await host.more();
-      answer = ask(request);
-    }
+    const answer = await asked({tell: isTrace ? {trace: text} : {scene: text, file: file.name}});
     if (answer.error) return complain(`${file.name}:${answer.error.line}: ${answer.error.text}`);
-    complain('');
-    past.push(JSON.stringify(state));
+    if (state.scene) past.push(state);
     future = [];
-    state = {scene: answer.scene, mistake: answer.mistake};
     host.name = file.name.replace(/\.[^.]*$/, '');
     host.file = file.name;
     view = {...still};
-    showAnswers(answer);
-    fillSwitches();
-    host.changed(answer);
+    show(answer, answer);
     kept();
   }
   addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
@@ -396,7 +375,6 @@ function stageOf(ask, told, host) {
 
   addEventListener('resize', draw);
   stage.hidden = false;
-  $('taking').hidden = !told.scene;
   document.documentElement.classList.add('live');
   showAnswers(told);
   fillSwitches();

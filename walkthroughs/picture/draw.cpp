@@ -50,12 +50,10 @@ Lens turned(const Lens& lens, const Look& look) {
   return lens.camera && (look.turn != 0 || look.rise != 0) ? Lens{lens.camera->turned(look.turn, look.rise)} : lens;
 }
 
-/// Of a scene that is moved or scaled before it is drawn, otherwise than this one, nothing can be kept.
-const Stage& framing_of(const StagedStory& story, std::size_t scene, const Look& look) {
+/// That of `kept`, where there is one; of a scene that is moved or scaled otherwise before it is drawn nothing can be kept.
+const Stage& kept_stage(const StagedStory* kept, const StagedStory& story, std::size_t scene) {
   const Stage& own = story.stages[scene];
-  if (look.framing == nullptr) return own;
-  const Stage& other = look.framing->stages[scene];
-  return other.placing == own.placing ? other : own;
+  return kept && kept->stages[scene].placing == own.placing ? kept->stages[scene] : own;
 }
 
 /// One scene of one frame, as it is drawn.
@@ -64,11 +62,11 @@ struct SceneOfFrame {
       : stage(story.stages[scene]),
         now(story.drawn(frame, scene)),
         names(story.walkthrough.naming, stage.telling->hull, now),
-        framing(framing_of(story, scene, look)),
-        lens(turned(framing.lens, look)),
+        framing(kept_stage(look.framing, story, scene)),
+        lens(turned(kept_stage(look.cameras, story, scene).lens, look)),
         shown{*stage.telling, stage,      now,         names, story.frames[frame].focus_of(scene),
               lens,           look.style, look.values, false, story.frames[frame].focus == Focus::parting,
-              framing,        look.zoom} {}
+              framing,        look.zoom,  look.grips} {}
   SceneOfFrame(const SceneOfFrame&) = delete;  // what is shown refers to it
   SceneOfFrame& operator=(const SceneOfFrame&) = delete;
 

@@ -22,13 +22,14 @@ struct Look {
   Text text = Text::around;
   bool values = true;  ///< whether the panels show the numbers that decide
   bool code = true;    ///< whether the pseudo-code is written; without it its place is empty, for who cuts it off
+  bool grips = false;  ///< whether the canvas is told what a reader can take hold of
   int height = 448;    ///< of the panels, without text, in page units
   double turn = 0;     ///< degrees by which the camera of a scene in space is moved around the vertical axis
   double rise = 0;     ///< and by which it is moved upwards
   double zoom = 1;     ///< how many times as large scenes are as where they just fit
-  /// Whose cameras and sizes pictures have, so that nothing moves but what the reader moves; without it the story's own.
+  /// Whose cameras pictures have, and whose sizes, so that nothing moves but what the reader moves; without them the story's own.
   /// Requires: as many scenes, of as many dimensions.
-  const StagedStory* framing = nullptr;
+  const StagedStory *cameras = nullptr, *framing = nullptr;
 };
 
 /// The page that a frame with text is laid out on; smaller and larger pictures are this page, scaled.
@@ -44,8 +45,8 @@ render::Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look);
 /// index < story.frames.size().
 void draw_frame(render::Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look = {});
 
-/// Draws the two objects of a scene alone, with grips (canvas.hpp), on a page of that size.
 inline constexpr render::Size objects_page{420, 420};
+/// Draws the two objects of a scene alone. Requires: a canvas with the page objects_page, in the colour of the paper.
 void draw_objects_alone(render::Canvas& canvas, const StagedStory& story, std::size_t index, std::size_t scene,
                         const Look& look);
 

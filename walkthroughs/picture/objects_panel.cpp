@@ -119,10 +119,12 @@ void draw_objects(render::Canvas& canvas, const Place& place, const Shown& shown
   pencil.triad(canvas, place.frame);
   const Point d = shown.now.direction->value;
   const Point middle_a = middle_of_object(scene.a, shown.stage.a), middle_b = middle_of_object(scene.b, shown.stage.b);
-  add_grips(canvas, pencil, placing.scale, "a", scene.a, middle_a);
-  add_grips(canvas, pencil, placing.scale, "b", scene.b, middle_b);
-  if (shown.now.processed.size() == 0)
-    add_grip_of_direction(canvas, pencil, placing.scale, shown.now.found ? shown.now.found->a.point : middle_a, d);
+  if (shown.grips) {
+    add_grips(canvas, pencil, placing.scale, "a", scene.a, middle_a);
+    add_grips(canvas, pencil, placing.scale, "b", scene.b, middle_b);
+    if (shown.now.processed.size() == 0)
+      add_grip_of_direction(canvas, pencil, placing.scale, shown.now.found ? shown.now.found->a.point : middle_a, d);
+  }
   if (!shown.now.found) {
     pencil.direction(middle_a, d, style.direction, "d");
     pencil.direction(middle_b, -d, style.direction, "−d");

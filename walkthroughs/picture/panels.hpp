@@ -32,10 +32,11 @@ struct Shown {
   bool is_parting = false;       ///< whether another search goes another way here
   const Stage& framing = stage;  ///< that the picture is as large as,
   double zoom = 1;               ///< or so many times as large
+  bool grips = false;            ///< whether the canvas is told what can be taken hold of
 
   /// Returns: the same, drawn with another style, which must outlive it.
   Shown in(const Style& other) const {
-    return {telling, stage, now, names, focus, lens, other, values, regions_beside, is_parting, framing, zoom};
+    return {telling, stage, now, names, focus, lens, other, values, regions_beside, is_parting, framing, zoom, grips};
   }
 };
 

@@ -11,10 +11,6 @@
 namespace walkthroughs::story {
 namespace {
 
-constexpr const char* words_for_answer(gjk::Status answer) {
-  return answer == gjk::Status::intersecting ? "together" : answer == gjk::Status::separated ? "apart" : "no answer";
-}
-
 /// What is searched otherwise than the truth is found.
 std::string searched(const Scene& scene) {
   if (scene.rules == RuleSet::as_printed) return "as printed";
@@ -84,6 +80,10 @@ std::string place_told(const Decided& decided) {
 
 }  // namespace
 
+std::string words_for_answer(gjk::Status answer) {
+  return answer == gjk::Status::intersecting ? "together" : answer == gjk::Status::separated ? "apart" : "no answer";
+}
+
 std::string in_truth(gjk::Status answer) { return answer == gjk::Status::intersecting ? "intersect" : "are apart"; }
 
 TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) {
@@ -119,7 +119,7 @@ TruthTold truth_told(const Truth& truth, const Scene& scene, gjk::Status shown) 
   if (truth.by_rounded_turn)
     tell_and_note("they are so near to contact that rounding the matrix of a turn may have decided");
   if (truth.exchanged)
-    tell_and_note("with a and b exchanged the search answers: " + std::string(words_for_answer(*truth.exchanged)));
+    tell_and_note("with a and b exchanged the search answers: " + words_for_answer(*truth.exchanged));
   return told;
 }
 

@@ -8,6 +8,9 @@
 
 namespace walkthroughs::story {
 
+/// Returns: "together", "apart" or "no answer".
+std::string words_for_answer(gjk::Status answer);
+
 /// Returns: what they do: "intersect" or "are apart". Requires: an answer.
 std::string in_truth(gjk::Status answer);
 

@@ -1,5 +1,6 @@
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace walkthroughs::wrong_on_purpose {
@@ -109,6 +110,11 @@ constexpr std::array<Description, 21> mistakes{{
 std::span<const Description> all() { return mistakes; }
 
 const Description& description_of(Mistake mistake) { return mistakes.at(static_cast<std::size_t>(mistake)); }
+
+const Description* named(std::string_view word) {
+  const auto found = std::ranges::find(all(), word, &Description::word);
+  return found == all().end() ? nullptr : &*found;
+}
 
 const PairsToNotice& pairs_to_notice(Mistake mistake, TestPairs pairs) {
   return description_of(mistake).to_notice.at(static_cast<std::size_t>(pairs));

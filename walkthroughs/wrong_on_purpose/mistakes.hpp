@@ -77,6 +77,8 @@ struct Description {
 std::span<const Description> all();
 
 const Description& description_of(Mistake mistake);
+/// Returns: null where no mistake has that word.
+const Description* named(std::string_view word);
 
 const PairsToNotice& pairs_to_notice(Mistake mistake, TestPairs pairs);
 

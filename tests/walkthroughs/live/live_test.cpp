@@ -47,7 +47,7 @@ Json at(const Json& scene, const Json& path) {
 TEST_CASE("What is wrong with a scene is a value, and the story told before stays") {
   Page ask;
   const Json told = ask.tell(scene_of(triangles(0)));
-  CHECK(told["answer"] == "intersecting");
+  CHECK(told["answers"]["search"] == "together");
   const Json wrong = ask.tell({{"scene", "{\"dimension\": 2,\n\"a\": {\"points\": [[0, 0], [1, \"x\"]]}}"}});
   CHECK(wrong["error"]["line"] == 2);
   CHECK(wrong["error"]["key"] == "a.points[1][1]");
@@ -86,7 +86,7 @@ TEST_CASE("While one drags the same kind of step is shown, else the last before 
   }
   ask.tell(scene_of(triangles(0)));
   const Json apart = ask.tell({{"scene", triangles(9).dump()}, {"like", before["story"]["frames"].size() - 1}});
-  CHECK(apart["answer"] == "separated");
+  CHECK(apart["answers"]["search"] == "apart");
   CHECK(apart["frame"] == apart["story"]["frames"].size() - 1);  // from one end to the other
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("A trace that is dropped is told, and one that contradicts itself is n
   Page ask;
   const Walkthrough& w = *find_walkthrough("figure-4-right");
   std::string trace = traces_json(w, {run(w.scenes[0])}, {truth_of(w.scenes[0], gjk::Status::separated)});
-  CHECK(ask.tell({{"trace", trace}})["answer"] == "separated");
+  CHECK(ask.tell({{"trace", trace}})["answers"]["search"] == "apart");
   trace.replace(trace.find("not-crossed"), 11, "crossed");
   CHECK(ask.tell({{"trace", trace}}).contains("error"));
 }

@@ -242,9 +242,8 @@ RuleSet rules(const std::string& name) {
 }
 
 std::optional<Mistake> mistake(const std::string& word) {
-  for (const auto& known : wrong_on_purpose::all())
-    if (known.word == word) return known.value;
-  return std::nullopt;
+  const wrong_on_purpose::Description* known = wrong_on_purpose::named(word);
+  return known ? std::optional(known->value) : std::nullopt;
 }
 
 Scene scene(const Json& json) {
