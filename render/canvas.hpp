@@ -25,12 +25,16 @@ namespace render {
 struct Dash {
   double length = 0;
   double gap = 0;
+
+  friend bool operator==(const Dash&, const Dash&) = default;
 };
 
 struct Stroke {
   Color color = palette::ink;
   double width = 2;
   Dash dash = {};
+
+  friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 
 /// The head of an arrow, in widths of its stroke. Arrows shorter than `whole` widths shrink as a whole.

@@ -48,9 +48,18 @@ constexpr double cost_turn = 0.5;
 /// Returns how many steps of 1/32 turn direction number `attempt` is away from the wanted one: 0, 1, -1, 2, -2, ...
 constexpr int turns_of(int attempt) { return attempt % 2 == 1 ? (attempt + 1) / 2 : -attempt / 2; }
 
-Vec2 rotated(const Vec2& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+Vec2 from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Returns: `v` turned by so many steps of 1/32 turn.
+Vec2 rotated(const Vec2& v, int turns) {
+  static const std::vector<Vec2> steps = [] {
+    std::vector<Vec2> all;
+    for (int turn = -directions / 2; turn <= directions / 2; ++turn)
+      all.push_back(from_angle(2 * std::numbers::pi * turn / directions));
+    return all;
+  }();
+  const Vec2& by = steps[static_cast<std::size_t>(turns + directions / 2)];
+  return {by.x() * v.x() - by.y() * v.y(), by.y() * v.x() + by.x() * v.y()};
 }
 
 /// Returns how far the middle of a box of size 2 * `half` must be from a point, in direction `unit`, to keep `gap` away.
@@ -189,7 +198,7 @@ void Panel::circle(const Vec2& center, double radius, const Stroke& stroke) {
   canvas_.circle(middle, radius, stroke);
   std::vector<Vec2> sides;
   for (int i = 0; i < circle_sides; ++i) {
-    sides.push_back(middle + rotated({radius, 0}, 2 * std::numbers::pi * i / circle_sides));
+    sides.push_back(middle + radius * from_angle(2 * std::numbers::pi * i / circle_sides));
   }
   avoid_outline(sides, stroke.width / 2);
 }
@@ -419,14 +428,15 @@ class Panel::Arrangement {
         const int turns = turns_of(attempt);
         const double astray = cost_gap * static_cast<double>(spread) + cost_turn * std::abs(turns);
         if (astray >= least) continue;
-        const Vec2 unit = rotated(label.toward, 2 * std::numbers::pi * turns / directions);
+        const Vec2 unit = rotated(label.toward, turns);
         const Vec2 middle = label.anchor + unit * distance_clear_of(half, unit, label.gap * spreads[spread]);
         const Vec2 beside = middle + Vec2(0, rise);
         const Vec2 baseline = leave == Leave::allowed ? beside : beside + way_into_frame(moved(ink, beside));
         Place place{baseline, moved(ink, baseline)};
         place.leader = leader_of(label, place.box);
-        const double cost = cost_of(place.box) + cost_of_leader(place.leader) + astray +
-                            (is_nearer_elsewhere(label, place.box) ? cost_elsewhere : 0) +
+        const double overlaps = cost_of(place.box) + cost_of_leader(place.leader) + astray;
+        if (overlaps >= least) continue;
+        const double cost = overlaps + (is_nearer_elsewhere(label, place.box) ? cost_elsewhere : 0) +
                             (label.stays_on_its_side ? cost_across * lines_between(label, place.box) : 0);
         if (cost >= least) continue;
         least = cost;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -17,21 +18,27 @@ class Writer {
  public:
   Writer(std::string& to, const Canvas& canvas) : to_(to), canvas_(canvas) {}
   ~Writer() {
+    end_path();
     if (is_clipped_) to_ += "</svg>";
   }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
   void operator()(const shape::Polygon& polygon) {
-    path(polygon.corners, true);
+    begin_path();
+    places(polygon.corners, true);
+    to_ += '\'';
     color("fill", polygon.fill);
     to_ += "/>";
   }
 
+  /// Lines of one stroke, one after the other, are one path: half as many elements to lay out. Not where they would be seen through
+  /// each other; dashes hardly meet.
   void operator()(const shape::Polyline& line) {
-    path(line.corners, false);
-    stroke(line.stroke);
-    to_ += "/>";
+    const bool goes_on = path_ && *path_ == line.stroke && (line.stroke.color.a == 255 || line.stroke.dash.gap > 0);
+    if (!goes_on) begin_path();
+    places(line.corners, false);
+    path_ = line.stroke;
   }
 
   void operator()(const shape::Disc& disc) {
@@ -57,6 +64,7 @@ class Writer {
   }
 
   void operator()(const shape::Clip& clip) {
+    end_path();
     if (is_clipped_) to_ += "</svg>";
     is_clipped_ = true;
     to_ += "<svg";
@@ -108,25 +116,38 @@ class Writer {
     constexpr std::string_view digits = "0123456789abcdef";
     open(name);
     to_ += '#';
-    for (const std::size_t part : {color.r, color.g, color.b, color.a}) {
+    const auto append = [&](std::size_t part) {
       to_ += digits[part >> 4];
       to_ += digits[part & 15];
-    }
+    };
+    for (const std::size_t part : {color.r, color.g, color.b}) append(part);
+    if (color.a != 255) append(color.a);
     to_ += '\'';
   }
 
-  void path(std::span<const Vec2> corners, bool is_closed) {
-    to_ += "<path d='";
+  void places(std::span<const Vec2> corners, bool is_closed) {
     char letter = 'M';
     for (const Vec2& corner : corners) {
       to_ += letter;
       place(corner);
       letter = 'L';
     }
-    to_ += is_closed || corners.size() == 1 ? "Z'" : "'";
+    if (is_closed || corners.size() == 1) to_ += 'Z';
+  }
+  void begin_path() {
+    end_path();
+    to_ += "<path d='";
+  }
+  void end_path() {
+    if (!path_) return;
+    to_ += '\'';
+    stroke(*path_);
+    to_ += "/>";
+    path_.reset();
   }
 
   void circle(const Vec2& center, double radius) {
+    end_path();
     to_ += "<circle";
     number("cx", center.x());
     number("cy", center.y());
@@ -135,7 +156,6 @@ class Writer {
 
   /// The round caps of a dash belong to it.
   void stroke(const Stroke& stroke) {
-    to_ += " fill='none'";
     color("stroke", stroke.color);
     number("stroke-width", stroke.width);
     if (stroke.dash.gap <= 0) return;
@@ -147,14 +167,17 @@ class Writer {
 
   /// Letters on one line. `pen`: where the text begins; `end`: where the next run does, from there, as each glyph's own pen.
   void run(std::span<const PlacedGlyph> glyphs, const Vec2& pen, double end, const TextStyle& style) {
+    end_path();
     const PlacedGlyph& first = glyphs.front();
     const Vec2 at = pen + first.pen;
     to_ += "<text";
     number("x", at.x());
     number("y", at.y());
     number("font-size", first.size);
-    number("textLength", end - first.pen.x());
-    to_ += " lengthAdjust='spacingAndGlyphs'";
+    if (glyphs.size() > 1) {
+      number("textLength", end - first.pen.x());
+      to_ += " lengthAdjust='spacingAndGlyphs'";
+    }
     if (style.weight == Weight::bold) to_ += " font-weight='bold'";
     color("fill", style.color);
     if (style.halo.a > 0) {
@@ -169,6 +192,7 @@ class Writer {
   std::string& to_;
   const Canvas& canvas_;
   bool is_clipped_ = false;
+  std::optional<Stroke> path_ = {};  // of the path that is not ended
 };
 
 }  // namespace
@@ -178,7 +202,7 @@ std::string svg_text(const Canvas& canvas, const Box& part) {
   text.reserve(std::size_t{1} << 15);
   text += "<svg xmlns='http://www.w3.org/2000/svg'";
   Writer(text, canvas).view_box(part);
-  text += " stroke-linecap='round' stroke-linejoin='round' paint-order='stroke'";
+  text += " stroke-linecap='round' stroke-linejoin='round' paint-order='stroke' fill='none'";
   text += " font-family='DejaVu Sans, Verdana, sans-serif'>";
   for (Writer writer(text, canvas); const Shape& shape : canvas.shapes()) std::visit(writer, shape);
   text += "</svg>";

@@ -86,12 +86,6 @@ Walkthrough search_of(const std::string& name, const std::string& title, const s
           .remarks = std::move(remarks)};
 }
 
-Walkthrough until_they_part(Scene first, Walkthrough second) {
-  second.layout = Layout::until_they_part;
-  second.scenes.insert(second.scenes.begin(), std::move(first));
-  return second;
-}
-
 Scene scene_of(const std::string& a, const std::vector<Corner>& corners_of_a, const std::string& b,
                const std::vector<Corner>& corners_of_b, const std::string& name) {
   Scene scene{.name = name, .a = {a, Points()}, .b = {b, Points()}};

@@ -53,9 +53,6 @@ Walkthrough diagrams_of(const std::string& name, const std::string& title, const
 Walkthrough search_of(const std::string& name, const std::string& title, const std::string& place,
                       const std::string& summary, Scene scene, std::vector<Remark> remarks = {});
 
-/// Returns: two searches on the same objects until they part, `first` and that of the walkthrough.
-Walkthrough until_they_part(Scene first, Walkthrough second);
-
 /// Of a polygon or a polyhedron.
 struct Corner {
   double x, y, z = 0;

@@ -161,12 +161,10 @@ std::vector<MistakenPair> pairs() {
 
 Walkthrough beside_the_report(Mistake mistake, Scene right) {
   const wrong_on_purpose::Description& known = wrong_on_purpose::description_of(mistake);
-  Scene wrong = mistaken(right, mistake);
-  wrong.name = wrong_on_purpose::number_of(mistake);
-  right.name = "the report";
-  return until_they_part(wrong, search_of("mistakes/" + std::string(known.word),
-                                          "A mistake, " + wrong.name + ", and the report's algorithm",
-                                          "Section " + std::string(known.section), std::string(known.meaning), right));
+  return beside_mistake(
+      mistake, search_of("mistakes/" + std::string(known.word),
+                         "A mistake, " + wrong_on_purpose::number_of(mistake) + ", and the report's algorithm",
+                         "Section " + std::string(known.section), std::string(known.meaning), std::move(right)));
 }
 
 std::vector<Walkthrough> mistakes() {
@@ -175,7 +173,7 @@ std::vector<Walkthrough> mistakes() {
       "how many random pairs it takes to notice each of 21 mistakes, as the study has measured it", survival_diagrams)};
   for (const MistakenPair& pair : pairs()) {
     const std::string b = pair.b.size() == 2 ? "segment b" : "triangle b";
-    all.push_back(beside_the_report(pair.mistake, scene_of("triangle a", pair.a, b, pair.b, "the report")));
+    all.push_back(beside_the_report(pair.mistake, scene_of("triangle a", pair.a, b, pair.b)));
   }
   return all;
 }

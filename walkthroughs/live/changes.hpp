@@ -16,7 +16,7 @@ namespace walkthroughs::live {
 PageJson moved_by(const render::Grip& grip, const Scene& scene);
 
 /// Returns: [{"key", "label", "chosen": place of one of these, "choices": [{"text", "value"}]}]. A value belongs at the key in the
-/// scene's JSON; null: nothing belongs there. But for the key "mistake", which belongs into the request beside the scene.
+/// scene's JSON; null: nothing belongs there.
 PageJson switches_of(const Scene& scene, std::optional<Mistake> mistake);
 
 }  // namespace walkthroughs::live

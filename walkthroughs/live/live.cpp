@@ -55,20 +55,6 @@ bool can_be_told(const Asked& asked) {
                      : !std::holds_alternative<Missing>(asked);
 }
 
-/// The scene beside itself, searched with a mistake.
-Asked with_mistake(const SceneFile& file, const std::string& word) {
-  const wrong_on_purpose::Description* mistake = wrong_on_purpose::named(word);
-  if (!mistake) return Complaint{1, "mistake", "there is no mistake '" + word + "'"};
-  const Scene& scene = file.walkthrough.scenes.front();
-  if (scene.rules != RuleSet::as_intended || scene.certified)
-    return Complaint{1, "rules",
-                     "mistakes are made in the report's rules; choose \"as-intended\", and \"certified\": false"};
-  Walkthrough both = beside_the_report(mistake->value, scene);
-  both.title = file.walkthrough.title;
-  both.name = file.walkthrough.name;
-  return both;
-}
-
 Asked asked_for(const Json& request) {
   if (request.contains("name")) {
     const std::string name = request["name"];
@@ -84,10 +70,8 @@ Asked asked_for(const Json& request) {
     }
   }
   const std::string text = request["scene"];
-  const Reading<SceneFile> reading = scene_in(text, request.value("file", "scene.json"));
-  if (reading.complaint) return *reading.complaint;
-  if (request.contains("mistake")) return with_mistake(reading.value, request["mistake"]);
-  return reading.value.walkthrough;
+  Reading<SceneFile> reading = scene_in(text, request.value("file", "scene.json"));
+  return reading.complaint ? Asked(*reading.complaint) : std::move(reading.value.walkthrough);
 }
 
 /// Of a search, or of the right one of two of which one has a mistake.
@@ -106,11 +90,21 @@ bool is_in_space(const Told& told) {
          std::ranges::any_of(told.story.diagrams, &Diagram::in_space);
 }
 
+/// Where two searches part.
+std::string parting_in_words(const Story& story) {
+  const auto there = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
+  if (there == story.frames.end()) return "the searches do not part";
+  return "they part at step " + std::to_string(there - story.frames.begin() + 1);
+}
+
 /// What the search answers, of two the first, and what is true.
 Json answers_json(const Told& told) {
   const Telling &first = told.story.tellings.front(), &right = told.story.tellings.back();
   const gjk::Status shown = answer_of(first.trace), truth = right.truth.answer.status;
-  Json answers{{"whose", &first == &right ? "The search" : first.scene.name},
+  const std::optional<Mistake> mistake = first.scene.mistake;
+  Json answers{{"whose", mistake ? "With " + first.scene.name : "The search"},
+               {"mistake", mistake ? Json(wrong_on_purpose::description_of(*mistake).meaning) : nullptr},
+               {"parting", mistake ? Json(parting_in_words(told.story)) : nullptr},
                {"search", words_for_answer(shown)},
                {"truth", nullptr},
                {"is_wrong", shown != gjk::Status::undecided && is_otherwise(right.truth, shown)}};
@@ -128,16 +122,13 @@ Json story_json(const Told& told, std::size_t frame, bool is_brief) {
               {"frame", frame},
               {"in_space", is_in_space(told)},
               {"scene", nullptr},
-              {"mistake", nullptr},
               {"switches", Json::array()},
               {"answers", nullptr}};
   if (!scene) return answer;
-  const std::optional<Mistake> mistake = told.walkthrough.scenes.front().mistake;
   answer["answers"] = answers_json(told);
-  if (mistake) answer["mistake"] = model::words_of::of(*mistake);
   if (is_brief) return answer;
   answer["scene"] = scene_json(told.walkthrough, *scene);
-  answer["switches"] = switches_of(*scene, mistake);
+  answer["switches"] = switches_of(*scene, told.walkthrough.scenes.front().mistake);
   return answer;
 }
 

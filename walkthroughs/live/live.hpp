@@ -3,12 +3,12 @@
 ///
 /// Each request is an object with one of these keys:
 ///
-///     tell    {"name": "figure-4-left"}, {"trace": TEXT} or {"scene": TEXT, "file": NAME, "mistake": WORD}, of which the last two
-///             may be missing: tells it. With "like": N also which frame shows what frame N of the story before shows, or of the
+///     tell    {"name": "figure-4-left"}, {"trace": TEXT} or {"scene": TEXT, "file": NAME}, of which the last may be
+///             missing: tells it. With "like": N also which frame shows what frame N of the story before shows, or of the
 ///             one that is held. With "brief": true only that frame is told, and nothing that a page keeps while one drags.
 ///             Answer: {"title", "story": as pages have it (page.hpp), "frame", "in_space", "scene": as a scene file, or null where
-///             it cannot be changed, "mistake", "switches" (changes.hpp), "answers": {"whose", "search", "truth", "is_wrong"} in
-///             words}. What is wrong with a text: {"error": {"line", "key", "reason", "text"}}. Where another program must be
+///             it cannot be changed, "switches" (changes.hpp), "answers": {"whose", "mistake", "parting", "search", "truth", "is_wrong"}
+///             in words}. What is wrong with a text: {"error": {"line", "key", "reason", "text"}}. Where another program must be
 ///             asked, which has all searches: {"more": true}. In either case the story told before stays
 ///     draw    {"frame": N, "theme": NAME, "text": SCALE, "height": page units of the panels, "turn": DEGREES, "rise": DEGREES,
 ///             "zoom": FACTOR}, of which all may be missing: the picture of a frame. Answer: {"picture": SVG, "width", "height", "grips"}, and where none can be taken

@@ -79,6 +79,11 @@ Scene mistaken(Scene scene, Mistake mistake) {
   return scene;
 }
 
+bool may_be_mistaken(const Scene& scene) {
+  return scene.rules == RuleSet::as_intended && scene.options.crossing_test == gjk::CrossingTest::on &&
+         scene.zero_test == ZeroTest::exact && scene.scalar == Scalar::binary64 && !scene.certified;
+}
+
 // -- Other scalars ----------------------------------------------------------------------------------------------------
 
 namespace {

@@ -183,6 +183,9 @@ Scene in_float(Scene scene);
 /// others no mistake is known.
 Scene mistaken(Scene scene, Mistake mistake);
 
+/// Returns: whether a mistake can be made in it: the report's rules as intended, and all else as usual.
+bool may_be_mistaken(const Scene& scene);
+
 /// Returns: the scene with the first direction from the center of a to that of b; with the usual one where there is none.
 Scene from_center_to_center(Scene scene);
 

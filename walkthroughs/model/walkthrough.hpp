@@ -95,4 +95,10 @@ struct Walkthrough {
   bool begins_with_the_guess = false;                   ///< certified/…: the first search is told elsewhere
 };
 
+/// Returns: two searches on the same objects until they part, `first` and that of the walkthrough.
+Walkthrough until_they_part(Scene first, Walkthrough second);
+
+/// Returns: its search beside the same one with that mistake, which stands first. Requires: one scene that may_be_mistaken().
+Walkthrough beside_mistake(Mistake mistake, Walkthrough right);
+
 }  // namespace walkthroughs::model

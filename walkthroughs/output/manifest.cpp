@@ -272,6 +272,14 @@ void discard_stage(const fs::path& folder) {
   fs::remove(stage, ignored);  // unless there is more in it
 }
 
+std::vector<fs::path> our_files(const fs::path& folder) {
+  const Manifest manifest(folder);
+  std::vector<fs::path> found;
+  for (const std::string& name : fitting_names(folder, {"*"}))
+    if (is_file(folder / name) && manifest.is_ours(name)) found.push_back(folder / name);
+  return found;
+}
+
 std::vector<fs::path> files_of_others(const fs::path& folder, const std::vector<std::string>& patterns) {
   const Manifest manifest(folder);
   std::vector<fs::path> found;

@@ -69,6 +69,9 @@ std::vector<std::filesystem::path> files_of_others(const std::filesystem::path& 
 /// The same of one file.
 std::vector<std::filesystem::path> files_of_others(const std::filesystem::path& file);
 
+/// Returns: the files in `folder` that are ours. Errors: render::FileError where the folder cannot be looked into.
+std::vector<std::filesystem::path> our_files(const std::filesystem::path& folder);
+
 /// Makes a file ours as it is. Errors: render::FileError.
 void adopt(const std::filesystem::path& file);
 

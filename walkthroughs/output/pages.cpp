@@ -170,6 +170,12 @@ std::vector<std::string> index_file_names(bool has_files_beside) {
   return names;
 }
 
+std::vector<std::string> names_in_index(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const PageJson& entry : entries_in(folder)) names.push_back(entry["name"]);
+  return names;
+}
+
 void write_index(const fs::path& folder, bool has_files_beside) {
   const FolderClaim claim(folder);  // or pages that another run adds meanwhile would be missing
   const std::vector<PageJson> entries = entries_in(folder);

@@ -48,6 +48,9 @@ class Pages : public Sink {
 /// Returns: the names of the files that write_index() may write.
 std::vector<std::string> index_file_names(bool has_files_beside);
 
+/// Returns: the names of the walkthroughs that FOLDER/index.html is over.
+std::vector<std::string> names_in_index(const std::filesystem::path& folder);
+
 /// Writes FOLDER/index.html over all pages in that folder, those of earlier runs, too; and where two of them show a
 /// search FOLDER/compare.html, where not removes it. And the programs that pages ask, unless each holds all that it needs. Errors:
 /// render::FileError.

@@ -27,25 +27,46 @@
   const inWords = i => frames[i].words.map(textOf).join(' ');
 
   let steps = [];
+  // What says the same is not laid out anew.
+  function refill(element, what, children) {
+    const text = JSON.stringify(what);
+    if (element.what !== text) element.replaceChildren(...children());
+    element.what = text;
+  }
+
+  const toldOf = (frame, i) => [
+    make('p', {className: 'where'}, ...marked(where(frame, i))),
+    told('h2', frame.mark ?? '', frame.caption),
+    ...frame.facts.length ? [make('ul', {}, ...frame.facts.map(fact))] : []];
   const makeStep = (frame, i) => make('section', {className: 'step', id: i + 1},
     make('div', {className: 'shot'}, make('img', {loading: 'lazy', alt: inWords(i), src: frame.pictures[0]})),
     make('div', {className: 'text'},
-      make('div', {className: 'told'},
-        make('p', {className: 'where'}, ...marked(where(frame, i))),
-        told('h2', frame.mark ?? '', frame.caption),
-        ...frame.facts.length ? [make('ul', {}, ...frame.facts.map(fact))] : []),
-      ...frame.code.map(code => make('div', {className: 'code'}, make('h3', {}, ...marked(code.title))))));
+      make('div', {className: 'told'}, ...toldOf(frame, i)),
+      ...frame.code.map(() => make('div', {className: 'code'}, make('h3'), make('ol')))));
 
-  function fillCode(box, {listing, current, outcomes}) {
-    if (box.querySelector('ol')) return;
-    box.append(make('ol', {}, ...story.listings[listing].map(([indent, text], i) => {
-      const line = make('li', {}, make('span', {}, ...marked(text)));
+  // While one drags the step that is shown becomes the next one: what is the same of it needs no layout.
+  function becomes(step, frame, i) {
+    step.id = i + 1;
+    refill(step.querySelector('.told'), [where(frame, i), frame.mark, frame.caption, inWords(i)], () => toldOf(frame, i));
+    return step;
+  }
+  const isLike = (step, frame) => step?.querySelectorAll('.code').length === frame.code.length;
+
+  function fillCode(box, {title, listing, current, outcomes}) {
+    const list = box.querySelector('ol'), lines = story.listings[listing];
+    refill(box.querySelector('h3'), title, () => marked(title));
+    refill(list, lines, () => lines.map(([indent, text]) => {
+      const line = make('li', {}, make('span', {}, ...marked(text)), make('b'));
       line.style.setProperty('--indent', indent);
-      const outcome = outcomes[i] ?? '', className = outcome.endsWith('✓') ? 'met' : 'unmet';
-      if (outcome) line.append(make('b', {className, textContent: outcome}));
-      if (i === current) line.setAttribute('aria-current', 'step');
       return line;
-    })));
+    }));
+    [...list.children].forEach((line, i) => {
+      const outcome = outcomes[i] ?? '', sign = line.querySelector('b');
+      refill(sign, outcome, () => [outcome]);
+      sign.className = outcome.endsWith('✓') ? 'met' : 'unmet';
+      if (i === current) line.setAttribute('aria-current', 'step');
+      else line.removeAttribute('aria-current');
+    });
   }
 
   // What few ask for is loaded when somebody does. A page that holds all has it.
@@ -104,8 +125,8 @@
     complete(i);
     stage?.draw();
     tellPicture(inWords(i));
-    $('slider').setAttribute('aria-valuetext', steps[i].querySelector('.where').textContent);
-    keepInSight();
+    set($('slider'), {ariaValueText: steps[i].querySelector('.where').textContent});
+    if (!story.is_brief) keepInSight();  // which asks for a layout
     if (moved) $('live').textContent = said(i);
     quiz.arrive(moved);
     entitle();
@@ -115,15 +136,15 @@
 
   // What is seen, for who does not see it.
   function tellPicture(words) {
-    steps[at].querySelector('img')?.setAttribute('alt', words);
-    $('picture').querySelector('.drawn').setAttribute('aria-label', words);
+    set(steps[at].querySelector('img') ?? {}, {alt: words});
+    set($('picture').querySelector('.drawn'), {ariaLabel: words});
   }
 
   // Titles tell how it ends: not while it is asked.
   function entitle() {
     const untold = quiz.untold();
-    document.title = `${at + 1}/${frames.length} ${untold || title}`;
-    heading.textContent = untold || name;
+    set(document, {title: `${at + 1}/${frames.length} ${untold || title}`});
+    set(heading, {textContent: untold || name});
     for (const told of document.querySelectorAll('.made, #answers')) told.classList.toggle('untold', untold !== '');
   }
 
@@ -143,7 +164,8 @@
   async function predict() {
     try {
       const quizAbout = await loaded('quizAbout', 'quiz.js');
-      quiz = asker ??= quizAbout({steps, entry, story, show: stepping.turnTo, entitle, inWords, tellPicture, place: () => at});
+      quiz = asker ??= quizAbout({steps, entry, story, show: stepping.turnTo, entitle, inWords, tellPicture, place: () => at,
+                                  keeps: !stage?.isChanged()});
       quiz.toggle();
     } catch (error) {
       $('live').textContent = error.message;
@@ -230,9 +252,12 @@
   }
 
   function fillPage() {
-    document.querySelector('main').append($('quiz'), $('score'));  // which a step may hold
-    steps = frames.map((frame, i) => frame && makeStep(frame, i));  // while one drags none but the one that is shown is told
-    $('steps').replaceChildren(...steps.filter(Boolean));
+    const main = document.querySelector('main');
+    for (const box of [$('quiz'), $('score')]) if (box.parentNode !== main) main.append(box);  // which a step may hold
+    const kept = story.is_brief && isLike(steps[at], frames.find(Boolean)) ? steps[at] : null;
+    steps = frames.map((frame, i) => frame && (kept ? becomes(kept, frame, i) : makeStep(frame, i)));
+    if (kept) for (const other of [...$('steps').children]) other === kept || other.remove();
+    else $('steps').replaceChildren(...steps.filter(Boolean));
     if (story.is_brief) return;
     $('steps').style.setProperty('--lines', Math.max(0, ...story.listings.map(lines => lines.length)));
     $('marks').replaceChildren(...frames.length <= 400 ? frames.flatMap(marksOf) : []);
@@ -267,9 +292,10 @@
       fillPage();
       stepping.turnTo(answer.frame, 'stay');
     },
-    async kept(state, isOther) {  // `isOther`: a scene that came from elsewhere, and has a title of its own
-      taken = state ? await packed(state) : '';
-      name = `${title}${state && !isOther ? ', changed' : ''}`;
+    async kept(scene, isOther) {  // `isOther`: a scene that came from elsewhere, and has a title of its own
+      taken = scene ? await packed(scene) : '';
+      name = scene && !isOther ? `Changed: ${title}` : title;
+      document.documentElement.classList.toggle('changed', Boolean(scene));
       entitle();
       history.replaceState(null, '', addressOf(at));
     },

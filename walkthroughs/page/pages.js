@@ -9,6 +9,11 @@ function make(tag, properties, ...children) {
   return element;
 }
 
+// What is the same already is not set: nothing need be laid out for it.
+function set(object, values) {
+  for (const [name, value] of Object.entries(values)) if (object[name] !== value) object[name] = value;
+}
+
 // Text with the markup of render/font.hpp: "_x" and "_{xyz}" are subscripts, "\_" is an underscore.
 function marked(text) {
   const parts = [];
@@ -34,9 +39,8 @@ function stepper({count, show, reading, holds = () => false, back}) {
   let at = 0, timer = 0;
   function turnTo(i, how) {
     at = Math.max(0, Math.min(count() - 1, i));
-    $('slider').max = count();
-    $('slider').value = at + 1;
-    $('place').textContent = `${at + 1} / ${count()}`;
+    set($('slider'), {max: `${count()}`, value: `${at + 1}`});
+    set($('place'), {textContent: `${at + 1} / ${count()}`});
     $('first').disabled = $('back').disabled = at === 0;
     $('next').disabled = $('last').disabled = at === count() - 1;
     show(at, how);

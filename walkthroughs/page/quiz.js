@@ -1,6 +1,7 @@
 'use strict';
 // Asks before each decision what will be found.
-function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, place}) {
+// `keeps`: whether answers outlive the page; those about a changed scene do not.
+function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, place, keeps}) {
   const textOf = place => story.texts[place];
   const questions = story.questions.map(question => (
     {...question, text: textOf(question.text), choices: question.choices.map(choice => choice.map(textOf))}));
@@ -13,7 +14,7 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
   const nothing = () => questions.map(() => null);
   const now = () => steps[place()], isAtEnd = () => place() === steps.length - 1;
   // The store of the browser, where it has one and allows it; else answers live as long as the page.
-  const store = act => { try { return act(localStorage); } catch { return null; } };
+  const store = act => { try { return keeps ? act(localStorage) : null; } catch { return null; } };
   const kept = store(shop => JSON.parse(shop.getItem(shelf)));
   let answers = Array.isArray(kept) && kept.length === questions.length ? kept : nothing();
   let predicting = false, asked = null, isTold = false;

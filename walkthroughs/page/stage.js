@@ -5,8 +5,8 @@
 // is told, say(text) aloud, looks() what the program is to be told of text and theme}.
 function stageOf({ask, asked}, told, host) {
   const stage = $('stage'), isInSpace = () => told.in_space, still = {turn: 0, rise: 0, zoom: 1};
-  let view = {...still}, state = {scene: told.scene, mistake: told.mistake}, past = [], future = [], shown = null;
-  const original = state, ownFile = host.file;
+  let view = {...still}, scene = told.scene, past = [], future = [], shown = null;
+  const original = scene, ownFile = host.file;
   // Keys in any order say the same.
   const sorted = value => Array.isArray(value) || !value || typeof value !== 'object' ? value
     : Object.fromEntries(Object.keys(value).sort().map(key => [key, sorted(value[key])]));
@@ -25,7 +25,7 @@ function stageOf({ask, asked}, told, host) {
   const drawn = i => ask({draw: {frame: i, height, ...view, ...host.looks(), ...narrow.matches ? {text: 1.5} : {}}});
   function draw() {
     shown = drawn(host.frame());
-    const fitting = heightFor(shown);
+    const fitting = drag ? height : heightFor(shown);  // which asks for a layout
     if (Math.abs(fitting - height) > 8) {
       height = fitting;
       shown = drawn(host.frame());
@@ -47,16 +47,14 @@ function stageOf({ask, asked}, told, host) {
     const focused = document.activeElement?.closest?.('.grip')?.dataset.name;
     const handles = box.querySelector('.grips'), old = new Map([...handles.children].map(each => [each.dataset.name, each]));
     for (const grip of grips) {
-      const handle = old.get(grip.name) ?? make('button', {type: 'button', className: 'grip'});
+      const handle = old.get(grip.name) ?? handles.appendChild(make('button', {type: 'button', className: 'grip'}));
       old.delete(grip.name);
-      handle.dataset.name = grip.name;
+      handle.dataset.name ??= grip.name;
       handle.classList.toggle('whole', grip.paths.length > 1 || !grip.name.includes('.'));
-      handle.setAttribute('aria-label', `${grip.says}: ${valueOf(grip)}`);
-      handle.title = grip.says;
-      handle.style.left = `${100 * grip.at[0] / width}%`;
-      handle.style.top = `${100 * grip.at[1] / height}%`;
-      handle.grip = grip;
-      if (!handle.parentNode) handles.append(handle);
+      set(handle, {ariaLabel: `${grip.says}: ${valueOf(grip)}`, title: grip.says});
+      const [left, top] = [grip.at[0] / width, grip.at[1] / height].map(share => `${100 * share}%`);
+      if (handle.place !== left + top) Object.assign(handle.style, {left, top});
+      Object.assign(handle, {grip, place: left + top});
     }
     for (const handle of old.values()) handle.remove();
     if (focused) handles.querySelector(`[data-name="${CSS.escape(focused)}"]`)?.focus({preventScroll: true});
@@ -64,10 +62,10 @@ function stageOf({ask, asked}, told, host) {
 
   // -- Values of the scene, at paths ----------------------------------------------------------------------------------
 
-  const numbers = () => state.scene.dimension;
+  const numbers = () => scene.dimension;
   const at = (scene, path) => path.reduce((value, key) => value?.[key], scene) ?? Array(numbers()).fill(0);
   const words = values => `(${values.map(x => Number(x.toPrecision(6))).join(', ')})`;
-  const valueOf = grip => grip.paths.length === 1 ? words(at(state.scene, grip.paths[0])) : `${grip.paths.length} points`;
+  const valueOf = grip => grip.paths.length === 1 ? words(at(scene, grip.paths[0])) : `${grip.paths.length} points`;
 
   function put(scene, path, value) {
     let place = scene;
@@ -82,9 +80,22 @@ function stageOf({ask, asked}, told, host) {
   }
   const rounded = (x, step) => Number((Math.round(x / step) * step).toPrecision(12));
 
+  // A direction of the same length, turned so many degrees about the line of sight, in space toward where the arrow points.
+  function turned(from, grip, [x, y], degrees) {
+    const v = grip.value, length = Math.hypot(...v), unit = u => u.map(each => each / Math.hypot(...u));
+    const [right, up] = [unit(grip.right), unit(grip.up)], dot = (p, q) => p.reduce((sum, each, i) => sum + each * q[i], 0);
+    const toward = right.map((_, i) => right[(i + 1) % 3] * up[(i + 2) % 3] - right[(i + 2) % 3] * up[(i + 1) % 3]);
+    const [first, second] = isInSpace() ? [toward, x ? right : up] : [right, up];
+    const angle = Math.atan2(dot(v, second), dot(v, first)) + (isInSpace() ? x || -y : -x || -y) * degrees * Math.PI / 180;
+    const within = Math.hypot(dot(v, first), dot(v, second)), rest = v.map((each, i) => each - dot(v, first) * first[i] - dot(v, second) * second[i]);
+    const next = structuredClone(from), value = rest.map((each, i) => each + within * (Math.cos(angle) * first[i] + Math.sin(angle) * second[i]));
+    put(next, grip.paths[0], value.slice(0, numbers()).map(each => rounded(each, length / 1e4)));
+    return next;
+  }
+
   // Where a grip leads that is moved by page units from where `from` has it. What moves as a whole keeps its shape.
   function moved(from, grip, x, y, snaps) {
-    const scene = structuredClone(from), step = stepOf(grip, snaps ? 8 : 0.02);
+    const next = structuredClone(from), step = stepOf(grip, snaps ? 8 : 0.02);
     const by = grip.right.map((right, i) => right * x - grip.up[i] * y);
     const isWhole = grip.paths.length > 1;
     for (const path of grip.paths) {
@@ -92,9 +103,9 @@ function stageOf({ask, asked}, told, host) {
       const value = start.map((old, i) => isWhole ? Number((old + rounded(by[i], step)).toPrecision(12))
         : by[i] || grip.value ? rounded(old + by[i], step) : old);
       if (grip.value && value.every(each => each === 0)) return from;  // a direction leads somewhere
-      put(scene, path, value);
+      put(next, path, value);
     }
-    return scene;
+    return next;
   }
 
   // -- From one scene to another --------------------------------------------------------------------------------------
@@ -104,10 +115,12 @@ function stageOf({ask, asked}, told, host) {
     told = next;
     $('answers').hidden = !answers;
     if (!answers) return;
-    const {whose, search, truth, is_wrong: isWrong} = answers;
+    const {whose, mistake, parting, search, truth, is_wrong: isWrong} = answers;
+    if (isSame(before, answers) && $('answers').hasChildNodes()) return;  // so that it is not said again
     $('answers').replaceChildren(`${whose}: `, make('b', {textContent: search}),
       ...truth ? [' · Proven: ', make('b', {textContent: truth})] : [],
-      ...isWrong ? [make('strong', {className: 'no', textContent: ' the search is wrong'})] : []);
+      ...isWrong ? [make('strong', {className: 'no', textContent: ' the search is wrong'})] : [],
+      ...mistake ? [make('span', {className: 'small', textContent: `The mistake: ${mistake}; ${parting}`})] : []);
     if (before?.search === search && before?.truth === truth) return;
     $('answers').classList.remove('turned');
     void $('answers').offsetWidth;  // so that it is seen again
@@ -116,13 +129,13 @@ function stageOf({ask, asked}, told, host) {
 
   // `like`: the frame whose like is to be shown.
   const requestFor = (next, like, isBrief = false) => ({tell: {
-    scene: JSON.stringify(next.scene), file: host.file, like, brief: isBrief, ...next.mistake ? {mistake: next.mistake} : {}}});
+    scene: JSON.stringify(next), file: host.file, like, brief: isBrief}});
 
   // Shows what the program has told of a scene. Returns: whether it was one.
   function show(answer, next) {
     complain(answer.error?.text ?? '');
     if (answer.error) return false;
-    state = {scene: answer.scene ?? next.scene, mistake: next.mistake};  // as the program says it, with what is usual left out
+    scene = answer.scene ?? next;  // as the program says it, with what is usual left out
     showAnswers(answer);
     if (!answer.story.is_brief) fillSwitches();
     host.changed(answer);
@@ -130,40 +143,54 @@ function stageOf({ask, asked}, told, host) {
   }
   const complain = text => { $('complaint').textContent = text; $('complaint').hidden = !text; };
 
-  // A change that can be undone.
-  async function change(next, like = host.frame()) {
-    const before = state;
-    if (isSame(next, state) || !show(await asked(requestFor(next, like)), next)) return;
+  // A change that can be undone. Returns: whether it is one, and could be told.
+  async function change(next) {
+    const before = scene;
+    if (isSame(next, scene) || !show(await asked(requestFor(next, host.frame())), next)) return false;
     past.push(before);
     future = [];
     kept();
+    return true;
   }
   function kept() {
     $('undo').disabled = !past.length;
     $('redo').disabled = !future.length;
-    $('reset').disabled = !isChanged();
-    $('copy-command').disabled = isChanged() && Boolean(state.mistake);  // scene files know nothing of mistakes
-    $('taking').hidden = !state.scene;
-    host.kept(isChanged() ? state : null, host.file !== ownFile);
+    offerReset();
+    $('taking').hidden = !scene;
+    host.kept(isChanged() ? scene : null, host.file !== ownFile);
   }
-  async function back(from, to) {
+  const offerReset = () => { $('reset').disabled = !isChanged() && isSame(view, still); };
+  async function back(from, to, word) {
     if (!from.length) return;
-    const before = state, next = from.pop();
+    const before = scene, next = from.pop();
     if (show(await asked(requestFor(next, host.frame())), next)) to.push(before);
     kept();
+    announce(word);
   }
-  const undo = () => back(past, future), redo = () => back(future, past);
+  const undo = () => back(past, future, 'undone'), redo = () => back(future, past, 'redone');
+  // For who does not see it.
+  const announce = what => host.say(`${what}. ${$('answers').matches('.untold') ? '' : $('answers').textContent}`);
 
   // -- Dragging -------------------------------------------------------------------------------------------------------
 
   let drag = null, wanted = 0;
   const unitsOf = box => box.style.getPropertyValue('--units') / box.clientWidth;
 
+  // Grips may lie over each other: the one that was meant is the nearest.
+  function nearestGrip(box, {clientX, clientY, target}) {
+    if (!target.closest('.grip')) return null;
+    const distance = handle => {
+      const {left, top, width, height} = handle.getBoundingClientRect();
+      return Math.hypot(left + width / 2 - clientX, top + height / 2 - clientY);
+    };
+    return [...box.querySelectorAll('.grip')].reduce((one, other) => distance(other) < distance(one) ? other : one);
+  }
+
   stage.addEventListener('pointerdown', event => {
-    const box = event.target.closest('.box'), handle = event.target.closest('.grip');
+    const box = event.target.closest('.box'), handle = box && nearestGrip(box, event);
     if (!box || event.button !== 0 || drag) return;
     drag = {x: event.clientX, y: event.clientY, box, units: unitsOf(box), view: {...view}, like: host.frame(),
-            before: state, grip: handle?.grip, moves: false};
+            before: scene, grip: handle?.grip, moves: false};
     if (handle) {
       host.pause();
       handle.focus({preventScroll: true});
@@ -184,35 +211,43 @@ function stageOf({ask, asked}, told, host) {
     const x = (within(drag.toX, box.left, box.right) - drag.x) * drag.units;
     const y = (within(drag.toY, box.top, box.bottom) - drag.y) * drag.units;
     if (drag.grip) {
-      const next = {...state, scene: moved(drag.before.scene, drag.grip, x, y, $('snap').checked !== drag.free)};
-      if (!isSame(next, state)) drag.moves = show(ask(requestFor(next, drag.like, true)), next) || drag.moves;
+      const next = moved(drag.before, drag.grip, x, y, $('snap').checked !== drag.free);
+      if (!isSame(next, scene)) drag.moves = show(ask(requestFor(next, drag.like, true)), next) || drag.moves;
     } else if (isInSpace()) {
-      view = {...drag.view, turn: drag.view.turn - x / 3, rise: Math.max(-80, Math.min(80, drag.view.rise + y / 3))};
-      draw();
+      lookFrom({turn: drag.view.turn - x / 3, rise: Math.max(-80, Math.min(80, drag.view.rise + y / 3))});
     }
   }
-  function letGo() {
+  function letGo(isMeant = true) {
     if (!drag) return;
-    if (wanted) cancelAnimationFrame(wanted), follow();
+    cancelAnimationFrame(wanted);
+    if (wanted && isMeant) follow();
+    wanted = 0;
     const {grip, moves, before} = drag;
     drag = null;
     if (!grip) return;
     ask({hold: false});
     if (!moves) return;
-    show(ask(requestFor(state, host.frame())), state);
+    const next = isMeant ? scene : before;
+    show(ask(requestFor(next, host.frame())), next);
+    if (!isMeant) return kept();
     past.push(before);
     future = [];
     kept();
     document.activeElement?.blur?.();  // so that arrow keys step again
   }
-  for (const end of ['pointerup', 'pointercancel']) stage.addEventListener(end, letGo);
+  for (const end of ['pointerup', 'pointercancel']) stage.addEventListener(end, () => letGo());
   stage.addEventListener('wheel', event => {
-    if (!isInSpace() && !event.ctrlKey) return;
+    if (!event.target.closest('.box') || (!isInSpace() && !event.ctrlKey)) return;
     event.preventDefault();
     zoomBy(Math.exp(-event.deltaY / 500));
   }, {passive: false});
-  const zoomBy = factor => { view.zoom = Math.max(0.25, Math.min(20, view.zoom * factor)); draw(); };
-  const turnBy = degrees => { view.turn += degrees; draw(); };
+  function lookFrom(way) {
+    view = {...view, ...way};
+    draw();
+    offerReset();
+  }
+  const zoomBy = factor => lookFrom({zoom: Math.max(0.25, Math.min(20, view.zoom * factor))});
+  const turnBy = degrees => lookFrom({turn: view.turn + degrees});
 
   // Two fingers.
   let apart = 0;
@@ -242,13 +277,21 @@ function stageOf({ask, asked}, told, host) {
   });
   async function moveBy(grip, way, {altKey, shiftKey}) {
     const snaps = $('snap').checked !== altKey, step = stepOf(grip, snaps ? 8 : 0.5) / Math.hypot(...grip.right);
-    const [x, y] = way.map(each => each * step * (shiftKey ? 10 : 1)), {search} = told.answers;
-    await change({...state, scene: moved(state.scene, grip, x, y, snaps)});
-    const now = shown.grips.concat(shown.objects?.grips ?? []).find(each => each.name === grip.name);
-    const turned = told.answers.search === search ? '' : `. ${told.answers.whose} now says: ${told.answers.search}`;
-    if (now) host.say(`${now.says}: ${valueOf(now)}${turned}`);
+    const times = shiftKey ? 10 : 1, [x, y] = way.map(each => each * step * times), {search} = told.answers;
+    await change(grip.value ? turned(scene, grip, way, (snaps ? 5 : 0.5) * times) : moved(scene, grip, x, y, snaps));
+    const now = gripCalled(grip.name);
+    const turns = told.answers.search === search ? '' : `. ${told.answers.whose} now says: ${told.answers.search}`;
+    if (now) host.say(`${now.says}: ${valueOf(now)}${turns}`);
   }
+  const gripCalled = name => shown.grips.concat(shown.objects?.grips ?? []).find(each => each.name === name);
+  // Escape: as it was before the drag; closes what is open.
   document.addEventListener('keydown', event => {
+    if (event.key === 'Escape') {
+      const open = $('taking').querySelector('details[open]');
+      if (drag) letGo(false);
+      else if (open) open.open = false, open.querySelector('summary').focus();
+      return;
+    }
     if (!(event.ctrlKey || event.metaKey) || event.target.closest('input, select, textarea')) return;
     const key = event.key.toLowerCase();
     if (key !== 'z' && key !== 'y') return;
@@ -267,32 +310,39 @@ function stageOf({ask, asked}, told, host) {
     handle.classList.add('selected');
     $('add').disabled = $('remove').disabled = !cornerOf(handle.grip);
   });
-  function editCorners(grip, edit) {
+  // `edit`: returns the place of the corner that one then has hold of.
+  async function editCorners(grip, what, edit) {
     const path = cornerOf(grip);
     if (!path) return;
-    const scene = structuredClone(state.scene);
-    edit(at(scene, path.slice(0, -1)), path.at(-1));
-    change({...state, scene});
+    const next = structuredClone(scene), points = at(next, path.slice(0, -1)), place = edit(points, path.at(-1));
+    if (!await change(next)) return;
+    const name = grip.name.replace(/\[\d+\]$/, `[${Math.min(place, points.length - 1)}]`), now = gripCalled(name);
+    stage.querySelector(`.grip[data-name="${CSS.escape(name)}"]`)?.focus({preventScroll: true});
+    announce(`${what}${now ? `, now at ${now.says}: ${valueOf(now)}` : ''}`);
   }
-  const addCorner = grip => editCorners(grip, (points, i) => {
+  const addCorner = grip => editCorners(grip, 'corner added', (points, i) => {
     const step = 5 * stepOf(grip, 8), by = grip.right.map((right, k) => (right + grip.up[k]) / Math.hypot(...grip.right) * step);
     points.splice(i + 1, 0, points[i].map((x, k) => rounded(x + by[k], step / 5)));
+    return i + 1;
   });
-  const removeCorner = grip => editCorners(grip, (points, i) => { if (points.length > 1) points.splice(i, 1); });
+  const removeCorner = grip => editCorners(grip, 'corner removed', (points, i) => {
+    if (points.length > 1) points.splice(i, 1);
+    return i;
+  });
 
   // -- Switches -------------------------------------------------------------------------------------------------------
 
   function fillSwitches() {
     $('switches').hidden = !told.switches?.length;
     const old = new Map([...$('switches').children].map(each => [each.dataset.key, each]));
-    for (const {key, label, chosen, choices} of told.switches ?? []) {
+    for (const [place, {key, label, chosen, choices}] of (told.switches ?? []).entries()) {
       let row = old.get(key);
       if (!row) {
         row = make('label', {}, `${label} `, make('select', {ariaLabel: label}));
         row.dataset.key = key;
         row.querySelector('select').addEventListener('change', event => choose(key, event.target));
-        $('switches').append(row);
       }
+      if ($('switches').children[place] !== row) $('switches').insertBefore(row, $('switches').children[place]);
       const select = row.querySelector('select');
       select.replaceChildren(...choices.map(({text, value}) => Object.assign(make('option', {textContent: text}), {json: value})));
       select.selectedIndex = chosen;
@@ -301,11 +351,10 @@ function stageOf({ask, asked}, told, host) {
     for (const row of old.values()) row.remove();
   }
   async function choose(key, select) {
-    const value = select.selectedOptions[0].json, next = structuredClone(state);
-    if (key === 'mistake') next.mistake = value;
-    else next.scene[key] = value;
-    await change(next);
-    fillSwitches();  // also where it was refused
+    const {json, textContent} = select.selectedOptions[0], next = {...scene, [key]: json};
+    if (json === null) delete next[key];
+    if (await change(next)) announce(`${select.ariaLabel}: ${textContent}`);
+    else fillSwitches();  // as they were
   }
 
   // -- Taking along ---------------------------------------------------------------------------------------------------
@@ -329,25 +378,29 @@ function stageOf({ask, asked}, told, host) {
     canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height);
     canvas.toBlob(blob => save(`${fileName()}-${host.frame() + 1}.png`, blob, 'image/png'));
   }
-  const isChanged = () => !isSame(state, original);
+  const isChanged = () => !isSame(scene, original);
   const command = () => `gjkstep render ${isChanged() ? `${fileName()}.json` : host.known} --frames ${host.frame() + 1}`;
   async function copy(text, what) {
     try {
       await navigator.clipboard.writeText(text);
-      host.say(`${what} copied`);
-      $('copied').textContent = `${what} copied`;
+      $('copied').textContent = `${what} copied: ${text.length > 90 ? `${text.slice(0, 90)}…` : text}`;
     } catch {
       $('copied').textContent = text;
     }
   }
-  const address = async () => `${location.href.split('#')[0]}#scene=${await packed(state)}&step=${host.frame() + 1}`;
+  const needs = () => isChanged() ? `, which draws ${fileName()}.json, the scene file above,` : '';
+  const address = async () => `${location.href.split('#')[0]}#scene=${await packed(scene)}&step=${host.frame() + 1}`;
   const acts = {
     undo, redo, add: () => addCorner(selected()), remove: () => removeCorner(selected()),
-    reset() { view = {...still}; change(original); draw(); },
-    'save-scene': () => save(`${fileName()}.json`, `${JSON.stringify(state.scene, null, 1)}\n`, 'application/json'),
+    async reset() {
+      await change(original);
+      lookFrom(still);
+      announce('as it was');
+    },
+    'save-scene': () => save(`${fileName()}.json`, `${JSON.stringify(scene, null, 1)}\n`, 'application/json'),
     'save-svg': () => save(`${fileName()}-${host.frame() + 1}.svg`, standalone(), 'image/svg+xml'),
     'save-png': savePng,
-    'copy-command': () => copy(command(), 'Command'),
+    'copy-command': () => copy(command(), `Command${needs()}`),
     'copy-link': async () => copy(await address(), 'Link'),
     'copy-frame': async () => copy(`<iframe src="${await address()}" width="1000" height="600" title="${host.name}"></iframe>`, 'Frame'),
   };
@@ -361,17 +414,21 @@ function stageOf({ask, asked}, told, host) {
     const text = await file.text(), isTrace = text.startsWith('{"schema":"gjkstep-trace"');
     const answer = await asked({tell: isTrace ? {trace: text} : {scene: text, file: file.name}});
     if (answer.error) return complain(`${file.name}:${answer.error.line}: ${answer.error.text}`);
-    if (state.scene) past.push(state);
+    if (scene) past.push(scene);
     future = [];
     host.name = file.name.replace(/\.[^.]*$/, '');
     host.file = file.name;
     view = {...still};
-    show(answer, answer);
+    show(answer, answer.scene);
     kept();
+    announce(`${file.name} opened`);
   }
   addEventListener('dragover', event => { if (event.dataTransfer.types.includes('Files')) event.preventDefault(); });
   addEventListener('drop', event => { event.preventDefault(); take(event.dataTransfer.files[0]); });
-  $('open-file').addEventListener('change', event => take(event.target.files[0]));
+  $('open-file').addEventListener('change', ({target}) => {
+    take(target.files[0]);
+    target.value = '';  // so that the same file may be chosen again
+  });
 
   addEventListener('resize', draw);
   stage.hidden = false;
@@ -383,7 +440,8 @@ function stageOf({ask, asked}, told, host) {
   return {draw, turnBy, isInSpace, isChanged, complain, restore: next => change(next ?? original), drawn: i => elementOf(ask({draw: {frame: i, height, ...view, theme: 'report', text: host.looks().text}}).picture)};
 }
 
-const elementOf = svg => document.adoptNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement);
+// As HTML, which browsers parse faster than XML.
+const elementOf = svg => document.adoptNode(new DOMParser().parseFromString(svg, 'text/html').body.firstElementChild);
 
 // -- A scene in an address: JSON, deflated, in letters that addresses may have ------------------------------------------
 

@@ -105,12 +105,15 @@ double score(const std::vector<Decision>& decisions, const render::Camera& camer
   return sum / static_cast<double>(decisions.size()) + least;
 }
 
-/// Returns: the cameras from among which one is chosen.
-std::vector<render::Camera> cameras() {
-  std::vector<render::Camera> all;
-  for (double azimuth = 0; azimuth < 360; azimuth += azimuth_step)
-    for (const double elevation : elevations) all.emplace_back(azimuth - 52.5, elevation);
-  return all;
+/// Returns: the cameras from among which one is chosen, made once: sines take longer than what is seen by them.
+const std::vector<render::Camera>& cameras() {
+  static const std::vector<render::Camera> cameras = [] {
+    std::vector<render::Camera> all;
+    for (double azimuth = 0; azimuth < 360; azimuth += azimuth_step)
+      for (const double elevation : elevations) all.emplace_back(azimuth - 52.5, elevation);
+    return all;
+  }();
+  return cameras;
 }
 
 }  // namespace
@@ -128,7 +131,7 @@ render::Camera choose_camera(const Trace& trace) {
                 [](const Decision& each) { return !std::isfinite(extent(each.points)) || extent(each.points) == 0; });
   if (decisions.empty()) return {-60, 20};
   const std::vector<Point> moves = moves_of(trace);
-  const std::vector<render::Camera> all = cameras();
+  const std::vector<render::Camera>& all = cameras();
   std::vector<double> scores;
   for (const render::Camera& camera : all) scores.push_back(score(decisions, camera) + shortest(moves, camera));
   return all[static_cast<std::size_t>(std::ranges::max_element(scores) - scores.begin())];

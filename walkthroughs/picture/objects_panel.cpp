@@ -82,11 +82,14 @@ void add_grips(render::Canvas& canvas, const Pencil& pencil, double scale, const
              object.pose.rotation.transpose());
 }
 
-/// The tip of the first direction, as long as it is drawn.
+/// The tip of the first direction, as long as it is drawn; where that is out of sight, a point before it.
 void add_grip_of_direction(render::Canvas& canvas, const Pencil& pencil, double scale, const Point& from,
                            const Point& d) {
-  const Point arrow = d.stableNormalized() * pencil.length(pencil.style().arrow_length);
-  add_grip(canvas, pencil, scale, "first_direction", from + arrow, Eigen::Matrix3d::Identity(), arrow / scale);
+  const Point whole = d.stableNormalized() * pencil.length(pencil.style().arrow_length);
+  for (const Point& arrow : {whole, Point(0.6 * whole), Point(0.3 * whole)})
+    if (pencil.holds(from + arrow))
+      return add_grip(canvas, pencil, scale, "first_direction", from + arrow, Eigen::Matrix3d::Identity(),
+                      arrow / scale);
 }
 
 Point middle_of_object(const Object& object, const Body& body) {

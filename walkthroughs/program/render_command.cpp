@@ -20,6 +20,7 @@
 #include "walkthroughs/output/pages.hpp"
 #include "walkthroughs/output/paper_sheet.hpp"
 #include "walkthroughs/output/sheet.hpp"
+#include "walkthroughs/output/zip_file.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
@@ -61,6 +62,7 @@ struct RenderCommand {
   std::optional<double> text_scale;  ///< of the theme, if nothing else is said
   std::optional<std::string> movie;
   std::optional<std::string> captions;
+  std::optional<std::string> zip;
 };
 
 /// A walkthrough that the words of a command choose.
@@ -140,7 +142,7 @@ class Rendering {
     make_sinks();
     const Places places = all_places();
     places.expect_apart();
-    places.expect_no_loss(others(), command_.captions ? "--out and --captions" : "--out");
+    places.expect_no_loss(others(), options_that_write());
     expect_writable();
     Studio studio{chosen_backend(command_.gl)};
     try {
@@ -160,6 +162,10 @@ class Rendering {
     if (command_.captions) write(*command_.captions, captions_json(frames_), "captions and descriptions of the frames");
     if (command_.movie) print_movies();
     if (has_pages()) write_index(folder_, has_files_beside());
+    if (command_.zip) {
+      write_zip(*command_.zip, folder_, files_to_pack());
+      std::cout << printable(*command_.zip) << "  all of this, packed\n";
+    }
     places.tidy_manifests();
     if (has_pages()) std::cout << "open " << printable((folder_ / page_file).string()) << '\n';
   }
@@ -179,6 +185,9 @@ class Rendering {
     return Style(theme);
   }
 
+  std::string options_that_write() const {
+    return std::string("--out") + (command_.captions ? " and --captions" : "") + (command_.zip ? " and --zip" : "");
+  }
   Others others() const { return command_.force ? Others::overwritten : Others::kept; }
   bool has_svg() const { return command_.format == "svg"; }
   bool has_pages() const { return !command_.page.empty(); }
@@ -205,6 +214,7 @@ class Rendering {
     expect_named("--out", command_.out, "a folder to write to, for example --out pictures");
     if (command_.captions)
       expect_named("--captions", *command_.captions, "a file to write, for example --captions captions.json");
+    if (command_.zip) expect_named("--zip", *command_.zip, "a file to write, for example --zip pages.zip");
     const Look look{.style = style_of(command_.text_scale),
                     .text = command_.no_captions ? Text::none : Text::around,
                     .values = !command_.no_values};
@@ -259,6 +269,22 @@ class Rendering {
     return files;
   }
 
+  /// Returns: what this run has written below its folder, and all that the index leads to, in the order of their names.
+  std::vector<std::filesystem::path> files_to_pack() const {
+    std::set<std::string> folders;
+    for (const Chosen& each : chosen_) folders.insert(each.walkthrough.name);
+    std::set<std::filesystem::path> files;
+    if (has_pages()) {
+      for (const std::string& name : names_in_index(folder_)) folders.insert(name);
+      for (const std::filesystem::path& file : our_files(folder_)) files.insert(file);
+    }
+    for (const std::string& name : folders)
+      for (const std::filesystem::path& file : our_files(folder_ / name)) files.insert(file);
+    std::error_code not_there_yet;
+    std::erase_if(files, [&](const auto& file) { return std::filesystem::equivalent(file, *command_.zip, not_there_yet); });
+    return {files.begin(), files.end()};
+  }
+
   Places all_places() const {
     Places places;
     for (const std::string& name : command_.names)
@@ -273,6 +299,7 @@ class Rendering {
     }
     if (command_.rendered_by) places.write(folder_ / render::rendered_by_file, "what --rendered-by notes");
     if (command_.captions) places.write(*command_.captions, "what --captions writes");
+    if (command_.zip) places.write(*command_.zip, "what --zip writes");
     if (has_pages())
       for (const std::string& name : index_file_names(has_files_beside()))
         places.write(folder_ / name, "what all walkthroughs have in common");
@@ -287,6 +314,7 @@ class Rendering {
       for (const Chosen& each : chosen_) render::make_folder(folder_ / each.walkthrough.name, elsewhere);
       render::expect_writable(*command_.captions);
     }
+    if (command_.zip) render::expect_writable(*command_.zip);
     if (!has_pages()) return;
     render::make_folder(folder_, elsewhere);
     for (const std::string& name : index_file_names(has_files_beside())) render::expect_writable(folder_ / name);
@@ -515,6 +543,9 @@ void add_frames(CLI::App& command, RenderCommand& render) {
 void add_files(CLI::App& command, RenderCommand& render) {
   command.add_option("--captions", render.captions,
                      "JSON file to write: caption, description and events of each frame");
+  command.add_option("--zip", render.zip,
+                     "file to write: the pictures and pages of this run packed into one, to hand out")
+      ->type_name("FILE");
   command.add_flag("--rendered-by", render.rendered_by,
                    "write OUT/rendered-by.json as well: what drew the pictures; 'gjkstep compare' shows it");
   command.add_option("--out", render.out, "folder to write to");

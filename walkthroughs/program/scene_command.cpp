@@ -31,7 +31,7 @@ struct SceneCommand {
     const std::string declared = summary(file);  // before the first word that says it is well
     std::cout << printable(called(*check)) << ": ok: " << declared
               << (is_scene_file(*check) ? "" : ". Before it is drawn, give it a name that ends in .json") << '\n';
-    for (const std::string& warning : warnings_about(file.walkthrough.scenes.front()))
+    for (const std::string& warning : warnings_about(file.walkthrough.scenes.back()))
       std::cout << printable(called(*check)) << ": warning: " << warning << '\n';
     return ok;
   }

@@ -91,6 +91,16 @@ Naming read_letters(const Value& root) {
 /// Pairs may note their answer as their truth.
 bool is_answer(const Value& value) { return std::ranges::count(words_of::all(gjk::Status()), value.text()) > 0; }
 
+std::optional<Mistake> read_mistake(const Value& root, const Scene& scene) {
+  const auto value = root.member("mistake");
+  if (!value) return std::nullopt;
+  const auto mistake = static_cast<Mistake>(choice(*value, words_of::all(Mistake())));
+  if (!may_be_mistaken(scene))
+    value->fail("is made in the report's rules: 'rules' \"as-intended\", the crossing test on, the exact zero test, in double, "
+                "not certified. This scene says otherwise");
+  return mistake;
+}
+
 SceneFile read_root(const Value& root, const std::string& file_name) {
   expect_scene_or_pair(root, "an object { ... } that holds the scene");
   const auto title = root.member(root.member("title") ? "title" : "name");
@@ -118,7 +128,10 @@ SceneFile read_root(const Value& root, const std::string& file_name) {
   file.size = read_size(root);
   file.text_scale = read_text_scale(root);
   file.walkthrough.naming = read_letters(root);
-  if (root.is_good()) file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
+  const std::optional<Mistake> mistake = read_mistake(root, scene);
+  if (!root.is_good()) return file;
+  file.walkthrough.scenes.push_back(in_its_scalar(std::move(scene)));
+  if (mistake) file.walkthrough = beside_mistake(*mistake, std::move(file.walkthrough));
   return file;
 }
 
@@ -167,6 +180,8 @@ std::string example_scene() {
   "scalar": "double",      // "float": all numbers are rounded to floats, and the search computes in floats
   "certified": false,      // true: the answer is proven, and where doubles cannot do that, found anew by a second
                            // search; of objects that are points, without a pose
+  // "mistake": "m14-order-below-triangle",  // the same search with one of 21 mistakes, and where the two part; in the rules
+  //                                        // "as-intended", with all else here as it is by default
   "truth": true,           // where the search answers otherwise than the truth, the last picture says so; false: it does not
 
   // What is shown beside the search. What is left out is not computed. "close-up" magnifies what is around the origin
@@ -181,7 +196,8 @@ std::string example_scene() {
 
 std::string summary(const SceneFile& file) {
   const Walkthrough& walkthrough = file.walkthrough;
-  const Scene& scene = walkthrough.scenes.front();
+  const Scene& scene = walkthrough.scenes.back();
+  const std::optional<Mistake> mistake = walkthrough.scenes.front().mistake;
   const auto object = [&](const Object& o) { return "'" + o.name + "' (" + described(o.form, scene.dimension) + ")"; };
   Panels shown = walkthrough.panels;
   shown.decision = shown.decision && scene.dimension == Dimension::space;
@@ -190,7 +206,8 @@ std::string summary(const SceneFile& file) {
   return "'" + walkthrough.title + "', " + (scene.dimension == Dimension::plane ? "plane" : "space") + ", " +
          object(scene.a) + " and " + object(scene.b) + (scene.scalar == Scalar::binary32 ? ", in float" : "") +
          (scene.zero_test == ZeroTest::relative ? ", relative zero test" : "") +
-         (scene.certified ? ", certified" : "") + ", panels: search" + panels;
+         (scene.certified ? ", certified" : "") +
+         (mistake ? ", mistake " + wrong_on_purpose::number_of(*mistake) : "") + ", panels: search" + panels;
 }
 
 }  // namespace walkthroughs::text

@@ -56,7 +56,7 @@ const Keys& keys_of_scenes_and_pairs() {
   static const Keys keys = [] {
     Keys all{
         "a",         "b",      "title",     "dimension", "first_direction", "iteration_limit", "rules", "crossing_test",
-        "zero_test", "scalar", "certified", "truth",     "panels",          "letters",         "size",  "text_scale"};
+        "zero_test", "scalar", "certified", "mistake", "truth",     "panels",          "letters",         "size",  "text_scale"};
     all.insert(all.end(), notes.begin(), notes.end());
     return all;
   }();

@@ -144,7 +144,8 @@ Json scene_json(const Walkthrough& walkthrough, const Scene& scene) {
   as_read.b = b_as_read(scene);
   Json file{{"title", walkthrough.title}};
   file.update(json(as_read));
-  for (const char* key : {"name", "mistake", "a_as_read", "b_as_read"}) file.erase(key);
+  for (const char* key : {"name", "a_as_read", "b_as_read"}) file.erase(key);
+  if (const std::optional<Mistake> mistake = walkthrough.scenes.front().mistake) file["mistake"] = json(*mistake);
   if (scene.leaves_truth_out) file["truth"] = false;
   if (scene.dimension == Dimension::plane)
     for (const char* key : {"a", "b", "first_direction"}) flatten(file[key]);

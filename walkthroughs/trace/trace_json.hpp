@@ -26,8 +26,8 @@ inline constexpr int trace_version = 3, oldest_trace_version = 2;
 /// Returns: one event as in a trace, but for its scene; keys in their order.
 nlohmann::ordered_json event_json(const gjk::Event<double>& event);
 
-/// Returns: the scene as scene_in() reads it, with the walkthrough's title, panels and letters. Its mistake and its name are left out,
-/// of which scene files know nothing. Requires: in the plane, no object with a pose.
+/// Returns: the scene as scene_in() reads it, with the walkthrough's title, panels, letters and mistake. Its name is left out, of which
+/// scene files know nothing. Requires: in the plane, no object with a pose.
 nlohmann::ordered_json scene_json(const Walkthrough& walkthrough, const Scene& scene);
 
 /// Returns: the line behind the events of a scene that says what is true beside their answer; null where there is nothing to

@@ -177,7 +177,8 @@ class Page(PageInBrowser):
         self.live()
         self.wait(lambda: self.says("b.points[0]") == said)
         self.assertEqual(self.find(".now h2").text, caption)
-        self.assertTrue(self.find("h1").text.endswith(", changed"))
+        self.assertTrue(self.find("h1").text.startswith("Changed: "))
+        self.assertFalse(self.find("#summary").is_displayed())  # which is about what was there
 
     def drop(self, name, text):
         self.js("""

@@ -42,7 +42,7 @@ TEST_CASE("The example reads without complaint, runs, and shows every key", "[sc
   for (const char* key : {"title",           "dimension",     "a",           "b",         "name",    "points",
                           "sphere",          "cylinder",      "sum",         "center",    "axis",    "radius",
                           "height",          "pose",          "translation", "rotation",  "degrees", "first_direction",
-                          "iteration_limit", "crossing_test", "rules",       "zero_test", "scalar",  "certified",
+                          "iteration_limit", "crossing_test", "rules",       "zero_test", "scalar",  "certified", "mistake",
                           "panels",          "size",          "text_scale"})
     CHECK(example_scene().find("\"" + std::string(key) + "\"") != std::string_view::npos);
 }
@@ -223,6 +223,22 @@ TEST_CASE("A scene is read from its file, which errors name", "[scene-file]") {
 }
 
 // -- The corpus of the fuzzer -----------------------------------------------------------------------------------------
+
+TEST_CASE("A mistake stands beside the report's search, and only where that is the usual one") {
+  const auto with = [](const std::string& more) {
+    return R"({"dimension": 2, "a": {"points": [[0, 0], [1, 0]]}, "b": {"points": [[2, 0]]}, "mistake": "m9-abn-inward")" + more + "}";
+  };
+  const SceneFile file = parsed(with(""));
+  REQUIRE(file.walkthrough.scenes.size() == 2);
+  CHECK(file.walkthrough.layout == Layout::until_they_part);
+  CHECK(file.walkthrough.scenes[0].mistake == Mistake::triangle_abn_inward);
+  CHECK(file.walkthrough.scenes[0].name == "M9");
+  CHECK_FALSE(file.walkthrough.scenes[1].mistake);
+  CHECK_THAT(summary(file), kit::contains(", mistake M9, panels"));
+  for (const char* unusual : {R"("rules": "complete")", R"("scalar": "float")", R"("zero_test": "relative")",
+                              R"("crossing_test": "off")", R"("certified": true)"})
+    CHECK_THROWS_WITH(parsed(with(std::string(", ") + unusual)), kit::starts_with("my scene.json:1: mistake: is made in the report's rules"));
+}
 
 TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned away as a InputError", "[scene-file]") {
   int read = 0, turned_away = 0;
