@@ -10,6 +10,7 @@
 #include "render/svg_text.hpp"
 #include "walkthroughs/catalogue/catalogue.hpp"
 #include "walkthroughs/live/changes.hpp"
+#include "walkthroughs/live/trace_reader.hpp"
 #include "walkthroughs/model/words_of.hpp"
 #include "walkthroughs/page/page.hpp"
 #include "walkthroughs/picture/draw.hpp"
@@ -17,7 +18,6 @@
 #include "walkthroughs/story/truth_told.hpp"
 #include "walkthroughs/text/scene_text.hpp"
 #include "walkthroughs/trace/trace_json.hpp"
-#include "walkthroughs/trace/trace_text.hpp"
 
 namespace walkthroughs::live {
 namespace {
@@ -39,13 +39,7 @@ Json error(const Complaint& complaint) {
        {{"line", complaint.line}, {"key", complaint.key}, {"reason", complaint.reason}, {"text", complaint.text()}}}};
 }
 
-#ifdef GJKSTEP_FEW_SEARCHES
-constexpr bool reads_traces = false;
-#else
-constexpr bool reads_traces = true;
-#endif
-
-/// The program that pages load first lacks some searches, and with them the reader of traces, who asks for any.
+/// The program that pages load first lacks some searches, and with them the reader of traces.
 struct Missing {};
 using Asked = std::variant<Walkthrough, TraceFile, Complaint, Missing>;
 
@@ -62,12 +56,9 @@ Asked asked_for(const Json& request) {
     return known ? Asked(*known) : Complaint{1, "name", "there is no walkthrough '" + name + "'"};
   }
   if (request.contains("trace")) {
-    if constexpr (!reads_traces)
-      return Missing();
-    else {
-      Reading<TraceFile> reading = trace_in(request["trace"].get<std::string>());
-      return reading.complaint ? Asked(*reading.complaint) : std::move(reading.value);
-    }
+    std::optional<Reading<TraceFile>> reading = trace_of_page(request["trace"].get<std::string>());
+    if (!reading) return Missing();
+    return reading->complaint ? Asked(*reading->complaint) : std::move(reading->value);
   }
   const std::string text = request["scene"];
   Reading<SceneFile> reading = scene_in(text, request.value("file", "scene.json"));
