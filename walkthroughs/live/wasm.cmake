@@ -85,7 +85,9 @@ foreach(room model wrong_on_purpose story text picture trace catalogue page live
   set(together "")
   foreach(file IN LISTS files)
     cmake_path(GET file STEM stem)
-    if(stem IN_LIST apart OR room MATCHES "/")
+    if(stem STREQUAL "run")  # of all searches: what is asked for seldom
+      add_wasm_object(${name}-run ${file} -Oz)
+    elseif(stem IN_LIST apart OR room MATCHES "/")
       add_wasm_object(${name}-${stem} ${file} ${how})
     else()
       string(APPEND together "#include \"${file}\"\n")

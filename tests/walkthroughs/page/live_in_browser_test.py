@@ -3,7 +3,7 @@
 
     /usr/bin/python3 tests/walkthroughs/page/live_in_browser_test.py build/gjkstep [NAME-OF-A-TEST...]
 """
-import base64, json, pathlib, subprocess
+import base64, json, math, pathlib, subprocess
 
 from in_browser import *
 
@@ -120,12 +120,37 @@ class Page(PageInBrowser):
         self.assertEqual(self.js("return document.activeElement.dataset.name"), "a.points[1]")
         self.assertNotEqual(self.says("a.points[1]"), "corner 2 of triangle a: (1, -2)")
         self.assertTrue(self.find("#live").get_attribute("textContent").startswith("corner 2 of triangle a: ("))
+        focus = lambda: self.js("return document.activeElement.dataset.name")
+        said = lambda: self.find("#live").get_attribute("textContent")
         self.press(Keys.INSERT)
-        self.assertEqual(len(self.all(".grip[data-name^='a.points']")), 4)
-        self.grip("a.points[2]").click()
+        self.wait(lambda: len(self.all(".grip[data-name^='a.points']")) == 4)
+        self.wait(lambda: focus() == "a.points[2]")
+        self.assertIn("corner added, now at corner 3 of triangle a: (", said())
         self.press(Keys.DELETE)
-        self.assertEqual(len(self.all(".grip[data-name^='a.points']")), 3)
+        self.wait(lambda: len(self.all(".grip[data-name^='a.points']")) == 3)
+        self.assertEqual(focus(), "a.points[2]")
         self.assertEqual(self.step(), 1)  # arrows moved the corner, not the page
+        self.find("#undo").click()
+        self.wait(lambda: said() == "undone. The search: together · Proven: together")
+
+    def test_the_first_direction_turns_by_keys(self):
+        direction = lambda: json.loads("[" + self.says("first_direction").split("(")[1].rstrip(")") + "]")
+        self.take()
+        self.js("document.querySelector('.grip[data-name=first_direction]').focus()")
+        before = direction()
+        self.press(Keys.ARROW_UP)
+        x, y = direction()
+        self.assertAlmostEqual(math.degrees(math.atan2(y, x) - math.atan2(before[1], before[0])), 5, delta=0.1)
+
+    def test_escape_ends_a_drag_as_if_it_had_not_been(self):
+        self.take()
+        before = self.says("b.points[0]")
+        self.drag("b.points[0]", 90, 0)
+        self.assertNotEqual(self.says("b.points[0]"), before)
+        self.press(Keys.ESCAPE)
+        self.let_go()
+        self.assertEqual(self.says("b.points[0]"), before)
+        self.assertFalse(self.find("#undo").is_enabled())
 
     # -- Space
 
@@ -141,6 +166,8 @@ class Page(PageInBrowser):
         self.assertNotEqual(picture(), turned)
         self.find("#turn-on").click()
         self.assertEqual(self.step(), 1)
+        self.find("#reset").click()
+        self.wait(lambda: picture() == before)
 
     # -- Switches
 
@@ -155,6 +182,10 @@ class Page(PageInBrowser):
         self.choose("mistake", "M9")
         self.wait(lambda: self.find("#picture .drawn").text.startswith("M9"))
         self.assertTrue(self.find("#objects").is_displayed())
+        self.assertIn("The mistake: AB", self.answers())
+        self.assertRegex(self.answers(), "they part at step [0-9]+|the searches do not part")
+        self.choose("rules", "complete")
+        self.wait(lambda: "mistake: is made in the report's rules" in self.find("#complaint").text)
         self.drag("a.points[0]", -10, 0)
         self.let_go()
         self.assertIn("M9", self.find("#picture .drawn").text)
