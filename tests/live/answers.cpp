@@ -33,6 +33,7 @@ void ask_for_walkthroughs() {
                  {"theme", "dark"},
                  {"text", 1.5},
                  {"height", 700},
+                 {"stacked", count % 2 == 0},
                  {"turn", 40},
                  {"rise", 20},
                  {"zoom", 2}});

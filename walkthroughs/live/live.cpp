@@ -81,10 +81,11 @@ bool is_in_space(const Told& told) {
          std::ranges::any_of(told.story.diagrams, &Diagram::in_space);
 }
 
-/// Where two searches part.
-std::string parting_in_words(const Story& story) {
+/// Where two searches part, or where those with this mistake do.
+std::string parting_in_words(const Story& story, Mistake mistake) {
   const auto there = std::ranges::find(story.frames, Focus::parting, &Frame::focus);
-  if (there == story.frames.end()) return "the searches do not part";
+  if (there == story.frames.end())
+    return "the searches do not part here; they do in mistakes/" + std::string(model::words_of::of(mistake));
   return "they part at step " + std::to_string(there - story.frames.begin() + 1);
 }
 
@@ -95,7 +96,7 @@ Json answers_json(const Told& told) {
   const std::optional<Mistake> mistake = first.scene.mistake;
   Json answers{{"whose", mistake ? "With " + first.scene.name : "The search"},
                {"mistake", mistake ? Json(wrong_on_purpose::description_of(*mistake).meaning) : nullptr},
-               {"parting", mistake ? Json(parting_in_words(told.story)) : nullptr},
+               {"parting", mistake ? Json(parting_in_words(told.story, *mistake)) : nullptr},
                {"search", words_for_answer(shown)},
                {"truth", nullptr},
                {"is_wrong", shown != gjk::Status::undecided && is_otherwise(right.truth, shown)}};
@@ -132,6 +133,7 @@ Look look_in(const Json& request) {
   theme.text = std::clamp(request.value("text", theme.text), render::least_text_scale, render::most_text_scale);
   Look look{.style = Style(theme), .text = Text::none, .grips = true};
   look.height = std::clamp(request.value("height", look.height), least_height, greatest_height);
+  look.stacked = request.value("stacked", false);
   look.turn = request.value("turn", 0.0);
   look.rise = request.value("rise", 0.0);
   look.zoom = request.value("zoom", 1.0);

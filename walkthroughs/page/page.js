@@ -172,12 +172,14 @@
     }
   }
   function offerQuestions() {
+    const wasAsking = $('predict').ariaPressed === 'true';
     quiz.leave();
     quiz = noQuiz;
     asker = null;
     $('predict').setAttribute('aria-pressed', false);
     $('predict').hidden = !story.questions.length;
     $('unasked').hidden = story.questions.length > 0 || !story.unasked;
+    if (wasAsking && story.questions.length) predict();  // of the other story
   }
 
   // -- Views of a picture, the usual one first, all around ------------------------------------------------------------
@@ -320,7 +322,7 @@
   const sceneOf = hash => hash.match(/^#scene=([\w-]+)/)?.[1] ?? null;
   async function restore(scene, step = addressed()) {
     try {
-      stage.restore(scene && await unpacked(scene));
+      await stage.restore(scene && await unpacked(scene));
       stepping.turnTo(step, 'stay');
     } catch {
       stage.complain('The address holds no whole scene: copy the link again.');

@@ -175,8 +175,8 @@ function quizAbout({steps, entry, story, show, entitle, inWords, tellPicture, pl
     if (predicting && isAtEnd()) showScore();
   }
 
-  $('onward').addEventListener('click', onward);
-  $('forget').addEventListener('click', forget);
+  $('onward').onclick = onward;  // not of a story that is shown no more
+  $('forget').onclick = forget;
 
   return {
     leave: close, arrive, holds, answer, toggle,

@@ -15,14 +15,15 @@ function stageOf({ask, asked}, told, host) {
   // -- The picture ----------------------------------------------------------------------------------------------------
 
   // Pictures are as high as there is room for, and on a narrow screen have larger letters.
-  const narrow = matchMedia('(max-width: 899px), (max-height: 560px)');
+  const narrow = matchMedia('(max-width: 899px), (max-height: 560px)'), stacks = matchMedia('(max-width: 640px)');
+  const isStacked = () => stacks.matches && Boolean(told.story.frames.find(Boolean).iterations);  // diagrams are not
   let height = 448;
   function heightFor({width, height: now, objects}) {
     const page = now - height, box = $('fit');  // what is around panels, and where all of it stands
-    const wanted = narrow.matches ? width / (objects ? 2 : 1) : objects ? 0 : width * box.clientHeight / Math.max(1, box.clientWidth);
+    const wanted = isStacked() ? 1.3 * width : narrow.matches ? width / (objects ? 2 : 1) : objects ? 0 : width * box.clientHeight / Math.max(1, box.clientWidth);
     return Math.round(Math.max(400, Math.min(900, (wanted || 448) - page)));
   }
-  const drawn = i => ask({draw: {frame: i, height, ...view, ...host.looks(), ...narrow.matches ? {text: 1.5} : {}}});
+  const drawn = i => ask({draw: {frame: i, height, ...view, ...host.looks(), ...isStacked() ? {stacked: true, text: 1.2} : narrow.matches ? {text: 1.5} : {}}});
   function draw() {
     shown = drawn(host.frame());
     const fitting = drag ? height : heightFor(shown);  // which asks for a layout
@@ -34,7 +35,7 @@ function stageOf({ask, asked}, told, host) {
     fill($('picture'), shown);
     $('objects').hidden = !objects;
     if (objects) fill($('objects'), objects);
-    const aspect = shown.width / shown.height, isWide = objects && aspect > 2.2;  // then the objects stand below, else beside
+    const aspect = shown.width / shown.height, isWide = Boolean(objects) && aspect > 2.2;  // then the objects stand below, else beside
     $('fit').classList.toggle('column', isWide);
     $('fit').style.setProperty('--total', aspect + (objects && !isWide ? objects.width / objects.height + .02 : 0));
   }
@@ -57,6 +58,7 @@ function stageOf({ask, asked}, told, host) {
       Object.assign(handle, {grip, place: left + top});
     }
     for (const handle of old.values()) handle.remove();
+    if (old.has(focused)) $('slider').focus({preventScroll: true});
     if (focused) handles.querySelector(`[data-name="${CSS.escape(focused)}"]`)?.focus({preventScroll: true});
   }
 
@@ -82,7 +84,7 @@ function stageOf({ask, asked}, told, host) {
 
   // A direction of the same length, turned so many degrees about the line of sight, in space toward where the arrow points.
   function turned(from, grip, [x, y], degrees) {
-    const v = grip.value, length = Math.hypot(...v), unit = u => u.map(each => each / Math.hypot(...u));
+    const own = at(from, grip.paths[0]), v = own.some(Boolean) ? [...own, 0].slice(0, 3) : grip.value, length = Math.hypot(...v), unit = u => u.map(each => each / Math.hypot(...u));
     const [right, up] = [unit(grip.right), unit(grip.up)], dot = (p, q) => p.reduce((sum, each, i) => sum + each * q[i], 0);
     const toward = right.map((_, i) => right[(i + 1) % 3] * up[(i + 2) % 3] - right[(i + 2) % 3] * up[(i + 1) % 3]);
     const [first, second] = isInSpace() ? [toward, x ? right : up] : [right, up];
@@ -119,8 +121,8 @@ function stageOf({ask, asked}, told, host) {
     if (isSame(before, answers) && $('answers').hasChildNodes()) return;  // so that it is not said again
     $('answers').replaceChildren(`${whose}: `, make('b', {textContent: search}),
       ...truth ? [' · Proven: ', make('b', {textContent: truth})] : [],
-      ...isWrong ? [make('strong', {className: 'no', textContent: ' the search is wrong'})] : [],
-      ...mistake ? [make('span', {className: 'small', textContent: `The mistake: ${mistake}; ${parting}`})] : []);
+      ...isWrong ? [' · ', make('strong', {className: 'no', textContent: 'the search is wrong'})] : [],
+      ...mistake ? [make('i', {className: 'unseen', textContent: '. '}), make('span', {className: 'small', textContent: `The mistake: ${mistake}; ${parting}`})] : []);
     if (before?.search === search && before?.truth === truth) return;
     $('answers').classList.remove('turned');
     void $('answers').offsetWidth;  // so that it is seen again
@@ -128,8 +130,8 @@ function stageOf({ask, asked}, told, host) {
   }
 
   // `like`: the frame whose like is to be shown.
-  const requestFor = (next, like, isBrief = false) => ({tell: {
-    scene: JSON.stringify(next), file: host.file, like, brief: isBrief}});
+  const requestFor = (next, like, isBrief = false) => ({tell: next.trace ? {...next, like}
+    : {scene: JSON.stringify(next), file: host.file, like, brief: isBrief}});
 
   // Shows what the program has told of a scene. Returns: whether it was one.
   function show(answer, next) {
@@ -157,6 +159,8 @@ function stageOf({ask, asked}, told, host) {
     $('redo').disabled = !future.length;
     offerReset();
     $('taking').hidden = !scene;
+    for (const id of ['save-scene', 'copy-command']) $(id).disabled = Boolean(scene?.trace);
+    if (document.activeElement?.disabled) $('snap').focus();  // from where Tab goes on
     host.kept(isChanged() ? scene : null, host.file !== ownFile);
   }
   const offerReset = () => { $('reset').disabled = !isChanged() && isSame(view, still); };
@@ -169,7 +173,7 @@ function stageOf({ask, asked}, told, host) {
   }
   const undo = () => back(past, future, 'undone'), redo = () => back(future, past, 'redone');
   // For who does not see it.
-  const announce = what => host.say(`${what}. ${$('answers').matches('.untold') ? '' : $('answers').textContent}`);
+  const announce = what => host.say(`${what}. ${$('answers').matches('.untold, [hidden]') ? '' : $('answers').textContent}`);
 
   // -- Dragging -------------------------------------------------------------------------------------------------------
 
@@ -229,10 +233,12 @@ function stageOf({ask, asked}, told, host) {
     if (!moves) return;
     const next = isMeant ? scene : before;
     show(ask(requestFor(next, host.frame())), next);
-    if (!isMeant) return kept();
+    if (isSame(before, next)) return kept();
     past.push(before);
     future = [];
     kept();
+    const now = gripCalled(grip.name);
+    announce(now ? `${now.says}: ${valueOf(now)}` : 'moved');
     document.activeElement?.blur?.();  // so that arrow keys step again
   }
   for (const end of ['pointerup', 'pointercancel']) stage.addEventListener(end, () => letGo());
@@ -292,7 +298,7 @@ function stageOf({ask, asked}, told, host) {
       else if (open) open.open = false, open.querySelector('summary').focus();
       return;
     }
-    if (!(event.ctrlKey || event.metaKey) || event.target.closest('input, select, textarea')) return;
+    if (!(event.ctrlKey || event.metaKey)) return;
     const key = event.key.toLowerCase();
     if (key !== 'z' && key !== 'y') return;
     event.preventDefault();
@@ -327,6 +333,7 @@ function stageOf({ask, asked}, told, host) {
   });
   const removeCorner = grip => editCorners(grip, 'corner removed', (points, i) => {
     if (points.length > 1) points.splice(i, 1);
+    else host.say('an object has at least one corner');
     return i;
   });
 
@@ -363,6 +370,7 @@ function stageOf({ask, asked}, told, host) {
     const link = make('a', {download: name, href: URL.createObjectURL(new Blob([content], {type}))});
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    $('copied').textContent = `${name} saved`;
   }
   const fileName = () => `${host.name.replace(/[^\w-]+/g, '-')}`;
   function standalone() {
@@ -419,7 +427,7 @@ function stageOf({ask, asked}, told, host) {
     host.name = file.name.replace(/\.[^.]*$/, '');
     host.file = file.name;
     view = {...still};
-    show(answer, answer.scene);
+    show(answer, answer.scene ?? {trace: text});
     kept();
     announce(`${file.name} opened`);
   }
@@ -437,7 +445,9 @@ function stageOf({ask, asked}, told, host) {
   fillSwitches();
   kept();
   window.gjkstep.drawn = i => ask({draw: {frame: i}});  // for tests, and who looks closer
-  return {draw, turnBy, isInSpace, isChanged, complain, restore: next => change(next ?? original), drawn: i => elementOf(ask({draw: {frame: i, height, ...view, theme: 'report', text: host.looks().text}}).picture)};
+  return {draw, turnBy, isInSpace, isChanged, complain, 
+          restore: async next => { if (await change(next ?? original)) announce('the scene of the address'); },
+          drawn: i => elementOf(ask({draw: {frame: i, height, ...view, theme: 'report', text: host.looks().text}}).picture)};
 }
 
 // As HTML, which browsers parse faster than XML.

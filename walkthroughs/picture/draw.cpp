@@ -22,6 +22,7 @@ using render::View;
 
 // The page, in page units.
 constexpr double left_margin = 40, right_margin = 1240, panel_gap = 14;
+constexpr double stacked_right = 600;  // of panels below each other
 constexpr int margin_without_text = 20;
 constexpr double title_top = 18, below_title_line = 24;  // around the line of the title
 constexpr double share_of_space = 0.4, decision_margin = 34;
@@ -93,6 +94,13 @@ void draw_header(Canvas& canvas, const Walkthrough& walkthrough, const Style& st
 
 // -- One scene --------------------------------------------------------------------------------------------------------
 
+/// One above the other.
+std::pair<Box, Box> halves_of(const Interval& rows, double left, double right) {
+  const double middle = (rows.from + rows.to) / 2;
+  return {panel_box(left, right, {rows.from, middle - panel_gap / 2}),
+          panel_box(left, right, {middle + panel_gap / 2, rows.to})};
+}
+
 /// The panels of a search from left to right: objects, difference, algorithm.
 struct Columns {
   std::optional<Box> objects, algorithm;
@@ -100,7 +108,14 @@ struct Columns {
 };
 
 /// `is_decision`: the view in space stands where the objects are in other frames.
-Columns columns(const Panels& panels, const Interval& rows, bool is_decision, const Style& style) {
+Columns columns(const Panels& panels, bool is_decision, const Look& look) {
+  const Interval rows = rows_of_panels(look);
+  const Style& style = look.style;
+  if (look.stacked) {
+    if (!panels.objects && !is_decision) return {{}, {}, panel_box(left_margin, stacked_right, rows)};
+    const auto [above, below] = halves_of(rows, left_margin, stacked_right);
+    return {above, {}, below};
+  }
   double left = left_margin, right = right_margin;
   Columns all;
   if (panels.objects || is_decision) {
@@ -188,7 +203,7 @@ void draw_search(Canvas& canvas, const StagedStory& story, std::size_t index, co
       shows_decision(story) ? decision_views(what.now, what.focus) : std::vector<DecisionView>{};
   const std::optional<NumberLine> line =
       telling.panels.decision ? number_line(what.now, what.focus, what.names) : std::nullopt;
-  const Columns boxes = columns(telling.panels, rows_of_panels(look), !views.empty() || line, look.style);
+  const Columns boxes = columns(telling.panels, !views.empty() || line, look);
   if (line) {
     draw_beside(canvas, *boxes.objects, what);
     draw_number_line(canvas, boxes.difference, *line, what);
@@ -226,8 +241,9 @@ void draw_scene(Canvas& canvas, const StagedStory& story, const Place& place, co
 void draw_pair(Canvas& canvas, const StagedStory& story, std::size_t index, const Look& look) {
   const double middle = (left_margin + right_margin) / 2;
   const Interval rows = rows_of_panels(look);
-  const Box boxes[] = {panel_box(left_margin, middle - panel_gap / 2, rows),
-                       panel_box(middle + panel_gap / 2, right_margin, rows)};
+  const auto [above, below] = halves_of(rows, left_margin, stacked_right);
+  const Box boxes[] = {look.stacked ? above : panel_box(left_margin, middle - panel_gap / 2, rows),
+                       look.stacked ? below : panel_box(middle + panel_gap / 2, right_margin, rows)};
   const SceneOfFrame scenes[] = {{story, index, 0, look}, {story, index, 1, look}};
   const StagedStory& framing = look.framing ? *look.framing : story;
   const auto view = [&](std::size_t s) {
@@ -359,6 +375,8 @@ render::Size page_of_frame(const Look& look) {
 }
 
 Box pictures_of_frame(const Walkthrough& walkthrough, const Look& look) {
+  if (look.stacked && walkthrough.layout != Layout::diagrams)
+    return panel_box(left_margin, stacked_right, rows_of_panels(look)).grown(panel_gap / 2 - 1);
   const bool has_code = walkthrough.layout == Layout::search && walkthrough.panels.algorithm;
   const double right = has_code ? right_margin - algorithm_width(look.style) - panel_gap : right_margin;
   return panel_box(left_margin, right, rows_of_panels(look)).grown(panel_gap / 2 - 1);

@@ -24,9 +24,11 @@ struct Look {
   bool code = true;    ///< whether the pseudo-code is written; without it its place is empty, for who cuts it off
   bool grips = false;  ///< whether the canvas is told what a reader can take hold of
   int height = 448;    ///< of the panels, without text, in page units
-  double turn = 0;     ///< degrees by which the camera of a scene in space is moved around the vertical axis
-  double rise = 0;     ///< and by which it is moved upwards
-  double zoom = 1;     ///< how many times as large scenes are as where they just fit
+  bool stacked =
+      false;  ///< whether the panels of searches stand below each other, without the pseudo-code, as on a narrow screen
+  double turn = 0;  ///< degrees by which the camera of a scene in space is moved around the vertical axis
+  double rise = 0;  ///< and by which it is moved upwards
+  double zoom = 1;  ///< how many times as large scenes are as where they just fit
   /// Whose cameras pictures have, and whose sizes, so that nothing moves but what the reader moves; without them the story's own.
   /// Requires: as many scenes, of as many dimensions.
   const StagedStory *cameras = nullptr, *framing = nullptr;

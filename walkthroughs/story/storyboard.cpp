@@ -381,6 +381,9 @@ std::size_t counterpart(const std::vector<Frame>& known, std::size_t index, cons
     return std::tuple(is_last ? std::numeric_limits<int>::max() : std::ranges::max(frame.iterations()), frame.focus);
   };
   if (known[index].moments.empty() || frames.front().moments.empty()) return std::min(index, frames.size() - 1);
+  if (known[index].focus == Focus::parting)
+    if (const auto parting = std::ranges::find(frames, Focus::parting, &Frame::focus); parting != frames.end())
+      return static_cast<std::size_t>(parting - frames.begin());
   const auto wanted = place(known[index]);
   const auto nth = std::count_if(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(index),
                                  [&](const Frame& frame) { return place(frame) == wanted; });

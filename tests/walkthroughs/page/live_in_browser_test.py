@@ -231,6 +231,46 @@ class Page(PageInBrowser):
         self.drop("trace.jsonl", subprocess.run([program, "trace", "figure-4-right"], capture_output=True, text=True, check=True).stdout)
         self.wait(lambda: not self.find("#complaint").is_displayed())
 
+    def test_a_trace_of_two_searches_is_shown_and_left_again(self):
+        self.take()
+        self.drop("trace.jsonl", subprocess.run([program, "trace", "figure-5"], capture_output=True, text=True, check=True).stdout)
+        heading = lambda: self.find("h1").text
+        self.wait(lambda: heading().startswith("Figure 5"))
+        self.assertNotIn("together", self.find("#live").get_attribute("textContent"))
+        self.assertFalse(self.find("#save-scene").is_enabled())
+        self.find("#undo").click()
+        self.wait(lambda: heading() == "Two triangles to take hold of")
+        self.find("#redo").click()
+        self.wait(lambda: heading().startswith("Figure 5"))
+
+    def test_questions_go_on_after_a_change(self):
+        self.take()
+        self.predict()
+        self.drag("b", 30, 0)
+        self.let_go()
+        self.assertEqual(self.find("#predict").get_attribute("aria-pressed"), "true")
+        self.press(Keys.HOME)
+        self.press(Keys.ARROW_RIGHT)
+        self.find("#choices button").click()
+        while self.find("#onward").text != "Go on":
+            self.find("#onward").click()
+        before = self.step()
+        self.find("#onward").click()
+        self.assertLessEqual(self.step(), before + 1)  # one quiz steps, not one for each story there has been
+
+    def test_a_change_at_the_parting_stays_there(self):
+        self.take(mistake, "#15")
+        self.drag("b.points[2]", 10, 0)
+        self.let_go()
+        self.assertIn("two runs part", self.find(".now h2").text)
+
+    def test_on_a_phone_panels_stand_below_each_other(self):
+        self.cdp("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=True)
+        self.take("live", "#5")
+        box = self.find("#picture").rect
+        self.assertGreater(box["height"], 1.2 * box["width"])
+        self.assertGreater(self.js("return Math.min(...[...document.querySelectorAll('#picture text')].map(t => t.getBoundingClientRect().height))"), 9)
+
     def test_while_a_question_stands_one_may_drag(self):
         self.take()
         self.predict()
