@@ -310,7 +310,7 @@
     const program = await programFrom(i => loaded(names[i], programs[i]));
     const told = await program.asked({tell: live});
     if (told.error) throw Error(told.error.text);
-    stage = stageOf(program, told, host);
+    stage = stageOf(program, told, {...host, live});
     offerTurns();
     show(at, 'stay');
     performance.mark('first picture');

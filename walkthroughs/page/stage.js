@@ -2,11 +2,12 @@
 // A picture that the program draws when it is asked, what can be taken hold of in it, and what came of that: undo, files, links.
 
 // `ask`, `asked`: of running.js. `told`: the answer to its first request. `host`: {frame() that is shown, changed(told) when another story
-// is told, say(text) aloud, looks() what the program is to be told of text and theme}.
+// is told, say(text) aloud, looks() what the program is to be told of text and theme, live: the first request}.
 function stageOf({ask, asked}, told, host) {
   const stage = $('stage'), isInSpace = () => told.in_space, still = {turn: 0, rise: 0, zoom: 1};
-  let view = {...still}, scene = told.scene, past = [], future = [], shown = null;
-  const original = scene, ownFile = host.file;
+  // What is shown: a scene, or where it is none that can be changed {request} by which it is told.
+  const original = told.scene ?? {request: host.live}, ownFile = host.file;
+  let view = {...still}, scene = original, past = [], future = [], shown = null;
   // Keys in any order say the same.
   const sorted = value => Array.isArray(value) || !value || typeof value !== 'object' ? value
     : Object.fromEntries(Object.keys(value).sort().map(key => [key, sorted(value[key])]));
@@ -82,16 +83,21 @@ function stageOf({ask, asked}, told, host) {
   }
   const rounded = (x, step) => Number((Math.round(x / step) * step).toPrecision(12));
 
-  // A direction of the same length, turned so many degrees about the line of sight, in space toward where the arrow points.
+  const dot = (p, q) => p.reduce((sum, each, i) => sum + each * q[i], 0);
+  const cross = (p, q) => p.map((_, i) => p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3]);
+  const times = (x, p) => p.map(each => x * each), plus = (p, q) => p.map((each, i) => each + q[i]);
+  const unit = p => times(1 / Math.hypot(...p), p);
+
+  // A direction, which keeps its length: in the plane turned so many degrees, in space toward where the arrow of the key points.
   function turned(from, grip, [x, y], degrees) {
-    const own = at(from, grip.paths[0]), v = own.some(Boolean) ? [...own, 0].slice(0, 3) : grip.value, length = Math.hypot(...v), unit = u => u.map(each => each / Math.hypot(...u));
-    const [right, up] = [unit(grip.right), unit(grip.up)], dot = (p, q) => p.reduce((sum, each, i) => sum + each * q[i], 0);
-    const toward = right.map((_, i) => right[(i + 1) % 3] * up[(i + 2) % 3] - right[(i + 2) % 3] * up[(i + 1) % 3]);
-    const [first, second] = isInSpace() ? [toward, x ? right : up] : [right, up];
-    const angle = Math.atan2(dot(v, second), dot(v, first)) + (isInSpace() ? x || -y : -x || -y) * degrees * Math.PI / 180;
-    const within = Math.hypot(dot(v, first), dot(v, second)), rest = v.map((each, i) => each - dot(v, first) * first[i] - dot(v, second) * second[i]);
-    const next = structuredClone(from), value = rest.map((each, i) => each + within * (Math.cos(angle) * first[i] + Math.sin(angle) * second[i]));
-    put(next, grip.paths[0], value.slice(0, numbers()).map(each => rounded(each, length / 1e4)));
+    const own = at(from, grip.paths[0]), v = own.some(Boolean) ? [...own, 0].slice(0, 3) : grip.value;
+    const right = unit(grip.right), up = unit(grip.up);
+    const [first, second] = isInSpace() ? [cross(right, up), x ? right : up] : [right, up];
+    const way = isInSpace() ? x || -y : -x || -y, within = [dot(v, first), dot(v, second)];
+    const angle = Math.atan2(within[1], within[0]) + way * degrees * Math.PI / 180, size = Math.hypot(...within);
+    const rest = plus(v, plus(times(-within[0], first), times(-within[1], second)));
+    const next = structuredClone(from), value = plus(rest, times(size, plus(times(Math.cos(angle), first), times(Math.sin(angle), second))));
+    put(next, grip.paths[0], value.slice(0, numbers()).map(each => rounded(each, Math.hypot(...v) / 1e4)));
     return next;
   }
 
@@ -130,7 +136,7 @@ function stageOf({ask, asked}, told, host) {
   }
 
   // `like`: the frame whose like is to be shown.
-  const requestFor = (next, like, isBrief = false) => ({tell: next.trace ? {...next, like}
+  const requestFor = (next, like, isBrief = false) => ({tell: next.request ? {...next.request, like}
     : {scene: JSON.stringify(next), file: host.file, like, brief: isBrief}});
 
   // Shows what the program has told of a scene. Returns: whether it was one.
@@ -158,8 +164,8 @@ function stageOf({ask, asked}, told, host) {
     $('undo').disabled = !past.length;
     $('redo').disabled = !future.length;
     offerReset();
-    $('taking').hidden = !scene;
-    for (const id of ['save-scene', 'copy-command']) $(id).disabled = Boolean(scene?.trace);
+    $('taking').hidden = Boolean(scene.request) && !past.length && !future.length;
+    for (const id of ['save-scene', 'copy-command']) $(id).disabled = Boolean(scene.request);
     if (document.activeElement?.disabled) $('snap').focus();  // from where Tab goes on
     host.kept(isChanged() ? scene : null, host.file !== ownFile);
   }
@@ -283,8 +289,8 @@ function stageOf({ask, asked}, told, host) {
   });
   async function moveBy(grip, way, {altKey, shiftKey}) {
     const snaps = $('snap').checked !== altKey, step = stepOf(grip, snaps ? 8 : 0.5) / Math.hypot(...grip.right);
-    const times = shiftKey ? 10 : 1, [x, y] = way.map(each => each * step * times), {search} = told.answers;
-    await change(grip.value ? turned(scene, grip, way, (snaps ? 5 : 0.5) * times) : moved(scene, grip, x, y, snaps));
+    const steps = shiftKey ? 10 : 1, [x, y] = way.map(each => each * step * steps), {search} = told.answers;
+    await change(grip.value ? turned(scene, grip, way, (snaps ? 5 : 0.5) * steps) : moved(scene, grip, x, y, snaps));
     const now = gripCalled(grip.name);
     const turns = told.answers.search === search ? '' : `. ${told.answers.whose} now says: ${told.answers.search}`;
     if (now) host.say(`${now.says}: ${valueOf(now)}${turns}`);
@@ -422,12 +428,12 @@ function stageOf({ask, asked}, told, host) {
     const text = await file.text(), isTrace = text.startsWith('{"schema":"gjkstep-trace"');
     const answer = await asked({tell: isTrace ? {trace: text} : {scene: text, file: file.name}});
     if (answer.error) return complain(`${file.name}:${answer.error.line}: ${answer.error.text}`);
-    if (scene) past.push(scene);
+    past.push(scene);
     future = [];
     host.name = file.name.replace(/\.[^.]*$/, '');
     host.file = file.name;
     view = {...still};
-    show(answer, answer.scene ?? {trace: text});
+    show(answer, answer.scene ?? {request: {trace: text}});
     kept();
     announce(`${file.name} opened`);
   }
@@ -445,7 +451,7 @@ function stageOf({ask, asked}, told, host) {
   fillSwitches();
   kept();
   window.gjkstep.drawn = i => ask({draw: {frame: i}});  // for tests, and who looks closer
-  return {draw, turnBy, isInSpace, isChanged, complain, 
+  return {draw, turnBy, isInSpace, isChanged, complain,
           restore: async next => { if (await change(next ?? original)) announce('the scene of the address'); },
           drawn: i => elementOf(ask({draw: {frame: i, height, ...view, theme: 'report', text: host.looks().text}}).picture)};
 }

@@ -243,6 +243,17 @@ class Page(PageInBrowser):
         self.find("#redo").click()
         self.wait(lambda: heading().startswith("Figure 5"))
 
+    def test_a_scene_dropped_onto_a_diagram_can_be_left_again(self):
+        self.take("figure-1")
+        before = self.find("h1").text
+        self.assertFalse(self.find("#taking").is_displayed())
+        self.drop("mine.json", '{"dimension": 2, "a": {"points": [[0, 0], [1, 0]]}, "b": {"points": [[5, 0]]}}')
+        self.wait(lambda: "apart" in self.answers())
+        self.find("#reset").click()
+        self.wait(lambda: self.find("h1").text == before)
+        self.find("#undo").click()
+        self.wait(lambda: "apart" in self.answers())
+
     def test_questions_go_on_after_a_change(self):
         self.take()
         self.predict()
