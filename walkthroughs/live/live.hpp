@@ -10,9 +10,10 @@
 ///             it cannot be changed, "switches" (changes.hpp), "answers": {"whose", "mistake", "parting", "search", "truth", "is_wrong"}
 ///             in words}. What is wrong with a text: {"error": {"line", "key", "reason", "text"}}. Where another program must be
 ///             asked, which has all searches: {"more": true}. In either case the story told before stays
-///     draw    {"frame": N, "theme": NAME, "text": SCALE, "height": page units of the panels, "stacked": BOOL, "turn": DEGREES, "rise": DEGREES,
-///             "zoom": FACTOR}, of which all may be missing: the picture of a frame. Answer: {"picture": SVG, "width", "height", "grips"}, and where none can be taken
-///             hold of there also "objects": the same of the two objects alone
+///     draw    {"frame": N, "theme": NAME, "text": SCALE, "height": page units of the panels, "stacked": BOOL, "turn": DEGREES,
+///             "rise": DEGREES, "zoom": FACTOR}, of which all may be missing: the picture of a frame. Answer: {"picture": SVG,
+///             "width", "height", "grips"}, and where none can be taken hold of there also "objects": the same of the two objects
+///             alone
 ///     hold    true: pictures keep the cameras and sizes of this story, whatever is told; false: the sizes no longer. The cameras stay
 ///             until something is told without "like"
 #pragma once

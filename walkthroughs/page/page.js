@@ -253,6 +253,7 @@
     });
   }
 
+  let mostLines = 0;
   function fillPage() {
     const main = document.querySelector('main');
     for (const box of [$('quiz'), $('score')]) if (box.parentNode !== main) main.append(box);  // which a step may hold
@@ -261,7 +262,8 @@
     if (kept) for (const other of [...$('steps').children]) other === kept || other.remove();
     else $('steps').replaceChildren(...steps.filter(Boolean));
     if (story.is_brief) return;
-    $('steps').style.setProperty('--lines', Math.max(0, ...story.listings.map(lines => lines.length)));
+    mostLines = Math.max(mostLines, ...story.listings.map(lines => lines.length));  // also of a scene before: the box keeps its place
+    $('steps').style.setProperty('--lines', mostLines);
     $('marks').replaceChildren(...frames.length <= 400 ? frames.flatMap(marksOf) : []);
     offerQuestions();
   }

@@ -237,7 +237,8 @@ TEST_CASE("A mistake stands beside the report's search, and only where that is t
   CHECK_THAT(summary(file), kit::contains(", mistake M9, panels"));
   for (const char* unusual : {R"("rules": "complete")", R"("scalar": "float")", R"("zero_test": "relative")",
                               R"("crossing_test": "off")", R"("certified": true)"})
-    CHECK_THROWS_WITH(parsed(with(std::string(", ") + unusual)), kit::starts_with("my scene.json:1: mistake: is made in the report's rules"));
+    CHECK_THROWS_WITH(parsed(with(std::string(", ") + unusual)),
+                      kit::starts_with("my scene.json:1: mistake: is made in the report's rules"));
 }
 
 TEST_CASE("Each file of the fuzzer's corpus reads and can be told, or is turned away as a InputError", "[scene-file]") {
