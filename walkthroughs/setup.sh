@@ -4,13 +4,13 @@
 # libosmesa6-dev and libegl-dev are two ways to draw; libegl-mesa0 is what EGL draws with when the program runs.
 # libboost-dev: exact fractions; libsimdjson-dev: its lines, at full speed.
 # libcairo2-dev: sheets as PDF and frames as SVG, from the library that most programs of Debian print with.
-# libzip-dev: pages and pictures in one file for --zip.
+# libminizip-dev: pages and pictures in one file for --zip.
 # libfribidi-dev: titles and names in Hebrew and Arabic run from right to left.
 # clang, lld, libc++ and wasi-libc: the program that runs in pages; binaryen makes it smaller.
 llvm=$([ "$(. /etc/os-release && echo "${VERSION_ID:-}")" = 12 ] && echo 16 || echo 19)
 program_packages="cmake g++ ninja-build pkg-config libeigen3-dev libosmesa6-dev libegl-dev libegl-mesa0 libgl-dev \
 libpng-dev libdeflate-dev libfreetype-dev fonts-dejavu-core nlohmann-json3-dev libsimdjson-dev libcli11-dev \
-libfribidi-dev libcairo2-dev libzip-dev libboost-dev clang-$llvm lld-$llvm wasi-libc libc++-$llvm-dev-wasm32 libc++abi-$llvm-dev-wasm32 \
+libfribidi-dev libcairo2-dev libminizip-dev libboost-dev clang-$llvm lld-$llvm wasi-libc libc++-$llvm-dev-wasm32 libc++abi-$llvm-dev-wasm32 \
 libclang-rt-$llvm-dev-wasm32 binaryen"
 
 stop() {

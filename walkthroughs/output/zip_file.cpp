@@ -1,8 +1,7 @@
 #include "walkthroughs/output/zip_file.hpp"
 
-#include <zip.h>
+#include <minizip/zip.h>
 
-#include <memory>
 #include <string>
 
 #include "render/file.hpp"
@@ -11,41 +10,38 @@
 namespace walkthroughs::output {
 namespace {
 
-constexpr zip_int64_t to_the_end = -1;
-constexpr zip_uint16_t no_time = 0, first_day = (1 << 5) + 1;  // 1980-01-01, as MS-DOS has it
+constexpr unsigned long first_day = 33UL << 16;  // 1980-01-01, as MS-DOS has it
+constexpr unsigned long names_are_utf8 = 1UL << 11;
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
-  throw render::FileError(file.string() + ": cannot be written: " + why + "; choose another with --zip");
-}
-
-/// Requires: files of less than 4 GiB.
-void add(zip_t* archive, const std::filesystem::path& file, const std::string& name) {
-  zip_source_t* const source = zip_source_file(archive, file.c_str(), 0, to_the_end);
-  const zip_int64_t index = source ? zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8) : -1;
-  if (index < 0) {
-    zip_source_free(source);
-    fail(file, zip_strerror(archive));
-  }
-  zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), no_time, first_day, 0);
+/// Returns: whether it could be written.
+bool add(zipFile archive, const std::filesystem::path& file, const std::string& name) {
+  const std::vector<std::uint8_t> bytes = render::read_file(file);
+  zip_fileinfo info{};
+  info.dosDate = first_day;
+  return zipOpenNewFileInZip4(archive, name.c_str(), &info, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
+                              Z_DEFAULT_COMPRESSION, 0, -MAX_WBITS, DEF_MEM_LEVEL, Z_DEFAULT_STRATEGY, nullptr, 0, 0,
+                              names_are_utf8) == ZIP_OK &&
+         zipWriteInFileInZip(archive, bytes.data(), static_cast<unsigned>(bytes.size())) == ZIP_OK &&
+         zipCloseFileInZip(archive) == ZIP_OK;
 }
 
 }  // namespace
 
 void write_zip(const std::filesystem::path& file, const std::filesystem::path& folder,
                const std::vector<std::filesystem::path>& files) {
-  int error = 0;
-  std::unique_ptr<zip_t, void (*)(zip_t*)> archive(
-      zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error), zip_discard);
-  if (!archive) {
-    zip_error_t reason;
-    zip_error_init_with_code(&reason, error);
-    const std::string text = zip_error_strerror(&reason);
-    zip_error_fini(&reason);
-    fail(file, text);
+  const std::filesystem::path unfinished = file.string() + ".unfinished";
+  const zipFile archive = zipOpen64(unfinished.c_str(), APPEND_STATUS_CREATE);
+  bool is_whole = archive != nullptr;
+  for (const std::filesystem::path& each : files)
+    is_whole = is_whole && add(archive, each, each.lexically_relative(folder).generic_string());
+  if (archive) is_whole = zipClose(archive, nullptr) == ZIP_OK && is_whole;
+  std::error_code failed;
+  if (is_whole) std::filesystem::rename(unfinished, file, failed);
+  if (!is_whole || failed) {
+    std::filesystem::remove(unfinished, failed);
+    throw render::FileError("cannot write " + file.string() +
+                            "; check that its folder may be written to and has space left");
   }
-  for (const std::filesystem::path& each : files) add(archive.get(), each, each.lexically_relative(folder).generic_string());
-  if (zip_close(archive.get()) != 0) fail(file, zip_strerror(archive.get()));
-  static_cast<void>(archive.release());  // closed, it is no more
   adopt(file);
 }
 
