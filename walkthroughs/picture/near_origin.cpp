@@ -5,16 +5,13 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "core/certified/dyadic.hpp"
 #include "render/length.hpp"
+#include "walkthroughs/story/exact.hpp"
 
 namespace walkthroughs::picture {
 namespace {
 
 using gjk::detail::Dyadic;
-using ExactPoint = gjk::detail::Triple<Dyadic>;
-
-ExactPoint exact(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 double rounded(const Dyadic& x) { return near(x, 0).value; }
 Point rounded(const ExactPoint& p) { return {rounded(p.x), rounded(p.y), rounded(p.z)}; }

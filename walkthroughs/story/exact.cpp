@@ -48,8 +48,6 @@ gjk::Fraction largest(const ExactVector& v) {
 
 }  // namespace
 
-ExactVector exact(const Point& p) { return {gjk::Fraction(p.x()), gjk::Fraction(p.y()), gjk::Fraction(p.z())}; }
-
 std::string number(const gjk::Fraction& x) {
   const double near = x.convert_to<double>();
   if (x == 0 || std::isnormal(near)) return number(near);

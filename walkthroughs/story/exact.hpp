@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/certified/dyadic.hpp"
 #include "core/certified/fraction.hpp"
 #include "walkthroughs/model/scene.hpp"
 
@@ -10,7 +11,10 @@ namespace walkthroughs::story {
 
 using ExactVector = gjk::Vec3<gjk::Fraction>;
 
-ExactVector exact(const Point& p);
+/// What is compared without rounding; what is told of it are fractions.
+using ExactPoint = gjk::detail::Triple<gjk::detail::Dyadic>;
+
+inline ExactPoint exact(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 /// As number() of words.hpp, for numbers that no double holds, too.
 std::string number(const gjk::Fraction& x);

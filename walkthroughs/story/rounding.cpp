@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/certified/dyadic.hpp"
 #include "walkthroughs/story/exact.hpp"
 
 namespace walkthroughs::story {
@@ -15,22 +14,18 @@ using gjk::NamedVector;
 
 using gjk::detail::Dyadic;
 using gjk::detail::sign_of;
-using Exact = gjk::detail::Triple<Dyadic>;  // compared; what is told of it is a fraction
 
 int sign_of(double x) { return (x > 0) - (x < 0); }
 
-bool is_zero(const Exact& v) { return v.x.m == 0 && v.y.m == 0 && v.z.m == 0; }
+bool is_zero(const ExactPoint& v) { return v.x.m == 0 && v.y.m == 0 && v.z.m == 0; }
 
-Exact without_rounding(const Point& p) { return {p.x(), p.y(), p.z()}; }
-Exact exact_difference(const Vertex& vertex) {
-  return without_rounding(vertex.a.point) - without_rounding(vertex.b.point);
-}
+ExactPoint exact_difference(const Vertex& vertex) { return exact(vertex.a.point) - exact(vertex.b.point); }
 
 Fraction fraction(const Dyadic& x) {
   const Fraction m(boost::multiprecision::cpp_int(x.m)), power(boost::multiprecision::cpp_int(1) << std::abs(x.e));
   return x.e < 0 ? m / power : m * power;
 }
-ExactVector fractions(const Exact& v) { return {fraction(v.x), fraction(v.y), fraction(v.z)}; }
+ExactVector fractions(const ExactPoint& v) { return {fraction(v.x), fraction(v.y), fraction(v.z)}; }
 
 /// Points of round objects and of sums may overflow: then nothing is known.
 bool is_finite(const Vertex& vertex) { return vertex.a.point.allFinite() && vertex.b.point.allFinite(); }
@@ -47,7 +42,7 @@ class Exactly {
   explicit Exactly(const Simplex& simplex, const Expression& normal_of_edge = {})
       : simplex_(simplex), normal_of_edge_(normal_of_edge) {}
 
-  Exact vector(const NamedVector& named) const {
+  ExactPoint vector(const NamedVector& named) const {
     switch (named.kind) {
       case NamedVector::Kind::to_origin: return -at(gjk::Role::A);
       case NamedVector::Kind::edge: return from_to(named.of[0], named.of[1]);
@@ -57,8 +52,8 @@ class Exactly {
     return cross(vector(normal_of_edge_.X), vector(normal_of_edge_.Y));
   }
   /// Requires: the form of a vector.
-  Exact vector(const Expression& expression) const {
-    const Exact X = vector(expression.X);
+  ExactPoint vector(const Expression& expression) const {
+    const ExactPoint X = vector(expression.X);
     if (expression.form == Expression::Form::negative) return -X;
     return expression.form == Expression::Form::triple ? cross(cross(X, vector(expression.Y)), X) : X;
   }
@@ -67,8 +62,8 @@ class Exactly {
   }
 
  private:
-  Exact at(gjk::Role role) const { return exact_difference(simplex_[role]); }
-  Exact from_to(gjk::Role P, gjk::Role Q) const { return at(Q) - at(P); }
+  ExactPoint at(gjk::Role role) const { return exact_difference(simplex_[role]); }
+  ExactPoint from_to(gjk::Role P, gjk::Role Q) const { return at(Q) - at(P); }
 
   const Simplex& simplex_;
   const Expression normal_of_edge_;
@@ -77,7 +72,7 @@ class Exactly {
 // -- Farthest points --------------------------------------------------------------------------------------------------
 
 bool is_farther(const Point& p, const Point& q, const Point& d) {
-  return sign_of(dot(without_rounding(p) - without_rounding(q), without_rounding(d))) > 0;
+  return sign_of(dot(exact(p) - exact(q), exact(d))) > 0;
 }
 
 /// Returns: the point that reaches farthest along d. Only those are compared exactly that could be it.
@@ -102,7 +97,7 @@ const Points* points_at_rest(const Object& object) {
 
 // -- The origin in a simplex ------------------------------------------------------------------------------------------
 
-using ExactSimplex = std::vector<Exact>;
+using ExactSimplex = std::vector<ExactPoint>;
 
 bool is_origin_in(const ExactSimplex& points);
 
@@ -115,14 +110,12 @@ bool is_origin_in_a_face(const ExactSimplex& points) {
   return false;
 }
 
-bool is_origin_in_triangle(const Exact& A, const Exact& B, const Exact& C, const Exact& n) {
+bool is_origin_in_triangle(const ExactPoint& A, const ExactPoint& B, const ExactPoint& C, const ExactPoint& n) {
   return sign_of(dot(n, A)) == 0 && sign_of(dot(n, cross(A, B))) >= 0 && sign_of(dot(n, cross(B, C))) >= 0 &&
          sign_of(dot(n, cross(C, A))) >= 0;
 }
 
-int sign_of_volume(const ExactSimplex& p) {
-  return sign_of(dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0])));
-}
+int sign_of_volume(const ExactSimplex& p) { return sign_of(dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]))); }
 
 /// The origin in the place of any vertex leaves the volume its sign, or nothing of it.
 bool is_origin_in_tetrahedron(const ExactSimplex& points, int volume) {
@@ -141,7 +134,7 @@ bool is_origin_in(const ExactSimplex& p) {
     case 1: return is_zero(p[0]);
     case 2: return is_zero(cross(p[0], p[1])) && sign_of(dot(p[0], p[1])) <= 0;
     case 3: {
-      const Exact n = cross(p[1] - p[0], p[2] - p[0]);
+      const ExactPoint n = cross(p[1] - p[0], p[2] - p[0]);
       return is_zero(n) ? is_origin_in_a_face(p) : is_origin_in_triangle(p[0], p[1], p[2], n);
     }
     default: {
@@ -162,17 +155,18 @@ struct ExactFinding {
   Finding operator()(const gjk::SupportFound<double>& e) const {
     const Points *a = points_at_rest(scene.a), *b = points_at_rest(scene.b);
     if (!a || !b || !gjk::is_usable_direction(e.direction)) return std::nullopt;
-    const Exact d = without_rounding(e.direction), taken = exact_difference(e.vertex),
-                right = without_rounding(farthest(*a, e.direction)) - without_rounding(farthest(*b, -e.direction));
+    const ExactPoint d = exact(e.direction), taken = exact_difference(e.vertex),
+                     right = exact(farthest(*a, e.direction)) - exact(farthest(*b, -e.direction));
     if (sign_of(dot(right - taken, d)) <= 0) return std::nullopt;
     const Fraction reach = fraction(dot(taken, d)), farther = fraction(dot(right - taken, d));
     const std::string found = names.of(e.vertex.w) + "·d = " + number(reach),
-                      largest = number(Fraction(reach + farther)), other = vector(fractions(right), scene.dimension) + "·d";
+                      largest = number(Fraction(reach + farther)),
+                      other = vector(fractions(right), scene.dimension) + "·d";
     return found + ", but " + other + (number(reach) != largest ? " = " + largest : " is larger by " + number(farther));
   }
   Finding operator()(const gjk::CrossingTested<double>& e) const {
     if (!e.value) return std::nullopt;
-    const Dyadic reach = dot(exact_difference(*now.found), without_rounding(now.direction->value));
+    const Dyadic reach = dot(exact_difference(*now.found), exact(now.direction->value));
     if (sign_of(reach) == sign_of(*e.value)) return std::nullopt;
     return names.of(now.found->w) + "·d = " + number(fraction(reach));
   }
@@ -182,16 +176,15 @@ struct ExactFinding {
       if (const Dyadic right = exactly.dot(e.expression); sign_of(right) != sign_of(*value))
         return told(e.expression, number(fraction(right)));
     if (const Point* value = std::get_if<Point>(&e.value))
-      if (const Exact right = exactly.vector(e.expression); is_zero(right) != value->isZero(0))
+      if (const ExactPoint right = exactly.vector(e.expression); is_zero(right) != value->isZero(0))
         return told(e.expression, vector(fractions(right), scene.dimension));
     if (says_to_hold_origin(e) && !holds_origin_exactly(now.processed.only(e.feature)))
       return names.sorted(e.feature) + " does not hold the origin";
     return std::nullopt;
   }
   Finding operator()(const gjk::DirectionChosen<double>& e) const {
-    const Exact right = Exactly(now.processed).vector(e.expression);
-    const bool leads_there =
-        gjk::is_usable_direction(e.direction) && sign_of(dot(right, without_rounding(e.direction))) > 0;
+    const ExactPoint right = Exactly(now.processed).vector(e.expression);
+    const bool leads_there = gjk::is_usable_direction(e.direction) && sign_of(dot(right, exact(e.direction))) > 0;
     return leads_there ? std::nullopt : told(e.expression, vector(fractions(right), scene.dimension));
   }
   Finding operator()(const auto&) const { return std::nullopt; }
