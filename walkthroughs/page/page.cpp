@@ -71,8 +71,8 @@ constexpr const char* names_of_marks[] = {"", "yes", "no", "skipped", "answer", 
 constexpr const char* names_of_kinds[] = {"crossing", "region", "vertices", "direction", "line"};
 
 /// What runs in a search while a frame is shown: the lines of the algorithm as [indent, text], each listing once; which
-/// of them, and what came of each test.
-PageJson code(const Story& story, std::size_t index, std::size_t scene, PageJson& listings) {
+/// of them, and what came of each test that has run.
+PageJson code(const Story& story, std::size_t index, std::size_t scene, PageJson& listings, PageJson& texts) {
   const Telling& telling = story.tellings[scene];
   const Moment& now = story.frames[index].moments[scene];
   const Focus focus = story.frames[index].focus_of(scene);
@@ -87,9 +87,9 @@ PageJson code(const Story& story, std::size_t index, std::size_t scene, PageJson
   const std::string whose = story.tellings.size() == 1                 ? ""
                             : scene == 0 && are_together(story, index) ? "both: "
                                                                        : telling.scene.name + ": ";
-  PageJson data = {{"title", whose + title_of(number, telling.scene.rules, names, now.processed)},
-                   {"listing", place_in(listings, lines)},
-                   {"outcomes", outcomes}};
+  const std::string title = whose + title_of(number, telling.scene.rules, names, now.processed);
+  PageJson data = {{"title", place_in(texts, title)}, {"listing", place_in(listings, lines)}};
+  if (!outcomes.empty()) data["outcomes"] = outcomes;
   if (const auto current = current_line(code, now, focus)) data["current"] = *current;
   return data;
 }
@@ -111,7 +111,7 @@ PageJson frame_data(const Story& story, const PagePictures& pictures, std::size_
   for (int turn = 0; turn <= pictures.turns; ++turn) data["pictures"].push_back(pictures.url(index, turn));
   for (const std::string& sentence : picture_in_words(story, index)) data["words"].push_back(place_in(texts, sentence));
   for (const std::size_t scene : scenes_with_code(story, index))
-    data["code"].push_back(code(story, index, scene, listings));
+    data["code"].push_back(code(story, index, scene, listings, texts));
   for (const EventRange& range : frame.events) data["events"].push_back({range.first, range.last});
   return data;
 }

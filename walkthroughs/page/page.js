@@ -52,9 +52,9 @@
   }
   const isLike = (step, frame) => step?.querySelectorAll('.code').length === frame.code.length;
 
-  function fillCode(box, {title, listing, current, outcomes}) {
+  function fillCode(box, {title, listing, current, outcomes = {}}) {
     const list = box.querySelector('ol'), lines = story.listings[listing];
-    refill(box.querySelector('h3'), title, () => marked(title));
+    refill(box.querySelector('h3'), textOf(title), () => marked(textOf(title)));
     refill(list, lines, () => lines.map(([indent, text]) => {
       const line = make('li', {}, make('span', {}, ...marked(text)), make('b'));
       line.style.setProperty('--indent', indent);
