@@ -15,4 +15,6 @@ namespace walkthroughs::catalogue { using namespace trace; }
 namespace walkthroughs::page      { using namespace catalogue; }
 namespace walkthroughs::live      { using namespace page; }
 namespace walkthroughs::output    { using namespace live; }
-namespace walkthroughs::program   { using namespace output; }
+namespace walkthroughs::pairs     { using namespace output; }
+namespace walkthroughs::judge     { using namespace pairs; }
+namespace walkthroughs::program   { using namespace judge; }

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/study/judge/answer.hpp"
+#include "walkthroughs/judge/answer.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/steps/check_steps.hpp"
 #include "tests/study/steps/parting.hpp"

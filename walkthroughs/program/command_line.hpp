@@ -27,6 +27,7 @@ Command add_trace_command(CLI::App& app);
 Command add_scene_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_query_command(CLI::App& app);
+Command add_judge_command(CLI::App& app);
 
 /// Errors: UsageError, with the name that was probably meant.
 const Walkthrough& walkthrough_named(const std::string& name);

@@ -78,7 +78,8 @@ int run(int argc, char** argv) {
   std::optional<std::string> gl;
   add_backend_option(app, gl);
   const std::vector<Command> commands = {add_list_command(app),  add_render_command(app, gl), add_trace_command(app),
-                                         add_scene_command(app), add_compare_command(app),    add_query_command(app)};
+                                         add_scene_command(app), add_compare_command(app),    add_query_command(app),
+                                         add_judge_command(app)};
 
   try {
     app.parse(words_of(argc, argv));

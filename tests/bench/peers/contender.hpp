@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace peers {
 

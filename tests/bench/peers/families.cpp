@@ -1,5 +1,5 @@
 #include "tests/bench/peers/match.hpp"
-#include "tests/study/pairs/dice.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace peers {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "tests/bench/peers/trial.hpp"
-#include "tests/study/pairs/dice.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace peers {
 namespace {

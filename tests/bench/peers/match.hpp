@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/bench/peers/contender.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 
 namespace peers {

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "core/shapes.hpp"
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace peers {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/study/claims/effort.hpp"
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/sweep/csv.hpp"
 
 namespace study {

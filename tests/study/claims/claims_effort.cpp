@@ -3,8 +3,7 @@
 #include "core/gjk.hpp"
 #include "tests/study/claims/claims.hpp"
 #include "tests/study/methods/method.hpp"
-#include "tests/study/pairs/dice.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/over_pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 

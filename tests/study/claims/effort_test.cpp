@@ -2,7 +2,7 @@
 
 #include "core/gjk.hpp"
 #include "tests/kit/catch.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 

@@ -15,42 +15,6 @@
 namespace study {
 namespace {
 
-// -- Bodies as JSON ---------------------------------------------------------------------------------------------------
-
-void append(std::string& text, double x) {
-  walkthroughs::model::append_number(x == 0 ? 0.0 : x, text);
-}  // 0 has no sign here
-
-void append(std::string& text, const Vec& v) {
-  for (int i = 0; i < 3; ++i) append(text += i == 0 ? '[' : ',', v[i]);
-  text += ']';
-}
-
-/// Writes one field after the other.
-struct FieldText {
-  std::string& text;
-
-  void operator()(walkthroughs::model::field::Places, const Points& points) const {
-    for (const Vec& p : points) append(text += text.empty() ? '[' : ',', p);
-    text += ']';
-  }
-  void operator()(auto field, const auto& value) const {
-    append(text.append(text.empty() ? "{\"" : ",\"").append(field.name).append("\":"), value);
-  }
-};
-
-std::string text_of(const Body& body) {
-  const auto text = [](const auto& shape) {
-    using Row = walkthroughs::model::RowOf<decltype(shape)>;
-    std::string fields;
-    Row::fields(FieldText{fields}, shape);
-    return "{\"" + std::string(Row::key) + "\":" + fields + (fields.front() == '{' ? "}}" : "}");
-  };
-  return std::visit(text, body);
-}
-
-std::string bodies_of(const Pair& pair) { return "\"a\":" + text_of(pair.a) + ",\"b\":" + text_of(pair.b); }
-
 std::string status_of(Truth truth) { return truth == Truth::intersecting ? "intersecting" : "separated"; }
 
 // -- Proofs -----------------------------------------------------------------------------------------------------------
@@ -112,7 +76,7 @@ std::string certificate_of(const Pair& pair, Truth truth) {
 std::vector<std::string> notes_on(const Pair& pair, Truth truth) {
   std::vector<std::string> notes;
   if (truth == Truth::intersecting && only_touch(pair)) notes.emplace_back("touching");
-  const auto in_floats = rounded<float>(pair);
+  const auto in_floats = study::rounded<float>(pair);
   if (!in_floats)
     notes.emplace_back("floats have no room");
   else if (in_floats->differs && study::truth(in_floats->pair) != truth)
@@ -129,13 +93,11 @@ AnsweredPair answered(NamedPair named) {
   return {std::move(named), found, std::move(certificate), std::move(notes)};
 }
 
-std::string question_line(const Pair& pair) { return "{" + bodies_of(pair) + "}"; }
-
 std::string answered_line(const AnsweredPair& answered) {
   using Json = nlohmann::json;
   const NamedPair& named = answered.named;
   std::string line = "{\"name\":" + Json(named.name).dump() + ",\"family\":" + Json(named.family).dump() + "," +
-                     bodies_of(named.pair) + ",\"answer\":{\"status\":\"" + status_of(answered.truth) +
+                     walkthroughs::pairs::bodies_in_line(named.pair) + ",\"answer\":{\"status\":\"" + status_of(answered.truth) +
                      "\",\"certificate\":" + answered.certificate + "}";
   if (!answered.notes.empty()) line += ",\"notes\":" + Json(answered.notes).dump();
   if (!named.source.empty()) line += ",\"source\":" + Json(named.source).dump();

@@ -11,15 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
-
-struct NamedPair {
-  std::string name, family;
-  Pair pair;
-  std::string source = "";  ///< who published it; else empty
-};
 
 struct AnsweredPair {
   NamedPair named;
@@ -32,9 +26,7 @@ struct AnsweredPair {
 /// Errors: std::logic_error where none can be; those of the oracle.
 AnsweredPair answered(NamedPair named);
 
-/// Returns: {"a":…,"b":…}, which tells no answer.
-std::string question_line(const Pair& pair);
-/// Returns: all of it. Both without a line feed.
+/// Returns: all of it, without a line feed.
 std::string answered_line(const AnsweredPair& answered);
 
 }  // namespace study

@@ -8,7 +8,7 @@
 #include "tests/study/corpus/smallest.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/methods/question.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {
@@ -25,7 +25,7 @@ std::vector<std::size_t> aspects_of(const Pair& pair) {
   std::vector<std::size_t> aspects;
   const Truth found = truth(pair);
   aspects.push_back(found == Truth::separated ? apart : together);
-  const auto in_floats = rounded<float>(pair);
+  const auto in_floats = study::rounded<float>(pair);
   if (in_floats && in_floats->differs && truth(in_floats->pair) != found) aspects.push_back(floats_change_it);
   if (!std::holds_alternative<Points>(pair.a)) return aspects;
   const Shown shown = shown_by(pair);

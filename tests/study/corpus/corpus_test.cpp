@@ -10,7 +10,7 @@
 #include "tests/study/corpus/published.hpp"
 #include "tests/study/corpus/shown.hpp"
 #include "tests/study/methods/mistakes.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "tests/study/truth/proofs.hpp"
 #include "tests/kit/certificates.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 

@@ -6,7 +6,7 @@
 
 #include "tests/study/corpus/shown.hpp"
 #include "tests/study/methods/mistakes.hpp"
-#include "tests/study/pairs/dice.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 namespace {

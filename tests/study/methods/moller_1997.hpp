@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "core/shapes.hpp"
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study::moller_1997 {
 

@@ -10,7 +10,7 @@
 
 #include "core/gjk.hpp"
 #include "core/shapes.hpp"
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/exact_number.hpp"
 #include "walkthroughs/model/scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "tests/study/pairs/dice.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 #include <array>
 #include <set>

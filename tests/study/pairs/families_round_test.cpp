@@ -3,8 +3,7 @@
 #include <string>
 
 #include "tests/kit/catch.hpp"
-#include "tests/study/pairs/dice.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {

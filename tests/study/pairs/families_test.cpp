@@ -1,4 +1,4 @@
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 #include <algorithm>
 #include <array>

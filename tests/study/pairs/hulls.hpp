@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 

@@ -1,8 +1,7 @@
 /// Random triangles whose coordinates have few digits, so that some of them touch.
 #pragma once
 
-#include "tests/study/pairs/dice.hpp"
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 

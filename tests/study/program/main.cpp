@@ -17,7 +17,7 @@ int run(int argc, char** argv) {
   app.footer(footer);
   app.require_subcommand(0, 1);
   using namespace study;
-  for (const auto add : {add_run, add_claims, add_pairs, add_judge, add_check_steps, add_listing}) add(app);
+  for (const auto add : {add_run, add_claims, add_pairs, add_check_steps, add_listing}) add(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "tests/study/corpus/corpus.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/program/commands.hpp"
 #include "tests/study/program/options.hpp"
 #include "tests/study/program/progress.hpp"

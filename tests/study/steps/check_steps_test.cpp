@@ -6,7 +6,7 @@
 #include "core/complete.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/study/corpus/shown.hpp"
-#include "tests/study/judge/pairs_file.hpp"
+#include "walkthroughs/pairs/named_pair.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "walkthroughs/model/scene.hpp"

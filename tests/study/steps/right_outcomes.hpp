@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/simplex.hpp"
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/study/judge/pairs_file.hpp"
+#include "walkthroughs/pairs/named_pair.hpp"
 #include "walkthroughs/text/document.hpp"
 #include "walkthroughs/text/scene_limits.hpp"
 #include "walkthroughs/text/text_file.hpp"
@@ -12,6 +12,11 @@
 namespace study {
 namespace {
 
+using walkthroughs::judge::ProgramAnswer;
+using walkthroughs::judge::read_answer;
+using walkthroughs::pairs::for_each_line;
+using walkthroughs::pairs::pair_of_line;
+using walkthroughs::pairs::require_good;
 using walkthroughs::text::Document;
 using walkthroughs::text::Value;
 using Kind = Document::Kind;

@@ -17,9 +17,11 @@
 #include <vector>
 
 #include "tests/study/corpus/answered_pair.hpp"
-#include "tests/study/judge/answer.hpp"
+#include "walkthroughs/judge/answer.hpp"
 
 namespace study {
+
+using walkthroughs::judge::Said;
 
 struct ToldStep {
   Vec direction;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/sweep/tally.hpp"
 
 namespace study {

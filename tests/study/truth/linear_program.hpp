@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/exact_number.hpp"
 
 namespace study {

@@ -4,7 +4,7 @@
 /// at most 4 S T, for c >= 0.
 #pragma once
 
-#include "tests/study/pairs/pair.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 

@@ -5,8 +5,7 @@
 #include <string>
 
 #include "tests/kit/catch.hpp"
-#include "tests/study/pairs/dice.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/hulls.hpp"
 #include "tests/study/truth/linear_program.hpp"
 #include "tests/study/truth/oracle_cgal.hpp"

@@ -1,7 +1,7 @@
 #include "tests/study/truth/proofs.hpp"
 
 #include "tests/kit/catch.hpp"
-#include "tests/study/pairs/families.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/hulls.hpp"
 #include "tests/study/truth/oracle.hpp"
 

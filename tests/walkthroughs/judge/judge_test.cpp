@@ -1,0 +1,173 @@
+// What is said of programs that are known: scripts, gjkstep itself, and a GJK of another style with planted faults.
+#include "walkthroughs/judge/judge.hpp"
+
+#include "tests/kit/catch.hpp"
+#include "tests/kit/places.hpp"
+#include "walkthroughs/judge/causes.hpp"
+#include "walkthroughs/judge/judged_text.hpp"
+#include "walkthroughs/pairs/families.hpp"
+
+namespace walkthroughs::judge {
+namespace {
+
+AskedProgram program(std::vector<std::string> words) {
+  return {.words = std::move(words), .limit = std::chrono::seconds(60), .is_answer = is_meant_as_answer};
+}
+
+AskedProgram planted(const std::string& fault) { return program({"env", "FAULT=" + fault, JUDGED_PLANTED}); }
+
+std::vector<NamedPair> kept() {
+  std::vector<NamedPair> all = kept_pairs();
+  std::erase_if(all, [](const NamedPair& each) { return !points_of(each.pair); });
+  return all;
+}
+
+std::vector<const Family*> families_of_points() {
+  std::vector<const Family*> chosen;
+  for (const Family& each : families())
+    if (points_of(each.make(1, 0))) chosen.push_back(&each);
+  return chosen;
+}
+
+Judgement judged_on_kept(const AskedProgram& asked, const Standard& standard = {}) {
+  return judge(asked, cases_of(kept(), {}, 0, 1, standard.expected), standard, 10, [](auto, auto) {});
+}
+
+TEST_CASE("Judge: certified answers are right on all kept pairs, with evidence that holds") {
+  const Judgement found = judged_on_kept(program({kit::program().string(), "query", "--certified"}));
+  CHECK(found.is_good());
+  CHECK(found.all.pairs > 400);
+  CHECK(found.all.of(Verdict::right) == found.all.pairs);
+  CHECK(found.worst.empty());
+}
+
+TEST_CASE("Judge: what always says yes is wrong on all that are apart, the worst first, each as far as it is") {
+  const Judgement found = judged_on_kept(program({"sed", "s/.*/yes/"}));
+  CHECK(found.all.of(Verdict::wrong_no) == 0);
+  CHECK(found.all.of(Verdict::right) + found.all.of(Verdict::wrong_yes) == found.all.pairs);
+  CHECK(found.all.of(Verdict::wrong_yes) > 100);
+  REQUIRE(found.worst.size() == 10);
+  for (std::size_t i = 1; i < found.worst.size(); ++i)
+    CHECK(found.worst[i].how_far.relative <= found.worst[i - 1].how_far.relative);
+  CHECK(found.worst.front().how_far.relative > 0.05);
+  std::uint64_t pairs = 0, wrong = 0;
+  for (const Tally& each : found.families) {
+    pairs += each.pairs;
+    wrong += each.wrong();
+  }
+  CHECK(pairs == found.all.pairs);
+  CHECK(wrong == found.all.wrong());
+}
+
+TEST_CASE("Judge: within a tolerance an answer is counted apart; contact is what one says it is") {
+  const Judgement strict = judged_on_kept(planted("contact"));
+  const Judgement tolerant = judged_on_kept(planted("contact"), {.tolerance = 1e-12});
+  CHECK(strict.all.of(Verdict::wrong_no) > 100);
+  CHECK(tolerant.all.of(Verdict::within_tolerance) > 100);
+  CHECK(tolerant.all.wrong() + tolerant.all.of(Verdict::within_tolerance) == strict.all.wrong());
+  const Judgement either = judged_on_kept(planted("contact"), {.touching = Touching::either});
+  const Judgement apart = judged_on_kept(planted("contact"), {.touching = Touching::separated});
+  CHECK(either.all.wrong() < 40);
+  CHECK(apart.all.wrong() < 40);
+  const Judgement yes =
+      judged_on_kept(program({kit::program().string(), "query", "--certified"}), {.touching = Touching::separated});
+  CHECK(yes.all.of(Verdict::wrong_yes) > 100);
+  CHECK(yes.all.of(Verdict::wrong_no) == 0);
+}
+
+TEST_CASE("Judge: pairs rounded to floats have their own truth; in the plane every z is 0") {
+  const Expected floats{.numbers = Numbers::floats}, plane{.in_plane = true};
+  Cases rounded = cases_of(kept(), {}, 0, 1, floats), flat = cases_of(kept(), {}, 0, 1, plane);
+  for (const Case& each : rounded.next(1000))
+    for (const Points* const set : {&each.pair.a, &each.pair.b})
+      for (const Vec& p : *set) CHECK(p.cast<float>().cast<double>() == p);
+  CHECK(rounded.passed_over() > 0);
+  for (const Case& each : flat.next(1000))
+    for (const Points* const set : {&each.pair.a, &each.pair.b})
+      for (const Vec& p : *set) CHECK(p.z() == 0);
+  CHECK(judged_on_kept(program({kit::program().string(), "query", "--certified"}), {.expected = plane}).is_good());
+}
+
+TEST_CASE("Judge: of who does not answer nothing is said but why") {
+  CHECK_FALSE(why_not_judged(judged_on_kept(program({"sed", "s/.*/no/"}))));
+  CHECK(why_not_judged(judged_on_kept(program({"sed", "s/.*/1/"})))->find("'1', is no answer") != std::string::npos);
+  CHECK(why_not_judged(judged_on_kept(program({"false"})))->find("exit code 1") != std::string::npos);
+  CHECK(why_not_judged(judged_on_kept(program({"sed", "s/.*/no/;p"})))->starts_with("writes more answers"));
+  CHECK_THROWS_AS(judged_on_kept(program({"/nowhere/at-all"})), CannotStart);
+}
+
+TEST_CASE("Judge: what is printed besides does not count, and is shown") {
+  const Judgement found = judged_on_kept(program({"sed", "s/.*/iteration 1\\nno/"}));
+  CHECK(found.all.of(Verdict::no_answer) == 0);
+  CHECK(found.replies.others == found.all.pairs);
+  const std::string screen = first_screen({"./mine", "", found, {}});
+  CHECK(screen.find("lines that are no answers, the first 'iteration 1'") != std::string::npos);
+}
+
+TEST_CASE("Judge: the first screen has a verdict, the worst pair, its scene, the cause and what to do next") {
+  const AskedProgram asked = planted("contact");
+  const Judgement found = judged_on_kept(asked);
+  const std::string screen = first_screen({"./mine", "--count 5 ", found, probable_causes(asked, found, {})});
+  CHECK(std::ranges::count(screen, '\n') == 5);
+  CHECK(screen.starts_with("./mine: wrong on "));
+  for (const char* const part : {"\nworst: ", "\nits scene: {\"a\":", "\nprobable cause: contact is taken for a miss (",
+                                 "\nnext: gjkstep judge --count 5 --save wrong -- ./mine; "})
+    CHECK(screen.find(part) != std::string::npos);
+}
+
+TEST_CASE("Judge: a cause is named where one is planted", "[full][unsanitized]") {
+  const std::vector<std::pair<std::string, std::string>> expected = {
+      {"none", "nothing but rounding in doubles"},
+      {"m1", "M1:"},
+      {"m3", "M3:"},
+      {"m4", "M4:"},
+      {"m5", "M5:"},
+      {"m6", "M6:"},
+      {"m7", "M7:"},
+      {"m8", "M8:"},
+      {"m9", "M9:"},
+      {"m10", "M10:"},
+      {"m12", "M12:"},
+      {"m14", "M14:"},
+      {"m15", "M15:"},
+      {"m16", "M16:"},
+      {"m17", "M17:"},
+      {"m18", "M18:"},
+      {"m19", "M19:"},
+      {"m20", "M20:"},
+      {"m21", "M21:"},
+      // These three are wrong on no pair on which rounding does not decide, begun along +x. See wrong_on_purpose/mistakes.cpp.
+      {"m2", "nothing but rounding in doubles"},
+      {"m11", "nothing but rounding in doubles"},
+      {"m13", "nothing but rounding in doubles"},
+      {"tolerance", "an absolute tolerance"},
+      {"contact", "contact is taken for a miss"},
+      {"planar", "z is ignored"},
+      {"limit", "a limit of 4 iterations"},
+      {"nan", "the origin is not seen on a vertex or segment"},
+      {"translation", "the place in the world matters"},
+      {"order_ab", "what comes after the first 4 points of b is not looked at"},
+      {"order_points", "the last point of a and of b is not looked at"},
+      {"floats", "it computes in floats"},
+      {"depth", "it compares boxes along the axes"}};
+  for (const auto& [fault, name] : expected) {
+    INFO(fault);
+    const AskedProgram asked = planted(fault);
+    const Judgement found = judge(asked, cases_of(kept(), families_of_points(), 100, 1, {}), {}, 10, [](auto, auto) {});
+    const std::vector<Cause> causes = probable_causes(asked, found, {});
+    REQUIRE_FALSE(causes.empty());
+    CHECK(causes.front().name.starts_with(name));
+    CHECK(causes.front().agreement >= enough_agreement);
+  }
+}
+
+TEST_CASE("Judge: where nothing agrees no cause is named") {
+  // Wrong on every third pair, whatever it is.
+  const AskedProgram asked = program({"awk", "{ print NR % 3 ? \"yes\" : \"no\"; fflush() }"});
+  const Judgement found = judged_on_kept(asked);
+  CHECK(probable_causes(asked, found, {}).empty());
+  CHECK(first_screen({"./mine", "", found, {}}).find("no cause found") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace walkthroughs::judge

@@ -1,0 +1,387 @@
+#include "walkthroughs/judge/causes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "walkthroughs/judge/mistakes.hpp"
+#include "walkthroughs/judge/starts.hpp"
+#include "walkthroughs/judge/symmetries.hpp"
+#include "walkthroughs/wrong_on_purpose/mistakes.hpp"
+
+namespace walkthroughs::judge {
+namespace {
+
+/// "57 of 58".
+std::string of(std::size_t count, std::size_t all) { return std::to_string(count) + " of " + std::to_string(all); }
+
+Vec mean_of(const Points& points) {
+  Vec sum = Vec::Zero();
+  for (const Vec& p : points) sum += p / static_cast<double>(points.size());
+  return sum;
+}
+
+/// A sample, ready to be asked of the report's algorithm.
+struct Sample {
+  const Judged* judged;
+  gjk::PointSet<double> a, b;
+  Vec between;
+  bool is_wrong;
+  bool touches;
+  bool expected, may_be_either;  ///< the right answer
+  bool is_clear;                 ///< neither rounding, be it to floats, nor a cycle decides
+  std::vector<Run> runs;         ///< of the report's algorithm, one for each of starts()
+  bool misleads_the_report() const {
+    return std::ranges::any_of(runs,
+                               [&](const Run& run) { return (run.status == gjk::Status::intersecting) != meet(); });
+  }
+
+  bool says_yes() const { return judged->said == Said::intersecting; }
+  bool meet() const { return judged->asked.meet(); }
+  bool is_right(bool says_yes) const { return may_be_either || says_yes == expected; }
+};
+
+constexpr double near_contact = 1e-5;  // relative to the largest number
+constexpr double small = 1e-9, large = 1e9;
+
+double largest(const PointPair& pair) { return std::max(largest_number(pair.a), largest_number(pair.b)); }
+
+/// Whether no product of a search in floats rounds: of four factors, each a difference, and sums of three.
+bool is_whole(const PointPair& pair) {
+  const auto are_whole = [](const Points& points) {
+    return std::ranges::all_of(points, [](const Vec& p) { return p == p.array().round().matrix(); });
+  };
+  return largest(pair) <= 8 && are_whole(pair.a) && are_whole(pair.b);
+}
+
+bool is_clear(const Judged& judged, bool in_plane) {
+  const double size = largest(judged.asked.pair);
+  if (is_whole(judged.asked.pair)) return true;
+  return size > small && size < large && how_far(judged.asked, in_plane).length > near_contact * size;
+}
+
+std::vector<Sample> samples_of(const Judgement& judgement, const Standard& standard) {
+  const bool in_plane = standard.expected.in_plane;
+  std::vector<Sample> samples;
+  for (const Judged& each : judgement.samples) {
+    const PointPair& pair = each.asked.pair;
+    const bool meet = each.asked.meet(), touches = meet && only_touch(pair, in_plane);
+    Sample sample{.judged = &each,
+                  .a = gjk::PointSet<double>(pair.a),
+                  .b = gjk::PointSet<double>(pair.b),
+                  .between = gjk::first_direction_between(mean_of(pair.a), mean_of(pair.b)),
+                  .is_wrong = is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance,
+                  .touches = touches,
+                  .expected = meet && !(touches && standard.touching == Touching::separated),
+                  .may_be_either = touches && standard.touching == Touching::either,
+                  .is_clear = false,
+                  .runs = {}};
+    for (const Start& start : starts())
+      sample.runs.push_back(ask_faithfully(sample.a, sample.b, start.direction_of(sample.between)));
+    sample.is_clear = !sample.misleads_the_report() && is_clear(each, in_plane);
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+class Search {
+ public:
+  Search(const AskedProgram& program, const Judgement& judgement, const Standard& standard)
+      : program_(program), samples_(samples_of(judgement, standard)) {
+    for (const Sample& each : samples_) {
+      wrong_ += each.is_wrong;
+      clearly_wrong_ += each.is_wrong && each.is_clear;
+    }
+  }
+
+  std::vector<Cause> go() {
+    if (wrong_ == 0) return {};
+    look_at_scale();
+    if (clearly_wrong_ == 0) {
+      look_at_rounding();
+    } else {
+      look_at_answers();
+      look_at_searches();
+      drop_what_does_not_agree();
+      if (causes_.empty()) look_at_orders_and_place();
+    }
+    drop_what_does_not_agree();
+    // Of two that explain the same the one that was looked for first, which is simpler.
+    std::ranges::stable_sort(
+        causes_, [](const Cause& one, const Cause& other) { return one.agreement > other.agreement + 0.02; });
+    return std::move(causes_);
+  }
+
+ private:
+  void drop_what_does_not_agree() {
+    std::erase_if(causes_, [](const Cause& each) { return each.agreement < enough_agreement; });
+  }
+
+  // -- Predictions ----------------------------------------------------------------------------------------------------
+
+  /// Of the samples that a program with this fault, or this one, answers wrongly, those that both do.
+  struct Overlap {
+    std::size_t both = 0, either = 0;
+    double share() const { return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either); }
+  };
+
+  /// Only samples count in which rounding does not decide.
+  template <class SaysYes>
+  Overlap overlap_with(const SaysYes& says_yes) const {
+    Overlap overlap;
+    for (const Sample& each : samples_) {
+      if (!each.is_clear) continue;
+      const bool is_predicted = !each.is_right(says_yes(each));
+      overlap.both += is_predicted && each.is_wrong;
+      overlap.either += is_predicted || each.is_wrong;
+    }
+    return overlap;
+  }
+
+  static std::string words_of(const Overlap& overlap) {
+    return "is as wrong on " + of(overlap.both, overlap.either) + " pairs that either gets wrong";
+  }
+
+  template <class SaysYes>
+  void predict(const std::string& name, const std::string& how, const SaysYes& says_yes) {
+    const Overlap overlap = overlap_with(says_yes);
+    causes_.push_back({name, how + " " + words_of(overlap), overlap.share()});
+  }
+
+  template <class Change>
+  void predict_after(const std::string& name, const std::string& how, const Change& change) {
+    predict(name, how, [&](const Sample& each) {
+      PointPair pair = each.judged->asked.pair;
+      return change(pair) ? truth_of(pair) == gjk::Status::intersecting : each.meet();
+    });
+  }
+
+  void look_at_answers() {
+    predict("it always says yes", "that answer", [](const Sample&) { return true; });
+    predict("it always says no", "that answer", [](const Sample&) { return false; });
+    predict("contact is taken for a miss", "'no' to all that only touch",
+            [](const Sample& each) { return each.meet() && !each.touches; });
+    predict_after("z is ignored", "the truth with every z at 0", [](PointPair& pair) {
+      for (Points* const set : {&pair.a, &pair.b})
+        for (Vec& p : *set) p.z() = 0;
+      return true;
+    });
+    predict("it compares boxes along the axes", "that the boxes overlap", [](const Sample& each) {
+      const auto range = [](const Points& points, int axis) {
+        const auto [low, high] = std::ranges::minmax(points, {}, [axis](const Vec& p) { return p[axis]; });
+        return std::pair(low[axis], high[axis]);
+      };
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto [low_a, high_a] = range(each.judged->asked.pair.a, axis);
+        const auto [low_b, high_b] = range(each.judged->asked.pair.b, axis);
+        if (high_a < low_b || high_b < low_a) return false;
+      }
+      return true;
+    });
+    predict("contact is taken for an intersection", "'yes' to all that only touch",
+            [](const Sample& each) { return each.meet(); });
+    for (const auto& [most, where] :
+         {std::pair{2, "a vertex or segment"}, std::pair{3, "a vertex, segment or triangle"}})
+      predict(std::string("the origin is not seen on ") + where + ", as where a zero direction is normalized",
+              "'no' where such a simplex holds it",
+              [most](const Sample& each) { return each.meet() && each.runs[0].vertices > most; });
+    look_at_parts();
+  }
+
+  /// What is not looked at cannot matter.
+  void look_at_parts() {
+    struct Part {
+      std::string words;
+      std::function<void(Points&)> cut;
+    };
+    const auto first = [](std::size_t count) {
+      return [count](Points& points) { points.resize(std::min(points.size(), count)); };
+    };
+    std::vector<Part> parts{{"the last point",
+                             [](Points& points) {
+                               if (points.size() > 1) points.pop_back();
+                             }},
+                            {"the first point", [](Points& points) {
+                               if (points.size() > 1) points.erase(points.begin());
+                             }}};
+    for (const std::size_t count : {2, 3, 4, 8})
+      parts.push_back({"what comes after the first " + std::to_string(count) + " points", first(count)});
+    for (const auto& [words, cut] : parts)
+      for (const auto& [whose, sets] : {std::pair{" of a", 1}, std::pair{" of b", 2}, std::pair{" of a and of b", 3}})
+        predict_after(words + whose + " is not looked at", "the truth without it", [&](PointPair& pair) {
+          const auto [a, b] = std::pair(pair.a.size(), pair.b.size());
+          if (sets & 1) cut(pair.a);
+          if (sets & 2) cut(pair.b);
+          return a != pair.a.size() || b != pair.b.size();
+        });
+  }
+
+  // -- Searches that others have written ------------------------------------------------------------------------------
+
+  void look_at_rounding() {
+    const auto is_beyond_doubles = [](const Sample& each) {
+      return each.is_wrong && !each.misleads_the_report() && each.judged->how_far.relative > 1e-13;
+    };
+    const auto beyond = static_cast<std::size_t>(std::ranges::count_if(samples_, is_beyond_doubles));
+    const bool in_floats = 10 * beyond > wrong_;
+    causes_.push_back(
+        {in_floats ? "it computes in floats" : "nothing but rounding in doubles, and cycles",
+         "all " + std::to_string(wrong_) +
+             " wrong answers looked at are near contact, beyond 1e±9, or such as the report's algorithm gives, too; " +
+             (in_floats ? "of " + std::to_string(beyond) + " doubles are no excuse" : "floats need not be the reason"),
+         1});
+  }
+
+  void look_at_searches() {
+    Overlap limited;
+    int limit = 0;
+    std::vector<Overlap> mistaken(mistakes().size());
+    for (std::size_t start = 0; start < starts().size(); ++start) {
+      for (int most = 1; most <= 30; ++most) {
+        const Overlap found = overlap_with([&](const Sample& each) {
+          return each.runs[start].iterations <= most && each.runs[start].status == gjk::Status::intersecting;
+        });
+        if (found.share() <= limited.share()) continue;
+        limited = found;
+        limit = most;
+      }
+      for (std::size_t m = 0; m < mistakes().size(); ++m) {
+        const Overlap found = overlap_with([&](const Sample& each) {
+          const Vec direction = starts()[start].direction_of(each.between);
+          return mistakes()[m].ask_from(direction, each.a, each.b).status == gjk::Status::intersecting;
+        });
+        if (found.share() > mistaken[m].share()) mistaken[m] = found;
+      }
+    }
+    causes_.push_back({"a limit of " + std::to_string(limit) + " iterations",
+                       "'no' where the report's algorithm needs more " + words_of(limited), limited.share()});
+    for (std::size_t m = 0; m < mistakes().size(); ++m)
+      if (mistaken[m].both >= 3) {
+        const auto& known = wrong_on_purpose::all()[m];
+        causes_.push_back({wrong_on_purpose::number_of(known.value) + ": " + std::string(known.meaning),
+                           "a program with this mistake " + words_of(mistaken[m]), mistaken[m].share(),
+                           std::string(known.word)});
+      }
+  }
+
+  // -- Asking again after a change ------------------------------------------------------------------------------------
+
+  /// What came of a change that must not change the answer.
+  struct Changed {
+    std::size_t wrong = 0, mended = 0;  ///< answers that were wrong; of these, those that are right now
+    std::size_t right = 0, broken = 0;  ///< answers that were right; of these, those that are wrong now
+    double mended_share() const { return wrong == 0 ? 0 : static_cast<double>(mended) / static_cast<double>(wrong); }
+    double broken_share() const { return right == 0 ? 0 : static_cast<double>(broken) / static_cast<double>(right); }
+  };
+
+  template <class Change>
+  Changed ask_after(const Change& change) const {
+    std::vector<const Sample*> asked;
+    std::vector<std::string> questions;
+    for (const Sample& each : samples_)
+      if (const auto pair = change(each)) {
+        asked.push_back(&each);
+        questions.push_back(question_line({pair->a, pair->b}));
+      }
+    const Replies replies = ask_all(program_, questions);
+    Changed changed;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      if (replies.all[i].kind != Reply::line) continue;
+      const Said said =
+          read_answer(replies.all[i].text, {asked[i]->judged->asked.pair.a, asked[i]->judged->asked.pair.b}).said;
+      const bool is_right = said == (asked[i]->meet() ? Said::intersecting : Said::separated);
+      ++(asked[i]->is_wrong ? changed.wrong : changed.right);
+      changed.mended += asked[i]->is_wrong && is_right;
+      changed.broken += !asked[i]->is_wrong && !is_right;
+    }
+    return changed;
+  }
+
+  Changed ask_symmetric(Symmetry symmetry) const {
+    return ask_after([&](const Sample& each) -> std::optional<PointPair> {
+      if (!each.is_clear) return std::nullopt;
+      Dice dice(1, each.judged->asked.name, static_cast<std::uint64_t>(symmetry));
+      return after(symmetry, each.judged->asked.pair, dice);
+    });
+  }
+
+  /// By a power of two, so that the largest number is about so large.
+  Changed ask_scaled(double wanted) const {
+    return ask_after([&](const Sample& each) -> std::optional<PointPair> {
+      if (each.is_wrong && each.judged->how_far.relative < 1e-7) return std::nullopt;  // rounding may be why
+      PointPair pair = each.judged->asked.pair;
+      const double factor = std::ldexp(1.0, std::ilogb(wanted) - std::ilogb(largest(pair)));
+      for (Points* const set : {&pair.a, &pair.b})
+        for (Vec& p : *set) {
+          const Vec before = p;
+          p *= factor;
+          if (p / factor != before || !p.allFinite()) return std::nullopt;
+        }
+      return pair;
+    });
+  }
+
+  /// So that the first point is the origin, where that rounds nothing.
+  Changed ask_about_origin() const {
+    return ask_after([](const Sample& each) -> std::optional<PointPair> {
+      PointPair pair = each.judged->asked.pair;
+      const Vec by = pair.a[0];
+      if (!each.is_clear || by == Vec::Zero()) return std::nullopt;
+      for (Points* const set : {&pair.a, &pair.b})
+        for (Vec& p : *set) {
+          const Vec before = p;
+          p -= by;
+          if (p + by != before || before - p != by) return std::nullopt;
+        }
+      return pair;
+    });
+  }
+
+  static std::string words_of(const Changed& changed) {
+    return of(changed.mended, changed.wrong) + " wrong answers become right, " + of(changed.broken, changed.right) +
+           " right ones wrong";
+  }
+
+  void look_at_scale() {
+    const double size = std::ldexp(1.0, 20);
+    const Changed larger = ask_scaled(size), smaller = ask_scaled(1 / size);
+    if (smaller.broken_share() > 0.1)
+      causes_.push_back({"an absolute tolerance",
+                         "in size 2^20, " + words_of(larger) + "; in size 2^-20, " + words_of(smaller),
+                         larger.mended_share()});
+  }
+
+  void look_at_orders_and_place() {
+    // What leads a search another way may mend it by chance: a cause mends what other changes do not.
+    const auto in_words = [](Symmetry symmetry) {
+      return std::string(symmetry_names[static_cast<std::size_t>(symmetry)]);
+    };
+    struct Try {
+      std::string name, change;
+      Changed changed;
+    };
+    const std::array tries{
+        Try{"the order of a and b matters", in_words(Symmetry::exchanged), ask_symmetric(Symmetry::exchanged)},
+        Try{"the order of points matters", in_words(Symmetry::permuted), ask_symmetric(Symmetry::permuted)},
+        Try{"the place in the world matters", "moved to the origin", ask_about_origin()}};
+    for (const Try& each : tries) {
+      double others = 0;
+      for (const Try& other : tries)
+        if (&other != &each) others = std::max(others, other.changed.mended_share());
+      causes_.push_back(
+          {each.name, each.change + ", " + words_of(each.changed), others > 0.5 ? 0 : each.changed.mended_share()});
+    }
+  }
+
+  const AskedProgram& program_;
+  std::vector<Sample> samples_;
+  std::size_t wrong_ = 0, clearly_wrong_ = 0;
+  std::vector<Cause> causes_;
+};
+
+}  // namespace
+
+std::vector<Cause> probable_causes(const AskedProgram& program, const Judgement& judgement, const Standard& standard) {
+  return Search(program, judgement, standard).go();
+}
+
+}  // namespace walkthroughs::judge

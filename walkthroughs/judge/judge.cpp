@@ -1,0 +1,208 @@
+#include "walkthroughs/judge/judge.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
+
+namespace walkthroughs::judge {
+namespace {
+
+constexpr std::size_t block = 1024;               // cases in memory at once
+constexpr std::size_t most_samples_of_kind = 30;  // of each family, right or wrong
+constexpr std::size_t most_failed = 10;
+
+Verdict verdict_on(Reply::Kind kind) {
+  switch (kind) {
+    case Reply::ended: return Verdict::ended;
+    case Reply::late: return Verdict::late;
+    case Reply::flooding: return Verdict::no_answer;
+    case Reply::line:
+    case Reply::not_asked: break;
+  }
+  return Verdict::not_asked;
+}
+
+/// Whether this answer to it is the one that is expected, or may be given.
+bool is_right(const Case& asked, bool says_yes, const Standard& standard) {
+  if (standard.touching == Touching::intersecting || !asked.meet()) return says_yes == asked.meet();
+  if (standard.touching == Touching::either && says_yes) return true;
+  const bool touch = only_touch(asked.pair, standard.expected.in_plane);
+  return touch ? standard.touching == Touching::either || !says_yes : says_yes;
+}
+
+Verdict verdict_on(const Case& asked, Said said, const Standard& standard) {
+  switch (said) {
+    case Said::undecided: return Verdict::undecided;
+    case Said::not_a_number: return Verdict::not_a_number;
+    case Said::nothing: return Verdict::no_answer;
+    case Said::intersecting:
+    case Said::separated: break;
+  }
+  const bool says_yes = said == Said::intersecting;
+  return is_right(asked, says_yes, standard) ? Verdict::right : says_yes ? Verdict::wrong_yes : Verdict::wrong_no;
+}
+
+Tally& tally_of(const std::string& family, std::vector<Tally>& all) {
+  const auto found = std::ranges::find(all, family, &Tally::family);
+  if (found != all.end()) return *found;
+  all.push_back({.family = family});
+  return all.back();
+}
+
+/// Whether a user would not say that nobody has such numbers.
+bool is_everyday(const Judged& each) {
+  const double size = std::max(largest_number(each.asked.pair.a), largest_number(each.asked.pair.b));
+  return can_be_drawn(each.asked.pair) && size < 1e15 && size > 1e-15;
+}
+
+/// Everyday numbers first, and of these the worst; of two as bad, that of fewer points, which is easier to follow.
+bool is_worse(const Judged& one, const Judged& other) {
+  if (is_everyday(one) != is_everyday(other)) return is_everyday(one);
+  const auto size = [](const Judged& each) { return each.asked.pair.a.size() + each.asked.pair.b.size(); };
+  if (one.how_far.relative != other.how_far.relative) return one.how_far.relative > other.how_far.relative;
+  return size(one) < size(other);
+}
+
+/// What happened in one block beside what happened before.
+void add(Replies& all, const Replies& more) {
+  if (all.first_crash.empty()) {
+    all.first_crash = more.first_crash;
+    all.answers_before_first_crash = more.answers_before_first_crash;
+  }
+  if (all.late_in_company == 0) all.answers_before_first_late = more.answers_before_first_late;
+  if (all.said.empty()) all.said = more.said;
+  if (all.others == 0) all.first_other = more.first_other;
+  all.crashes_in_company += more.crashes_in_company;
+  all.late_in_company += more.late_in_company;
+  all.early_ends += more.early_ends;
+  all.floods += more.floods;
+  all.long_lines += more.long_lines;
+  all.others += more.others;
+  all.closes_its_input = all.closes_its_input || more.closes_its_input;
+  all.outlives_its_input = all.outlives_its_input || more.outlives_its_input;
+  all.was_given_up = all.was_given_up || more.was_given_up;
+}
+
+class Hearing {
+ public:
+  Hearing(const Standard& standard, std::size_t worst) : standard_(standard), most_worst_(worst) {
+    judgement_.all.family = "all";
+  }
+
+  void hear(const std::vector<Case>& cases, const Replies& replies) {
+    for (std::size_t i = 0; i < cases.size(); ++i) take(judged(cases[i], replies.all[i], standard_));
+    add(judgement_.replies, replies);
+  }
+  bool is_over() const { return judgement_.replies.was_given_up; }
+  Judgement& judgement() { return judgement_; }
+
+ private:
+  void take(Judged each) {
+    judgement_.all.add(each);
+    tally_of(each.asked.family, judgement_.families).add(each);
+    const bool is_answer =
+        each.verdict == Verdict::right || is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance;
+    if (is_wrong(each.verdict)) keep_if_worst(each);
+    if (is_fault(each.verdict) && !is_answer && judgement_.failed.size() < most_failed)
+      judgement_.failed.push_back(each);
+    if (is_answer && samples_[{each.asked.family, is_wrong(each.verdict)}]++ < most_samples_of_kind)
+      judgement_.samples.push_back(std::move(each));
+  }
+
+  void keep_if_worst(const Judged& each) {
+    auto& worst = judgement_.worst;
+    worst.insert(std::ranges::upper_bound(worst, each, is_worse), each);
+    if (worst.size() > most_worst_) worst.pop_back();
+  }
+
+  Standard standard_;
+  std::size_t most_worst_;
+  std::map<std::pair<std::string, bool>, std::size_t> samples_;
+  Judgement judgement_;
+};
+
+}  // namespace
+
+std::uint64_t Tally::faults() const {
+  std::uint64_t sum = false_evidence;
+  for (std::size_t i = 0; i < counts.size(); ++i) sum += is_fault(static_cast<Verdict>(i)) ? counts[i] : 0;
+  return sum;
+}
+
+void Tally::add(const Judged& judged) {
+  ++pairs;
+  ++counts[static_cast<std::size_t>(judged.verdict)];
+  false_evidence += judged.false_evidence;
+  if (is_wrong(judged.verdict)) worst = std::max(worst, judged.how_far.relative);
+}
+
+bool Judgement::is_good() const {
+  constexpr std::uint64_t hiccups = 1;  // of a machine with other work
+  return all.faults() == 0 && all.of(Verdict::not_asked) == 0 && replies.crashes_in_company == 0 &&
+         replies.late_in_company <= hiccups && replies.floods == 0 && replies.long_lines == 0;
+}
+
+bool can_be_drawn(const PointPair& pair) {
+  return std::max(pair.a.size(), pair.b.size()) <= scene_limits::points &&
+         std::max(largest_number(pair.a), largest_number(pair.b)) <= scene_limits::magnitude;
+}
+
+std::optional<std::string> why_not_judged(const Judgement& judgement) {
+  const Replies& replies = judgement.replies;
+  const auto of = [&](Verdict verdict) { return judgement.all.of(verdict); };
+  const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + of(Verdict::wrong_yes) +
+                                 of(Verdict::wrong_no) + of(Verdict::undecided);
+  const std::string first = judgement.failed.empty() ? ""
+                                                     : " (" + judgement.failed.front().asked.name + ": " +
+                                                           judgement.failed.front().detail + ")";
+  const std::string others = replies.others == 0 ? ""
+                                                 : "; what it prints, such as " + in_quotes(replies.first_other) +
+                                                       ", is no answer: yes, no, undecided or distance 0.25";
+  if (replies.floods > 0 || replies.long_lines > 0)
+    return "writes more answers than it reads pairs: one line an answer" + others;
+  if (answered == 0)
+    return "answered none of " + std::to_string(judgement.all.pairs - of(Verdict::not_asked)) + " pairs" + first +
+           others;
+  if (replies.was_given_up)
+    return "was given up after " + std::to_string(answered) + " answers: too many pairs in a row had none" + first +
+           others;
+  return std::nullopt;
+}
+
+Judged judged(const Case& asked, const Reply& reply, const Standard& standard) {
+  Judged judged{.asked = asked};
+  if (reply.kind != Reply::line) {
+    judged.verdict = verdict_on(reply.kind);
+    judged.detail = reply.text;
+    return judged;
+  }
+  const ProgramAnswer answer = read_answer(reply.text, {asked.pair.a, asked.pair.b});
+  judged.said = answer.said;
+  judged.verdict = verdict_on(asked, answer.said, standard);
+  judged.detail = answer.why;
+  judged.false_evidence = judged.verdict == Verdict::right && answer.evidence == Evidence::proves_nothing;
+  if (!is_wrong(judged.verdict)) return judged;
+  judged.how_far = how_far(asked, standard.expected.in_plane);
+  if (judged.how_far.relative <= standard.tolerance && standard.tolerance > 0)
+    judged.verdict = Verdict::within_tolerance;
+  return judged;
+}
+
+Judgement judge(const AskedProgram& program, Cases cases, const Standard& standard, std::size_t worst,
+                const std::function<void(std::uint64_t done, std::uint64_t most)>& progress) {
+  Hearing hearing(standard, worst);
+  for (std::uint64_t done = 0; !hearing.is_over();) {
+    const std::vector<Case> some = cases.next(block);
+    if (some.empty()) break;
+    std::vector<std::string> questions;
+    for (const Case& each : some) questions.push_back(question_line({each.pair.a, each.pair.b}));
+    hearing.hear(some, ask_all(program, questions));
+    progress(done += some.size(), cases.most());
+  }
+  hearing.judgement().passed_over = cases.passed_over();
+  return std::move(hearing.judgement());
+}
+
+}  // namespace walkthroughs::judge

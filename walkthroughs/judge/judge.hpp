@@ -1,0 +1,104 @@
+/// Is a program right? It is asked about cases, one block after the other, in constant memory: kept are counts, the worst, and some
+/// to look for the cause with.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "walkthroughs/judge/answer.hpp"
+#include "walkthroughs/judge/asking.hpp"
+#include "walkthroughs/judge/how_far.hpp"
+
+namespace walkthroughs::judge {
+
+/// What sets that only touch are to be called.
+enum class Touching { intersecting, separated, either };
+
+/// What is wrong, and how wrong it may be.
+struct Standard {
+  Expected expected = {};
+  Touching touching = Touching::intersecting;
+  double tolerance =
+      0;  ///< what is no farther from the other answer, relative to the size of the pair, is counted apart
+};
+
+enum class Verdict {
+  right,
+  within_tolerance,
+  wrong_yes,
+  wrong_no,
+  undecided,
+  not_a_number,
+  no_answer,
+  ended,
+  late,
+  not_asked
+};
+inline constexpr std::array<std::string_view, 10> verdict_words{"right",     "within the tolerance",
+                                                                "wrong yes", "wrong no",
+                                                                "undecided", "not a number",
+                                                                "no answer", "ended",
+                                                                "too late",  "not asked"};
+
+/// Returns: whether it is a fault of the program.
+constexpr bool is_fault(Verdict verdict) {
+  return verdict != Verdict::right && verdict != Verdict::within_tolerance && verdict != Verdict::undecided &&
+         verdict != Verdict::not_asked;
+}
+/// Returns: whether it is the wrong answer, and not none.
+constexpr bool is_wrong(Verdict verdict) { return verdict == Verdict::wrong_yes || verdict == Verdict::wrong_no; }
+
+/// What came of one case.
+struct Judged {
+  Case asked;
+  Said said = Said::nothing;
+  Verdict verdict = Verdict::not_asked;
+  HowFar how_far = {};          ///< of a wrong answer
+  std::string detail = {};      ///< of no answer, or of an early end
+  bool false_evidence = false;  ///< whether what it gives as evidence of a right answer proves nothing
+};
+
+struct Tally {
+  std::string family;
+  std::uint64_t pairs = 0, false_evidence = 0;
+  std::array<std::uint64_t, verdict_words.size()> counts{};
+  double worst = 0;  ///< of wrong answers, relative
+
+  std::uint64_t of(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
+  std::uint64_t wrong() const { return of(Verdict::wrong_yes) + of(Verdict::wrong_no); }
+  std::uint64_t faults() const;
+  void add(const Judged& judged);
+};
+
+struct Judgement {
+  Tally all;
+  std::vector<Tally> families;  ///< in the order in which they come
+  std::vector<Judged>
+      worst;  ///< wrong answers, the worst first, before numbers beyond 1e±15; at most so many as were wanted
+  std::vector<Judged> failed;     ///< the first without an answer
+  std::vector<Judged> samples;    ///< in which causes are looked for: answered, rightly and wrongly
+  Replies replies;                ///< how it behaved; without the lines
+  std::uint64_t passed_over = 0;  ///< pairs that floats have no room for
+
+  bool is_good() const;  ///< nothing is wrong, and all was asked
+};
+
+/// `progress`: is told how many of how many are done. Errors: those of run_program() and of Cases.
+Judgement judge(const AskedProgram& program, Cases cases, const Standard& standard, std::size_t worst,
+                const std::function<void(std::uint64_t done, std::uint64_t most)>& progress);
+
+/// Returns: whether `gjkstep render` takes the pair.
+bool can_be_drawn(const PointPair& pair);
+
+/// Returns: why nothing can be said of the program, if that is so: it answered nothing, or was given up, or wrote more than was asked.
+std::optional<std::string> why_not_judged(const Judgement& judgement);
+
+/// Returns: what came of that reply.
+Judged judged(const Case& asked, const Reply& reply, const Standard& standard);
+
+}  // namespace walkthroughs::judge

@@ -1,0 +1,36 @@
+/// What was found about a program, in words: a first screen of five lines, a table, JSON; and scenes to draw.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "walkthroughs/judge/causes.hpp"
+#include "walkthroughs/judge/judge.hpp"
+
+namespace walkthroughs::judge {
+
+struct Report {
+  std::string program;  ///< with its arguments, as a shell reads them
+  std::string options;  ///< of the command line, before "--"; with a blank behind them where there are some
+  Judgement judgement;
+  std::vector<Cause> causes;
+};
+
+/// Returns: verdict and counts; the worst pair; it as a scene; the most probable cause with its evidence; what to do next. And a line
+/// each for what is odd about how it behaves.
+std::string first_screen(const Report& report);
+
+/// Returns: a table in Markdown, a row a family.
+std::string table(const Report& report);
+
+/// Returns: all of it as JSON.
+std::string json(const Report& report);
+
+struct SavedScene {
+  std::string name, text;
+};
+
+/// Returns: the worst pairs as files that `gjkstep render` takes; those beyond its limits are left out.
+std::vector<SavedScene> scenes_of_worst(const Report& report);
+
+}  // namespace walkthroughs::judge

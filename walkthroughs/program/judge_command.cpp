@@ -1,0 +1,235 @@
+// gjkstep judge: is somebody else's GJK right, how wrong is it, and why?
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/file.hpp"
+#include "walkthroughs/judge/adapters.hpp"
+#include "walkthroughs/judge/judged_text.hpp"
+#include "walkthroughs/judge/run_program.hpp"
+#include "walkthroughs/output/manifest.hpp"
+#include "walkthroughs/pairs/families.hpp"
+#include "walkthroughs/program/command_line.hpp"
+#include "walkthroughs/program/number_option.hpp"
+#include "walkthroughs/program/places.hpp"
+#include "walkthroughs/story/words.hpp"
+#include "walkthroughs/text/names.hpp"
+#include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/text_file.hpp"
+
+namespace walkthroughs::program {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{64} << 20;
+constexpr std::uint64_t most_of_each = 1'000'000;
+constexpr std::size_t kept_worst = 10;
+
+constexpr const char* footer =
+    R"(The program reads a pair a line, {"a":{"points":[[x,y,z],...]},"b":{"points":[...]}}, and writes an answer a line: yes (their
+hulls have a point in common; touching counts), no, undecided, or 'distance 0.25'. true, false and the JSON of 'gjkstep query' are
+understood, too. Whatever else it prints is no answer, and is shown. It may answer as it goes or when its input ends.
+'gjkstep judge --adapter c' prints a main function around your own code; there are c, cpp, py and mjs.
+Without --families, --count and --pairs it is asked about the kept pairs (published failures, the smallest pairs on which mistakes
+show, needles, contact, 1e+-100) and about 100 of each family. The truth of each is the certified answer, its certificate
+multiplied out in fractions. The same seed makes the same pairs.
+How wrong an answer is: how far the sets would have to be moved to make it right, relative to the diagonal of the box around both.
+Exit codes: 0 nothing is wrong, 1 something is, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
+that does not answer, 5 cannot write.)";
+
+/// How far it has come, in place, on a terminal.
+void show_progress(std::uint64_t done, std::uint64_t most) {
+  if (::isatty(STDERR_FILENO) != 1) return;
+  std::fprintf(stderr, "\r%llu of %llu pairs%s", static_cast<unsigned long long>(done),
+               static_cast<unsigned long long>(most), done < most ? "" : "\n");
+}
+
+struct JudgeCommand {
+  std::vector<std::string> program, families;
+  std::optional<std::string> pairs, save, adapter;
+  std::uint64_t count = 100, seed = 1;
+  double time_limit = 2, tolerance = 0;
+  std::string numbers = "double", touching = "yes";
+  bool in_plane = false, as_json = false, as_table = false, makes_pairs = false, force = false;
+  std::string options;  ///< as they were given
+
+  int run() const;
+
+ private:
+  judge::Expected expected() const {
+    return {numbers == "float" ? judge::Numbers::floats : judge::Numbers::doubles, in_plane};
+  }
+  judge::Cases cases() const;
+  void expect_possible() const;
+  void write_scenes(const judge::Report& report) const;
+};
+
+bool is_of_points(const NamedPair& named) { return pairs::points_of(named.pair).has_value(); }
+bool is_of_points(const Family& family) { return pairs::points_of(family.make(1, 0)).has_value(); }
+
+std::vector<const Family*> chosen_families(const std::vector<std::string>& names) {
+  std::vector<const Family*> chosen;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(pairs::families(), name, &Family::name);
+    std::vector<std::string> known;
+    for (const Family& each : pairs::families())
+      if (is_of_points(each)) known.push_back(each.name);
+    if (found == pairs::families().end())
+      throw UsageError("--families: there is no family " + in_quotes(name) + "; " + did_you_mean(nearest(name, known)) +
+                       "there are " + joined(known, ", ", [](const auto& each) { return each; }));
+    if (!is_of_points(*found))
+      throw UsageError("--families: " + name + " is of round shapes; a program is asked about points only");
+    chosen.push_back(&*found);
+  }
+  if (names.empty())
+    for (const Family& each : pairs::families())
+      if (is_of_points(each)) chosen.push_back(&each);
+  return chosen;
+}
+
+judge::Cases JudgeCommand::cases() const {
+  if (pairs) {
+    const std::vector<NamedPair> all = pairs::read_pairs(read_text(*pairs, largest_file), called(*pairs));
+    for (const NamedPair& each : all)
+      if (!is_of_points(each))
+        throw InputError(called(*pairs) + ": " + printable(each.name) +
+                         " has a round shape; a program is asked about points only");
+    return judge::cases_of(all, {}, 0, seed, expected());
+  }
+  std::vector<NamedPair> kept = makes_pairs ? std::vector<NamedPair>() : pairs::kept_pairs();
+  std::erase_if(kept, [](const NamedPair& each) { return !is_of_points(each); });
+  return judge::cases_of(kept, chosen_families(families), count, seed, expected());
+}
+
+void JudgeCommand::expect_possible() const {
+  if (program.empty())
+    throw UsageError(
+        "what is to be judged? Write it after --, for example gjkstep judge -- ./mine; 'gjkstep judge --help' says how "
+        "it is asked");
+  if (as_json && as_table) throw UsageError("--json and --table are both what is printed; leave one out");
+}
+
+void JudgeCommand::write_scenes(const judge::Report& report) const {
+  for (const judge::SavedScene& each : judge::scenes_of_worst(report))
+    write_output(std::filesystem::path(*save) / each.name, each.text);
+}
+
+int JudgeCommand::run() const {
+  if (adapter) {
+    std::cout << judge::adapter(*adapter) << std::flush;
+    return ok;
+  }
+  expect_possible();
+  Places places;
+  if (pairs) places.read(*pairs, "the pairs " + *pairs);
+  if (save) {
+    expect_named("--save", *save, "a folder to write to, for example --save wrong");
+    places.write_into(*save, {"*.json"}, "the scenes of --save");
+  }
+  places.write_standard_output();
+  places.expect_apart();
+  if (save) {
+    places.expect_no_loss(force ? Others::overwritten : Others::kept, "--save");
+    render::make_folder(*save, "choose another with --save");  // before the work, not after it
+  }
+  const judge::AskedProgram asked{.words = program,
+                                  .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)),
+                                  .is_answer = judge::is_meant_as_answer};
+  const judge::Standard standard{expected(),
+                                 touching == "no"       ? judge::Touching::separated
+                                 : touching == "either" ? judge::Touching::either
+                                                        : judge::Touching::intersecting,
+                                 tolerance};
+  judge::Report report{joined(program, " ", shell_quoted), options, {}, {}};
+  try {
+    report.judgement = judge::judge(asked, cases(), standard, kept_worst, show_progress);
+    if (const auto why = judge::why_not_judged(report.judgement))
+      throw InputError(report.program + " " + *why + "; 'gjkstep judge --help' says how it is asked");
+    report.causes = judge::probable_causes(asked, report.judgement, standard);
+  } catch (const judge::CannotStart& error) {
+    throw UsageError(error.what());
+  }
+  if (save) write_scenes(report);
+  std::cout << (as_json    ? judge::json(report)
+                : as_table ? judge::table(report)
+                           : judge::first_screen(report))
+            << std::flush;
+  places.tidy_manifests();
+  return report.judgement.is_good() ? 0 : 1;
+}
+
+/// "a,b", and again.
+void add_families(CLI::App& command, std::vector<std::string>& families) {
+  command.add_option("--families", families, "only pairs of these, such as triangles,boxes")
+      ->delimiter(',')
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("NAME,...");
+}
+
+/// Returns: the options as they were given, in order, with a blank behind them where there are some.
+std::string given_options(const CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* const option : command.parse_order()) {
+    if (!option->get_name().starts_with("--") || option->get_name() == "--save") continue;
+    text += option->get_name() + " ";
+    if (option->get_expected_max() > 0)
+      text += shell_word(joined(option->results(), ",", [](const auto& each) { return each; })) + " ";
+  }
+  return text;
+}
+
+}  // namespace
+
+Command add_judge_command(CLI::App& app) {
+  const auto asked = std::make_shared<JudgeCommand>();
+  CLI::App* const command = app.add_subcommand("judge", "is another program's GJK right, how wrong is it, and why?");
+  add_families(*command, asked->families);
+  CLI::Option* const count =
+      command->add_option("--count", asked->count, "so many of each family")->capture_default_str();
+  expect_number(count, std::uint64_t{1}, most_of_each);
+  CLI::Option* const seed = command->add_option("--seed", asked->seed, "which pairs are made")->capture_default_str();
+  expect_number(seed, std::uint64_t{0}, ~std::uint64_t{0});
+  CLI::Option* const file = command->add_option("--pairs", asked->pairs, "the pairs of this file, a line each");
+  for (const char* const option : {"--families", "--count", "--seed"}) file->excludes(command->get_option(option));
+  expect_number(command
+                    ->add_option("--tolerance", asked->tolerance,
+                                 "answers this near to right are counted apart, relative to the size of the pair")
+                    ->capture_default_str(),
+                0.0, 1.0);
+  command->add_option("--numbers", asked->numbers, "double, or float: pairs are rounded to floats first")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command->add_option("--touching", asked->touching, "what sets that only touch are to be called: yes, no or either")
+      ->check(CLI::IsMember({"yes", "no", "either"}))
+      ->capture_default_str();
+  command->add_flag("--plane", asked->in_plane, "for programs of the plane: every z is 0");
+  expect_number(
+      command->add_option("--time-limit", asked->time_limit, "seconds until the next answer")->capture_default_str(),
+      0.01, 3600.0);
+  command->add_option("--save", asked->save, "folder for the worst pairs, as scenes that 'gjkstep render' draws");
+  add_force_flag(*command, asked->force);
+  command->add_flag("--table", asked->as_table, "print a table of all families");
+  command->add_flag("--json", asked->as_json, "print all as JSON");
+  command->add_option("--adapter", asked->adapter, "print a main function for your code: c, cpp, py or mjs")
+      ->check(CLI::IsMember({"c", "cpp", "py", "mjs"}));
+  command->add_option("PROGRAM", asked->program, "what to judge, and its arguments, after --");
+  command->footer(footer);
+  return {command, [asked, command] {
+            asked->makes_pairs =
+                command->count("--families") + command->count("--count") + command->count("--seed") > 0;
+            asked->options = given_options(*command);
+            return asked->run();
+          }};
+}
+
+}  // namespace walkthroughs::program
