@@ -27,7 +27,6 @@ floors = [
     ["tests/study/sweep"],
     ["tests/study/claims"],
     ["tests/study/corpus"],
-    ["tests/study/judge"],
     ["tests/study/steps"],
     ["tests/study/program"],
     ["tests/study"],

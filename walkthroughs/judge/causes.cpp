@@ -83,6 +83,8 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
   return samples;
 }
 
+constexpr std::size_t enough_wrong = 3;  // fewer may be so by chance
+
 class Search {
  public:
   Search(const AskedProgram& program, const Judgement& judgement, const Standard& standard)
@@ -94,7 +96,7 @@ class Search {
   }
 
   std::vector<Cause> go() {
-    if (wrong_ == 0) return {};
+    if (wrong_ < enough_wrong) return {};
     look_at_scale();
     if (clearly_wrong_ == 0) {
       look_at_rounding();
@@ -138,13 +140,13 @@ class Search {
   }
 
   static std::string words_of(const Overlap& overlap) {
-    return "is as wrong on " + of(overlap.both, overlap.either) + " pairs that either gets wrong";
+    return "wrong on the same " + of(overlap.both, overlap.either) + " pairs";
   }
 
   template <class SaysYes>
   void predict(const std::string& name, const std::string& how, const SaysYes& says_yes) {
     const Overlap overlap = overlap_with(says_yes);
-    causes_.push_back({name, how + " " + words_of(overlap), overlap.share()});
+    causes_.push_back({name, how + ": " + words_of(overlap), overlap.share()});
   }
 
   template <class Change>
@@ -156,8 +158,11 @@ class Search {
   }
 
   void look_at_answers() {
-    predict("it always says yes", "that answer", [](const Sample&) { return true; });
-    predict("it always says no", "that answer", [](const Sample&) { return false; });
+    const auto says = [&](bool yes) {
+      return std::ranges::all_of(samples_, [yes](const Sample& each) { return each.says_yes() == yes; });
+    };
+    if (says(true)) predict("it always says yes", "that answer", [](const Sample&) { return true; });
+    if (says(false)) predict("it always says no", "that answer", [](const Sample&) { return false; });
     predict("contact is taken for a miss", "'no' to all that only touch",
             [](const Sample& each) { return each.meet() && !each.touches; });
     predict_after("z is ignored", "the truth with every z at 0", [](PointPair& pair) {
@@ -253,12 +258,12 @@ class Search {
       }
     }
     causes_.push_back({"a limit of " + std::to_string(limit) + " iterations",
-                       "'no' where the report's algorithm needs more " + words_of(limited), limited.share()});
+                       "'no' where the report's algorithm needs more: " + words_of(limited), limited.share()});
     for (std::size_t m = 0; m < mistakes().size(); ++m)
       if (mistaken[m].both >= 3) {
         const auto& known = wrong_on_purpose::all()[m];
         causes_.push_back({wrong_on_purpose::number_of(known.value) + ": " + std::string(known.meaning),
-                           "a program with this mistake " + words_of(mistaken[m]), mistaken[m].share(),
+                           "a program with this mistake: " + words_of(mistaken[m]), mistaken[m].share(),
                            std::string(known.word)});
       }
   }

@@ -153,7 +153,7 @@ std::optional<std::string> why_not_judged(const Judgement& judgement) {
   const Replies& replies = judgement.replies;
   const auto of = [&](Verdict verdict) { return judgement.all.of(verdict); };
   const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + of(Verdict::wrong_yes) +
-                                 of(Verdict::wrong_no) + of(Verdict::undecided);
+                                 of(Verdict::wrong_no) + of(Verdict::undecided) + of(Verdict::not_a_number);
   const std::string first = judgement.failed.empty() ? ""
                                                      : " (" + judgement.failed.front().asked.name + ": " +
                                                            judgement.failed.front().detail + ")";

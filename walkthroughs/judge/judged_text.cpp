@@ -102,7 +102,9 @@ std::string cause_line(const Report& report) {
 
 std::string next_line(const Report& report) {
   const Judgement& found = report.judgement;
-  if (found.is_good()) return "next: " + command(report, "--count 1000") + "\n";
+  if (found.is_good())
+    return "next: gjkstep judge " + std::string(report.options.empty() ? "--count 1000 " : "") + "-- " +
+           report.program + "\n";
   if (!report.causes.empty() && !report.causes.front().mistake.empty())
     return "next: gjkstep render mistakes/" + report.causes.front().mistake + "\n";
   if (found.all.wrong() == 0) return "next: " + command(report, "--table") + "\n";

@@ -47,7 +47,7 @@ void add_pairs(CLI::App& program) {
   CLI::App& app = *program.add_subcommand("pairs", "write pairs with their exact answers, a JSON line each");
   const auto asked = std::make_shared<PairsCommand>();
   CLI::Option* const is_corpus = app.add_flag(
-      "--corpus", asked->corpus, "the kept corpus, tests/study/corpus.jsonl: some 500 of the most telling");
+      "--corpus", asked->corpus, "the kept corpus, walkthroughs/pairs/corpus.jsonl: some 500 of the most telling");
   add_list(app, "--families", asked->families, "only these, such as triangles,boxes");
   add_pair_count(app, "--count", asked->count, "so many of each family");
   add_seed(app, asked->seed);

@@ -88,7 +88,7 @@ class Rate(collections.namedtuple("Rate", "count trials census", defaults=(False
         return Rate(self.trials - self.count, self.trials, self.census)
 
     def interval(self):
-        """The 95 % score interval (E. B. Wilson 1927), as in tests/study/judge/rate.hpp. From 0 to 1 where there are no trials."""
+        """The 95 % score interval (E. B. Wilson 1927), from 0 to 1 where there are no trials."""
         if not self.trials:
             return 0, 1
         z, n, p = 1.959963984540054, self.trials, self.share

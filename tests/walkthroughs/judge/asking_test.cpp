@@ -10,7 +10,6 @@
 
 #include "tests/kit/catch.hpp"
 #include "tests/walkthroughs/support.hpp"
-#include "walkthroughs/program/exit_code.hpp"
 
 namespace walkthroughs::judge {
 namespace {
@@ -58,7 +57,7 @@ TEST_CASE("Asking: each question has the line that answers it, whether output is
   CHECK(std::ranges::all_of(replies.all, [](const Reply& reply) { return reply.text.size() == 100000; }));
 }
 
-TEST_CASE("Asking: who crashes at one question is blamed for that one, whether output is kept back or not") {
+TEST_CASE("Asking: who crashes at one question is blamed for that one, whether output is kept back or not", "[full]") {
   const auto python = [](const std::string& flush) {
     const std::string script =
         "import os, sys\nfor x in sys.stdin:\n  if int(x) == 41: os.kill(os.getpid(), 11)\n"
@@ -101,7 +100,7 @@ TEST_CASE("Asking: who answers one question and ends is started again for each, 
   CHECK(replies.crashes_in_company == 0);
 }
 
-TEST_CASE("Asking: who answers a few questions and then hangs is given up") {
+TEST_CASE("Asking: who answers a few questions and then hangs is given up", "[full]") {
   const Replies replies = ask_shell("read x; echo got $x; sleep 100", 100, 100);
   CHECK(replies.was_given_up);
   CHECK(count_of(replies, Reply::line) == 20);
@@ -109,7 +108,7 @@ TEST_CASE("Asking: who answers a few questions and then hangs is given up") {
 }
 
 TEST_CASE(
-    "Asking: who hangs after so many questions, whichever they are, is told as late, blamed on none and given up") {
+    "Asking: who hangs after so many questions, whichever they are, is told as late, blamed on none and given up", "[full]") {
   const std::string hangs_at_4 = "n=0; " + echo + "n=$((n+1)); [ $n = 4 ] && sleep 100; echo got $x; done";
   const Replies few = ask_shell(hangs_at_4, 12, 300);
   check_echo_but(few, {});
@@ -127,14 +126,14 @@ TEST_CASE("Asking: a line that was not ended in time is no answer") {
   CHECK(replies.all[0].kind == Reply::late);
 }
 
-TEST_CASE("Asking: who is late at one question is late for that one, and started again") {
+TEST_CASE("Asking: who is late at one question is late for that one, and started again", "[full]") {
   const Replies replies = ask_shell(echo + "[ $x = 5 ] && sleep 100; echo got $x; done", 30, 2000);
   check_echo_but(replies, {5});
   CHECK(replies.all[5].kind == Reply::late);
   CHECK(replies.all[5].text == "no answer within 2 s");
 }
 
-TEST_CASE("Asking: who is late and has closed its output or its input is told as that") {
+TEST_CASE("Asking: who is late and has closed its output or its input is told as that", "[full]") {
   CHECK(ask_shell("exec >&-; sleep 100", 1, 500).all[0].text == "no answer within 0.5 s; it had closed its output");
   for (const std::size_t length : {std::size_t{1} << 20, std::size_t{60}}) {  // more than a pipe holds, and less
     const Replies refused = ask_all(shell("exec <&-; sleep 100", 500), {std::string(length, 'x')});
@@ -144,7 +143,7 @@ TEST_CASE("Asking: who is late and has closed its output or its input is told as
   CHECK_FALSE(ask_shell("sed 's/^/got /'; exec <&-; sleep 100", 3, 300).closes_its_input);  // it had answered them all
 }
 
-TEST_CASE("Asking: who never answers is given up") {
+TEST_CASE("Asking: who never answers is given up", "[full]") {
   const Replies late = ask_shell("sleep 100", 40, 100);
   CHECK(late.was_given_up);
   CHECK(count_of(late, Reply::late) == 5);
@@ -190,7 +189,7 @@ bool is_running(const std::string& process) {
   return !std::filesystem::read_symlink("/proc/" + process + "/exe", error).empty();
 }
 
-TEST_CASE("Asking: of a program that starts others nothing is left, wherever these have gone") {
+TEST_CASE("Asking: of a program that starts others nothing is left, wherever these have gone", "[full]") {
   const Folder folder;
   const std::string pids = (folder.path() / "pids").string(), tell = " & echo $! >>" + pids + "; ";
   for (const std::string& start :
@@ -224,10 +223,10 @@ TEST_CASE("Asking: a program is told that its reader has left as anywhere else")
   CHECK(count_of(replies, Reply::line) == 2);
 }
 
-TEST_CASE("Asking: a program that is not there is wrong usage") {
+TEST_CASE("Asking: a program that is not there cannot be started") {
   for (const std::string name : {"/nowhere/at/all", "", "/"}) {
     INFO(name);
-    CHECK_THROWS_AS(ask_all({.words = {name}}, numbered(3)), walkthroughs::program::UsageError);
+    CHECK_THROWS_AS(ask_all({.words = {name}}, numbered(3)), CannotStart);
   }
 }
 

@@ -1,4 +1,4 @@
-// A short GJK with one mistake in it, to be found by tests/study/judge/README.md: c++ wrong_gjk.cpp -o wrong_gjk
+// A short GJK with one mistake in it, to be found by tests/study/steps/README.md: c++ wrong_gjk.cpp -o wrong_gjk
 #include <algorithm>
 
 #include "judge_main.hpp"
