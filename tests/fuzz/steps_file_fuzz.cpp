@@ -16,10 +16,10 @@
 #include <string_view>
 #include <vector>
 
-#include "walkthroughs/judge/answer.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/steps/check_steps.hpp"
 #include "tests/study/steps/parting.hpp"
+#include "walkthroughs/judge/answer.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace {
@@ -53,9 +53,9 @@ void require_told(const ToldRun& run) {
 void require_answer(std::string_view line) {
   static const Pair pair{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                          Points{{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
-  const ProgramAnswer answer = read_answer(line, pair);
+  const auto answer = walkthroughs::judge::read_answer(line, pair);
   require((answer.said == Said::nothing) == !answer.why.empty());
-  require(answer.said != Said::separated || answer.evidence != Evidence::holds);  // they do touch
+  require(answer.said != Said::separated || answer.evidence != walkthroughs::judge::Evidence::holds);  // they do touch
 }
 
 }  // namespace

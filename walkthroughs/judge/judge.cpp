@@ -105,6 +105,7 @@ class Hearing {
     const bool is_answer =
         each.verdict == Verdict::right || is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance;
     if (is_wrong(each.verdict)) keep_if_worst(each);
+    if (is_fault(each.verdict) || each.false_evidence) judgement_.faulty.push_back(each.asked.name);
     if (is_fault(each.verdict) && !is_answer && judgement_.failed.size() < most_failed)
       judgement_.failed.push_back(each);
     if (is_answer && samples_[{each.asked.family, is_wrong(each.verdict)}]++ < most_samples_of_kind)

@@ -80,10 +80,11 @@ struct Judgement {
   std::vector<Tally> families;  ///< in the order in which they come
   std::vector<Judged>
       worst;  ///< wrong answers, the worst first, before numbers beyond 1e±15; at most so many as were wanted
-  std::vector<Judged> failed;     ///< the first without an answer
-  std::vector<Judged> samples;    ///< in which causes are looked for: answered, rightly and wrongly
-  Replies replies;                ///< how it behaved; without the lines
-  std::uint64_t passed_over = 0;  ///< pairs that floats have no room for
+  std::vector<Judged> failed;       ///< the first without an answer
+  std::vector<std::string> faulty;  ///< the names of all at which it is at fault
+  std::vector<Judged> samples;      ///< in which causes are looked for: answered, rightly and wrongly
+  Replies replies;                  ///< how it behaved; without the lines
+  std::uint64_t passed_over = 0;    ///< pairs that floats have no room for
 
   bool is_good() const;  ///< nothing is wrong, and all was asked
 };

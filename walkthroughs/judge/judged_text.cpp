@@ -141,6 +141,19 @@ std::string behaviour(const Judgement& found) {
   return text;
 }
 
+/// What is known of it already.
+std::string accepted_line(const Report& report) {
+  if (!report.accepted) return "";
+  const auto& [file, names] = *report.accepted;
+  const std::vector<std::string> news = report.accepted->news(report.judgement);
+  const std::size_t known = report.judgement.faulty.size() - news.size();
+  std::string line = "accepted: " + count(known, "fault is", "faults are") + " in " + printable(file) + ", " +
+                     count(news.size()) + " new";
+  if (!news.empty()) line += ", the first " + message_line(news.front());
+  if (known < names.size()) line += "; " + count(names.size() - known) + " of the file are mended";
+  return line + "\n";
+}
+
 // -- JSON -------------------------------------------------------------------------------------------------------------
 
 using Json = nlohmann::ordered_json;
@@ -174,9 +187,16 @@ Json list_of(const std::vector<Judged>& all) {
 
 }  // namespace
 
+std::vector<std::string> Accepted::news(const Judgement& judgement) const {
+  std::vector<std::string> news;
+  for (const std::string& name : judgement.faulty)
+    if (!names.contains(name)) news.push_back(name);
+  return news;
+}
+
 std::string first_screen(const Report& report) {
   return verdict_line(report) + worst_line(report) + scene_line(report) + cause_line(report) + next_line(report) +
-         behaviour(report.judgement);
+         accepted_line(report) + behaviour(report.judgement);
 }
 
 std::string table(const Report& report) {
@@ -202,11 +222,12 @@ std::string json(const Report& report) {
     if (!each.mistake.empty()) causes.back()["mistake"] = each.mistake;
   }
   for (const Tally& each : found.families) families[printable(each.family)] = json_of(each);
-  const Json all = {{"schema", "gjkstep-judged"},    {"program", printable(report.program)},
-                    {"right", found.is_good()},      {"all", json_of(found.all)},
-                    {"families", families},          {"causes", causes},
-                    {"worst", list_of(found.worst)}, {"failed", list_of(found.failed)},
-                    {"notes", behaviour(found)}};
+  Json all = {{"schema", "gjkstep-judged"},    {"program", printable(report.program)},
+              {"right", found.is_good()},      {"all", json_of(found.all)},
+              {"families", families},          {"causes", causes},
+              {"worst", list_of(found.worst)}, {"failed", list_of(found.failed)},
+              {"notes", behaviour(found)}};
+  if (report.accepted) all["new"] = report.accepted->news(found);
   return all.dump(1) + "\n";
 }
 

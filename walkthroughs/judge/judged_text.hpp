@@ -1,6 +1,8 @@
 /// What was found about a program, in words: a first screen of five lines, a table, JSON; and scenes to draw.
 #pragma once
 
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,11 +11,21 @@
 
 namespace walkthroughs::judge {
 
+/// What was known to be wrong: faults that are no news.
+struct Accepted {
+  std::string file;
+  std::set<std::string> names;
+
+  /// Returns: the names of the faults that are news.
+  std::vector<std::string> news(const Judgement& judgement) const;
+};
+
 struct Report {
   std::string program;  ///< with its arguments, as a shell reads them
   std::string options;  ///< of the command line, before "--"; with a blank behind them where there are some
   Judgement judgement;
   std::vector<Cause> causes;
+  std::optional<Accepted> accepted = {};
 };
 
 /// Returns: verdict and counts; the worst pair; it as a scene; the most probable cause with its evidence; what to do next. And a line

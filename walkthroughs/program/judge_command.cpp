@@ -6,9 +6,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -33,8 +35,11 @@ constexpr std::size_t largest_file = std::size_t{64} << 20;
 constexpr std::uint64_t most_of_each = 1'000'000;
 constexpr std::size_t kept_worst = 10;
 
-constexpr const char* footer =
-    R"(The program reads a pair a line, {"a":{"points":[[x,y,z],...]},"b":{"points":[...]}}, and writes an answer a line: yes (their
+/// Returns: all that a program can be asked about.
+std::vector<std::string> names_of_families();
+
+std::string footer() {
+  return R"(The program reads a pair a line, {"a":{"points":[[x,y,z],...]},"b":{"points":[...]}}, and writes an answer a line: yes (their
 hulls have a point in common; touching counts), no, undecided, or 'distance 0.25'. true, false and the JSON of 'gjkstep query' are
 understood, too. Whatever else it prints is no answer, and is shown. It may answer as it goes or when its input ends.
 'gjkstep judge --adapter c' prints a main function around your own code; there are c, cpp, py and mjs.
@@ -42,8 +47,11 @@ Without --families, --count and --pairs it is asked about the kept pairs (publis
 show, needles, contact, 1e+-100) and about 100 of each family. The truth of each is the certified answer, its certificate
 multiplied out in fractions. The same seed makes the same pairs.
 How wrong an answer is: how far the sets would have to be moved to make it right, relative to the diagonal of the box around both.
-Exit codes: 0 nothing is wrong, 1 something is, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
-that does not answer, 5 cannot write.)";
+Exit codes: 0 nothing is wrong (or, with --accept, nothing new), 1 something is, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
+that does not answer, 5 cannot write.
+Families: )" +
+         joined(names_of_families(), ", ", [](const std::string& each) { return each; }) + ".";
+}
 
 /// How far it has come, in place, on a terminal.
 void show_progress(std::uint64_t done, std::uint64_t most) {
@@ -54,7 +62,7 @@ void show_progress(std::uint64_t done, std::uint64_t most) {
 
 struct JudgeCommand {
   std::vector<std::string> program, families;
-  std::optional<std::string> pairs, save, adapter;
+  std::optional<std::string> pairs, save, accept, adapter;
   std::uint64_t count = 100, seed = 1;
   double time_limit = 2, tolerance = 0;
   std::string numbers = "double", touching = "yes";
@@ -70,21 +78,27 @@ struct JudgeCommand {
   judge::Cases cases() const;
   void expect_possible() const;
   void write_scenes(const judge::Report& report) const;
+  judge::Accepted accepted(const judge::Judgement& judgement) const;
 };
 
 bool is_of_points(const NamedPair& named) { return pairs::points_of(named.pair).has_value(); }
 bool is_of_points(const Family& family) { return pairs::points_of(family.make(1, 0)).has_value(); }
 
+std::vector<std::string> names_of_families() {
+  std::vector<std::string> names;
+  for (const Family& each : pairs::families())
+    if (is_of_points(each)) names.push_back(each.name);
+  return names;
+}
+
 std::vector<const Family*> chosen_families(const std::vector<std::string>& names) {
   std::vector<const Family*> chosen;
   for (const std::string& name : names) {
     const auto found = std::ranges::find(pairs::families(), name, &Family::name);
-    std::vector<std::string> known;
-    for (const Family& each : pairs::families())
-      if (is_of_points(each)) known.push_back(each.name);
+    const std::vector<std::string> known = names_of_families();
     if (found == pairs::families().end())
       throw UsageError("--families: there is no family " + in_quotes(name) + "; " + did_you_mean(nearest(name, known)) +
-                       "there are " + joined(known, ", ", [](const auto& each) { return each; }));
+                       "'gjkstep judge --help' names all");
     if (!is_of_points(*found))
       throw UsageError("--families: " + name + " is of round shapes; a program is asked about points only");
     chosen.push_back(&*found);
@@ -122,6 +136,19 @@ void JudgeCommand::write_scenes(const judge::Report& report) const {
     write_output(std::filesystem::path(*save) / each.name, each.text);
 }
 
+/// Returns: what the file says; where it is not there it is written, with what is wrong now.
+judge::Accepted JudgeCommand::accepted(const judge::Judgement& judgement) const {
+  if (!std::filesystem::exists(*accept)) {
+    std::string text;
+    for (const std::string& name : judgement.faulty) text += name + "\n";
+    write_output(*accept, text);
+  }
+  judge::Accepted known{*accept, {}};
+  std::istringstream lines(read_text(*accept, largest_file));
+  for (std::string name; std::getline(lines, name);) known.names.insert(name);
+  return known;
+}
+
 int JudgeCommand::run() const {
   if (adapter) {
     std::cout << judge::adapter(*adapter) << std::flush;
@@ -134,8 +161,16 @@ int JudgeCommand::run() const {
     expect_named("--save", *save, "a folder to write to, for example --save wrong");
     places.write_into(*save, {"*.json"}, "the scenes of --save");
   }
+  if (accept) {
+    expect_named("--accept", *accept, "a file, for example --accept known.txt");
+    if (std::filesystem::exists(*accept))
+      places.read(*accept, "the accepted faults " + *accept);
+    else
+      places.write(*accept, "what --accept writes");
+  }
   places.write_standard_output();
   places.expect_apart();
+  if (accept && !std::filesystem::exists(*accept)) render::expect_writable(*accept);
   if (save) {
     places.expect_no_loss(force ? Others::overwritten : Others::kept, "--save");
     render::make_folder(*save, "choose another with --save");  // before the work, not after it
@@ -158,12 +193,14 @@ int JudgeCommand::run() const {
     throw UsageError(error.what());
   }
   if (save) write_scenes(report);
+  if (accept) report.accepted = accepted(report.judgement);
   std::cout << (as_json    ? judge::json(report)
                 : as_table ? judge::table(report)
                            : judge::first_screen(report))
             << std::flush;
   places.tidy_manifests();
-  return report.judgement.is_good() ? 0 : 1;
+  const bool is_news = report.accepted ? !report.accepted->news(report.judgement).empty() : !report.judgement.is_good();
+  return is_news ? 1 : 0;
 }
 
 /// "a,b", and again.
@@ -180,7 +217,8 @@ void add_families(CLI::App& command, std::vector<std::string>& families) {
 std::string given_options(const CLI::App& command) {
   std::string text;
   for (const CLI::Option* const option : command.parse_order()) {
-    if (!option->get_name().starts_with("--") || option->get_name() == "--save") continue;
+    if (!option->get_name().starts_with("--") || option->get_name() == "--save" || option->get_name() == "--force")
+      continue;
     text += option->get_name() + " ";
     if (option->get_expected_max() > 0)
       text += shell_word(joined(option->results(), ",", [](const auto& each) { return each; })) + " ";
@@ -217,13 +255,15 @@ Command add_judge_command(CLI::App& app) {
       command->add_option("--time-limit", asked->time_limit, "seconds until the next answer")->capture_default_str(),
       0.01, 3600.0);
   command->add_option("--save", asked->save, "folder for the worst pairs, as scenes that 'gjkstep render' draws");
+  command->add_option("--accept", asked->accept,
+                      "file of faults that are known, which are no failure; it is written where it is not there");
   add_force_flag(*command, asked->force);
   command->add_flag("--table", asked->as_table, "print a table of all families");
   command->add_flag("--json", asked->as_json, "print all as JSON");
   command->add_option("--adapter", asked->adapter, "print a main function for your code: c, cpp, py or mjs")
       ->check(CLI::IsMember({"c", "cpp", "py", "mjs"}));
   command->add_option("PROGRAM", asked->program, "what to judge, and its arguments, after --");
-  command->footer(footer);
+  command->footer(footer());
   return {command, [asked, command] {
             asked->makes_pairs =
                 command->count("--families") + command->count("--count") + command->count("--seed") > 0;

@@ -3,8 +3,8 @@
 #include "core/gjk.hpp"
 #include "tests/study/claims/claims.hpp"
 #include "tests/study/methods/method.hpp"
-#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/over_pairs.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {

@@ -2,8 +2,8 @@
 
 #include "tests/study/claims/claims.hpp"
 #include "tests/study/methods/mistakes.hpp"
-#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/over_pairs.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
 #include "tests/study/truth/oracle.hpp"
 

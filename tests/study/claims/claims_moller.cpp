@@ -4,11 +4,11 @@
 #include "core/gjk.hpp"
 #include "tests/study/claims/claims.hpp"
 #include "tests/study/methods/moller_1997.hpp"
-#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/over_pairs.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/random_triangles.hpp"
-#include "tests/study/truth/oracle.hpp"
 #include "tests/study/truth/exact_number.hpp"
+#include "tests/study/truth/oracle.hpp"
 
 namespace study {
 namespace {

@@ -97,8 +97,8 @@ std::string answered_line(const AnsweredPair& answered) {
   using Json = nlohmann::json;
   const NamedPair& named = answered.named;
   std::string line = "{\"name\":" + Json(named.name).dump() + ",\"family\":" + Json(named.family).dump() + "," +
-                     walkthroughs::pairs::bodies_in_line(named.pair) + ",\"answer\":{\"status\":\"" + status_of(answered.truth) +
-                     "\",\"certificate\":" + answered.certificate + "}";
+                     walkthroughs::pairs::bodies_in_line(named.pair) + ",\"answer\":{\"status\":\"" +
+                     status_of(answered.truth) + "\",\"certificate\":" + answered.certificate + "}";
   if (!answered.notes.empty()) line += ",\"notes\":" + Json(answered.notes).dump();
   if (!named.source.empty()) line += ",\"source\":" + Json(named.source).dump();
   return line + "}";

@@ -7,13 +7,13 @@
 #include <sstream>
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/certificates.hpp"
 #include "tests/study/corpus/published.hpp"
 #include "tests/study/corpus/shown.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "tests/study/truth/proofs.hpp"
-#include "tests/kit/certificates.hpp"
 #include "tests/walkthroughs/support.hpp"
 
 namespace study {
@@ -153,7 +153,7 @@ TEST_CASE("Corpus: every family is in it, and at least ten published failures wi
   CHECK(count["published"] == static_cast<int>(published_failures().size()));
   CHECK(count["published"] >= 10);
   CHECK(count["smallest"] > 100);
-  const auto readme = walkthroughs::test::bytes_of(std::filesystem::path(GJKSTEP_CORPUS).parent_path() / "README.md");
+  const auto readme = walkthroughs::test::bytes_of(GJKSTEP_STUDY_README);
   CHECK(readme.find(std::to_string(kept_lines().size()) + " pairs that show") != std::string::npos);
   CHECK(readme.find(std::to_string(count["published"]) + " failures of other libraries") != std::string::npos);
 }

@@ -1,9 +1,8 @@
-#include "tests/study/pairs/pairs.hpp"
-
 #include <array>
 #include <set>
 
 #include "tests/kit/catch.hpp"
+#include "tests/study/pairs/pairs.hpp"
 
 namespace study {
 namespace {

@@ -1,5 +1,3 @@
-#include "tests/study/pairs/pairs.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "core/gjk.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/study/pairs/hulls.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/linear_program.hpp"
 #include "tests/study/truth/oracle.hpp"
 

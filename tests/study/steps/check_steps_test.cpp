@@ -6,10 +6,10 @@
 #include "core/complete.hpp"
 #include "tests/kit/catch.hpp"
 #include "tests/study/corpus/shown.hpp"
-#include "walkthroughs/pairs/named_pair.hpp"
 #include "tests/study/methods/mistakes.hpp"
 #include "tests/study/truth/oracle.hpp"
 #include "walkthroughs/model/scene.hpp"
+#include "walkthroughs/pairs/named_pair.hpp"
 #include "walkthroughs/text/text_file.hpp"
 
 namespace study {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "tests/kit/catch.hpp"
-#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/hulls.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/linear_program.hpp"
 #include "tests/study/truth/oracle_cgal.hpp"
 

@@ -1,8 +1,8 @@
 #include "tests/study/truth/proofs.hpp"
 
 #include "tests/kit/catch.hpp"
-#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/pairs/hulls.hpp"
+#include "tests/study/pairs/pairs.hpp"
 #include "tests/study/truth/oracle.hpp"
 
 namespace study {

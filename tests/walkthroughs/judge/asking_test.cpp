@@ -107,8 +107,8 @@ TEST_CASE("Asking: who answers a few questions and then hangs is given up", "[fu
   CHECK(count_of(replies, Reply::not_asked) == 80);
 }
 
-TEST_CASE(
-    "Asking: who hangs after so many questions, whichever they are, is told as late, blamed on none and given up", "[full]") {
+TEST_CASE("Asking: who hangs after so many questions, whichever they are, is told as late, blamed on none and given up",
+          "[full]") {
   const std::string hangs_at_4 = "n=0; " + echo + "n=$((n+1)); [ $n = 4 ] && sleep 100; echo got $x; done";
   const Replies few = ask_shell(hangs_at_4, 12, 300);
   check_echo_but(few, {});
