@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "core/certified/certified.hpp"
 #include "core/certified/check.hpp"

@@ -1,7 +1,11 @@
 #include "walkthroughs/judge/causes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
 
 #include "walkthroughs/judge/mistakes.hpp"
 #include "walkthroughs/judge/starts.hpp"

@@ -1,9 +1,11 @@
 #include "walkthroughs/judge/judged_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "walkthroughs/text/printable.hpp"
 

@@ -1,5 +1,7 @@
 #include "walkthroughs/judge/how_far.hpp"
 
+#include <cmath>
+
 #include "tests/kit/catch.hpp"
 #include "walkthroughs/pairs/families.hpp"
 

@@ -1,6 +1,9 @@
 // What is said of programs that are known: scripts, gjkstep itself, and a GJK of another style with planted faults.
 #include "walkthroughs/judge/judge.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "tests/kit/catch.hpp"
 #include "tests/kit/places.hpp"
 #include "walkthroughs/judge/causes.hpp"
