@@ -6,10 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/certified/check.hpp"
 #include "core/certified/dyadic.hpp"
-#include "walkthroughs/model/exact_shape.hpp"
 #include "walkthroughs/pairs/dice.hpp"
+#include "walkthroughs/pairs/graded.hpp"
 
 namespace walkthroughs::judge {
 namespace {
@@ -38,14 +37,7 @@ PointPair of_size_one(const PointPair& pair, double diagonal) {
 
 // -- Apart ------------------------------------------------------------------------------------------------------------
 
-double gap_of(const PointPair& pair) {
-  const ExactAnswer answer = exact_answer({"a", pair.a}, {"b", pair.b});
-  gjk::SeparatingFeature feature;
-  for (const gjk::IndexPair each : answer.nearest) feature.of.add(each);
-  const auto v = gjk::direction_of(feature, gjk::PointSet<double>(pair.a), gjk::PointSet<double>(pair.b));
-  if (!v) return 0;
-  return Vec(static_cast<double>((*v)[0]), static_cast<double>((*v)[1]), static_cast<double>((*v)[2])).stableNorm();
-}
+double gap_of(const PointPair& pair) { return nearest_point(pair).stableNorm(); }
 
 // -- In each other ----------------------------------------------------------------------------------------------------
 

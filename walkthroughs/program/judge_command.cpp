@@ -21,6 +21,7 @@
 #include "walkthroughs/judge/run_program.hpp"
 #include "walkthroughs/output/manifest.hpp"
 #include "walkthroughs/pairs/families.hpp"
+#include "walkthroughs/pairs/graded.hpp"
 #include "walkthroughs/program/command_line.hpp"
 #include "walkthroughs/program/number_option.hpp"
 #include "walkthroughs/program/places.hpp"
@@ -85,28 +86,32 @@ struct JudgeCommand {
 bool is_of_points(const NamedPair& named) { return pairs::points_of(named.pair).has_value(); }
 bool is_of_points(const Family& family) { return pairs::points_of(family.make(1, 0)).has_value(); }
 
+/// Those that are made of points, and graded ones.
+std::vector<const Family*> families_of_points() {
+  std::vector<const Family*> all;
+  for (const std::vector<Family>* const list : {&pairs::families(), &pairs::graded_families()})
+    for (const Family& each : *list)
+      if (is_of_points(each)) all.push_back(&each);
+  return all;
+}
+
 std::vector<std::string> names_of_families() {
   std::vector<std::string> names;
-  for (const Family& each : pairs::families())
-    if (is_of_points(each)) names.push_back(each.name);
+  for (const Family* const each : families_of_points()) names.push_back(each->name);
   return names;
 }
 
 std::vector<const Family*> chosen_families(const std::vector<std::string>& names) {
+  const std::vector<const Family*> all = families_of_points();
+  if (names.empty()) return all;
   std::vector<const Family*> chosen;
   for (const std::string& name : names) {
-    const auto found = std::ranges::find(pairs::families(), name, &Family::name);
-    const std::vector<std::string> known = names_of_families();
-    if (found == pairs::families().end())
-      throw UsageError("--families: there is no family " + in_quotes(name) + "; " + did_you_mean(nearest(name, known)) +
-                       "'gjkstep judge --help' names all");
-    if (!is_of_points(*found))
-      throw UsageError("--families: " + name + " is of round shapes; a program is asked about points only");
-    chosen.push_back(&*found);
+    const auto found = std::ranges::find(all, name, &Family::name);
+    if (found == all.end())
+      throw UsageError("--families: there is no family " + in_quotes(name) + " of points; " +
+                       did_you_mean(nearest(name, names_of_families())) + "'gjkstep judge --help' names all");
+    chosen.push_back(*found);
   }
-  if (names.empty())
-    for (const Family& each : pairs::families())
-      if (is_of_points(each)) chosen.push_back(&each);
   return chosen;
 }
 
