@@ -66,12 +66,14 @@ class Interview {
     RunOfProgram run =
         run_program(program_.words, std::span(questions_).subspan(at_, count), program_.limit, program_.is_answer);
     note(run);
-    const std::size_t answered = is_flood(run.end) && count > 1 ? 0 : run.lines.size();
+    // Where some are missing though nothing happened, nobody knows which.
+    const bool is_shifted = run.end == End::ended && !run.failed && !run.lines.empty();
+    const std::size_t answered = (is_flood(run.end) || is_shifted) && count > 1 ? 0 : run.lines.size();
     for (std::size_t i = 0; i < answered; ++i) replies_.all[at_ + i] = {Reply::line, std::move(run.lines[i])};
     if (answered > 0) in_a_row_ = 0;
     const bool crashed =
         (run.failed && run.end == End::ended) || (run.was_killed_by_signal && run.end == End::answered);
-    replies_.early_ends += run.end == End::ended && !run.failed && answered > 0;
+    replies_.early_ends += is_shifted;
     give_up_who_never_ends(run);
     const bool was_late = run.end == End::late && answered > 0;  // before the first it may only keep its output back
     if ((crashed || was_late) && (count > 1 || run.end == End::answered)) {

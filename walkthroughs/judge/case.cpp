@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -64,6 +65,11 @@ std::vector<Case> Cases::next(std::size_t count) {
 Cases cases_of(std::vector<NamedPair> listed, std::vector<const Family*> families, std::uint64_t of_each,
                std::uint64_t seed, const Expected& expected) {
   const auto count_of = [=](const Family& family) { return std::min(of_each, family.size.value_or(of_each)); };
+  const auto name_of = [=](const Family& family, std::uint64_t index) {
+    return family.name + (seed == 1 ? "-" : "-of-seed-" + std::to_string(seed) + "-") + std::to_string(index);
+  };
+  std::set<std::string> known;
+  for (const NamedPair& each : listed) known.insert(each.name);
   std::uint64_t most = listed.size();
   for (const Family* const family : families) most += count_of(*family);
   struct Place {
@@ -72,12 +78,17 @@ Cases cases_of(std::vector<NamedPair> listed, std::vector<const Family*> familie
   };
   const auto next = [=, at = std::make_shared<Place>()]() -> std::optional<NamedPair> {
     if (at->listed < listed.size()) return listed[at->listed++];
-    if (at->family < families.size() && at->index == count_of(*families[at->family]))
-      *at = {at->listed, at->family + 1, 0};
-    if (at->family == families.size()) return std::nullopt;
-    const Family& family = *families[at->family];
-    const std::uint64_t index = at->index++;
-    return NamedPair{family.name + "-" + std::to_string(index), family.name, family.make(seed, index)};
+    while (at->family < families.size()) {
+      const Family& family = *families[at->family];
+      if (at->index == count_of(family)) {
+        *at = {at->listed, at->family + 1, 0};
+        continue;
+      }
+      const std::uint64_t index = at->index++;
+      const std::string name = name_of(family, index);
+      if (!known.contains(name)) return NamedPair{name, family.name, family.make(seed, index)};
+    }
+    return std::nullopt;
   };
   return {next, most, expected};
 }

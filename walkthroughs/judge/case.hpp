@@ -54,7 +54,7 @@ class Cases {
   Expected expected_;
 };
 
-/// Those listed, then of each family so many.
+/// Those listed, then of each family so many; none that was listed comes again.
 Cases cases_of(std::vector<NamedPair> listed, std::vector<const Family*> families, std::uint64_t of_each,
                std::uint64_t seed, const Expected& expected);
 

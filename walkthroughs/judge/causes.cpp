@@ -18,17 +18,11 @@ namespace {
 /// "57 of 58".
 std::string of(std::size_t count, std::size_t all) { return std::to_string(count) + " of " + std::to_string(all); }
 
-Vec mean_of(const Points& points) {
-  Vec sum = Vec::Zero();
-  for (const Vec& p : points) sum += p / static_cast<double>(points.size());
-  return sum;
-}
-
 /// A sample, ready to be asked of the report's algorithm.
 struct Sample {
   const Judged* judged;
   gjk::PointSet<double> a, b;
-  Vec between;
+  std::vector<Vec> directions;  ///< one for each of starts()
   bool is_wrong;
   bool touches;
   bool expected, may_be_either;  ///< the right answer
@@ -72,22 +66,25 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
     Sample sample{.judged = &each,
                   .a = gjk::PointSet<double>(pair.a),
                   .b = gjk::PointSet<double>(pair.b),
-                  .between = gjk::first_direction_between(mean_of(pair.a), mean_of(pair.b)),
+                  .directions = {},
                   .is_wrong = is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance,
                   .touches = touches,
                   .expected = meet && !(touches && standard.touching == Touching::separated),
                   .may_be_either = touches && standard.touching == Touching::either,
                   .is_clear = false,
                   .runs = {}};
-    for (const Start& start : starts())
-      sample.runs.push_back(ask_faithfully(sample.a, sample.b, start.direction_of(sample.between)));
+    for (const Start& start : starts()) {
+      sample.directions.push_back(start.direction_of(pair));
+      sample.runs.push_back(ask_faithfully(sample.a, sample.b, sample.directions.back()));
+    }
     sample.is_clear = !sample.misleads_the_report() && is_clear(each, in_plane);
     samples.push_back(std::move(sample));
   }
   return samples;
 }
 
-constexpr std::size_t enough_wrong = 3;  // fewer may be so by chance
+constexpr std::size_t enough_wrong = 3;   // fewer may be so by chance
+constexpr double enough_of_limit = 0.95;  // whoever fails at many simplices looks a little like it
 
 class Search {
  public:
@@ -101,6 +98,7 @@ class Search {
 
   std::vector<Cause> go() {
     if (wrong_ < enough_wrong) return {};
+    look_at_memory();
     look_at_scale();
     if (clearly_wrong_ == 0) {
       look_at_rounding();
@@ -144,7 +142,7 @@ class Search {
   }
 
   static std::string words_of(const Overlap& overlap) {
-    return "wrong on the same " + of(overlap.both, overlap.either) + " pairs";
+    return "wrong on " + of(overlap.both, overlap.either) + " pairs that it or the program gets wrong";
   }
 
   template <class SaysYes>
@@ -228,16 +226,18 @@ class Search {
 
   void look_at_rounding() {
     const auto is_beyond_doubles = [](const Sample& each) {
-      return each.is_wrong && !each.misleads_the_report() && each.judged->how_far.relative > 1e-13;
+      const double size = largest(each.judged->asked.pair);
+      return each.is_wrong && !each.misleads_the_report() && each.judged->how_far.relative > 1e-13 && size > small &&
+             size < large;
     };
     const auto beyond = static_cast<std::size_t>(std::ranges::count_if(samples_, is_beyond_doubles));
     const bool in_floats = 10 * beyond > wrong_;
-    causes_.push_back(
-        {in_floats ? "it computes in floats" : "nothing but rounding in doubles, and cycles",
-         "all " + std::to_string(wrong_) +
-             " wrong answers looked at are near contact, beyond 1e±9, or such as the report's algorithm gives, too; " +
-             (in_floats ? "of " + std::to_string(beyond) + " doubles are no excuse" : "floats need not be the reason"),
-         1});
+    causes_.push_back({in_floats ? "it computes in floats" : "nothing but rounding in doubles, and cycles",
+                       "all " + std::to_string(wrong_) +
+                           " wrong answers looked at are near contact, have numbers beyond 1e±9, or mislead the "
+                           "report's algorithm, too" +
+                           (in_floats ? "; doubles would tell " + std::to_string(beyond) + " of them" : ""),
+                       1, "", in_floats ? "--numbers float" : "--tolerance 1e-9"});
   }
 
   void look_at_searches() {
@@ -255,14 +255,14 @@ class Search {
       }
       for (std::size_t m = 0; m < mistakes().size(); ++m) {
         const Overlap found = overlap_with([&](const Sample& each) {
-          const Vec direction = starts()[start].direction_of(each.between);
-          return mistakes()[m].ask_from(direction, each.a, each.b).status == gjk::Status::intersecting;
+          return mistakes()[m].ask_from(each.directions[start], each.a, each.b).status == gjk::Status::intersecting;
         });
         if (found.share() > mistaken[m].share()) mistaken[m] = found;
       }
     }
-    causes_.push_back({"a limit of " + std::to_string(limit) + " iterations",
-                       "'no' where the report's algorithm needs more: " + words_of(limited), limited.share()});
+    if (limited.share() > enough_of_limit)
+      causes_.push_back({"a limit of " + std::to_string(limit) + " iterations",
+                         "'no' where the report's algorithm needs more: " + words_of(limited), limited.share()});
     for (std::size_t m = 0; m < mistakes().size(); ++m)
       if (mistaken[m].both >= 3) {
         const auto& known = wrong_on_purpose::all()[m];
@@ -283,7 +283,7 @@ class Search {
   };
 
   template <class Change>
-  Changed ask_after(const Change& change) const {
+  Changed ask_after(const Change& change, bool in_reverse = false) const {
     std::vector<const Sample*> asked;
     std::vector<std::string> questions;
     for (const Sample& each : samples_)
@@ -291,13 +291,18 @@ class Search {
         asked.push_back(&each);
         questions.push_back(question_line({pair->a, pair->b}));
       }
+    if (in_reverse) {
+      std::ranges::reverse(asked);
+      std::ranges::reverse(questions);
+    }
     const Replies replies = ask_all(program_, questions);
     Changed changed;
     for (std::size_t i = 0; i < asked.size(); ++i) {
       if (replies.all[i].kind != Reply::line) continue;
       const Said said =
           read_answer(replies.all[i].text, {asked[i]->judged->asked.pair.a, asked[i]->judged->asked.pair.b}).said;
-      const bool is_right = said == (asked[i]->meet() ? Said::intersecting : Said::separated);
+      const bool is_answer = said == Said::intersecting || said == Said::separated;
+      const bool is_right = is_answer && asked[i]->is_right(said == Said::intersecting);
       ++(asked[i]->is_wrong ? changed.wrong : changed.right);
       changed.mended += asked[i]->is_wrong && is_right;
       changed.broken += !asked[i]->is_wrong && !is_right;
@@ -350,13 +355,24 @@ class Search {
            " right ones wrong";
   }
 
+  /// The same pairs in another order.
+  void look_at_memory() {
+    const Changed again = ask_after([](const Sample& each) { return std::optional(each.judged->asked.pair); }, true);
+    const std::size_t changed = again.mended + again.broken;
+    if (changed < enough_wrong) return;
+    causes_.push_back({"it answers otherwise when it is asked again: chance, or what it keeps from pair to pair",
+                       "the same pairs in reverse order: " + words_of(again), 1});
+  }
+
   void look_at_scale() {
     const double size = std::ldexp(1.0, 20);
     const Changed larger = ask_scaled(size), smaller = ask_scaled(1 / size);
-    if (smaller.broken_share() > 0.1)
+    // A tolerance breaks what is small, and nothing that is large.
+    const bool is_lopsided = smaller.broken_share() > 0.1 && smaller.broken_share() > 10 * larger.broken_share();
+    if (is_lopsided)
       causes_.push_back({"an absolute tolerance",
                          "in size 2^20, " + words_of(larger) + "; in size 2^-20, " + words_of(smaller),
-                         larger.mended_share()});
+                         std::max(larger.mended_share(), enough_agreement)});
   }
 
   void look_at_orders_and_place() {

@@ -14,6 +14,7 @@ struct Cause {
   std::string evidence;      ///< with numbers
   double agreement = 0;      ///< from 0 to 1: how much of what is wrong it explains, and nothing else
   std::string mistake = {};  ///< the word of one of wrong_on_purpose::all(), where it is one
+  std::string option = {};   ///< of the command line, with which it does not count
 };
 
 /// Below it a cause is not named.

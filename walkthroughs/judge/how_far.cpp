@@ -181,15 +181,23 @@ bool supports_at_origin(const PointPair& pair, const Exact& normal) {
 }  // namespace
 
 HowFar how_far(const Case& asked, bool in_plane) {
-  const double diagonal = diagonal_of(asked.pair);
+  // Scaled by a power of two, so that no difference overflows.
+  const double most = std::max(largest_number(asked.pair.a), largest_number(asked.pair.b));
+  if (most == 0) return {};
+  const int power = std::ilogb(most) + 2;
+  PointPair pair = asked.pair;
+  for (Points* const set : {&pair.a, &pair.b})
+    for (Vec& p : *set)
+      for (double& x : p) x = std::scalbn(x, -power);
+  const double diagonal = diagonal_of(pair);
   if (diagonal == 0) return {};
   if (!asked.meet()) {
-    const double gap = gap_of(asked.pair);
-    return {gap, gap / diagonal, false};
+    const double gap = gap_of(pair);
+    return {std::scalbn(gap, power), gap / diagonal, false};
   }
-  if (only_touch(asked.pair, in_plane)) return {};
-  const double depth = std::max(0.0, shallowest(of_size_one(asked.pair, diagonal), in_plane).depth);
-  return {depth * diagonal, depth, !are_few(asked.pair)};
+  if (only_touch(pair, in_plane)) return {};
+  const double depth = std::max(0.0, shallowest(of_size_one(pair, diagonal), in_plane).depth);
+  return {std::scalbn(depth * diagonal, power), depth, !are_few(pair)};
 }
 
 bool only_touch(const PointPair& pair, bool in_plane) {

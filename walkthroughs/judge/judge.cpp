@@ -1,6 +1,7 @@
 #include "walkthroughs/judge/judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -53,18 +54,24 @@ Tally& tally_of(const std::string& family, std::vector<Tally>& all) {
   return all.back();
 }
 
-/// Whether a user would not say that nobody has such numbers.
+/// Whether floats, too, have room for the products of such numbers.
 bool is_everyday(const Judged& each) {
   const double size = std::max(largest_number(each.asked.pair.a), largest_number(each.asked.pair.b));
-  return can_be_drawn(each.asked.pair) && size < 1e15 && size > 1e-15;
+  return can_be_drawn(each.asked.pair) && size < 1e8 && size > 1e-8;
 }
 
-/// Everyday numbers first, and of these the worst; of two as bad, that of fewer points, which is easier to follow.
+/// Of two powers of ten one class.
+int class_of(const HowFar& far) {
+  return far.relative > 0 ? static_cast<int>(std::floor(std::log10(far.relative) / 2)) : -1000;
+}
+
+/// Everyday numbers first, and of these the worst; of some as bad, that of fewest points, which is easiest to follow.
 bool is_worse(const Judged& one, const Judged& other) {
   if (is_everyday(one) != is_everyday(other)) return is_everyday(one);
   const auto size = [](const Judged& each) { return each.asked.pair.a.size() + each.asked.pair.b.size(); };
-  if (one.how_far.relative != other.how_far.relative) return one.how_far.relative > other.how_far.relative;
-  return size(one) < size(other);
+  if (class_of(one.how_far) != class_of(other.how_far)) return class_of(one.how_far) > class_of(other.how_far);
+  if (size(one) != size(other)) return size(one) < size(other);
+  return one.how_far.relative > other.how_far.relative;
 }
 
 /// What happened in one block beside what happened before.
@@ -87,6 +94,20 @@ void add(Replies& all, const Replies& more) {
   all.was_given_up = all.was_given_up || more.was_given_up;
 }
 
+std::string fault_line(const Judged& each) {
+  const std::string what(each.false_evidence ? "false evidence"
+                                             : verdict_words[static_cast<std::size_t>(each.verdict)]);
+  return what + " " + printable(each.asked.name);
+}
+
+std::string last_line(const std::string& text) {
+  const std::size_t last = text.find_last_not_of(" \r\n");
+  if (last == std::string::npos) return "";
+  const std::string said = text.substr(0, last + 1);
+  const std::size_t feed = said.rfind('\n');
+  return said.substr(feed == std::string::npos ? 0 : feed + 1);
+}
+
 class Hearing {
  public:
   Hearing(const Standard& standard, std::size_t worst) : standard_(standard), most_worst_(worst) {
@@ -107,7 +128,7 @@ class Hearing {
     const bool is_answer =
         each.verdict == Verdict::right || is_wrong(each.verdict) || each.verdict == Verdict::within_tolerance;
     if (is_wrong(each.verdict)) keep_if_worst(each);
-    if (is_fault(each.verdict) || each.false_evidence) judgement_.faulty.push_back(each.asked.name);
+    if (is_fault(each.verdict) || each.false_evidence) judgement_.faults.push_back(fault_line(each));
     if (is_fault(each.verdict) && !is_answer && judgement_.failed.size() < most_failed)
       judgement_.failed.push_back(each);
     if (is_answer && samples_[{each.asked.family, is_wrong(each.verdict)}]++ < most_samples_of_kind)
@@ -141,10 +162,12 @@ void Tally::add(const Judged& judged) {
   if (is_wrong(judged.verdict)) worst = std::max(worst, judged.how_far.relative);
 }
 
-bool Judgement::is_good() const {
+bool Judgement::is_good() const { return all.faults() == 0 && behaves(); }
+
+bool Judgement::behaves() const {
   constexpr std::uint64_t hiccups = 1;  // of a machine with other work
-  return all.faults() == 0 && all.of(Verdict::not_asked) == 0 && replies.crashes_in_company == 0 &&
-         replies.late_in_company <= hiccups && replies.floods == 0 && replies.long_lines == 0;
+  return all.of(Verdict::not_asked) == 0 && replies.crashes_in_company == 0 && replies.late_in_company <= hiccups &&
+         replies.floods == 0 && replies.long_lines == 0;
 }
 
 bool can_be_drawn(const PointPair& pair) {
@@ -160,11 +183,14 @@ std::optional<std::string> why_not_judged(const Judgement& judgement) {
   const std::string first = judgement.failed.empty() ? ""
                                                      : " (" + judgement.failed.front().asked.name + ": " +
                                                            judgement.failed.front().detail + ")";
-  const std::string others = replies.others == 0 ? ""
-                                                 : "; what it prints, such as " + in_quotes(replies.first_other) +
-                                                       ", is no answer: yes, no, undecided or distance 0.25";
+  const std::string said =
+      last_line(replies.said).empty() ? "" : "; it wrote to standard error: " + message_line(last_line(replies.said));
+  const std::string others =
+      said + (replies.others == 0 ? ""
+                                  : "; what it prints, such as " + in_quotes(replies.first_other) +
+                                        ", is no answer: yes, no, undecided or distance 0.25");
   if (replies.floods > 0 || replies.long_lines > 0)
-    return "writes more answers than it reads pairs: one line an answer" + others;
+    return "writes too much: more answers than it reads pairs, or too many or too long other lines" + others;
   if (answered == 0)
     return "answered none of " + std::to_string(judgement.all.pairs - of(Verdict::not_asked)) + " pairs" + first +
            others;

@@ -45,10 +45,9 @@ inline constexpr std::array<std::string_view, 10> verdict_words{"right",     "wi
                                                                 "no answer", "ended",
                                                                 "too late",  "not asked"};
 
-/// Returns: whether it is a fault of the program.
+/// Returns: whether it is a fault of the program. To leave a pair open is one.
 constexpr bool is_fault(Verdict verdict) {
-  return verdict != Verdict::right && verdict != Verdict::within_tolerance && verdict != Verdict::undecided &&
-         verdict != Verdict::not_asked;
+  return verdict != Verdict::right && verdict != Verdict::within_tolerance && verdict != Verdict::not_asked;
 }
 /// Returns: whether it is the wrong answer, and not none.
 constexpr bool is_wrong(Verdict verdict) { return verdict == Verdict::wrong_yes || verdict == Verdict::wrong_no; }
@@ -79,14 +78,17 @@ struct Judgement {
   Tally all;
   std::vector<Tally> families;  ///< in the order in which they come
   std::vector<Judged>
-      worst;  ///< wrong answers, the worst first, before numbers beyond 1e±15; at most so many as were wanted
+      worst;  ///< wrong answers, those of the worst power of a hundred first, the smallest of them before larger ones, and all
+              ///< before numbers beyond 1e±8; at most so many as were wanted
   std::vector<Judged> failed;       ///< the first without an answer
-  std::vector<std::string> faulty;  ///< the names of all at which it is at fault
+  std::vector<std::string> faults;  ///< all of them, each in a line: "wrong yes boxes-2"
   std::vector<Judged> samples;      ///< in which causes are looked for: answered, rightly and wrongly
   Replies replies;                  ///< how it behaved; without the lines
   std::uint64_t passed_over = 0;    ///< pairs that floats have no room for
 
-  bool is_good() const;  ///< nothing is wrong, and all was asked
+  bool behaves()
+      const;  ///< no run of the program crashed, was late, or brought more than was asked for, and all was asked
+  bool is_good() const;  ///< and nothing is wrong
 };
 
 /// `progress`: is told how many of how many are done. Errors: those of run_program() and of Cases.

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "walkthroughs/text/printable.hpp"
+#include "walkthroughs/text/scene_limits.hpp"
 
 namespace walkthroughs::judge {
 namespace {
@@ -37,22 +37,26 @@ std::string word(Verdict verdict) { return std::string(verdict_words[static_cast
 // -- The first screen -------------------------------------------------------------------------------------------------
 
 std::string verdict_line(const Report& report) {
-  const Tally& all = report.judgement.all;
-  std::string line = printable(report.program) + ": ";
+  const Judgement& found = report.judgement;
+  const Tally& all = found.all;
   const std::string pairs = count(all.pairs, "pair", "pairs");
-  if (report.judgement.is_good())
-    line += "right on all " + pairs;
-  else
-    line += "wrong on " + count(all.faults()) + " of " + pairs;
-  std::string parts;
-  for (std::size_t i = 1; i < verdict_words.size(); ++i)
-    if (all.counts[i] > 0)
-      parts += (parts.empty() ? ": " : ", ") + count(all.counts[i]) + " " + word(static_cast<Verdict>(i));
-  if (all.false_evidence > 0)
-    parts += (parts.empty() ? ": " : ", ") + count(all.false_evidence) + " right with evidence that proves nothing";
-  if (report.judgement.passed_over > 0)
-    parts += "; " + count(report.judgement.passed_over) + " not asked, as floats have no room for them";
-  return line + parts + "\n";
+  std::string line = printable(report.program) + ": ";
+  line += all.faults() == 0 ? "right on all " + pairs + (found.behaves() ? "" : ", but see the notes")
+                            : "not right on " + count(all.faults()) + " of " + pairs;
+  std::string between = ": ";
+  const auto add = [&](std::uint64_t number, const std::string& what) {
+    if (number == 0) return;
+    line += between + count(number) + " " + what;
+    between = ", ";
+  };
+  for (std::size_t i = 0; i < verdict_words.size(); ++i)
+    if (is_fault(static_cast<Verdict>(i))) add(all.counts[i], word(static_cast<Verdict>(i)));
+  add(all.false_evidence, "right with evidence that proves nothing");
+  if (all.of(Verdict::within_tolerance) > 0)
+    line += "; " + count(all.of(Verdict::within_tolerance)) + " more within the tolerance";
+  if (found.passed_over > 0)
+    line += "; " + count(found.passed_over) + " were not asked, as floats have no room for them";
+  return line + "\n";
 }
 
 std::string how_far_in_words(const Judged& each) {
@@ -63,21 +67,20 @@ std::string how_far_in_words(const Judged& each) {
          (meet ? " of their size deep in each other" : " of their size");
 }
 
-std::string worst_line(const Report& report) {
-  const Judgement& found = report.judgement;
-  if (!found.worst.empty()) {
-    const Judged& worst = found.worst.front();
-    return "worst: " + message_line(worst.asked.name) + ": " + how_far_in_words(worst) + ", and it says " +
-           (worst.asked.meet() ? "no" : "yes") + "\n";
-  }
-  if (found.failed.empty()) return "";
-  const Judged& first = found.failed.front();
-  return "first without an answer: " + message_line(first.asked.name) + ": " +
-         (first.detail.empty() ? word(first.verdict) : message_line(first.detail)) + "\n";
+/// A pair without an answer says more than a wrong one.
+const Judged* shown_pair(const Judgement& found) {
+  return !found.failed.empty() ? &found.failed.front() : !found.worst.empty() ? &found.worst.front() : nullptr;
 }
 
-const Judged* shown_pair(const Judgement& found) {
-  return !found.worst.empty() ? &found.worst.front() : !found.failed.empty() ? &found.failed.front() : nullptr;
+std::string worst_line(const Report& report) {
+  const Judged* const shown = shown_pair(report.judgement);
+  if (!shown) return "";
+  const std::string name = message_line(shown->asked.name);
+  if (!is_wrong(shown->verdict))
+    return "first without an answer: " + name + ": " +
+           (shown->detail.empty() ? word(shown->verdict) : message_line(shown->detail)) + "\n";
+  return "worst: " + name + ": " + how_far_in_words(*shown) + ", and it says " + (shown->asked.meet() ? "no" : "yes") +
+         "\n";
 }
 
 std::string command(const Report& report, const std::string& more) {
@@ -89,28 +92,30 @@ std::string scene_line(const Report& report) {
   if (!shown) return "";
   const std::string scene = question_line({shown->asked.pair.a, shown->asked.pair.b});
   return "its scene: " +
-         (scene.size() <= longest_scene     ? scene
-          : can_be_drawn(shown->asked.pair) ? "of many points; --save wrong writes it to wrong/1-….json"
-                                            : "beyond what is drawn: its numbers are too large") +
+         (scene.size() <= longest_scene ? scene
+          : can_be_drawn(shown->asked.pair)
+              ? report.saved.empty() ? "--save wrong writes it to wrong/1.json" : printable(report.saved) + "/1.json"
+              : "beyond what is drawn: its numbers are too large") +
          "\n";
 }
 
 std::string cause_line(const Report& report) {
   if (report.judgement.all.wrong() == 0) return "";
-  if (report.causes.empty()) return "probable cause: no cause found\n";
+  if (report.causes.empty()) return "probable cause: none found\n";
   const Cause& cause = report.causes.front();
   return "probable cause: " + cause.name + " (" + cause.evidence + ")\n";
 }
 
 std::string next_line(const Report& report) {
   const Judgement& found = report.judgement;
-  if (found.is_good())
-    return "next: gjkstep judge " + std::string(report.options.empty() ? "--count 1000 " : "") + "-- " +
-           report.program + "\n";
-  if (!report.causes.empty() && !report.causes.front().mistake.empty())
-    return "next: gjkstep render mistakes/" + report.causes.front().mistake + "\n";
-  if (found.all.wrong() == 0) return "next: " + command(report, "--table") + "\n";
-  return "next: " + command(report, "--save wrong") + "; gjkstep render wrong/1-*.json\n";
+  if (found.is_good()) return report.options.empty() ? "next: " + command(report, "--count 1000") + "\n" : "";
+  const Cause cause = report.causes.empty() ? Cause{} : report.causes.front();
+  if (!cause.mistake.empty()) return "next: gjkstep render mistakes/" + cause.mistake + "\n";
+  if (!cause.option.empty()) return "next: " + command(report, cause.option) + "\n";
+  const Judged* const shown = shown_pair(found);
+  if (!shown || !can_be_drawn(shown->asked.pair)) return "next: " + command(report, "--table") + "\n";
+  if (!report.saved.empty()) return "next: gjkstep render " + shell_word(report.saved + "/1.json") + "\n";
+  return "next: " + command(report, "--save wrong") + "; gjkstep render wrong/1.json\n";
 }
 
 /// What is odd, whether answers are right or not.
@@ -129,7 +134,8 @@ std::string behaviour(const Judgement& found) {
           ", though each pair has its answer in another run; let it flush after each answer");
   say(replies.early_ends > 0, "it ended " + count(replies.early_ends, "time", "times") +
                                   " before all pairs of a run were answered, and was started again");
-  say(replies.closes_its_input, "it closes its standard input before it has answered all");
+  say(replies.closes_its_input && found.all.of(Verdict::ended) == 0,
+      "it closes its standard input before it has answered all");
   say(replies.outlives_its_input, "it does not end when its input ends");
   say(replies.others > 0,
       "it also prints " + count(replies.others, "line that is no answer", "lines that are no answers") +
@@ -146,13 +152,16 @@ std::string behaviour(const Judgement& found) {
 /// What is known of it already.
 std::string accepted_line(const Report& report) {
   if (!report.accepted) return "";
-  const auto& [file, names] = *report.accepted;
+  const auto& [file, faults, is_written] = *report.accepted;
+  if (is_written)
+    return "accepted: " + count(faults.size(), "fault", "faults") + ", written to " + printable(file) + "\n";
   const std::vector<std::string> news = report.accepted->news(report.judgement);
-  const std::size_t known = report.judgement.faulty.size() - news.size();
+  const std::size_t known = report.judgement.faults.size() - news.size();
   std::string line = "accepted: " + count(known, "fault is", "faults are") + " in " + printable(file) + ", " +
                      count(news.size()) + " new";
   if (!news.empty()) line += ", the first " + message_line(news.front());
-  if (known < names.size()) line += "; " + count(names.size() - known) + " of the file are mended";
+  if (known < faults.size())
+    line += "; " + count(faults.size() - known) + " of the file are mended: remove it to accept anew";
   return line + "\n";
 }
 
@@ -191,8 +200,8 @@ Json list_of(const std::vector<Judged>& all) {
 
 std::vector<std::string> Accepted::news(const Judgement& judgement) const {
   std::vector<std::string> news;
-  for (const std::string& name : judgement.faulty)
-    if (!names.contains(name)) news.push_back(name);
+  for (const std::string& fault : judgement.faults)
+    if (!faults.contains(fault)) news.push_back(fault);
   return news;
 }
 
@@ -209,9 +218,11 @@ std::string table(const Report& report) {
   rows.push_back(report.judgement.all);
   for (const Tally& row : rows) {
     const std::uint64_t none = row.faults() - row.wrong() - row.false_evidence;
-    text += "| " + message_line(row.family) + " | " + count(row.pairs) + " | " + count(row.of(Verdict::wrong_yes)) +
-            " | " + count(row.of(Verdict::wrong_no)) + " | " + count(row.of(Verdict::undecided)) + " | " + count(none) +
-            " | " + (row.wrong() > 0 ? size_text(row.worst) : "") + " |\n";
+    std::string name = message_line(row.family);
+    std::ranges::replace(name, '|', '/');
+    text += "| " + name + " | " + count(row.pairs) + " | " + count(row.of(Verdict::wrong_yes)) + " | " +
+            count(row.of(Verdict::wrong_no)) + " | " + count(row.of(Verdict::undecided)) + " | " + count(none) + " | " +
+            (row.wrong() > 0 ? size_text(row.worst) : "") + " |\n";
   }
   return text;
 }
@@ -233,21 +244,17 @@ std::string json(const Report& report) {
   return all.dump(1) + "\n";
 }
 
-std::vector<SavedScene> scenes_of_worst(const Report& report) {
+std::vector<SavedScene> scenes_of_worst(const Judgement& judgement) {
   std::vector<SavedScene> files;
-  for (const std::vector<Judged>* const list : {&report.judgement.worst, &report.judgement.failed})
+  for (const std::vector<Judged>* const list : {&judgement.failed, &judgement.worst})
     for (const Judged& each : *list) {
-      const Pair pair{each.asked.pair.a, each.asked.pair.b};
       if (!can_be_drawn(each.asked.pair)) continue;
-      std::string name = each.asked.name.substr(0, 60);
-      for (char& letter : name)
-        if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '-';
       const std::string what =
           is_wrong(each.verdict) ? word(each.verdict) + ", " + how_far_in_words(each) : word(each.verdict);
-      files.push_back({std::to_string(files.size() + 1) + "-" + name + ".json",
-                       "// " + printable(report.program) + ": " + what +
-                           "\n// What is drawn is the report's algorithm, not that program.\n" + question_line(pair) +
-                           "\n"});
+      const Json name = (message_line(each.asked.name) + ": " + what).substr(0, scene_limits::title);
+      files.push_back(
+          {std::to_string(files.size() + 1) + ".json",
+           "{\"title\":" + name.dump() + "," + bodies_in_line({each.asked.pair.a, each.asked.pair.b}) + "}\n"});
     }
   return files;
 }

@@ -14,9 +14,10 @@ namespace walkthroughs::judge {
 /// What was known to be wrong: faults that are no news.
 struct Accepted {
   std::string file;
-  std::set<std::string> names;
+  std::set<std::string> faults;  ///< as Judgement has them
+  bool is_written = false;       ///< just now: what is wrong is what is accepted
 
-  /// Returns: the names of the faults that are news.
+  /// Returns: the faults that are news.
   std::vector<std::string> news(const Judgement& judgement) const;
 };
 
@@ -26,6 +27,7 @@ struct Report {
   Judgement judgement;
   std::vector<Cause> causes;
   std::optional<Accepted> accepted = {};
+  std::string saved = {};  ///< the folder of its scenes; else empty
 };
 
 /// Returns: verdict and counts; the worst pair; it as a scene; the most probable cause with its evidence; what to do next. And a line
@@ -42,7 +44,8 @@ struct SavedScene {
   std::string name, text;
 };
 
-/// Returns: the worst pairs as files that `gjkstep render` takes; those beyond its limits are left out.
-std::vector<SavedScene> scenes_of_worst(const Report& report);
+/// Returns: the pairs without an answer, then the worst, each as a file of one line that `gjkstep render` takes, and --pairs, and the
+/// program itself; those beyond its limits are left out.
+std::vector<SavedScene> scenes_of_worst(const Judgement& judgement);
 
 }  // namespace walkthroughs::judge

@@ -49,13 +49,22 @@ class File {
   int descriptor_;
 };
 
+/// Where this process has closed a standard stream, a pipe would take its number.
+File above_standard(int descriptor) {
+  File file(descriptor);
+  if (descriptor > STDERR_FILENO) return file;
+  File moved(::fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  if (!moved.is_open()) fail("a pipe cannot be made");
+  return moved;
+}
+
 struct Pipe {
   File read, write;
   Pipe() {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) fail("a pipe cannot be made");
-    read = File(ends[0]);
-    write = File(ends[1]);
+    read = above_standard(ends[0]);
+    write = above_standard(ends[1]);
   }
 };
 

@@ -11,8 +11,10 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "render/file.hpp"
@@ -49,7 +51,7 @@ Without --families, --count and --pairs it is asked about the kept pairs (publis
 show, needles, contact, 1e+-100) and about 100 of each family. The truth of each is the certified answer, its certificate
 multiplied out in fractions. The same seed makes the same pairs.
 How wrong an answer is: how far the sets would have to be moved to make it right, relative to the diagonal of the box around both.
-Exit codes: 0 nothing is wrong (or, with --accept, nothing new), 1 something is, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
+Exit codes: 0 all is right (or, with --accept, nothing is newly wrong), 1 something is not, 2 wrong usage or a program that cannot be started, 3 pairs that cannot be read, or a program
 that does not answer, 5 cannot write.
 Families: )" +
          joined(names_of_families(), ", ", [](const std::string& each) { return each; }) + ".";
@@ -63,7 +65,7 @@ void show_progress(std::uint64_t done, std::uint64_t most) {
 }
 
 struct JudgeCommand {
-  std::vector<std::string> program, families;
+  std::vector<std::string> program, families, without;
   std::optional<std::string> pairs, save, accept, adapter;
   std::uint64_t count = 100, seed = 1;
   double time_limit = 2, tolerance = 0;
@@ -79,8 +81,8 @@ struct JudgeCommand {
   }
   judge::Cases cases() const;
   void expect_possible() const;
-  void write_scenes(const judge::Report& report) const;
-  judge::Accepted accepted(const judge::Judgement& judgement) const;
+  void write_scenes(const judge::Judgement& judgement) const;
+  judge::Accepted accepted(const judge::Judgement& judgement, const std::optional<std::set<std::string>>& known) const;
 };
 
 bool is_of_points(const NamedPair& named) { return pairs::points_of(named.pair).has_value(); }
@@ -101,16 +103,18 @@ std::vector<std::string> names_of_families() {
   return names;
 }
 
-std::vector<const Family*> chosen_families(const std::vector<std::string>& names) {
+/// `otherwise`: where none is named. Errors: UsageError.
+std::vector<const Family*> families_called(const std::vector<std::string>& names,
+                                           std::vector<const Family*> otherwise) {
+  if (names.empty()) return otherwise;
   const std::vector<const Family*> all = families_of_points();
-  if (names.empty()) return all;
   std::vector<const Family*> chosen;
   for (const std::string& name : names) {
     const auto found = std::ranges::find(all, name, &Family::name);
     if (found == all.end())
-      throw UsageError("--families: there is no family " + in_quotes(name) + " of points; " +
+      throw UsageError("there is no family " + in_quotes(name) + " of points; " +
                        did_you_mean(nearest(name, names_of_families())) + "'gjkstep judge --help' names all");
-    chosen.push_back(*found);
+    if (std::ranges::find(chosen, *found) == chosen.end()) chosen.push_back(*found);
   }
   return chosen;
 }
@@ -126,7 +130,12 @@ judge::Cases JudgeCommand::cases() const {
   }
   std::vector<NamedPair> kept = makes_pairs ? std::vector<NamedPair>() : pairs::kept_pairs();
   std::erase_if(kept, [](const NamedPair& each) { return !is_of_points(each); });
-  return judge::cases_of(kept, chosen_families(families), count, seed, expected());
+  std::vector<const Family*> chosen = families_called(families, families_of_points());
+  for (const Family* const left_out : families_called(without, {})) {
+    std::erase(chosen, left_out);
+    std::erase_if(kept, [&](const NamedPair& each) { return each.family == left_out->name; });
+  }
+  return judge::cases_of(kept, chosen, count, seed, expected());
 }
 
 void JudgeCommand::expect_possible() const {
@@ -137,22 +146,40 @@ void JudgeCommand::expect_possible() const {
   if (as_json && as_table) throw UsageError("--json and --table are both what is printed; leave one out");
 }
 
-void JudgeCommand::write_scenes(const judge::Report& report) const {
-  for (const judge::SavedScene& each : judge::scenes_of_worst(report))
+void JudgeCommand::write_scenes(const judge::Judgement& judgement) const {
+  for (const judge::SavedScene& each : judge::scenes_of_worst(judgement))
     write_output(std::filesystem::path(*save) / each.name, each.text);
 }
 
-/// Returns: what the file says; where it is not there it is written, with what is wrong now.
-judge::Accepted JudgeCommand::accepted(const judge::Judgement& judgement) const {
-  if (!std::filesystem::exists(*accept)) {
-    std::string text;
-    for (const std::string& name : judgement.faulty) text += name + "\n";
-    write_output(*accept, text);
+constexpr const char* head_of_accepted = "# What gjkstep judge has accepted as wrong. Remove this file to accept anew.";
+
+bool is_there(const std::string& file) {
+  std::error_code unknown;  // then it cannot be written, and that is told
+  return std::filesystem::exists(file, unknown);
+}
+
+/// Returns: what the file says. Errors: InputError.
+std::set<std::string> accepted_in(const std::string& file) {
+  std::istringstream lines(read_text(file, largest_file));
+  std::set<std::string> faults;
+  std::string line;
+  if (!std::getline(lines, line) || !line.starts_with("# What gjkstep judge"))
+    throw InputError(file + ":1: is no list of accepted faults; name a file that is not there, and it is written");
+  while (std::getline(lines, line)) {
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    if (!line.empty() && !line.starts_with('#')) faults.insert(line);
   }
-  judge::Accepted known{*accept, {}};
-  std::istringstream lines(read_text(*accept, largest_file));
-  for (std::string name; std::getline(lines, name);) known.names.insert(name);
-  return known;
+  return faults;
+}
+
+/// Where the file is not there it is written, with what is wrong now. `known`: what it said before the program was asked.
+judge::Accepted JudgeCommand::accepted(const judge::Judgement& judgement,
+                                       const std::optional<std::set<std::string>>& known) const {
+  if (known) return {*accept, *known, false};
+  std::string text = std::string(head_of_accepted) + "\n";
+  for (const std::string& fault : judgement.faults) text += fault + "\n";
+  write_output(*accept, text);
+  return {*accept, {judgement.faults.begin(), judgement.faults.end()}, true};
 }
 
 int JudgeCommand::run() const {
@@ -162,6 +189,7 @@ int JudgeCommand::run() const {
   }
   expect_possible();
   Places places;
+  if (pairs && pairs->empty()) throw UsageError("--pairs '': name a file, or - for standard input");
   if (pairs) places.read(*pairs, "the pairs " + *pairs);
   if (save) {
     expect_named("--save", *save, "a folder to write to, for example --save wrong");
@@ -169,14 +197,18 @@ int JudgeCommand::run() const {
   }
   if (accept) {
     expect_named("--accept", *accept, "a file, for example --accept known.txt");
-    if (std::filesystem::exists(*accept))
+    if (is_there(*accept))
       places.read(*accept, "the accepted faults " + *accept);
     else
       places.write(*accept, "what --accept writes");
   }
   places.write_standard_output();
   places.expect_apart();
-  if (accept && !std::filesystem::exists(*accept)) render::expect_writable(*accept);
+  std::optional<std::set<std::string>> known;
+  if (accept && is_there(*accept))
+    known = accepted_in(*accept);
+  else if (accept)
+    render::expect_writable(*accept);
   if (save) {
     places.expect_no_loss(force ? Others::overwritten : Others::kept, "--save");
     render::make_folder(*save, "choose another with --save");  // before the work, not after it
@@ -189,29 +221,35 @@ int JudgeCommand::run() const {
                                  : touching == "either" ? judge::Touching::either
                                                         : judge::Touching::intersecting,
                                  tolerance};
-  judge::Report report{joined(program, " ", shell_quoted), options, {}, {}};
+  judge::Report report{joined(program, " ", shell_quoted), options, {}, {}, {}, save.value_or("")};
   try {
     report.judgement = judge::judge(asked, cases(), standard, kept_worst, show_progress);
+    if (save) write_scenes(report.judgement);
+    if (report.judgement.all.pairs == 0)
+      throw UsageError("no pair is left to ask: floats have no room for any of them");
     if (const auto why = judge::why_not_judged(report.judgement))
       throw InputError(report.program + " " + *why + "; 'gjkstep judge --help' says how it is asked");
     report.causes = judge::probable_causes(asked, report.judgement, standard);
   } catch (const judge::CannotStart& error) {
     throw UsageError(error.what());
+  } catch (const std::system_error& error) {
+    throw UsageError(std::string(error.what()) + "; allow more open files (ulimit -n) or processes (ulimit -u)");
   }
-  if (save) write_scenes(report);
-  if (accept) report.accepted = accepted(report.judgement);
+  if (accept) report.accepted = accepted(report.judgement, known);
   std::cout << (as_json    ? judge::json(report)
                 : as_table ? judge::table(report)
                            : judge::first_screen(report))
             << std::flush;
   places.tidy_manifests();
-  const bool is_news = report.accepted ? !report.accepted->news(report.judgement).empty() : !report.judgement.is_good();
-  return is_news ? 1 : 0;
+  const bool is_known =
+      report.accepted && report.judgement.behaves() && report.accepted->news(report.judgement).empty();
+  return is_known || report.judgement.is_good() ? 0 : 1;
 }
 
 /// "a,b", and again.
-void add_families(CLI::App& command, std::vector<std::string>& families) {
-  command.add_option("--families", families, "only pairs of these, such as triangles,boxes")
+CLI::Option* add_families(CLI::App& command, const std::string& option, std::vector<std::string>& families,
+                          const std::string& what) {
+  return command.add_option(option, families, what)
       ->delimiter(',')
       ->expected(1)
       ->allow_extra_args(false)
@@ -237,14 +275,17 @@ std::string given_options(const CLI::App& command) {
 Command add_judge_command(CLI::App& app) {
   const auto asked = std::make_shared<JudgeCommand>();
   CLI::App* const command = app.add_subcommand("judge", "is another program's GJK right, how wrong is it, and why?");
-  add_families(*command, asked->families);
+  add_families(*command, "--families", asked->families, "only pairs of these, such as triangles,boxes");
+  add_families(*command, "--without", asked->without, "no pairs of these, such as scale-1e100");
   CLI::Option* const count =
       command->add_option("--count", asked->count, "so many of each family")->capture_default_str();
   expect_number(count, std::uint64_t{1}, most_of_each);
   CLI::Option* const seed = command->add_option("--seed", asked->seed, "which pairs are made")->capture_default_str();
   expect_number(seed, std::uint64_t{0}, ~std::uint64_t{0});
-  CLI::Option* const file = command->add_option("--pairs", asked->pairs, "the pairs of this file, a line each");
-  for (const char* const option : {"--families", "--count", "--seed"}) file->excludes(command->get_option(option));
+  CLI::Option* const file =
+      command->add_option("--pairs", asked->pairs, "the pairs of this file, a line each; - is standard input");
+  for (const char* const option : {"--families", "--without", "--count", "--seed"})
+    file->excludes(command->get_option(option));
   expect_number(command
                     ->add_option("--tolerance", asked->tolerance,
                                  "answers this near to right are counted apart, relative to the size of the pair")

@@ -42,7 +42,7 @@ static Point* points_after(const char* key, char* line, int* n) {
   size_t room = 0;
   char* at = strstr(line, key);
   if (at == NULL) {
-    fputs("judge.c: this pair is not of points: judge.c cannot ask about round shapes\n", stderr);
+    fputs("judge.c: a line is no pair of sets of points\n", stderr);
     exit(2);
   }
   for (at += strlen(key), *n = 0; *at == '['; ++*n) {

@@ -21,7 +21,7 @@ bool collide(const Points& a, const Points& b);
 static Points points_after(const std::string& key, const std::string& line) {
   const std::size_t found = line.find(key);
   if (found == std::string::npos) {
-    std::cerr << "judge.cpp: this pair is not of points: judge.cpp cannot ask about round shapes\n";
+    std::cerr << "judge.cpp: a line is no pair of sets of points\n";
     std::exit(2);
   }
   Points points;

@@ -12,7 +12,7 @@ import { pathToFileURL } from "node:url";
 
 function pointsOf(shape) {
   if (!shape.points) {
-    console.error("judge.mjs: this pair is not of points: judge.mjs cannot ask about round shapes");
+    console.error("judge.mjs: a line is no pair of sets of points");
     process.exit(2);
   }
   return shape.points.map(([x, y, z = 0]) => [x, y, z]);  // a point [x, y] means [x, y, 0]

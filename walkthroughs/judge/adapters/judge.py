@@ -16,7 +16,7 @@ import sys
 
 def points_of(shape):
     if "points" not in shape:
-        print("judge.py: this pair is not of points: judge.py cannot ask about round shapes", file=sys.stderr)
+        print("judge.py: a line is no pair of sets of points", file=sys.stderr)
         sys.exit(2)
     return [[*point, 0.0][:3] for point in shape["points"]]  # a point [x, y] means [x, y, 0]
 
@@ -24,9 +24,9 @@ def points_of(shape):
 def in_words(answer):
     if answer is None:
         return "undecided"
-    if isinstance(answer, numbers.Real) and not isinstance(answer, numbers.Integral):
-        return f"distance {float(answer)!r}"
-    return "yes" if answer else "no"  # an int counts as true or false
+    if isinstance(answer, numbers.Integral):  # a bool is one
+        return "yes" if answer else "no"
+    return f"distance {float(answer)!r}" if isinstance(answer, numbers.Real) else str(answer)  # shown as it is
 
 
 def main():
