@@ -367,12 +367,12 @@ class Search {
   void look_at_scale() {
     const double size = std::ldexp(1.0, 20);
     const Changed larger = ask_scaled(size), smaller = ask_scaled(1 / size);
-    // A tolerance breaks what is small, and nothing that is large.
-    const bool is_lopsided = smaller.broken_share() > 0.1 && smaller.broken_share() > 10 * larger.broken_share();
-    if (is_lopsided)
-      causes_.push_back({"an absolute tolerance",
-                         "in size 2^20, " + words_of(larger) + "; in size 2^-20, " + words_of(smaller),
-                         std::max(larger.mended_share(), enough_agreement)});
+    // A tolerance breaks what is small, and most of all nothing that is large.
+    if (smaller.broken_share() <= 0.1) return;
+    const bool is_lopsided = smaller.broken_share() > 10 * larger.broken_share();
+    causes_.push_back({"an absolute tolerance",
+                       "in size 2^20, " + words_of(larger) + "; in size 2^-20, " + words_of(smaller),
+                       std::max(larger.mended_share(), is_lopsided ? enough_agreement : 0)});
   }
 
   void look_at_orders_and_place() {
