@@ -323,6 +323,7 @@ class Search {
     return ask_after([&](const Sample& each) -> std::optional<PointPair> {
       if (each.is_wrong && each.judged->how_far.relative < 1e-7) return std::nullopt;  // rounding may be why
       PointPair pair = each.judged->asked.pair;
+      if (largest(pair) == 0) return std::nullopt;
       const double factor = std::ldexp(1.0, std::ilogb(wanted) - std::ilogb(largest(pair)));
       for (Points* const set : {&pair.a, &pair.b})
         for (Vec& p : *set) {
