@@ -9,7 +9,7 @@
 
 #include "walkthroughs/judge/mistakes.hpp"
 #include "walkthroughs/judge/starts.hpp"
-#include "walkthroughs/judge/symmetries.hpp"
+#include "walkthroughs/pairs/dice.hpp"
 #include "walkthroughs/wrong_on_purpose/mistakes.hpp"
 
 namespace walkthroughs::judge {
@@ -41,18 +41,16 @@ struct Sample {
 constexpr double near_contact = 1e-5;  // relative to the largest number
 constexpr double small = 1e-9, large = 1e9;
 
-double largest(const PointPair& pair) { return std::max(largest_number(pair.a), largest_number(pair.b)); }
-
 /// Whether no product of a search in floats rounds: of four factors, each a difference, and sums of three.
 bool is_whole(const PointPair& pair) {
   const auto are_whole = [](const Points& points) {
     return std::ranges::all_of(points, [](const Vec& p) { return p == p.array().round().matrix(); });
   };
-  return largest(pair) <= 8 && are_whole(pair.a) && are_whole(pair.b);
+  return largest_number(pair) <= 8 && are_whole(pair.a) && are_whole(pair.b);
 }
 
 bool is_clear(const Judged& judged, bool in_plane) {
-  const double size = largest(judged.asked.pair);
+  const double size = largest_number(judged.asked.pair);
   if (is_whole(judged.asked.pair)) return true;
   return size > small && size < large && how_far(judged.asked, in_plane).length > near_contact * size;
 }
@@ -74,7 +72,7 @@ std::vector<Sample> samples_of(const Judgement& judgement, const Standard& stand
                   .is_clear = false,
                   .runs = {}};
     for (const Start& start : starts()) {
-      sample.directions.push_back(start.direction_of(pair));
+      sample.directions.push_back(start(pair));
       sample.runs.push_back(ask_faithfully(sample.a, sample.b, sample.directions.back()));
     }
     sample.is_clear = !sample.misleads_the_report() && is_clear(each, in_plane);
@@ -226,7 +224,7 @@ class Search {
 
   void look_at_rounding() {
     const auto is_beyond_doubles = [](const Sample& each) {
-      const double size = largest(each.judged->asked.pair);
+      const double size = largest_number(each.judged->asked.pair);
       return each.is_wrong && !each.misleads_the_report() && each.judged->how_far.relative > 1e-13 && size > small &&
              size < large;
     };
@@ -310,11 +308,21 @@ class Search {
     return changed;
   }
 
-  Changed ask_symmetric(Symmetry symmetry) const {
-    return ask_after([&](const Sample& each) -> std::optional<PointPair> {
+  Changed ask_exchanged() const {
+    return ask_after([](const Sample& each) -> std::optional<PointPair> {
       if (!each.is_clear) return std::nullopt;
-      Dice dice(1, each.judged->asked.name, static_cast<std::uint64_t>(symmetry));
-      return after(symmetry, each.judged->asked.pair, dice);
+      return PointPair{each.judged->asked.pair.b, each.judged->asked.pair.a};
+    });
+  }
+
+  Changed ask_permuted() const {
+    return ask_after([](const Sample& each) -> std::optional<PointPair> {
+      if (!each.is_clear) return std::nullopt;
+      PointPair pair = each.judged->asked.pair;
+      Dice dice(1, each.judged->asked.name, 0);
+      dice.shuffle(pair.a);
+      dice.shuffle(pair.b);
+      return pair;
     });
   }
 
@@ -323,8 +331,8 @@ class Search {
     return ask_after([&](const Sample& each) -> std::optional<PointPair> {
       if (each.is_wrong && each.judged->how_far.relative < 1e-7) return std::nullopt;  // rounding may be why
       PointPair pair = each.judged->asked.pair;
-      if (largest(pair) == 0) return std::nullopt;
-      const double factor = std::ldexp(1.0, std::ilogb(wanted) - std::ilogb(largest(pair)));
+      if (largest_number(pair) == 0) return std::nullopt;
+      const double factor = std::ldexp(1.0, std::ilogb(wanted) - std::ilogb(largest_number(pair)));
       for (Points* const set : {&pair.a, &pair.b})
         for (Vec& p : *set) {
           const Vec before = p;
@@ -378,17 +386,13 @@ class Search {
 
   void look_at_orders_and_place() {
     // What leads a search another way may mend it by chance: a cause mends what other changes do not.
-    const auto in_words = [](Symmetry symmetry) {
-      return std::string(symmetry_names[static_cast<std::size_t>(symmetry)]);
-    };
     struct Try {
       std::string name, change;
       Changed changed;
     };
-    const std::array tries{
-        Try{"the order of a and b matters", in_words(Symmetry::exchanged), ask_symmetric(Symmetry::exchanged)},
-        Try{"the order of points matters", in_words(Symmetry::permuted), ask_symmetric(Symmetry::permuted)},
-        Try{"the place in the world matters", "moved to the origin", ask_about_origin()}};
+    const std::array tries{Try{"the order of a and b matters", "a and b exchanged", ask_exchanged()},
+                           Try{"the order of points matters", "points permuted", ask_permuted()},
+                           Try{"the place in the world matters", "moved to the origin", ask_about_origin()}};
     for (const Try& each : tries) {
       double others = 0;
       for (const Try& other : tries)

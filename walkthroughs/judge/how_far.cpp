@@ -178,33 +178,8 @@ bool supports_at_origin(const PointPair& pair, const Exact& normal) {
   });
 }
 
-}  // namespace
-
-HowFar how_far(const Case& asked, bool in_plane) {
-  // Scaled by a power of two, so that no difference overflows.
-  const double most = std::max(largest_number(asked.pair.a), largest_number(asked.pair.b));
-  if (most == 0) return {};
-  const int power = std::ilogb(most) + 2;
-  PointPair pair = asked.pair;
-  for (Points* const set : {&pair.a, &pair.b})
-    for (Vec& p : *set)
-      for (double& x : p) x = std::scalbn(x, -power);
-  const double diagonal = diagonal_of(pair);
-  if (diagonal == 0) return {};
-  if (!asked.meet()) {
-    const double gap = gap_of(pair);
-    return {std::scalbn(gap, power), gap / diagonal, false};
-  }
-  if (only_touch(pair, in_plane)) return {};
-  const double depth = std::max(0.0, shallowest(of_size_one(pair, diagonal), in_plane).depth);
-  return {std::scalbn(depth * diagonal, power), depth, !are_few(pair)};
-}
-
-bool only_touch(const PointPair& pair, bool in_plane) {
-  const double diagonal = diagonal_of(pair);
-  if (diagonal == 0) return true;
-  const PointPair scaled = of_size_one(pair, diagonal);
-  const Shallowest found = shallowest(scaled, in_plane);
+/// `found`: of `scaled`, the pair of size 1.
+bool touches(const PointPair& pair, const PointPair& scaled, const Shallowest& found, bool in_plane) {
   if (found.depth > nearly_touches) return false;
   if (found.direction == Vec::Zero()) return true;  // all in a line
   const auto [near, of_pair] = near_face(scaled, pair, found.direction);
@@ -226,6 +201,37 @@ bool only_touch(const PointPair& pair, bool in_plane) {
     }
   });
   return touch;
+}
+
+}  // namespace
+
+HowFar how_far(const Case& asked, bool in_plane) {
+  // Scaled by a power of two, so that no difference overflows.
+  const double most = largest_number(asked.pair);
+  if (most == 0) return {};
+  const int power = std::ilogb(most) + 2;
+  PointPair pair = asked.pair;
+  for (Points* const set : {&pair.a, &pair.b})
+    for (Vec& p : *set)
+      for (double& x : p) x = std::scalbn(x, -power);
+  const double diagonal = diagonal_of(pair);
+  if (diagonal == 0) return {};
+  if (!asked.meet()) {
+    const double gap = gap_of(pair);
+    return {std::scalbn(gap, power), gap / diagonal, false};
+  }
+  const PointPair scaled = of_size_one(pair, diagonal);
+  const Shallowest found = shallowest(scaled, in_plane);
+  if (touches(pair, scaled, found, in_plane)) return {};
+  const double depth = std::max(0.0, found.depth);
+  return {std::scalbn(depth * diagonal, power), depth, !are_few(pair)};
+}
+
+bool only_touch(const PointPair& pair, bool in_plane) {
+  const double diagonal = diagonal_of(pair);
+  if (diagonal == 0) return true;
+  const PointPair scaled = of_size_one(pair, diagonal);
+  return touches(pair, scaled, shallowest(scaled, in_plane), in_plane);
 }
 
 }  // namespace walkthroughs::judge

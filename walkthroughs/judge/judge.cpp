@@ -56,7 +56,7 @@ Tally& tally_of(const std::string& family, std::vector<Tally>& all) {
 
 /// Whether floats, too, have room for the products of such numbers.
 bool is_everyday(const Judged& each) {
-  const double size = std::max(largest_number(each.asked.pair.a), largest_number(each.asked.pair.b));
+  const double size = largest_number(each.asked.pair);
   return can_be_drawn(each.asked.pair) && size < 1e8 && size > 1e-8;
 }
 
@@ -98,14 +98,6 @@ std::string fault_line(const Judged& each) {
   const std::string what(each.false_evidence ? "false evidence"
                                              : verdict_words[static_cast<std::size_t>(each.verdict)]);
   return what + " " + printable(each.asked.name);
-}
-
-std::string last_line(const std::string& text) {
-  const std::size_t last = text.find_last_not_of(" \r\n");
-  if (last == std::string::npos) return "";
-  const std::string said = text.substr(0, last + 1);
-  const std::size_t feed = said.rfind('\n');
-  return said.substr(feed == std::string::npos ? 0 : feed + 1);
 }
 
 class Hearing {
@@ -172,32 +164,7 @@ bool Judgement::behaves() const {
 
 bool can_be_drawn(const PointPair& pair) {
   return std::max(pair.a.size(), pair.b.size()) <= scene_limits::points &&
-         std::max(largest_number(pair.a), largest_number(pair.b)) <= scene_limits::magnitude;
-}
-
-std::optional<std::string> why_not_judged(const Judgement& judgement) {
-  const Replies& replies = judgement.replies;
-  const auto of = [&](Verdict verdict) { return judgement.all.of(verdict); };
-  const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + of(Verdict::wrong_yes) +
-                                 of(Verdict::wrong_no) + of(Verdict::undecided) + of(Verdict::not_a_number);
-  const std::string first = judgement.failed.empty() ? ""
-                                                     : " (" + judgement.failed.front().asked.name + ": " +
-                                                           judgement.failed.front().detail + ")";
-  const std::string said =
-      last_line(replies.said).empty() ? "" : "; it wrote to standard error: " + message_line(last_line(replies.said));
-  const std::string others =
-      said + (replies.others == 0 ? ""
-                                  : "; what it prints, such as " + in_quotes(replies.first_other) +
-                                        ", is no answer: yes, no, undecided or distance 0.25");
-  if (replies.floods > 0 || replies.long_lines > 0)
-    return "writes too much: more answers than it reads pairs, or too many or too long other lines" + others;
-  if (answered == 0)
-    return "answered none of " + std::to_string(judgement.all.pairs - of(Verdict::not_asked)) + " pairs" + first +
-           others;
-  if (replies.was_given_up)
-    return "was given up after " + std::to_string(answered) + " answers: too many pairs in a row had none" + first +
-           others;
-  return std::nullopt;
+         largest_number(pair) <= scene_limits::magnitude;
 }
 
 Judged judged(const Case& asked, const Reply& reply, const Standard& standard) {

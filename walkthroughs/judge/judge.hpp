@@ -98,9 +98,6 @@ Judgement judge(const AskedProgram& program, Cases cases, const Standard& standa
 /// Returns: whether `gjkstep render` takes the pair.
 bool can_be_drawn(const PointPair& pair);
 
-/// Returns: why nothing can be said of the program, if that is so: it answered nothing, or was given up, or wrote more than was asked.
-std::optional<std::string> why_not_judged(const Judgement& judgement);
-
 /// Returns: what came of that reply.
 Judged judged(const Case& asked, const Reply& reply, const Standard& standard);
 

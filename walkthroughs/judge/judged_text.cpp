@@ -118,6 +118,14 @@ std::string next_line(const Report& report) {
   return "next: " + command(report, "--save wrong") + "; gjkstep render wrong/1.json\n";
 }
 
+std::string last_line(const std::string& text) {
+  const std::size_t last = text.find_last_not_of(" \r\n");
+  if (last == std::string::npos) return "";
+  const std::string said = text.substr(0, last + 1);
+  const std::size_t feed = said.rfind('\n');
+  return said.substr(feed == std::string::npos ? 0 : feed + 1);
+}
+
 /// What is odd, whether answers are right or not.
 std::string behaviour(const Judgement& found) {
   const Replies& replies = found.replies;
@@ -140,12 +148,8 @@ std::string behaviour(const Judgement& found) {
   say(replies.others > 0,
       "it also prints " + count(replies.others, "line that is no answer", "lines that are no answers") +
           ", the first " + in_quotes(replies.first_other) + "; an answer is yes, no, undecided or distance 0.25");
-  const std::size_t last = replies.said.find_last_not_of(" \r\n");
-  if (last != std::string::npos) {
-    const std::string said = replies.said.substr(0, last + 1);
-    const std::size_t feed = said.rfind('\n');
-    say(true, "it wrote to standard error: " + message_line(said.substr(feed == std::string::npos ? 0 : feed + 1)));
-  }
+  const std::string said = last_line(replies.said);
+  say(!said.empty(), "it wrote to standard error: " + message_line(said));
   return text;
 }
 
@@ -203,6 +207,31 @@ std::vector<std::string> Accepted::news(const Judgement& judgement) const {
   for (const std::string& fault : judgement.faults)
     if (!faults.contains(fault)) news.push_back(fault);
   return news;
+}
+
+std::optional<std::string> why_not_judged(const Judgement& judgement) {
+  const Replies& replies = judgement.replies;
+  const auto of = [&](Verdict verdict) { return judgement.all.of(verdict); };
+  const std::uint64_t answered = of(Verdict::right) + of(Verdict::within_tolerance) + of(Verdict::wrong_yes) +
+                                 of(Verdict::wrong_no) + of(Verdict::undecided) + of(Verdict::not_a_number);
+  const std::string first = judgement.failed.empty() ? ""
+                                                     : " (" + judgement.failed.front().asked.name + ": " +
+                                                           judgement.failed.front().detail + ")";
+  const std::string last = last_line(replies.said);
+  const std::string said = last.empty() ? "" : "; it wrote to standard error: " + message_line(last);
+  const std::string others =
+      said + (replies.others == 0 ? ""
+                                  : "; what it prints, such as " + in_quotes(replies.first_other) +
+                                        ", is no answer: yes, no, undecided or distance 0.25");
+  if (replies.floods > 0 || replies.long_lines > 0)
+    return "writes too much: more answers than it reads pairs, or too many or too long other lines" + others;
+  if (answered == 0)
+    return "answered none of " + std::to_string(judgement.all.pairs - of(Verdict::not_asked)) + " pairs" + first +
+           others;
+  if (replies.was_given_up)
+    return "was given up after " + std::to_string(answered) + " answers: too many pairs in a row had none" + first +
+           others;
+  return std::nullopt;
 }
 
 std::string first_screen(const Report& report) {

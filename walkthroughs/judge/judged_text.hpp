@@ -30,6 +30,9 @@ struct Report {
   std::string saved = {};  ///< the folder of its scenes; else empty
 };
 
+/// Returns: why nothing can be said of the program, if that is so: it answered nothing, or was given up, or wrote more than was asked.
+std::optional<std::string> why_not_judged(const Judgement& judgement);
+
 /// Returns: verdict and counts; the worst pair; it as a scene; the most probable cause with its evidence; what to do next. And a line
 /// each for what is odd about how it behaves.
 std::string first_screen(const Report& report);

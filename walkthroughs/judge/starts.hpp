@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "core/result.hpp"
@@ -10,10 +9,7 @@
 
 namespace walkthroughs::judge {
 
-struct Start {
-  const char* words;
-  std::function<Vec(const PointPair&)> direction_of;
-};
+using Start = std::function<Vec(const PointPair&)>;  ///< the first direction
 
 inline Vec mean_of(const Points& points) {
   Vec sum = Vec::Zero();
@@ -25,19 +21,14 @@ inline Vec mean_of(const Points& points) {
 inline const std::vector<Start>& starts() {
   static const std::vector<Start> all = [] {
     std::vector<Start> list;
-    for (const auto& [words, d] :
-         {std::pair{"+x", Vec(1, 0, 0)}, std::pair{"−x", Vec(-1, 0, 0)}, std::pair{"+y", Vec(0, 1, 0)},
-          std::pair{"−y", Vec(0, -1, 0)}, std::pair{"+z", Vec(0, 0, 1)}, std::pair{"−z", Vec(0, 0, -1)}})
-      list.push_back({words, [d = d](const PointPair&) { return d; }});
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double sign : {1.0, -1.0})
+        list.push_back([d = Vec(sign * Vec::Unit(axis))](const PointPair&) { return d; });
     using gjk::first_direction_between;
-    list.push_back({"from A to B",
-                    [](const PointPair& pair) { return first_direction_between(mean_of(pair.a), mean_of(pair.b)); }});
-    list.push_back({"from B to A",
-                    [](const PointPair& pair) { return first_direction_between(mean_of(pair.b), mean_of(pair.a)); }});
-    list.push_back(
-        {"from a[0] to b[0]", [](const PointPair& pair) { return first_direction_between(pair.a[0], pair.b[0]); }});
-    list.push_back(
-        {"from b[0] to a[0]", [](const PointPair& pair) { return first_direction_between(pair.b[0], pair.a[0]); }});
+    list.push_back([](const PointPair& pair) { return first_direction_between(mean_of(pair.a), mean_of(pair.b)); });
+    list.push_back([](const PointPair& pair) { return first_direction_between(mean_of(pair.b), mean_of(pair.a)); });
+    list.push_back([](const PointPair& pair) { return first_direction_between(pair.a[0], pair.b[0]); });
+    list.push_back([](const PointPair& pair) { return first_direction_between(pair.b[0], pair.a[0]); });
     return list;
   }();
   return all;

@@ -47,5 +47,6 @@ inline double largest_number(const Body& body) {
   visit_fields(look, body);
   return most;
 }
+inline double largest_number(const PointPair& pair) { return std::max(largest_number(pair.a), largest_number(pair.b)); }
 
 }  // namespace walkthroughs::pairs

@@ -79,7 +79,10 @@ struct JudgeCommand {
   judge::Expected expected() const {
     return {numbers == "float" ? judge::Numbers::floats : judge::Numbers::doubles, in_plane};
   }
+  judge::Standard standard() const;
   judge::Cases cases() const;
+  Places places() const;
+  judge::Report report() const;
   void expect_possible() const;
   void write_scenes(const judge::Judgement& judgement) const;
   judge::Accepted accepted(const judge::Judgement& judgement, const std::optional<std::set<std::string>>& known) const;
@@ -163,7 +166,7 @@ std::set<std::string> accepted_in(const std::string& file) {
   std::istringstream lines(read_text(file, largest_file));
   std::set<std::string> faults;
   std::string line;
-  if (!std::getline(lines, line) || !line.starts_with("# What gjkstep judge"))
+  if (!std::getline(lines, line) || !line.starts_with(head_of_accepted))
     throw InputError(file + ":1: is no list of accepted faults; name a file that is not there, and it is written");
   while (std::getline(lines, line)) {
     line.erase(line.find_last_not_of(" \t\r") + 1);
@@ -182,12 +185,17 @@ judge::Accepted JudgeCommand::accepted(const judge::Judgement& judgement,
   return {*accept, {judgement.faults.begin(), judgement.faults.end()}, true};
 }
 
-int JudgeCommand::run() const {
-  if (adapter) {
-    std::cout << judge::adapter(*adapter) << std::flush;
-    return ok;
-  }
-  expect_possible();
+judge::Standard JudgeCommand::standard() const {
+  using judge::Touching;
+  return {expected(),
+          touching == "no"       ? Touching::separated
+          : touching == "either" ? Touching::either
+                                 : Touching::intersecting,
+          tolerance};
+}
+
+/// Returns: what is read and written. Errors: UsageError where two of these are at one place, or a file of others would be lost.
+Places JudgeCommand::places() const {
   Places places;
   if (pairs && pairs->empty()) throw UsageError("--pairs '': name a file, or - for standard input");
   if (pairs) places.read(*pairs, "the pairs " + *pairs);
@@ -204,46 +212,54 @@ int JudgeCommand::run() const {
   }
   places.write_standard_output();
   places.expect_apart();
-  std::optional<std::set<std::string>> known;
-  if (accept && is_there(*accept))
-    known = accepted_in(*accept);
-  else if (accept)
-    render::expect_writable(*accept);
-  if (save) {
-    places.expect_no_loss(force ? Others::overwritten : Others::kept, "--save");
-    render::make_folder(*save, "choose another with --save");  // before the work, not after it
-  }
+  if (save) places.expect_no_loss(force ? Others::overwritten : Others::kept, "--save");
+  return places;
+}
+
+/// Asks the program. Errors: UsageError where it cannot be started; InputError where nothing can be said of it.
+judge::Report JudgeCommand::report() const {
   const judge::AskedProgram asked{.words = program,
                                   .limit = std::chrono::milliseconds(std::lround(1000 * time_limit)),
                                   .is_answer = judge::is_meant_as_answer};
-  const judge::Standard standard{expected(),
-                                 touching == "no"       ? judge::Touching::separated
-                                 : touching == "either" ? judge::Touching::either
-                                                        : judge::Touching::intersecting,
-                                 tolerance};
   judge::Report report{joined(program, " ", shell_quoted), options, {}, {}, {}, save.value_or("")};
   try {
-    report.judgement = judge::judge(asked, cases(), standard, kept_worst, show_progress);
+    report.judgement = judge::judge(asked, cases(), standard(), kept_worst, show_progress);
     if (save) write_scenes(report.judgement);
     if (report.judgement.all.pairs == 0)
       throw UsageError("no pair is left to ask: floats have no room for any of them");
     if (const auto why = judge::why_not_judged(report.judgement))
       throw InputError(report.program + " " + *why + "; 'gjkstep judge --help' says how it is asked");
-    report.causes = judge::probable_causes(asked, report.judgement, standard);
+    report.causes = judge::probable_causes(asked, report.judgement, standard());
   } catch (const judge::CannotStart& error) {
     throw UsageError(error.what());
   } catch (const std::system_error& error) {
     throw UsageError(std::string(error.what()) + "; allow more open files (ulimit -n) or processes (ulimit -u)");
   }
-  if (accept) report.accepted = accepted(report.judgement, known);
-  std::cout << (as_json    ? judge::json(report)
-                : as_table ? judge::table(report)
-                           : judge::first_screen(report))
+  return report;
+}
+
+int JudgeCommand::run() const {
+  if (adapter) {
+    std::cout << judge::adapter(*adapter) << std::flush;
+    return ok;
+  }
+  expect_possible();
+  const Places used = places();
+  std::optional<std::set<std::string>> known;
+  if (accept && is_there(*accept))
+    known = accepted_in(*accept);
+  else if (accept)
+    render::expect_writable(*accept);
+  if (save) render::make_folder(*save, "choose another with --save");  // before the work, not after it
+  judge::Report found = report();
+  if (accept) found.accepted = accepted(found.judgement, known);
+  std::cout << (as_json    ? judge::json(found)
+                : as_table ? judge::table(found)
+                           : judge::first_screen(found))
             << std::flush;
-  places.tidy_manifests();
-  const bool is_known =
-      report.accepted && report.judgement.behaves() && report.accepted->news(report.judgement).empty();
-  return is_known || report.judgement.is_good() ? 0 : 1;
+  used.tidy_manifests();
+  const bool is_known = found.accepted && found.judgement.behaves() && found.accepted->news(found.judgement).empty();
+  return is_known || found.judgement.is_good() ? 0 : 1;
 }
 
 /// "a,b", and again.
